@@ -1,0 +1,1 @@
+"""Cases of documented integration bugs: reconstruct, score, statistics."""

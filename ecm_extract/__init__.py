@@ -1,0 +1,1 @@
+"""From a source tree to contracts: discover, read, link, assemble, report."""

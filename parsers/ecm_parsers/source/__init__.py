@@ -1,0 +1,1 @@
+"""C++ and Python source: one set of facts for both languages."""

@@ -1,0 +1,106 @@
+"""Expressions of C++ and Python in one small vocabulary, so that values fold the same way in both.
+
+`this->x` and `self.x` are both `Member(Name("this"), "x")`. What has no counterpart here is `Opaque`.
+Records are array-like: they travel between processes and into the cache by the hundred thousand.
+"""
+
+from __future__ import annotations
+
+from typing import TypeAlias
+
+import msgspec
+
+
+class _Node(msgspec.Struct, frozen=True, array_like=True, tag=True, gc=False):
+    """Base of all expressions; the tag is the class name."""
+
+
+class Text(_Node):
+    """A string literal, unescaped."""
+
+    value: str
+
+
+class Number(_Node):
+    """A numeric literal."""
+
+    value: int | float
+
+
+class Constant(_Node):
+    """`true`, `false` or `null`, whatever the language calls them."""
+
+    name: str
+
+
+class Name(_Node):
+    """An identifier; C++ qualification is kept with `::`, template arguments are dropped."""
+
+    id: str
+
+
+class Member(_Node):
+    """`base.name` or `base->name`."""
+
+    base: Expr
+    name: str
+
+
+class Call(_Node):
+    """A call or an object construction (`T(x)`, `T{x}`, `new T(x)`).
+
+    Attributes:
+        callee: what is called; a type name for a construction.
+        args: positional arguments.
+        keywords: Python keyword arguments.
+        types: C++ template arguments, as written.
+        line: 1-based line of the callee's last name, where people look for the call.
+    """
+
+    callee: Expr
+    args: tuple[Expr, ...]
+    keywords: tuple[tuple[str, Expr], ...] = ()
+    types: tuple[str, ...] = ()
+    line: int = 0
+
+
+class Op(_Node):
+    """An operator over its operands: `+`, `%`, `/`, `|`, `!`, `&` (address of), `?:`, `[]`, `==` ..."""
+
+    op: str
+    operands: tuple[Expr, ...]
+
+
+class Items(_Node):
+    """A list, tuple, set or braced initialiser."""
+
+    items: tuple[Expr, ...]
+
+
+class Table(_Node):
+    """A Python dict display; a `**spread` has key `Constant("null")`."""
+
+    entries: tuple[tuple[Expr, Expr], ...]
+
+
+class Template(_Node):
+    """A Python f-string: its literal and computed parts in order."""
+
+    parts: tuple[Expr, ...]
+
+
+class Lambda(_Node):
+    """An anonymous function; its statements are those of the enclosing function, its parameter types are kept."""
+
+    param_types: tuple[str, ...]
+
+
+class Opaque(_Node):
+    """Source text that means nothing to the linker, cut at 80 characters."""
+
+    text: str
+
+
+Expr: TypeAlias = (
+    Text | Number | Constant | Name | Member | Call | Op | Items | Table | Template | Lambda | Opaque
+)

@@ -1,0 +1,154 @@
+"""What a C++ or Python file declares and does: classes, functions, statements, constants, imports.
+
+Nothing here is about ROS. Which calls are publishers is a table of forms, applied when linking.
+Scopes and owners are written with `::` in both languages (`ns::Class`, Python `Outer::Inner`).
+"""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import msgspec
+
+from ecm_parsers.source.expr import Expr
+
+StatementKind = Literal["do", "let", "set", "init", "return", "each"]
+
+
+class _Fact(msgspec.Struct, frozen=True, array_like=True, gc=False):
+    """Base of all source facts."""
+
+
+class Statement(_Fact):
+    """One step of a body that can carry a value or a call.
+
+    Attributes:
+        kind: `do` expression; `let` declaration; `set` assignment; `init` constructor initialiser (target is the
+            member or the base class); `return`; `each` loop over `value` binding `target`.
+        line: 1-based.
+        value: the expression; None for a declaration without a value.
+        target: what is bound (`let`, `set`, `init`, `each`).
+        type: declared type as written (`let` in C++, annotated Python).
+        depth: how many conditions and loops enclose it; 0 runs whenever the body runs.
+    """
+
+    kind: StatementKind
+    line: int
+    value: Expr | None
+    target: Expr | None = None
+    type: str = ""
+    depth: int = 0
+
+
+class Parameter(_Fact):
+    """A parameter of a function, with its type as written."""
+
+    name: str
+    type: str = ""
+    default: Expr | None = None
+
+
+class Function(_Fact):
+    """A function or method, declared or defined; a Python module body is the function `<module>`.
+
+    Attributes:
+        name: own name; the class name for a C++ constructor, `__init__` for a Python one.
+        scope: enclosing namespaces and classes (`ns::Class`), for a lambda or nested function also the function.
+        params: without the implicit `this` / `self`.
+        returns: return type as written.
+        line: first line. end_line: last line.
+        body: its statements, those of its anonymous lambdas included; empty for a declaration.
+        template: names of template parameters.
+        traits: of `declaration`, `static`, `virtual`, `override`, `pure`, `deleted`, `private`, `protected`,
+            `anonymous` (namespace), `deprecated`, `const`.
+        decorators: Python decorators or C++ attributes, as written.
+    """
+
+    name: str
+    scope: str
+    params: tuple[Parameter, ...]
+    returns: str
+    line: int
+    end_line: int
+    body: tuple[Statement, ...] = ()
+    template: tuple[str, ...] = ()
+    traits: tuple[str, ...] = ()
+    decorators: tuple[str, ...] = ()
+
+
+class Field(_Fact):
+    """A data member of a class; for Python a class attribute or what `__init__` sets on self with an annotation."""
+
+    name: str
+    type: str
+    line: int
+    default: Expr | None = None
+    traits: tuple[str, ...] = ()
+
+
+class Class(_Fact):
+    """A class or struct with its bases as written (template arguments kept)."""
+
+    name: str
+    scope: str
+    bases: tuple[str, ...]
+    line: int
+    end_line: int
+    fields: tuple[Field, ...] = ()
+    template: tuple[str, ...] = ()
+    traits: tuple[str, ...] = ()
+
+
+class Constant(_Fact):
+    """A named value outside functions: namespace constant, static member, `#define`, enum value, module global."""
+
+    name: str
+    scope: str
+    value: Expr | None
+    line: int
+    type: str = ""
+    traits: tuple[str, ...] = ()
+
+
+class Alias(_Fact):
+    """`using A = B`, `typedef B A`, `namespace A = B`."""
+
+    name: str
+    scope: str
+    target: str
+    line: int
+
+
+class Import(_Fact):
+    """An include (`module` is the path, `name` empty) or a Python import.
+
+    Python `import a.b as c` -> module `a.b`, name empty, alias `c`; `from a import b as c` -> module `a`, name `b`,
+    alias `c`. A star import has name `*`.
+    """
+
+    module: str
+    name: str
+    alias: str
+    line: int
+
+
+class Macro(_Fact):
+    """A macro used like a declaration, e.g. `PLUGINLIB_EXPORT_CLASS(a::B, c::D)`; arguments as written."""
+
+    name: str
+    args: tuple[str, ...]
+    line: int
+
+
+class SourceFile(_Fact):
+    """All facts of one source file."""
+
+    language: Literal["cpp", "python"]
+    imports: tuple[Import, ...] = ()
+    usings: tuple[str, ...] = ()
+    aliases: tuple[Alias, ...] = ()
+    classes: tuple[Class, ...] = ()
+    functions: tuple[Function, ...] = ()
+    constants: tuple[Constant, ...] = ()
+    macros: tuple[Macro, ...] = ()
+    shebang: str = ""
