@@ -37,7 +37,8 @@ class Evidence(msgspec.Struct, frozen=True, omit_defaults=True):
 class Qos(msgspec.Struct, frozen=True, omit_defaults=True):
     """DDS policies of an endpoint; a policy not set in source has its default and is named in `defaulted`.
 
-    Durations are in milliseconds; None is infinite. `profile` is the preset it was built from, e.g. `sensor_data`.
+    Durations are in milliseconds; None is infinite. `profile` is the preset it was built from, such as
+    `sensor_data`.
     """
 
     reliability: str | None = None
@@ -63,7 +64,8 @@ class Interface(msgspec.Struct, frozen=True):
         qos: ROS 2 policies, ROS 1 queue size as depth; None for parameters and transforms.
         default: of a parameter, as data; None when it has none or it cannot be folded.
         frame: `header.frame_id` or the transform's frames, where seen.
-        confidence: `literal`, `folded` (computed from constants), `default` (from a parameter's default), `pattern`.
+        confidence: `literal`, `folded` (computed from constants), `default` (from a parameter's default),
+            `pattern`.
         evidence: the declaring line first, then the lines it came through (wrappers).
         inherited_from: class or package that brings it, when not the module itself.
     """
@@ -168,8 +170,8 @@ class Recovery(msgspec.Struct, frozen=True):
     escalation: Value | None = None
 
 
-class Entity(msgspec.Struct, frozen=True):
-    """A public name that others can depend on (kinds: DESIGN §6)."""
+class Entity(msgspec.Struct, frozen=True, omit_defaults=True):
+    """A public name that others can depend on; kinds: topic, parameter, message_field, ... (DESIGN §6)."""
 
     kind: str
     package: str
@@ -180,7 +182,7 @@ class Entity(msgspec.Struct, frozen=True):
     default: Any = None
 
 
-class Use(msgspec.Struct, frozen=True):
+class Use(msgspec.Struct, frozen=True, omit_defaults=True):
     """A place that depends on an entity; `package` and `owner` are None where the name alone is known."""
 
     kind: str

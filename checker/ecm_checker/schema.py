@@ -1,0 +1,41 @@
+"""JSON Schema (draft 2020-12) of the documents in `wire`: made from the model and shipped as files beside it.
+
+`make schemas` writes the files anew; a test holds them to the model.
+"""
+
+from __future__ import annotations
+
+import json
+from importlib import resources
+from typing import Any, Final
+
+import msgspec
+
+from ecm_checker import wire
+
+_DIALECT: Final = "https://json-schema.org/draft/2020-12/schema"
+_DOCUMENTS: Final[dict[str, tuple[type[msgspec.Struct], str, str]]] = {
+    "manifest": (wire.Manifest, wire.MANIFEST_SCHEMA, "ECM contract of one module"),
+    "extract": (wire.Extract, wire.EXTRACT_SCHEMA, "What ecm-extract read off one source tree"),
+}
+
+NAMES: Final = tuple(_DOCUMENTS)
+
+
+def generate(name: str) -> dict[str, Any]:
+    """JSON Schema of a document (`manifest` or `extract`), made from the model."""
+    model, number, title = _DOCUMENTS[name]
+    head = {"$schema": _DIALECT, "$id": f"urn:{number.replace('/', ':')}", "title": title}
+    return {**head, **msgspec.json.schema(model)}
+
+
+def render(name: str) -> str:
+    """Text of the file in which the schema of a document is shipped."""
+    return json.dumps(generate(name), indent=1) + "\n"
+
+
+def shipped(name: str) -> dict[str, Any]:
+    """JSON Schema of a document as shipped with this package."""
+    text = resources.files("ecm_checker").joinpath("schema", f"{name}.schema.json").read_text("utf-8")
+    schema: dict[str, Any] = json.loads(text)
+    return schema

@@ -1,0 +1,46 @@
+"""Golden files: text that a person reads in review. `pytest --update-golden` writes them anew."""
+
+from __future__ import annotations
+
+import difflib
+from pathlib import Path
+
+import pytest
+
+GOLDEN = Path(__file__).parent / "golden"
+
+
+class Golden:
+    """Compares text with a file under version control."""
+
+    def __init__(self, update: bool) -> None:
+        self._update = update
+
+    def __call__(self, name: str, text: str) -> None:
+        """Fail with a diff unless `text` equals tests/golden/NAME."""
+        self.check(GOLDEN / name, text)
+
+    def check(self, path: Path, text: str) -> None:
+        """Fail with a diff unless `text` equals the file at `path`; write the file when asked to update."""
+        before = path.read_text("utf-8") if path.is_file() else ""
+        if before == text:
+            return
+        if self._update:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, "utf-8")
+            return
+        diff = difflib.unified_diff(
+            before.splitlines(), text.splitlines(), f"{path.name} (golden)", f"{path.name} (now)", lineterm=""
+        )
+        pytest.fail("\n".join([*diff, "if this is meant: pytest --update-golden"]), pytrace=False)
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption(
+        "--update-golden", action="store_true", help="write golden files anew instead of comparing"
+    )
+
+
+@pytest.fixture
+def golden(request: pytest.FixtureRequest) -> Golden:
+    return Golden(update=bool(request.config.getoption("--update-golden")))
