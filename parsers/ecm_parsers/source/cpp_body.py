@@ -1,0 +1,277 @@
+"""Statements of a C++ function body."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ecm_parsers.source.cpp_expr import ExprReader, lambda_types
+from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Name, Number, Op, Opaque, Text
+from ecm_parsers.source.facts import Function, Parameter, Statement, StatementKind
+
+if TYPE_CHECKING:
+    from tree_sitter import Node
+
+MAX_NESTING = 200
+_BLOCKS = frozenset(
+    {
+        "compound_statement",
+        "else_clause",
+        "case_statement",
+        "labeled_statement",
+        "preproc_if",
+        "preproc_ifdef",
+    }
+    | {"preproc_else", "preproc_elif", "preproc_elifdef", "ERROR"}
+)
+_BRANCHES = frozenset(
+    {"if_statement", "for_statement", "while_statement", "do_statement", "switch_statement"}
+    | {"try_statement", "catch_clause", "for_range_loop"}
+)
+_LOGGING = ("RCLCPP_", "ROS_", "RCUTILS_", "ASSERT_", "EXPECT_")
+
+
+class BodyReader:
+    """Collects the statements of one function, those of its anonymous lambdas included.
+
+    Attributes:
+        statements: what was read so far, in source order.
+        functions: lambdas bound to a name, read as functions of their own.
+    """
+
+    def __init__(self, data: bytes, scope: str) -> None:
+        self.expr = ExprReader(data, self._lambda_body)
+        self.scope = scope
+        self.statements: list[Statement] = []
+        self.functions: list[Function] = []
+        self._depth = 0
+        self._nesting = 0
+
+    def read(self, node: Node) -> None:
+        """Read one statement, or a block of them."""
+        if self._nesting >= MAX_NESTING:
+            return
+        self._nesting += 1
+        kind = node.type
+        if kind in _BLOCKS:
+            for child in node.named_children:
+                self.read(child)
+        elif kind in _BRANCHES:
+            self._branch(node)
+        elif kind == "expression_statement":
+            for child in node.named_children:
+                self._expression(child)
+        elif kind == "declaration":
+            self._declaration(node)
+        elif kind in {"return_statement", "co_return_statement"}:
+            self._return(node)
+        self._nesting -= 1
+
+    def initializers(self, node: Node) -> None:
+        """Read a constructor's initialiser list."""
+        for child in node.named_children:
+            if child.type == "field_initializer" and child.named_children:
+                self._initializer(child)
+
+    def _initializer(self, node: Node) -> None:
+        target, *rest = node.named_children
+        listed = rest[-1] if rest else None
+        args = self.expr.arguments(listed)
+        types = self.expr.template_arguments(target)
+        name = Name(self.expr.name(target))
+        value = args[0] if len(args) == 1 else Call(name, args, (), types, _line(target))
+        if len(args) != 1 or "::" in name.id or name.id[:1].isupper():
+            value = Call(name, args, (), types, _line(target))
+        self._add("init", target, value, name)
+
+    def _branch(self, node: Node) -> None:
+        self._depth += 1
+        if node.type == "for_range_loop":
+            self._range(node)
+        for child in node.named_children:
+            if child.type in {"condition_clause", "parenthesized_expression"}:
+                self._condition(child)
+            else:
+                self.read(child)
+        self._depth -= 1
+
+    def _range(self, node: Node) -> None:
+        declarator, right = node.child_by_field_name("declarator"), node.child_by_field_name("right")
+        if declarator is not None and right is not None:
+            self._add("each", node, self.expr.read(right), Name(declared_name(self.expr, declarator)))
+
+    def _condition(self, node: Node) -> None:
+        value = node.child_by_field_name("value") or node
+        if value.type == "declaration":
+            self._bind(value, value)
+            return
+        read = self.expr.read(value)
+        if has_call(read):
+            self._add("do", node, read)
+
+    def _expression(self, node: Node) -> None:
+        if node.type == "call_expression" and self.expr.data.startswith(_LOGGING_BYTES, node.start_byte):
+            return
+        value = self.expr.read(node)
+        if isinstance(value, Op) and value.op == "=" and len(value.operands) == 2:
+            target, assigned = value.operands
+            if not isinstance(assigned, Opaque):
+                self._add("set", node, assigned, target)
+        elif isinstance(value, Op) and value.op == "+=":
+            self._add("set", node, Op("+", value.operands), value.operands[0])
+        elif has_call(value):
+            self._add("do", node, value)
+
+    def _return(self, node: Node) -> None:
+        for child in node.named_children:
+            value = self.expr.read(child)
+            if not isinstance(value, Opaque):
+                self._add("return", node, value)
+
+    def _declaration(self, node: Node) -> None:
+        kind = node.child_by_field_name("type")
+        if kind is None:
+            return
+        for declarator in node.children_by_field_name("declarator"):
+            self._bind(node, declarator)
+
+    def _bind(self, declaration: Node, declarator: Node) -> None:
+        kind = declaration.child_by_field_name("type")
+        value = declarator.child_by_field_name("value")
+        if kind is None or declarator.type == "function_declarator":
+            return
+        bound = declarator.child_by_field_name("declarator") or declarator
+        name = declared_name(self.expr, bound)
+        if value is not None and value.type == "lambda_expression":
+            self._named_lambda(name, value)
+            return
+        read = self._initial(kind, value)
+        if kind.type == "primitive_type" and not _keeps_number(read):
+            return
+        self._add("let", declarator, read, Name(name), self.expr.type_text(kind))
+
+    def _initial(self, kind: Node, value: Node | None) -> Expr | None:
+        if value is None:
+            return None
+        if value.type not in {"argument_list", "initializer_list"}:
+            return self.expr.read(value)
+        args = self.expr.arguments(value)
+        if value.type == "initializer_list" and kind.type == "placeholder_type_specifier":
+            return Items(args)
+        return Call(Name(self.expr.name(kind)), args, (), self.expr.template_arguments(kind), _line(kind))
+
+    def _named_lambda(self, name: str, node: Node) -> None:
+        body = node.child_by_field_name("body")
+        declarator = node.child_by_field_name("declarator")
+        listed = declarator.child_by_field_name("parameters") if declarator is not None else None
+        inner = BodyReader(self.expr.data, f"{self.scope}::{name}")
+        inner._nesting = self._nesting
+        if body is not None:
+            inner.read(body)
+        params = parameters(self.expr, listed)
+        self.functions.append(
+            Function(
+                name,
+                self.scope,
+                params,
+                "",
+                _line(node),
+                node.end_point[0] + 1,
+                tuple(inner.statements),
+                traits=("lambda",),
+            )
+        )
+        self.functions.extend(inner.functions)
+        self._add("let", node, Lambda(lambda_types(self.expr, node)), Name(name), "auto")
+
+    def _lambda_body(self, body: Node) -> None:
+        self._depth += 1
+        self.read(body)
+        self._depth -= 1
+
+    def _add(
+        self,
+        kind: StatementKind,
+        node: Node,
+        value: Expr | None,
+        target: Expr | None = None,
+        declared: str = "",
+    ) -> None:
+        self.statements.append(Statement(kind, _line(node), value, target, declared, self._depth))
+
+
+_LOGGING_BYTES = tuple(prefix.encode() for prefix in _LOGGING)
+
+
+def has_call(value: Expr) -> bool:
+    """Tell whether an expression calls anything."""
+    if isinstance(value, Call):
+        return True
+    if isinstance(value, Op):
+        return any(has_call(operand) for operand in value.operands)
+    return isinstance(value, Lambda)
+
+
+def parameters(reader: ExprReader, listed: Node | None) -> tuple[Parameter, ...]:
+    """Return the parameters of a parameter list with their types as written."""
+    found = []
+    for child in listed.named_children if listed is not None else ():
+        kind = child.child_by_field_name("type")
+        if kind is None or reader.text(child) == "void":
+            continue
+        declarator, default = (
+            child.child_by_field_name("declarator"),
+            child.child_by_field_name("default_value"),
+        )
+        name = declared_name(reader, declarator) if declarator is not None else ""
+        end = declarator if declarator is not None else default
+        written = reader.data[child.start_byte : end.start_byte if end is not None else child.end_byte]
+        suffix = _suffix(reader, declarator)
+        text = " ".join(written.decode("utf-8", "replace").rstrip(" =").split()) + suffix
+        value = reader.read(default) if default is not None else None
+        found.append(Parameter(name, text, value))
+    return tuple(found)
+
+
+def declared_name(reader: ExprReader, node: Node) -> str:
+    """Return the name that a declarator binds, through references, pointers and arrays."""
+    while node.type not in _NAMES:
+        inner = node.child_by_field_name("declarator")
+        if inner is None and node.named_children:
+            inner = next(
+                (c for c in node.named_children if c.type in _NAMES or c.type.endswith("declarator")), None
+            )
+        if inner is None:
+            return ""
+        node = inner
+    return reader.name(node)
+
+
+_NAMES = frozenset(
+    {
+        "identifier",
+        "field_identifier",
+        "qualified_identifier",
+        "type_identifier",
+        "destructor_name",
+        "operator_name",
+    }
+    | {"operator_cast", "template_function"}
+)
+
+
+def _suffix(reader: ExprReader, declarator: Node | None) -> str:
+    if declarator is None:
+        return ""
+    if declarator.type.startswith("abstract_"):
+        return " " + reader.text(declarator)
+    marks = reader.data[declarator.start_byte : declarator.start_byte + 2].decode("utf-8", "replace")
+    return " " + "".join(mark for mark in marks if mark in "&*") if marks[:1] in {"&", "*"} else ""
+
+
+def _keeps_number(value: Expr | None) -> bool:
+    return isinstance(value, Number | Text | Name | Constant) or (value is not None and has_call(value))
+
+
+def _line(node: Node) -> int:
+    row: int = node.start_point[0]
+    return row + 1

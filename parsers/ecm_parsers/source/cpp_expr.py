@@ -1,0 +1,313 @@
+"""C++ expressions from tree-sitter nodes.
+
+One small function per node type, found by its name in a table. Lambdas hand their bodies to `Reader.inline`,
+since what happens in a callback happens in the module that wrote it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from ecm_parsers.source.expr import (
+    Call,
+    Constant,
+    Expr,
+    Items,
+    Lambda,
+    Member,
+    Name,
+    Number,
+    Op,
+    Opaque,
+    Text,
+)
+
+if TYPE_CHECKING:
+    from tree_sitter import Node
+
+MAX_DEPTH = 60
+_CASTS = frozenset(
+    {
+        "static_cast",
+        "dynamic_cast",
+        "const_cast",
+        "reinterpret_cast",
+        "std::move",
+        "std::forward",
+        "std::ref",
+        "std::cref",
+    }
+)
+_ESCAPES = {"n": "\n", "t": "\t", "r": "\r", "0": "\0", "\\": "\\", '"': '"', "'": "'"}
+_DIGITS = re.compile(r"^[\d'.]+(?:[eE][+-]?\d+)?")
+
+
+class ExprReader:
+    """Turns expression nodes of one file into `Expr`.
+
+    Attributes:
+        data: the bytes that the nodes point into.
+        inline: called with the body node of each lambda met on the way.
+    """
+
+    def __init__(self, data: bytes, inline: Callable[[Node], None]) -> None:
+        self.data = data
+        self.inline = inline
+        self._depth = 0
+
+    def text(self, node: Node) -> str:
+        """Return the source text of a node."""
+        return self.data[node.start_byte : node.end_byte].decode("utf-8", "replace")
+
+    def type_text(self, node: Node) -> str:
+        """Return a type as written, white space collapsed."""
+        return " ".join(self.text(node).split())
+
+    def read(self, node: Node) -> Expr:
+        """Return the expression at `node`; beyond `MAX_DEPTH` levels it is opaque."""
+        reader = _READERS.get(node.type)
+        if reader is None or self._depth >= MAX_DEPTH:
+            return Opaque(self.text(node)[:80])
+        self._depth += 1
+        try:
+            return reader(self, node)
+        finally:
+            self._depth -= 1
+
+    def arguments(self, node: Node | None) -> tuple[Expr, ...]:
+        """Return the expressions of an argument or initialiser list."""
+        if node is None:
+            return ()
+        return tuple([self.read(child) for child in node.named_children if child.type != "comment"])
+
+    def name(self, node: Node) -> str:
+        """Return a possibly qualified name without template arguments."""
+        if node.type == "qualified_identifier":
+            scope, last = node.child_by_field_name("scope"), node.child_by_field_name("name")
+            head = self.name(scope) if scope is not None else ""
+            return f"{head}::{self.name(last)}" if last is not None else head
+        if node.type in _TEMPLATED:
+            inner = node.child_by_field_name("name")
+            return self.name(inner) if inner is not None else self.text(node)
+        if node.type == "dependent_name":
+            return self.name(node.named_children[-1]) if node.named_children else ""
+        return self.text(node)
+
+    def template_arguments(self, node: Node | None) -> tuple[str, ...]:
+        """Return the template arguments of the last name of a callee, as written."""
+        while node is not None and node.type in {
+            "qualified_identifier",
+            "field_expression",
+            "dependent_name",
+        }:
+            following = node.child_by_field_name("name") or node.child_by_field_name("field")
+            node = following or (node.named_children[-1] if node.named_children else None)
+        if node is None or node.type not in _TEMPLATED:
+            return ()
+        listed = node.child_by_field_name("arguments")
+        if listed is None:
+            return ()
+        return tuple([self.type_text(child) for child in listed.named_children if child.type != "comment"])
+
+
+_TEMPLATED = frozenset({"template_function", "template_type", "template_method"})
+
+
+def _string(reader: ExprReader, node: Node) -> Expr:
+    return Text(_string_value(reader, node))
+
+
+def _string_value(reader: ExprReader, node: Node) -> str:
+    parts = []
+    for child in node.named_children:
+        if child.type == "escape_sequence":
+            parts.append(_ESCAPES.get(reader.text(child)[1:], reader.text(child)))
+        elif child.type in {"string_content", "character", "raw_string_content"}:
+            parts.append(reader.text(child))
+        elif child.type in {"string_literal", "raw_string_literal"}:
+            parts.append(_string_value(reader, child))
+    return "".join(parts)
+
+
+def _concatenated(reader: ExprReader, node: Node) -> Expr:
+    parts = [reader.read(child) for child in node.named_children if child.type != "comment"]
+    if all(isinstance(part, Text) for part in parts):
+        return Text("".join(part.value for part in parts if isinstance(part, Text)))
+    return Op("+", tuple(parts))
+
+
+def _number(reader: ExprReader, node: Node) -> Expr:
+    text = reader.text(node)
+    try:
+        if text[:2].lower() in {"0x", "0b"}:
+            return Number(int(text.rstrip("uUlL").replace("'", ""), 0))
+        match = _DIGITS.match(text)
+        digits = match.group().replace("'", "") if match else text
+        return Number(float(digits) if any(c in digits for c in ".eE") else int(digits))
+    except ValueError:
+        return Opaque(text[:80])
+
+
+def _user_literal(reader: ExprReader, node: Node) -> Expr:
+    children = node.named_children
+    suffix = next((reader.text(child) for child in children if child.type == "literal_suffix"), "")
+    value = next((reader.read(child) for child in children if child.type != "literal_suffix"), None)
+    if value is None:
+        return _number(reader, node)
+    return value if isinstance(value, Text) else Call(Name(suffix), (value,), line=node.start_point[0] + 1)
+
+
+def _constant(reader: ExprReader, node: Node) -> Expr:
+    return Constant("null" if node.type in {"null", "nullptr"} else node.type)
+
+
+def _name(reader: ExprReader, node: Node) -> Expr:
+    return Name(reader.name(node))
+
+
+def _field(reader: ExprReader, node: Node) -> Expr:
+    base, field = node.child_by_field_name("argument"), node.child_by_field_name("field")
+    if base is None or field is None:
+        return Opaque(reader.text(node)[:80])
+    return Member(reader.read(base), reader.name(field))
+
+
+def _call(reader: ExprReader, node: Node) -> Expr:
+    function, listed = node.child_by_field_name("function"), node.child_by_field_name("arguments")
+    if function is None:
+        return Opaque(reader.text(node)[:80])
+    if function.type in {"identifier", "template_function", "qualified_identifier"}:
+        name = reader.name(function)
+        if name in _CASTS and listed is not None and listed.named_child_count == 1:
+            return reader.read(listed.named_children[0])
+    callee = reader.read(function)
+    last = function.child_by_field_name("field") or function.child_by_field_name("name") or function
+    types = reader.template_arguments(function)
+    return Call(callee, reader.arguments(listed), (), types, last.start_point[0] + 1)
+
+
+def _new(reader: ExprReader, node: Node) -> Expr:
+    made = node.child_by_field_name("type")
+    if made is None:
+        return Opaque(reader.text(node)[:80])
+    args = reader.arguments(node.child_by_field_name("arguments"))
+    return Call(Name(reader.name(made)), args, (), reader.template_arguments(made), made.start_point[0] + 1)
+
+
+def _compound(reader: ExprReader, node: Node) -> Expr:
+    made = node.child_by_field_name("type")
+    if made is None:
+        return Opaque(reader.text(node)[:80])
+    args = reader.arguments(node.child_by_field_name("value"))
+    return Call(Name(reader.name(made)), args, (), reader.template_arguments(made), made.start_point[0] + 1)
+
+
+def _binary(reader: ExprReader, node: Node) -> Expr:
+    left, right = node.child_by_field_name("left"), node.child_by_field_name("right")
+    operator = node.child_by_field_name("operator")
+    if left is None or right is None or operator is None:
+        return Opaque(reader.text(node)[:80])
+    return Op(operator.type, (reader.read(left), reader.read(right)))
+
+
+def _assignment(reader: ExprReader, node: Node) -> Expr:
+    return _binary(reader, node)
+
+
+def _unary(reader: ExprReader, node: Node) -> Expr:
+    operator, argument = node.child_by_field_name("operator"), node.child_by_field_name("argument")
+    if operator is None or argument is None:
+        return Opaque(reader.text(node)[:80])
+    value = reader.read(argument)
+    if operator.type == "*":
+        return value
+    if operator.type == "-" and isinstance(value, Number):
+        return Number(-value.value)
+    return Op(operator.type, (value,))
+
+
+def _conditional(reader: ExprReader, node: Node) -> Expr:
+    parts = (node.child_by_field_name(field) for field in ("condition", "consequence", "alternative"))
+    read = tuple([reader.read(part) for part in parts if part is not None])
+    return Op("?:", read) if len(read) == 3 else Opaque(reader.text(node)[:80])
+
+
+def _subscript(reader: ExprReader, node: Node) -> Expr:
+    base, indices = node.child_by_field_name("argument"), node.child_by_field_name("indices")
+    if base is None or indices is None or not indices.named_children:
+        return Opaque(reader.text(node)[:80])
+    return Op("[]", (reader.read(base), reader.read(indices.named_children[0])))
+
+
+def _items(reader: ExprReader, node: Node) -> Expr:
+    return Items(reader.arguments(node))
+
+
+def _inner(reader: ExprReader, node: Node) -> Expr:
+    value = node.child_by_field_name("value") or (node.named_children[0] if node.named_children else None)
+    return reader.read(value) if value is not None else Opaque("")
+
+
+def _last(reader: ExprReader, node: Node) -> Expr:
+    right = node.child_by_field_name("right")
+    return reader.read(right) if right is not None else Opaque("")
+
+
+def _lambda(reader: ExprReader, node: Node) -> Expr:
+    body = node.child_by_field_name("body")
+    if body is not None:
+        reader.inline(body)
+    return Lambda(lambda_types(reader, node))
+
+
+def lambda_types(reader: ExprReader, node: Node) -> tuple[str, ...]:
+    """Return the parameter types of a lambda, as written."""
+    declarator = node.child_by_field_name("declarator")
+    listed = declarator.child_by_field_name("parameters") if declarator is not None else None
+    if listed is None:
+        return ()
+    kinds = (child.child_by_field_name("type") for child in listed.named_children)
+    return tuple([reader.type_text(kind) for kind in kinds if kind is not None])
+
+
+_READERS: dict[str, Callable[[ExprReader, Node], Expr]] = {
+    "string_literal": _string,
+    "raw_string_literal": _string,
+    "char_literal": _string,
+    "concatenated_string": _concatenated,
+    "number_literal": _number,
+    "user_defined_literal": _user_literal,
+    "true": _constant,
+    "false": _constant,
+    "null": _constant,
+    "nullptr": _constant,
+    "this": lambda reader, node: Name("this"),
+    "identifier": _name,
+    "field_identifier": _name,
+    "type_identifier": _name,
+    "namespace_identifier": _name,
+    "qualified_identifier": _name,
+    "template_function": _name,
+    "template_type": _name,
+    "primitive_type": _name,
+    "dependent_name": _name,
+    "field_expression": _field,
+    "call_expression": _call,
+    "new_expression": _new,
+    "compound_literal_expression": _compound,
+    "binary_expression": _binary,
+    "assignment_expression": _assignment,
+    "unary_expression": _unary,
+    "pointer_expression": _unary,
+    "conditional_expression": _conditional,
+    "subscript_expression": _subscript,
+    "initializer_list": _items,
+    "parenthesized_expression": _inner,
+    "condition_clause": _inner,
+    "cast_expression": _inner,
+    "co_await_expression": _inner,
+    "comma_expression": _last,
+    "lambda_expression": _lambda,
+}

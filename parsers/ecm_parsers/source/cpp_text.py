@@ -1,0 +1,77 @@
+"""Same-length rewrites that let a grammar without a preprocessor read macro-laden C++.
+
+Offsets and lines stay as they were. Applied only to text whose first parse has errors, since matching
+costs half a parse. Causes counted on real trees: export macros, macro-only lines, `typename` before an
+expression, `= {}` as default argument, `#if` inside an expression.
+"""
+
+import re
+from collections.abc import Callable
+
+_EXPORT_WORD = re.compile(
+    rb"\b[A-Z][A-Z0-9_]*_(?:PUBLIC|EXPORT|LOCAL|API|IMPORT|HIDDEN|DEPRECATED)\b(?!\s*\()"
+)
+_MACRO_LINE = re.compile(
+    rb"(?<=[;{}:\n])([ \t]*)([A-Z][A-Z0-9_]{3,}(?:\([^;{}]{0,400}?\))?)(?=[ \t]*\r?\n[ \t\r\n]*[^\s,).&|+*/?:<=\[-])"
+)
+_TYPENAME = re.compile(rb"(?<=[(,=<{ \t])typename(?=\s+[\w:]+(?:<[^;(){}]*>)?::)")
+_EMPTY_BRACES = re.compile(rb"=\s*\{\}(?=\s*[,)])")
+_DIRECTIVE = re.compile(rb"^[ \t]*#[ \t]*(?:if|ifdef|ifndef|elif|else|endif)\b[^\n]*", re.MULTILINE)
+_DEFINE_LINE = re.compile(rb"^[ \t]*#[^\n]*(?:\\\n[^\n]*)*", re.MULTILINE)
+_REGISTRATION = re.compile(
+    rb"^[ \t]*([A-Z][A-Z0-9_]*(?:REGISTER|EXPORT|DECLARE)[A-Z0-9_]*)\s*\(", re.MULTILINE
+)
+
+
+def _blank(match: re.Match[bytes]) -> bytes:
+    return re.sub(rb"[^\n]", b" ", match.group())
+
+
+def without_macros(data: bytes) -> bytes:
+    """Return `data` with export words, macro-only lines and odd `typename`s blanked, length unchanged."""
+    kept = _outside_directives(data, lambda text: _EXPORT_WORD.sub(_blank, text))
+    kept = _outside_directives(kept, lambda text: _MACRO_LINE.sub(_blank, text))
+    kept = _TYPENAME.sub(_blank, kept)
+    return _EMPTY_BRACES.sub(lambda match: b"= 0".ljust(len(match.group())), kept)
+
+
+def without_conditionals(data: bytes) -> bytes:
+    """Return `data` with `#if`, `#else` and `#endif` lines blanked, both branches kept, length unchanged."""
+    return _DIRECTIVE.sub(_blank, data)
+
+
+def registrations(data: bytes) -> list[tuple[str, tuple[str, ...], int]]:
+    """Return (macro, arguments as written, 1-based line) of each registration macro at the start of a line."""
+    found = []
+    for match in _REGISTRATION.finditer(data):
+        args = _arguments(data, match.end())
+        if args is not None:
+            found.append((match.group(1).decode(), args, data.count(b"\n", 0, match.start(1)) + 1))
+    return found
+
+
+def _outside_directives(data: bytes, rewrite: Callable[[bytes], bytes]) -> bytes:
+    pieces, position = [], 0
+    for match in _DEFINE_LINE.finditer(data):
+        pieces += [rewrite(data[position : match.start()]), match.group()]
+        position = match.end()
+    pieces.append(rewrite(data[position:]))
+    return b"".join(pieces)
+
+
+def _arguments(data: bytes, start: int, limit: int = 2000) -> tuple[str, ...] | None:
+    """Split a balanced argument list that begins at `start`; None when it does not close within `limit` bytes."""
+    depth, begin, args = 0, start, []
+    for index in range(start, min(len(data), start + limit)):
+        byte = data[index : index + 1]
+        if byte in b"(<[{":
+            depth += 1
+        elif byte in b">]}" or (byte == b")" and depth):
+            depth -= 1
+        elif byte == b")":
+            args.append(data[begin:index])
+            return tuple(" ".join(arg.decode("utf-8", "replace").split()) for arg in args)
+        elif byte == b"," and depth == 0:
+            args.append(data[begin:index])
+            begin = index + 1
+    return None
