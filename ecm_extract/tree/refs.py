@@ -1,0 +1,157 @@
+"""Refs as people use them: which commit a name means, which releases lie behind it, where two lines part."""
+
+import difflib
+import re
+
+import msgspec
+
+from ecm_extract.errors import GitError, RefError, TreeError
+from ecm_extract.tree.base import printable
+from ecm_extract.tree.git_batch import describe_objects
+from ecm_extract.tree.git_repo import GitRepo
+
+_NEAREST = 3
+_MAX_REF_CHARS = 1024
+_OBJECT_ID = re.compile(r"[0-9a-fA-F]{40}(?:[0-9a-fA-F]{24})?")
+_VERSION = re.compile(
+    r"(?:^|[-_/vV])(?P<numbers>\d{1,9}(?:\.\d{1,9}){1,5})(?:-(?P<revision>\d{1,9}))?"
+    r"(?P<pre>[-_.+~]?(?:a|b|c|rc|alpha|beta|pre|preview|dev|snapshot|test|nightly)[-_.]?\d{0,9})?$",
+    re.IGNORECASE,
+)
+
+
+class ReleaseTag(msgspec.Struct, frozen=True):
+    """A tag that names a version, e.g. `1.2.0`, `v1.2.0`, `humble-1.2.0`, `1.2.0-rc1`.
+
+    Attributes:
+        name: of the tag, without `refs/tags/`.
+        commit: id of the tagged commit.
+        version: its numbers, then the number after a dash (a packaging revision), else 0.
+        prerelease: whether it is a release candidate or the like.
+    """
+
+    name: str
+    commit: str
+    version: tuple[int, ...]
+    prerelease: bool
+
+
+def resolve_commit(repo: GitRepo, ref: str) -> str:
+    """Commit id that `ref` means: tag, branch, commit, `HEAD~2`.
+
+    Raises:
+        RefError: there is none; the hint names the nearest refs and the line that fetches it.
+    """
+    found = _describe(repo, f"{ref}^{{commit}}") if _is_sane(ref) else None
+    if found is None:
+        message = f"{repo.name} has no ref or commit {printable(ref)!r}."
+        raise RefError(message, _missing_hint(repo, ref))
+    return found[0]
+
+
+def resolve_tree(repo: GitRepo, commit: str, subdir: str) -> str:
+    """Tree id of the folder `subdir` (`''` for the root) at a commit id.
+
+    Raises:
+        RefError: the folder does not exist at that commit.
+    """
+    found = _describe(repo, f"{commit}:{subdir}") if _is_sane(f"{commit}:{subdir}") else None
+    if found is None or found[1] != "tree":
+        message = f"{repo.name} has no folder {printable(subdir)!r} at {commit[:12]}."
+        raise RefError(message, "Check the path; it may have another name at that ref.")
+    return found[0]
+
+
+def head_commit(repo: GitRepo) -> str | None:
+    """Commit id of HEAD; None when the repository has no commit yet or cannot be read."""
+    try:
+        found = _describe(repo, "HEAD^{commit}")
+    except (GitError, TreeError):
+        return None
+    return found[0] if found else None
+
+
+def merge_base(repo: GitRepo, one: str, other: str) -> str | None:
+    """Commit id of the best common ancestor of two refs; None when they have none.
+
+    Raises:
+        RefError: one of the refs does not exist.
+    """
+    ids = [resolve_commit(repo, ref) for ref in (one, other)]
+    status, out = repo.run("merge-base", *ids, accept=(0, 1))
+    return out.decode("ascii").split()[0] if status == 0 else None
+
+
+def release_tags(repo: GitRepo, ref: str) -> tuple[ReleaseTag, ...]:
+    """Tags that name a version and are reachable from `ref`, lowest version first.
+
+    Raises:
+        RefError: the ref does not exist.
+        GitError: the history is damaged.
+    """
+    commit = resolve_commit(repo, ref)
+    layout = "--format=%(refname:strip=2)%00%(objectname)%00%(*objectname)"
+    _, out = repo.run("for-each-ref", f"--merged={commit}", layout, "refs/tags")
+    rows = (line.split("\0") for line in out.decode("utf-8", "surrogateescape").splitlines())
+    tags = [tag for name, direct, peeled in rows if (tag := as_release(name, peeled or direct))]
+    return tuple(sorted(tags, key=lambda tag: (tag.version, not tag.prerelease, tag.name)))
+
+
+def newest_release(repo: GitRepo, ref: str) -> ReleaseTag | None:
+    """The highest release reachable from `ref` other than `ref` itself; None when there is none.
+
+    Release candidates do not count. A release is compared with the one before it, so a tag on the
+    commit of `ref` is passed over, and so is any version above the one that `ref` itself is tagged with.
+
+    Raises:
+        RefError: the ref does not exist.
+    """
+    commit = resolve_commit(repo, ref)
+    final = [tag for tag in release_tags(repo, commit) if not tag.prerelease]
+    own = [tag.version for tag in final if tag.commit == commit]
+    before = [tag for tag in final if tag.commit != commit and (not own or tag.version < max(own))]
+    return before[-1] if before else None
+
+
+def as_release(name: str, commit: str) -> ReleaseTag | None:
+    """The release that a tag's name says; None when it says no version."""
+    match = _VERSION.search(name)
+    if match is None:
+        return None
+    numbers = [int(number) for number in match["numbers"].split(".")]
+    padded = numbers + [0] * (6 - len(numbers))
+    return ReleaseTag(name, commit, (*padded, int(match["revision"] or 0)), bool(match["pre"]))
+
+
+def _describe(repo: GitRepo, name: str) -> tuple[str, str] | None:
+    found = describe_objects(repo, [name])
+    return found[0] if found else None
+
+
+def _is_sane(ref: str) -> bool:
+    return 0 < len(ref) <= _MAX_REF_CHARS and min(ref) >= " "
+
+
+def _missing_hint(repo: GitRepo, ref: str) -> str:
+    near = difflib.get_close_matches(ref[:_MAX_REF_CHARS], _ref_names(repo), _NEAREST)
+    nearest = f"Nearest: {', '.join(printable(name) for name in near)}. " if near else ""
+    return f"{nearest}If it exists upstream: {_fetch_line(repo, ref)}"
+
+
+def _fetch_line(repo: GitRepo, ref: str) -> str:
+    if (repo.common_dir / "shallow").exists():
+        return "git fetch --unshallow --tags origin"
+    if _OBJECT_ID.fullmatch(ref):
+        return f"git fetch origin {ref}"
+    if not _is_sane(ref) or ref.startswith("-") or not re.fullmatch(r"[\w./+-]+", ref):
+        return "git fetch --tags origin"
+    return f"git fetch origin refs/tags/{ref}:refs/tags/{ref}"
+
+
+def _ref_names(repo: GitRepo) -> list[str]:
+    layout = "--format=%(refname:strip=2)"
+    try:
+        _, out = repo.run("for-each-ref", layout, "refs/tags", "refs/heads", "refs/remotes")
+    except GitError:
+        return []
+    return out.decode("utf-8", "surrogateescape").splitlines()
