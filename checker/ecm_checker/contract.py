@@ -171,7 +171,7 @@ class Recovery(msgspec.Struct, frozen=True):
 
 
 class Entity(msgspec.Struct, frozen=True, omit_defaults=True):
-    """A public name that others can depend on; kinds: topic, parameter, message_field, ... (DESIGN §6)."""
+    """A public name that others can depend on; kinds: topic, parameter, message_field, ..."""
 
     kind: str
     package: str

@@ -1,0 +1,1 @@
+"""Renderers: an extraction as manifests, as one JSON document, as a summary for people."""

@@ -1,0 +1,117 @@
+"""Writing manifests into a folder: `<package>/<module_id>.ecm.yaml`.
+
+Names of packages and modules come from somebody else's files; whatever they are, nothing is written outside
+the folder and no link is followed.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import os
+import re
+import tempfile
+from pathlib import Path
+from typing import Final
+
+from ecm_checker.wire import MANIFEST_SCHEMA
+
+from ecm_extract.errors import InputError
+from ecm_extract.extraction_model import Extraction, PackageContracts
+from ecm_extract.report.manifest_yaml import manifest_yaml
+
+SUFFIX: Final = ".ecm.yaml"
+
+_UNSAFE: Final = re.compile(r"[^A-Za-z0-9_.+-]")
+_LONGEST_NAME: Final = 120
+_MARK: Final = MANIFEST_SCHEMA.encode()
+
+
+def write_manifests(extraction: Extraction, out_dir: Path) -> tuple[Path, ...]:
+    """Write one manifest per module; manifests of modules that a package no longer has are removed.
+
+    Each file is complete or not there: it is written beside its place and then moved.
+
+    Args:
+        extraction: what was read.
+        out_dir: made when it is not there.
+
+    Returns:
+        The files, in the order of the extraction.
+
+    Raises:
+        InputError: the folder cannot be written, or a package folder in it is a link.
+    """
+    written: dict[Path, None] = {}
+    try:
+        for package in extraction.packages:
+            folder = _package_folder(out_dir, package)
+            for module in package.modules:
+                path = _free(folder / (_safe(module.ecm.module_id) + SUFFIX), package.path, written)
+                write_atomically(path, manifest_yaml(module).encode("utf-8", "replace"))
+                written[path] = None
+        for folder in {path.parent for path in written}:
+            _remove_stale(folder, written)
+    except OSError as error:
+        message = f"cannot write to {out_dir}: {error.strerror}"
+        raise InputError(message, "choose another folder with -o DIR") from error
+    return tuple(written)
+
+
+def write_atomically(path: Path, content: bytes) -> None:
+    """Put a complete file at `path`, replacing what is there (a link is replaced, not followed).
+
+    Raises:
+        OSError: it cannot be written.
+    """
+    handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=".ecm-", suffix=".tmp")
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(content)
+        Path(temporary).chmod(0o644)
+        Path(temporary).replace(path)
+    except BaseException:
+        with contextlib.suppress(OSError):
+            Path(temporary).unlink()
+        raise
+
+
+def _package_folder(out_dir: Path, package: PackageContracts) -> Path:
+    folder = out_dir / _safe(package.name)
+    if folder.is_symlink():
+        message = f"{folder} is a symbolic link"
+        raise InputError(message, "remove it, or choose another folder with -o DIR")
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder
+
+
+def _safe(name: str) -> str:
+    """A file name for a name; another name gives another file name."""
+    safe = _UNSAFE.sub("_", name).lstrip(".")[:_LONGEST_NAME]
+    return safe if safe == name and safe else f"{safe or '_'}-{_digest(name)}"
+
+
+def _free(path: Path, package_path: str, taken: dict[Path, None]) -> Path:
+    """The path itself, or a variant of it when another module has it: packages of one name, in two places."""
+    stem, variant = path.name.removesuffix(SUFFIX), 1
+    while path in taken:
+        number = f"-{variant}" if variant > 1 else ""
+        path = path.with_name(f"{stem}-{_digest(package_path)}{number}{SUFFIX}")
+        variant += 1
+    return path
+
+
+def _digest(text: str) -> str:
+    return hashlib.sha256(text.encode("utf-8", "replace")).hexdigest()[:8]
+
+
+def _remove_stale(folder: Path, written: dict[Path, None]) -> None:
+    """A manifest that nothing wrote this time would be taken for a module by whoever reads the folder."""
+    for path in folder.glob(f"*{SUFFIX}"):
+        if path not in written and not path.is_symlink() and _is_manifest(path):
+            path.unlink()
+
+
+def _is_manifest(path: Path) -> bool:
+    with path.open("rb") as file:
+        return _MARK in file.read(100)

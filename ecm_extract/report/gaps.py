@@ -1,0 +1,72 @@
+"""What an extraction could not resolve, grouped by cause, for people: few reasons, not many lines."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Final
+
+import msgspec
+from ecm_checker.contract import Contract, Evidence, Interface
+
+from ecm_extract.extraction_model import Extraction, LocatedDiagnostic
+
+_UNTYPED_ROLES: Final = frozenset({"parameter", "tf_broadcast", "tf_lookup"})
+
+
+class Gap(msgspec.Struct, frozen=True):
+    """One cause for which something is not known.
+
+    Attributes:
+        cause: in words for interfaces, `severity: code` for diagnostics.
+        count: how many places.
+        place: `path:line` of the first of them; the path alone when the file as a whole is meant.
+        detail: what is written there, or the message.
+    """
+
+    cause: str
+    count: int
+    place: str
+    detail: str
+
+
+def gaps(extraction: Extraction) -> list[Gap]:
+    """All causes, the most frequent first."""
+    found: dict[str, list[tuple[str, str]]] = {}
+    for cause, place, detail in [*_interface_gaps(extraction), *_diagnostic_gaps(extraction)]:
+        found.setdefault(cause, []).append((place, detail))
+    causes = [Gap(cause, len(places), *places[0]) for cause, places in found.items()]
+    return sorted(causes, key=lambda gap: (-gap.count, gap.cause))
+
+
+def modules(extraction: Extraction) -> Iterator[Contract]:
+    """The contracts of all packages."""
+    for package in extraction.packages:
+        yield from package.modules
+
+
+def interfaces(extraction: Extraction) -> Iterator[Interface]:
+    """The interfaces of all modules."""
+    for module in modules(extraction):
+        yield from module.signature.interfaces
+
+
+def _interface_gaps(extraction: Extraction) -> Iterator[tuple[str, str, str]]:
+    for interface in interfaces(extraction):
+        place = _place(interface.evidence)
+        if interface.confidence == "pattern":
+            yield "name is computed when it runs", place, interface.name
+        if interface.type is None and interface.role not in _UNTYPED_ROLES:
+            yield "type is not known", place, interface.name
+
+
+def _diagnostic_gaps(extraction: Extraction) -> Iterator[tuple[str, str, str]]:
+    for each in extraction.diagnostics:
+        yield f"{each.severity}: {each.code}", _line_of(each), each.message
+
+
+def _place(evidence: tuple[Evidence, ...]) -> str:
+    return f"{evidence[0].path}:{evidence[0].line}" if evidence else "no evidence"
+
+
+def _line_of(diagnostic: LocatedDiagnostic) -> str:
+    return f"{diagnostic.path}:{diagnostic.line}" if diagnostic.line else diagnostic.path
