@@ -48,22 +48,31 @@ def write_manifests(extraction: Extraction, out_dir: Path) -> tuple[Path, ...]:
             folder = _package_folder(out_dir, package)
             for module in package.modules:
                 path = _free(folder / (_safe(module.ecm.module_id) + SUFFIX), package.path, written)
-                write_atomically(path, manifest_yaml(module).encode("utf-8", "replace"))
+                _write_atomically(path, manifest_yaml(module).encode("utf-8", "replace"))
                 written[path] = None
         for folder in {path.parent for path in written}:
             _remove_stale(folder, written)
     except OSError as error:
-        message = f"cannot write to {out_dir}: {error.strerror}"
-        raise InputError(message, "choose another folder with -o DIR") from error
+        raise _unwritable(out_dir, error) from error
     return tuple(written)
 
 
-def write_atomically(path: Path, content: bytes) -> None:
-    """Put a complete file at `path`, replacing what is there (a link is replaced, not followed).
+def write_document(content: bytes, path: Path) -> Path:
+    """Write one file; its folder is made when it is not there.
 
     Raises:
-        OSError: it cannot be written.
+        InputError: it cannot be written.
     """
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        _write_atomically(path, content)
+    except OSError as error:
+        raise _unwritable(path.parent, error) from error
+    return path
+
+
+def _write_atomically(path: Path, content: bytes) -> None:
+    """Put a complete file at `path`; a link that is there is replaced, not followed."""
     handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=".ecm-", suffix=".tmp")
     try:
         with os.fdopen(handle, "wb") as file:
@@ -74,6 +83,10 @@ def write_atomically(path: Path, content: bytes) -> None:
         with contextlib.suppress(OSError):
             Path(temporary).unlink()
         raise
+
+
+def _unwritable(folder: Path, error: OSError) -> InputError:
+    return InputError(f"cannot write to {folder}: {error.strerror}", "choose another folder with -o DIR")
 
 
 def _package_folder(out_dir: Path, package: PackageContracts) -> Path:

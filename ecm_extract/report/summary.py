@@ -14,7 +14,7 @@ from rich.text import Text
 
 from ecm_extract.extraction_model import Extraction
 from ecm_extract.report.gaps import Gap, gaps, interfaces, modules
-from ecm_extract.report.terminal import printable
+from ecm_extract.report.terminal import one_line
 
 _SHOWN_GAPS = 12
 _SHOWN_FIELDS = 4
@@ -43,8 +43,8 @@ def _headline(extraction: Extraction) -> Text:
     found, read = len(extraction.packages), extraction.counts
     commit = f" ({extraction.commit[:12]})" if extraction.commit else ""
     return Text.assemble(
-        (printable(extraction.path), "bold"),
-        f"{printable(commit)}: {_plural(found, 'package')}, "
+        (one_line(extraction.path), "bold"),
+        f"{one_line(commit)}: {_plural(found, 'package')}, "
         f"{_plural(sum(1 for _ in modules(extraction)), 'module')} "
         f"from {_plural(read.files, 'file')} ({_size(read.bytes)}) in {extraction.elapsed:.1f} s",
     )
@@ -87,15 +87,15 @@ def _print_gaps(found: list[Gap], console: Console) -> None:
     console.print()
     console.print(Text("not resolved", style="bold"))
     for gap in found[:_SHOWN_GAPS]:
-        console.print(_indented(f"{gap.count:,} × {printable(gap.cause)}", 2, "yellow"))
-        console.print(_indented(f"{printable(gap.place)}  {printable(gap.detail)}", 6, "dim"))
+        console.print(_indented(f"{gap.count:,} × {one_line(gap.cause)}", 2, "yellow"))
+        console.print(_indented(f"{one_line(gap.place)}  {one_line(gap.detail)}", 6, "dim"))
     if len(found) > _SHOWN_GAPS:
         rest = len(found) - _SHOWN_GAPS
         console.print(_indented(f"and {_plural(rest, 'more cause')}: see --format json", 2, ""))
 
 
 def _counted(title: str, counts: Counter[str]) -> Text:
-    parts = ", ".join(f"{printable(name)} {count:,}" for name, count in _largest(counts.items()))
+    parts = ", ".join(f"{one_line(name)} {count:,}" for name, count in _largest(counts.items()))
     return Text(f"{title}: {parts or 'none'}")
 
 

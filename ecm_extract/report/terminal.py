@@ -11,7 +11,7 @@ _CONTROL: Final = re.compile(
 )
 
 
-def printable(text: str, limit: int = 200) -> str:
+def one_line(text: str, limit: int = 200) -> str:
     """One line of text without anything that a terminal would act on; longer text is cut with an ellipsis."""
     clean = _CONTROL.sub("�", text)
     return clean if len(clean) <= limit else clean[: limit - 1] + "…"

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from ecm_extract.extraction_model import Extraction, LocatedDiagnostic
 from ecm_extract.report.gaps import gaps
 from ecm_extract.report.summary import print_summary
-from ecm_extract.report.terminal import printable
+from ecm_extract.report.terminal import one_line
 
 
 def summary(extraction: Extraction, width: int | None = None) -> str:
@@ -63,4 +63,4 @@ def test_names_cannot_act_on_the_terminal(name: str) -> None:
     diagnostic = LocatedDiagnostic("error", name, name + "\x1b]0;evil\x07", 1, name + "\x9b31m")
     extraction = msgspec.structs.replace(make_extraction(diagnostics=(diagnostic,)), path=name)
     text = summary(extraction)
-    assert all(printable(line, 10_000) == line for line in text.split("\n"))
+    assert all(one_line(line, 10_000) == line for line in text.split("\n"))

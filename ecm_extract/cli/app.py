@@ -1,0 +1,94 @@
+"""The group of commands. A command is a file in `commands/` that holds a click command named `command`.
+
+The name of the file is that of the command (`_` as `-`). A command's module is imported when it is used, and
+imports what does the work inside its function, so that help and completion stay fast. In help texts click keeps
+the lines of a paragraph that begins with a backspace.
+"""
+
+from __future__ import annotations
+
+import difflib
+import pkgutil
+from importlib import import_module
+from pathlib import Path
+from typing import Final
+
+import click
+
+from ecm_extract.cli import commands
+
+PROGRAM: Final = "ecm-extract"
+DEFAULT_COMMAND: Final = "extract"
+
+_EPILOG: Final = """\b
+Examples:
+  ecm-extract src/my_robot                   contracts of all packages below a folder
+  ecm-extract . --ref 1.2.0                  as they were at a tag
+  ecm-extract . --format json -o - | jq .    one document for other programs
+"""
+
+
+class App(click.Group):
+    """A group whose first argument may be the path of a tree: then the command is `extract`."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        """Names of the commands, sorted."""
+        return sorted(found.name.replace("_", "-") for found in pkgutil.iter_modules(commands.__path__))
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        """The command of a name; None when there is none."""
+        if cmd_name not in self.list_commands(ctx):
+            return None
+        module = import_module(f"{commands.__name__}.{cmd_name.replace('-', '_')}")
+        command: click.Command = module.command
+        return command
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Put the default command before arguments that name none."""
+        if args and not self._is_ours(ctx, args[0]):
+            self._refuse_typo(ctx, args[0])
+            args = [DEFAULT_COMMAND, *args]
+        return super().parse_args(ctx, args)
+
+    def _is_ours(self, ctx: click.Context, argument: str) -> bool:
+        options = [name for parameter in self.get_params(ctx) for name in parameter.opts]
+        return ctx.resilient_parsing or argument in options or argument in self.list_commands(ctx)
+
+    def _refuse_typo(self, ctx: click.Context, argument: str) -> None:
+        close = difflib.get_close_matches(argument, self.list_commands(ctx), n=1)
+        if close and not Path(argument).exists():
+            message = f"{argument!r} is neither a command nor a path; did you mean {close[0]!r}?"
+            raise click.UsageError(message, ctx)
+
+
+def _print_version(ctx: click.Context, _parameter: click.Parameter, wanted: bool) -> None:
+    if wanted and not ctx.resilient_parsing:
+        from importlib.metadata import version
+
+        click.echo(f"{PROGRAM} {version(PROGRAM)}")
+        ctx.exit()
+
+
+@click.group(
+    cls=App,
+    no_args_is_help=True,
+    epilog=_EPILOG,
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+)
+@click.option(
+    "--version",
+    is_flag=True,
+    is_eager=True,
+    expose_value=False,
+    callback=_print_version,
+    help="Print the version and exit.",
+)
+def app() -> None:
+    """Read the interface contract of ROS packages from their source: no ROS, no build, nothing executed.
+
+    `ecm-extract PATH` is short for `ecm-extract extract PATH`.
+
+    \b
+    Exit status: 0 done, 1 findings, 2 the input or the command line is wrong,
+    3 the tool itself failed.
+    """  # noqa: D301

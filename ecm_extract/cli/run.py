@@ -1,0 +1,109 @@
+"""One run of the command line: every way in which it can end, as an exit status and a message.
+
+| status | meaning |
+|---|---|
+| 0 | done; nothing at or above the threshold |
+| 1 | findings |
+| 2 | the input or the command line is wrong |
+| 3 | the tool itself failed |
+| 130, 141 | interrupted; whoever read the output left |
+"""
+
+from __future__ import annotations
+
+import io
+import os
+import sys
+import traceback
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Final, NamedTuple
+
+import click
+
+from ecm_extract.cli.app import PROGRAM, app
+from ecm_extract.errors import EcmError
+
+DEBUG_VARIABLE: Final = "ECM_DEBUG"
+ISSUES: Final = "the issue tracker of ecm-extract"
+
+_USAGE, _FAILED, _INTERRUPTED, _PIPE_CLOSED = 2, 3, 130, 141
+
+
+class _End(NamedTuple):
+    """How a run ends: its exit status and what is said about it."""
+
+    status: int
+    message: str = ""
+    hint: str = ""
+
+
+def run(arguments: Sequence[str]) -> int:
+    """Run a command line.
+
+    Args:
+        arguments: without the name of the program.
+
+    Returns:
+        The exit status. Errors are told on standard error, with a traceback only when ECM_DEBUG is set.
+    """
+    _never_fail_to_encode()
+    try:
+        status = app.main(list(arguments), prog_name=PROGRAM, standalone_mode=False)
+        sys.stdout.flush()
+    except BrokenPipeError:
+        _close_output()
+        return _PIPE_CLOSED
+    except click.exceptions.NoArgsIsHelpError as help_page:
+        help_page.show()
+        return _USAGE
+    except Exception as error:
+        end = _end_of(error)
+        _tell(end)
+        return end.status
+    except KeyboardInterrupt:
+        _tell(_End(_INTERRUPTED, "interrupted"))
+        return _INTERRUPTED
+    return status if isinstance(status, int) else 0
+
+
+def _end_of(error: Exception) -> _End:
+    if isinstance(error, EcmError):
+        return _End(error.exit_status, error.message, error.hint)
+    if isinstance(error, click.exceptions.Abort):
+        return _End(_INTERRUPTED, "interrupted")
+    if isinstance(error, click.ClickException):
+        context = getattr(error, "ctx", None)
+        return _End(_USAGE, error.format_message(), f"{context.command_path} --help" if context else "")
+    if os.environ.get(DEBUG_VARIABLE):
+        traceback.print_exception(error)
+    return _End(
+        _FAILED,
+        f"ecm-extract failed: {type(error).__name__}: {error}",
+        f"this is a bug: please run again with {DEBUG_VARIABLE}=1 and report the output to {ISSUES}",
+    )
+
+
+def _tell(end: _End) -> None:
+    for label, text in (("error", end.message), ("hint", end.hint)):
+        if text:
+            click.echo(f"{label}: {_plain(text)}", err=True)
+
+
+def _plain(text: str) -> str:
+    """Errors quote names from other people's files: nothing in them may act on the terminal."""
+    from ecm_extract.report.terminal import one_line
+
+    return one_line(text, 1000)
+
+
+def _never_fail_to_encode() -> None:
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace")
+
+
+def _close_output() -> None:
+    """Keep the interpreter from flushing into the closed pipe when it ends."""
+    with Path(os.devnull).open("w") as nowhere:
+        os.dup2(nowhere.fileno(), sys.stdout.fileno())
