@@ -1,0 +1,131 @@
+"""XML of a stranger -> an element tree: no entities, no DTD, no network, bounded in size and depth.
+
+Lenient like the readers that ROS uses (tinyxml): a declaration after blank lines, an unbound prefix or a
+document that breaks off still gives the tree up to there, with a diagnostic.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+import msgspec
+from lxml import etree
+
+from ecm_parsers.result import Diagnostic
+from ecm_parsers.text import decode
+
+MAX_BYTES = 8_000_000
+MAX_DEPTH = 200
+MAX_PROBLEMS = 20
+_DECLARATION = re.compile(r"\s*<\?xml\b[^>]{0,200}\?>")
+_LATIN = re.compile(r"encoding\s*=\s*[\"'](?:iso-8859-1|latin-?1|windows-1252)[\"']", re.IGNORECASE)
+_ENTITY = re.compile(r"<!ENTITY\b")
+_NOT_BLANK = re.compile(r"[^\n]")
+_NO_XML = Diagnostic("error", "xml-empty", 0, "The file holds no XML. Remove it or give it a root element.")
+
+
+class XmlTree(msgspec.Struct, frozen=True):
+    """The root elements of a document, usually one, and what was wrong with it."""
+
+    roots: tuple[etree._Element, ...]
+    diagnostics: tuple[Diagnostic, ...] = ()
+
+    @property
+    def root(self) -> etree._Element | None:
+        """The first root element; None when nothing could be read."""
+        return self.roots[0] if self.roots else None
+
+
+def parse_xml(data: bytes, *, many_roots: bool = False) -> XmlTree:
+    """Read one XML document.
+
+    Args:
+        data: its bytes, at most `MAX_BYTES`.
+        many_roots: accept several root elements, as pluginlib does; otherwise all but the first are an error.
+
+    Returns:
+        The roots with line numbers of the file, and diagnostics.
+    """
+    if len(data) > MAX_BYTES:
+        return _refused("xml-too-large", 0, f"The file exceeds {MAX_BYTES} bytes and is skipped. Split it.")
+    text, doubts = decode(data)
+    entity = _ENTITY.search(text)
+    if entity:
+        line = text.count("\n", 0, entity.start()) + 1
+        return _refused("xml-entity", line, "Entity declarations are not read. Write the text itself.")
+    if _LATIN.search(text, 0, 300):
+        doubts = tuple(doubt for doubt in doubts if doubt.code != "text-not-utf8")
+    body = _DECLARATION.sub(lambda match: _NOT_BLANK.sub(" ", match[0]), text, count=1)
+    if not body.strip():
+        return XmlTree((), (*doubts, _NO_XML))
+    return _parse(f"<roots>{body}\n</roots>" if many_roots else body, doubts, many_roots=many_roots)
+
+
+def children(element: etree._Element) -> Iterator[tuple[str, etree._Element]]:
+    """Yield own tag (without namespace) and element of each child element; comments are left out."""
+    for child in element:
+        if isinstance(child.tag, str):
+            yield local_name(child), child
+
+
+def local_name(element: etree._Element) -> str:
+    """Return the tag without its namespace or prefix."""
+    return str(element.tag).rpartition("}")[2].rpartition(":")[2]
+
+
+def line_of(element: etree._Element) -> int:
+    """Return the 1-based line of the element's start tag, 0 when unknown."""
+    line = element.sourceline
+    return line if isinstance(line, int) else 0
+
+
+def text_of(element: etree._Element) -> str:
+    """Return all text inside the element with white space collapsed."""
+    return " ".join("".join(str(part) for part in element.itertext(tag=etree.Element)).split())
+
+
+def _parse(body: str, doubts: tuple[Diagnostic, ...], *, many_roots: bool) -> XmlTree:
+    parser = etree.XMLParser(
+        encoding="utf-8",
+        resolve_entities=False,
+        load_dtd=False,
+        no_network=True,
+        huge_tree=False,
+        recover=True,
+        remove_pis=True,
+    )
+    try:
+        root = etree.fromstring(body.encode("utf-8", "replace"), parser)
+    except etree.XMLSyntaxError as error:
+        return XmlTree((), (*doubts, _problem(error.lineno or 0, error.msg or "")))
+    diagnostics = (*doubts, *_problems(parser))
+    if root is None:
+        return XmlTree((), diagnostics or (_NO_XML,))
+    if _is_too_deep(root):
+        message = f"Elements nest deeper than {MAX_DEPTH}; the file is skipped. Flatten it."
+        return XmlTree((), (*diagnostics, Diagnostic("error", "xml-too-deep", 0, message)))
+    roots = tuple(element for _, element in children(root)) if many_roots else (root,)
+    return XmlTree(roots, diagnostics if roots or diagnostics else (_NO_XML,))
+
+
+def _problems(parser: etree.XMLParser) -> tuple[Diagnostic, ...]:
+    log = list(parser.error_log)[:MAX_PROBLEMS]
+    return tuple(_problem(entry.line, entry.message) for entry in log)
+
+
+def _problem(line: int, message: str) -> Diagnostic:
+    return Diagnostic("warning", "xml-malformed", line, f"Not well-formed: {message}. Correct the XML.")
+
+
+def _is_too_deep(root: etree._Element) -> bool:
+    depth = 0
+    for event, _ in etree.iterwalk(root, events=("start", "end")):
+        depth += 1 if event == "start" else -1
+        if depth > MAX_DEPTH:
+            return True
+    return False
+
+
+def _refused(code: str, line: int, message: str) -> XmlTree:
+    return XmlTree((), (Diagnostic("error", code, line, message),))

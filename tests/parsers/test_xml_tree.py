@@ -1,0 +1,91 @@
+"""XML of strangers is read without entities, without network and within bounds."""
+
+import time
+
+import pytest
+from ecm_parsers.xml_tree import MAX_BYTES, MAX_DEPTH, children, line_of, parse_xml, text_of
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+_BOMB = "".join(f'<!ENTITY e{i} "{f"&e{i - 1};" * 10}">' for i in range(1, 20))
+
+
+def codes(data: bytes) -> list[tuple[str, int]]:
+    return [(found.code, found.line) for found in parse_xml(data).diagnostics]
+
+
+def test_lines_and_text() -> None:
+    """Elements keep the line of the file, whatever its line ends and declaration."""
+    tree = parse_xml(b'\r\n\r\n<?xml version="1.0"?>\r\n<a>\r\n<!-- no -->\r\n<b> x\r\n<c>y</c> </b></a>')
+    assert tree.root is not None
+    assert tree.diagnostics == ()
+    assert [(tag, line_of(child), text_of(child)) for tag, child in children(tree.root)] == [("b", 6, "x y")]
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        f'<?xml version="1.0"?>\n<!DOCTYPE a [<!ENTITY e0 "x">{_BOMB}]>\n<a>&e19;</a>'.encode(),
+        f'\n<!DOCTYPE a [<!ENTITY e0 "x">{_BOMB}]>\n<a b="&e19;"/>'.encode("utf-16"),
+        b'\n<!DOCTYPE a [<!ENTITY x SYSTEM "file:///etc/hostname">]>\n<a>&x;</a>',
+        b'\n<!DOCTYPE a [<!ENTITY % x SYSTEM "http://localhost/x"> %x;]>\n<a/>',
+    ],
+)
+def test_entities_are_refused_at_once(data: bytes) -> None:
+    """An entity bomb, or a file read through an entity, is a diagnostic in under a second."""
+    started = time.perf_counter()
+    assert codes(data) == [("xml-entity", 2)]
+    assert parse_xml(data).root is None
+    assert time.perf_counter() - started < 1
+
+
+def test_external_dtd_is_not_loaded() -> None:
+    """A DTD elsewhere is neither fetched nor needed."""
+    tree = parse_xml(b'<!DOCTYPE a SYSTEM "http://localhost:1/a.dtd"><a/>')
+    assert tree.root is not None
+    assert tree.diagnostics == ()
+
+
+@pytest.mark.parametrize("depth", [MAX_DEPTH + 1, 1_000, 1_000_000])
+def test_depth_is_bounded(depth: int) -> None:
+    """Nesting beyond the bound is refused, closed or not."""
+    assert ("xml-too-deep", 0) in codes(b"<a>" * depth)
+    assert parse_xml(b"<a>" * depth).root is None
+
+
+def test_depth_at_the_bound_is_read() -> None:
+    """The bound itself is allowed."""
+    assert codes(b"<a>" * MAX_DEPTH + b"</a>" * MAX_DEPTH) == []
+
+
+@pytest.mark.parametrize(
+    ("data", "expected"),
+    [
+        (b"", [("xml-empty", 0)]),
+        (b" \n\0", [("text-nul", 2), ("xml-empty", 0)]),
+        (b"x" * (MAX_BYTES + 1), [("xml-too-large", 0)]),
+        (b"<a>\n<b>\n</a>", [("xml-malformed", 3)]),
+        (b'<a>\n<b x:y="1"/></a>', [("xml-malformed", 2)]),
+        (b"<a/>\n<b/>", [("xml-malformed", 2)]),
+        (b"<a>\xe9</a>", [("text-not-utf8", 1)]),
+        (b'<?xml version="1.0" encoding="ISO-8859-1"?><a>\xe9</a>', []),
+    ],
+)
+def test_problems(data: bytes, expected: list[tuple[str, int]]) -> None:
+    """Every problem is a diagnostic with its line."""
+    assert codes(data) == expected
+
+
+def test_many_roots() -> None:
+    """Several roots are read where a format allows them, with the lines of the file."""
+    tree = parse_xml(b'<?xml version="1.0"?>\n<a/>\n<!-- x -->\n<b/>', many_roots=True)
+    assert [(root.tag, line_of(root)) for root in tree.roots] == [("a", 2), ("b", 4)]
+    assert tree.diagnostics == ()
+
+
+@settings(max_examples=50, deadline=None)
+@given(st.text(alphabet="<>/ab&;!?\"'=[]-x\n\0", max_size=80), st.booleans())
+def test_never_raises(text: str, many_roots: bool) -> None:
+    """Any text gives roots or a diagnostic that says why not."""
+    tree = parse_xml(text.encode(), many_roots=many_roots)
+    assert tree.roots or tree.diagnostics
