@@ -99,7 +99,7 @@ def too_large(path: str, size: int) -> TreeReadError:
     shown = printable(path)
     message = f"{shown} has {size} bytes, more than the {MAX_FILE_BYTES} that are read for parsing."
     return TreeReadError(
-        "too-large", shown, message, "Split it, or exclude it in ecm.toml ([extract] exclude)."
+        shown, "too-large", message, "Split it, or exclude it in ecm.toml ([extract] exclude)."
     )
 
 
