@@ -1,0 +1,135 @@
+"""Which folders of a tree are packages, and which files belong to each."""
+
+from collections.abc import Collection, Iterable
+from pathlib import PurePosixPath
+
+import msgspec
+
+from ecm_extract.tree import Entry, FileDiagnostic, Tree, printable
+
+MANIFESTS = ("package.xml", "manifest.xml")
+"""Package manifests: REP 149 and its predecessors, then rosbuild's (until ROS Fuerte)."""
+
+IGNORE_MARKERS = ("COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE")
+"""Files that hide their folder from the build tool of the same name."""
+
+TEST_FOLDERS = frozenset({"test", "tests", "unit_tests", "integration_tests", "gtest"})
+TEST_FILES = frozenset({"conftest.py"})
+TEST_EXTENSIONS = (".test", ".test.xml")
+"""Of rostest, the ROS 1 test launcher."""
+
+SOURCE_EXTENSIONS = frozenset({".py", ".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp"})
+SOURCE_TEST_PREFIXES = ("test_",)
+SOURCE_TEST_SUFFIXES = ("_test", "_tests", "_unittest")
+"""Of the name of a source file without its extension; a message named so is still an interface."""
+
+
+class PackageRoot(msgspec.Struct, frozen=True):
+    """A folder that is a package.
+
+    Attributes:
+        path: of the folder, relative to the root of the tree; empty for the root itself.
+        manifest: path of `package.xml` or `manifest.xml`; None of the pseudo package of a tree without any.
+        files: of the package, sorted by path, without those of packages inside it.
+    """
+
+    path: str
+    manifest: str | None
+    files: tuple[Entry, ...]
+
+    @property
+    def rosbuild(self) -> bool:
+        """Whether it is a package of the time before catkin (ROS Fuerte and older)."""
+        return self.manifest is not None and self.manifest.endswith("manifest.xml")
+
+
+def discover(tree: Tree) -> tuple[PackageRoot, ...]:
+    """Packages of a tree, sorted by path; what was left out is reported to the tree.
+
+    Raises:
+        TreeError: the tree cannot be listed.
+    """
+    marked = {_folder(entry.path) for entry in tree.files() if _name(entry.path) in IGNORE_MARKERS}
+    ignored = marked - {""}  # who gives a folder by name means it
+    kept = tuple(entry for entry in tree.files() if not _is_under(entry.path, ignored))
+    if ignored:
+        tree.report(_ignored_note(ignored, len(tree.files()) - len(kept)))
+    manifests = _manifests(kept)
+    if not manifests:
+        tree.report(_no_package(tree))
+        return (PackageRoot("", None, kept),)
+    return _packages(manifests, kept)
+
+
+def is_test_path(path: str, root: str = "") -> bool:
+    """Whether a file is test code, by its path below the package root `root` alone."""
+    inside = path.removeprefix(f"{root}/") if root else path
+    *folders, name = inside.lower().split("/")
+    in_test_folder = not TEST_FOLDERS.isdisjoint(folders)
+    return in_test_folder or name in TEST_FILES or name.endswith(TEST_EXTENSIONS) or _is_test_source(name)
+
+
+def _is_test_source(name: str) -> bool:
+    file = PurePosixPath(name)
+    named = file.stem.startswith(SOURCE_TEST_PREFIXES) or file.stem.endswith(SOURCE_TEST_SUFFIXES)
+    return named and file.suffix in SOURCE_EXTENSIONS
+
+
+def _manifests(entries: Collection[Entry]) -> dict[str, str]:
+    """Manifest path by folder; a `manifest.xml` in or below a `package.xml` package is only data."""
+    modern, rosbuild = (
+        {_folder(entry.path): entry.path for entry in entries if _name(entry.path) == name}
+        for name in MANIFESTS
+    )
+    old = {folder: path for folder, path in rosbuild.items() if _owner(path, modern) is None}
+    return old | modern
+
+
+def _packages(manifests: dict[str, str], entries: Iterable[Entry]) -> tuple[PackageRoot, ...]:
+    files: dict[str, list[Entry]] = {folder: [] for folder in manifests}
+    for entry in entries:
+        owner = _owner(entry.path, files)
+        if owner is not None:
+            files[owner].append(entry)
+    return tuple(PackageRoot(folder, manifests[folder], tuple(files[folder])) for folder in sorted(files))
+
+
+def _owner(path: str, roots: Collection[str]) -> str | None:
+    """The innermost package folder that holds `path`; None for files outside any package."""
+    return next((folder for folder in _folders(path) if folder in roots), None)
+
+
+def _is_under(path: str, folders: set[str]) -> bool:
+    return bool(folders) and any(folder in folders for folder in _folders(path))
+
+
+def _folders(path: str) -> Iterable[str]:
+    """The folders that hold `path`, innermost first, the root (empty) last."""
+    while path:
+        path = _folder(path)
+        yield path
+
+
+def _folder(path: str) -> str:
+    return path.rpartition("/")[0]
+
+
+def _name(path: str) -> str:
+    return path.rpartition("/")[2]
+
+
+def _ignored_note(folders: set[str], files: int) -> FileDiagnostic:
+    outer = sorted(folder for folder in folders if not _is_under(folder, folders - {folder}))
+    message = (
+        f"{len(outer)} folder(s) with {files} file(s) are left out, as the build tool does. "
+        f"Remove {', '.join(IGNORE_MARKERS[:-1])} or {IGNORE_MARKERS[-1]} there to read them."
+    )
+    return FileDiagnostic("info", "ignored-folder", printable(outer[0]) or ".", 0, message)
+
+
+def _no_package(tree: Tree) -> FileDiagnostic:
+    message = (
+        f"{tree.label} holds no package.xml, so it is read as one package without name and version. "
+        "Give the folder of a package or workspace."
+    )
+    return FileDiagnostic("warning", "no-package", ".", 0, message)
