@@ -1,0 +1,204 @@
+"""Python declarations: functions, classes, parameters, decorators and imports."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from tree_sitter import Node
+
+from ecm_parsers.source.expr import Expr, Member, Name
+from ecm_parsers.source.facts import Class, Field, Function, Import, Parameter, Statement
+from ecm_parsers.source.python_expr import parts
+from ecm_parsers.source.python_scan import Frame, Scan, StatementHandler
+
+_THIS = Name("this")
+_SEPARATORS = frozenset(("keyword_separator", "positional_separator"))
+
+
+def _decorated(scan: Scan, node: Node) -> None:
+    decorators: list[str] = []
+    for child in parts(node):
+        if child.type == "decorator":
+            decorators.append(scan.text(child)[1:].strip())
+            for part in parts(child):
+                scan.do(part)
+        elif child.type == "function_definition":
+            _read_function(scan, child, tuple(decorators))
+        elif child.type == "class_definition":
+            _read_class(scan, child, tuple(decorators))
+
+
+def _function(scan: Scan, node: Node) -> None:
+    _read_function(scan, node, ())
+
+
+def _class(scan: Scan, node: Node) -> None:
+    _read_class(scan, node, ())
+
+
+def _read_function(scan: Scan, node: Node, decorators: tuple[str, ...]) -> None:
+    outer = scan.frame
+    name = scan.text(node.child_by_field_name("name"))
+    params = _parameters(scan, node.child_by_field_name("parameters"))
+    names = outer.names
+    if outer.place == "class":
+        names, params = _method_names(scan, params, decorators)
+    elif _hides_receiver(names, params):
+        names = {}
+    body: list[Statement] = []
+    frame = Frame("function", _inside(outer.scope, name), body, names)
+    frame.fields = outer.fields if outer.place == "class" and name == "__init__" else None
+    _read_body(scan, node, frame)
+    scan.functions.append(
+        Function(
+            name=name,
+            scope=outer.scope,
+            params=params,
+            returns=scan.text(node.child_by_field_name("return_type")),
+            line=node.start_point[0] + 1,
+            end_line=node.end_point[0] + 1,
+            body=tuple(body),
+            traits=_traits(name, decorators),
+            decorators=decorators,
+        )
+    )
+
+
+def _read_class(scan: Scan, node: Node, decorators: tuple[str, ...]) -> None:
+    outer = scan.frame
+    name = scan.text(node.child_by_field_name("name"))
+    bases = node.child_by_field_name("superclasses")
+    fields: list[Field] = []
+    # The body of a class runs where the class is declared.
+    frame = Frame("class", _inside(outer.scope, name), outer.body, outer.names)
+    frame.depth = outer.depth
+    frame.fields = fields
+    frame.owner = Member(outer.owner, name) if outer.owner is not None else Name(name)
+    _read_body(scan, node, frame)
+    scan.classes.append(
+        Class(
+            name=name,
+            scope=outer.scope,
+            bases=_bases(scan, bases) if bases is not None else (),
+            line=node.start_point[0] + 1,
+            end_line=node.end_point[0] + 1,
+            fields=tuple(fields),
+            traits=_traits(name, decorators),
+        )
+    )
+
+
+def _read_body(scan: Scan, node: Node, frame: Frame) -> None:
+    body = node.child_by_field_name("body")
+    if body is None:
+        return
+    outer, scan.frame = scan.frame, frame
+    scan.block(body)
+    scan.frame = outer
+
+
+def _method_names(
+    scan: Scan, params: tuple[Parameter, ...], decorators: tuple[str, ...]
+) -> tuple[dict[bytes, Expr], tuple[Parameter, ...]]:
+    """Names inside a method, where the first parameter is `this`, and its other parameters."""
+    if "staticmethod" in decorators or not params or params[0].name.startswith("*"):
+        return {}, params
+    return scan.names_of(params[0].name.encode()), params[1:]
+
+
+def _hides_receiver(names: dict[bytes, Expr], params: tuple[Parameter, ...]) -> bool:
+    """Whether a nested function has a parameter named like the receiver of the method around it."""
+    return any(names.get(param.name.encode()) == _THIS for param in params)
+
+
+def _inside(scope: str, name: str) -> str:
+    return f"{scope}::{name}" if scope else name
+
+
+def _bases(scan: Scan, node: Node) -> tuple[str, ...]:
+    return tuple(scan.text(child) for child in parts(node) if child.type != "keyword_argument")
+
+
+def _traits(name: str, decorators: tuple[str, ...]) -> tuple[str, ...]:
+    traits: list[str] = []
+    if name.startswith("_") and not name.endswith("__"):
+        traits.append("private")
+    for decorator in decorators:
+        last = decorator.partition("(")[0].rpartition(".")[2].strip()
+        trait = _DECORATOR_TRAITS.get(last)
+        if trait is not None:
+            traits.append(trait)
+    return tuple(traits)
+
+
+_DECORATOR_TRAITS: Mapping[str, str] = {
+    "staticmethod": "static",
+    "abstractmethod": "pure",
+    "abstractproperty": "pure",
+    "override": "override",
+    "deprecated": "deprecated",
+}
+
+
+def _parameters(scan: Scan, node: Node | None) -> tuple[Parameter, ...]:
+    if node is None:
+        return ()
+    return tuple([_parameter(scan, child) for child in parts(node) if child.type not in _SEPARATORS])
+
+
+def _parameter(scan: Scan, node: Node) -> Parameter:
+    kind = node.type
+    if kind == "typed_parameter":
+        return Parameter(scan.text(node.children[0]), scan.text(node.child_by_field_name("type")))
+    if kind not in ("default_parameter", "typed_default_parameter"):
+        return Parameter(scan.text(node))
+    default = node.child_by_field_name("value")
+    return Parameter(
+        scan.text(node.child_by_field_name("name")),
+        scan.text(node.child_by_field_name("type")),
+        scan.expr(default) if default is not None else None,
+    )
+
+
+def _import(scan: Scan, node: Node) -> None:
+    line = node.start_point[0] + 1
+    for child in parts(node):
+        module, alias = _imported(scan, child)
+        scan.imports.append(Import(module, "", alias, line))
+
+
+def _import_from(scan: Scan, node: Node) -> None:
+    module, *names = parts(node)
+    origin = _compact(scan, module)
+    for child in names:
+        name, alias = ("*", "") if child.type == "wildcard_import" else _imported(scan, child)
+        scan.imports.append(Import(origin, name, alias, child.start_point[0] + 1))
+
+
+def _import_future(scan: Scan, node: Node) -> None:
+    line = node.start_point[0] + 1
+    for child in parts(node):
+        name, alias = _imported(scan, child)
+        scan.imports.append(Import("__future__", name, alias, line))
+
+
+def _imported(scan: Scan, node: Node) -> tuple[str, str]:
+    """Imported name and its alias."""
+    if node.type != "aliased_import":
+        return _compact(scan, node), ""
+    children = node.children
+    return _compact(scan, children[0]), scan.text(children[-1])
+
+
+def _compact(scan: Scan, node: Node) -> str:
+    return scan.text(node).replace(" ", "").replace("\\", "")
+
+
+DECLARATIONS: Mapping[str, StatementHandler] = {
+    "class_definition": _class,
+    "decorated_definition": _decorated,
+    "function_definition": _function,
+    "future_import_statement": _import_future,
+    "import_from_statement": _import_from,
+    "import_statement": _import,
+}

@@ -1,0 +1,300 @@
+"""Python expressions in the vocabulary of `expr.py`.
+
+Choices beyond it: `and`, `or`, `not`, `is`, `is not` and `<>` are written as C++ writes them; a comprehension
+is `Op("for", (element,))` after an `each` statement for each of its loops; a formatted part of an f-string is
+`Op("format", (value, Text(spec)))`; a slice is `Op(":", (start, stop, ...))`; the keyword of `**spread` is
+`**`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from tree_sitter import Node
+
+from ecm_parsers.source.expr import Call, Expr, Items, Lambda, Member, Number, Op, Table, Template, Text
+from ecm_parsers.source.python_literal import (
+    FALSE,
+    NULL,
+    TRUE,
+    content_value,
+    joined,
+    negated,
+    number_value,
+    split_string,
+    string_value,
+)
+from ecm_parsers.source.python_scan import MAX_DOTTED_LENGTH, ExprHandler, Scan
+
+_OPERATORS: Mapping[str, str] = {"and": "&&", "or": "||", "is": "==", "is not": "!=", "<>": "!="}
+_F_PREFIXES = (b"f", b"F", b"t", b"T")
+
+
+def parts(node: Node) -> Iterator[Node]:
+    """Named children that are neither comments nor what could not be parsed."""
+    return (child for child in node.named_children if child.type not in ("comment", "ERROR"))
+
+
+def _attribute(scan: Scan, node: Node) -> Expr:
+    start, end = node.start_byte, node.end_byte
+    if end - start <= MAX_DOTTED_LENGTH:
+        raw = scan.data[start:end]
+        if raw.replace(b".", b"").decode("utf-8", "replace").isidentifier():
+            return scan.name(raw)
+    base, name = node.child_by_field_name("object"), node.child_by_field_name("attribute")
+    if base is None or name is None:
+        return scan.opaque(node)
+    return Member(scan.expr(base), scan.text(name))
+
+
+def _call(scan: Scan, node: Node) -> Expr:
+    children = node.children
+    function, arguments = children[0], children[-1]
+    scan.calls += 1
+    expr = scan.expr
+    callee = expr(function)
+    line = function.end_point[0] + 1
+    if arguments.type != "argument_list":
+        return Call(callee, (scan.expr(arguments),), line=line)
+    args: list[Expr] = []
+    keywords: list[tuple[str, Expr]] = []
+    for child in arguments.named_children:
+        kind = child.type
+        if kind == "keyword_argument":
+            named = child.children
+            keywords.append((scan.text(named[0]), expr(named[-1])))
+        elif kind == "dictionary_splat":
+            keywords.append(("**", expr(child)))
+        elif kind == "ERROR":
+            salvage(scan, child)
+        elif kind != "comment":
+            args.append(expr(child))
+    return Call(callee, tuple(args), tuple(keywords), (), line)
+
+
+def salvage(scan: Scan, node: Node) -> None:
+    """Emit the calls in a node that could not be parsed as a whole."""
+    for child in node.named_children:
+        if child.type in scan.expressions:
+            scan.do(child)
+
+
+def _string(scan: Scan, node: Node) -> Expr:
+    raw = scan.data[node.start_byte : node.end_byte]
+    # Most strings are short, without prefix and escape.
+    quote = raw[:1]
+    if quote in (b"'", b'"') and b"\\" not in raw and raw[1:2] != quote and raw[-1:] == quote:
+        return Text(raw[1:-1].decode("utf-8", "replace"))
+    if raw[:1] in _F_PREFIXES or raw[1:2] in _F_PREFIXES:
+        return _template(scan, node, raw)
+    value = string_value(raw)
+    return scan.opaque(node) if value is None else Text(value)
+
+
+def _template(scan: Scan, node: Node, raw: bytes) -> Expr:
+    bounds = split_string(raw)
+    if bounds is None:
+        return scan.opaque(node)
+    prefix, start, end = bounds
+    origin = node.start_byte
+    position = start
+    pieces: list[Expr] = []
+    for child in node.named_children:
+        if child.type != "interpolation":
+            continue
+        pieces.append(_piece(raw[position : child.start_byte - origin], prefix))
+        pieces.extend(_interpolation(scan, child))
+        position = child.end_byte - origin
+    pieces.append(_piece(raw[position:end], prefix))
+    if len(pieces) == 1:
+        return pieces[0]
+    return Template(tuple(piece for piece in pieces if piece != Text("")))
+
+
+def _piece(content: bytes, prefix: str) -> Text:
+    return Text(content_value(content.replace(b"{{", b"{").replace(b"}}", b"}"), raw="r" in prefix))
+
+
+def _interpolation(scan: Scan, node: Node) -> list[Expr]:
+    value: Expr = NULL
+    spec = ""
+    shown: list[Expr] = []
+    for child in node.children[1:-1]:
+        kind = child.type
+        if kind == "type_conversion":
+            spec = scan.text(child)
+        elif kind == "format_specifier":
+            spec += scan.text(child)[1:]
+        elif kind == "=":
+            shown = [Text(scan.data[node.start_byte + 1 : child.end_byte].decode("utf-8", "replace"))]
+        elif child.is_named and kind != "comment":
+            value = scan.expr(child)
+    return [*shown, Op("format", (value, Text(spec))) if spec else value]
+
+
+def _concatenated(scan: Scan, node: Node) -> Expr:
+    return joined([scan.expr(child) for child in parts(node)])
+
+
+def _number(scan: Scan, node: Node) -> Expr:
+    value = number_value(scan.raw(node))
+    return scan.opaque(node) if value is None else Number(value)
+
+
+def _items(scan: Scan, node: Node) -> Expr:
+    return Items(tuple([scan.expr(child) for child in node.named_children if child.type != "comment"]))
+
+
+def _table(scan: Scan, node: Node) -> Expr:
+    entries: list[tuple[Expr, Expr]] = []
+    for child in parts(node):
+        if child.type == "pair":
+            entries.append(_pair(scan, child))
+        else:
+            entries.append((NULL, scan.expr(child)))
+    return Table(tuple(entries))
+
+
+def _pair(scan: Scan, node: Node) -> tuple[Expr, Expr]:
+    children = node.children
+    return scan.expr(children[0]), scan.expr(children[-1])
+
+
+def _pair_table(scan: Scan, node: Node) -> Expr:
+    return Table((_pair(scan, node),))
+
+
+def _subscript(scan: Scan, node: Node) -> Expr:
+    base, *indices = parts(node)
+    index = [scan.expr(child) for child in indices]
+    return Op("[]", (scan.expr(base), index[0] if len(index) == 1 else Items(tuple(index))))
+
+
+def _slice(scan: Scan, node: Node) -> Expr:
+    bounds: list[Expr] = [NULL]
+    for child in node.children:
+        if child.type == ":":
+            bounds.append(NULL)
+        elif child.is_named and child.type != "comment":
+            bounds[-1] = scan.expr(child)
+    return Op(":", tuple(bounds))
+
+
+def _binary(scan: Scan, node: Node) -> Expr:
+    operands: list[Expr] = []
+    operators: list[str] = []
+    for child in node.children:
+        kind = child.type
+        if not child.is_named:
+            operators.append(_OPERATORS.get(kind, kind))
+        elif kind not in ("comment", "ERROR"):
+            operands.append(scan.expr(child))
+    return Op(" ".join(operators), tuple(operands))
+
+
+def _not(scan: Scan, node: Node) -> Expr:
+    return Op("!", (_inner(scan, node),))
+
+
+def _unary(scan: Scan, node: Node) -> Expr:
+    operator = node.children[0].type
+    operand = _inner(scan, node)
+    return negated(operand) if operator == "-" else Op(operator, (operand,))
+
+
+def _conditional(scan: Scan, node: Node) -> Expr:
+    operands = [scan.expr(child) for child in parts(node)]
+    if len(operands) != 3:
+        return scan.opaque(node)
+    value, test, other = operands
+    return Op("?:", (test, value, other))
+
+
+def _inner(scan: Scan, node: Node) -> Expr:
+    """What a wrapper that does not change the value encloses (parentheses, await, yield, star)."""
+    children = list(parts(node))
+    if not children:
+        return NULL
+    if len(children) == 1:
+        return scan.expr(children[0])
+    return Items(tuple(scan.expr(child) for child in children))
+
+
+def _lambda(scan: Scan, node: Node) -> Expr:
+    parameters, body = node.child_by_field_name("parameters"), node.child_by_field_name("body")
+    if body is not None:
+        scan.do(body)
+    return Lambda(("",) * parameters.named_child_count if parameters is not None else ())
+
+
+def _comprehension(scan: Scan, node: Node) -> Expr:
+    body, *clauses = parts(node)
+    for clause in clauses:
+        if clause.type == "for_in_clause":
+            _loop(scan, clause)
+        else:
+            for condition in parts(clause):
+                scan.do(condition)
+    return Op("for", (scan.expr(body),))
+
+
+def _loop(scan: Scan, clause: Node) -> None:
+    target, value = clause.child_by_field_name("left"), clause.child_by_field_name("right")
+    if target is not None and value is not None:
+        scan.emit("each", clause, scan.expr(value), scan.expr(target))
+
+
+def _named(scan: Scan, node: Node) -> Expr:
+    children = list(parts(node))
+    if len(children) != 2:
+        return scan.opaque(node)
+    target = scan.expr(children[0])
+    scan.emit("set", node, scan.expr(children[1]), target)
+    return target
+
+
+def _keyword_value(scan: Scan, node: Node) -> Expr:
+    return scan.expr(node.children[-1])
+
+
+EXPRESSIONS: Mapping[str, ExprHandler] = {
+    "attribute": _attribute,
+    "await": _inner,
+    "binary_operator": _binary,
+    "boolean_operator": _binary,
+    "call": _call,
+    "comparison_operator": _binary,
+    "concatenated_string": _concatenated,
+    "conditional_expression": _conditional,
+    "dictionary": _table,
+    "dictionary_comprehension": _comprehension,
+    "dictionary_splat": _inner,
+    "expression_list": _items,
+    "false": lambda _scan, _node: FALSE,
+    "float": _number,
+    "generator_expression": _comprehension,
+    "integer": _number,
+    "keyword_argument": _keyword_value,
+    "lambda": _lambda,
+    "list": _items,
+    "list_comprehension": _comprehension,
+    "list_pattern": _items,
+    "list_splat": _inner,
+    "list_splat_pattern": _inner,
+    "named_expression": _named,
+    "none": lambda _scan, _node: NULL,
+    "not_operator": _not,
+    "pair": _pair_table,
+    "parenthesized_expression": _inner,
+    "pattern_list": _items,
+    "set": _items,
+    "set_comprehension": _comprehension,
+    "slice": _slice,
+    "string": _string,
+    "subscript": _subscript,
+    "true": lambda _scan, _node: TRUE,
+    "tuple": _items,
+    "tuple_pattern": _items,
+    "unary_operator": _unary,
+    "yield": _inner,
+}

@@ -1,0 +1,172 @@
+"""The walk over a Python syntax tree: what is being read, where its facts go, and the bounds of the walk.
+
+What a node means is told by two tables of handlers by node type, one for expressions and one for statements.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Literal, TypeAlias
+
+from tree_sitter import Node
+
+from ecm_parsers.source.expr import Expr, Member, Name, Number, Opaque, Text
+from ecm_parsers.source.facts import Class, Constant, Field, Function, Import, Statement, StatementKind
+
+MAX_EXPRESSION_DEPTH = 80
+MAX_BLOCK_DEPTH = 40
+OPAQUE_LENGTH = 80
+# Longer chains are read node by node, so that no text is looked at once per link.
+MAX_DOTTED_LENGTH = 120
+
+_LEAVES = frozenset(("identifier", "attribute", "string", "integer", "float", "true", "false", "none"))
+_LITERALS = (Text, Number)
+
+Place: TypeAlias = Literal["module", "class", "function"]
+
+
+class Frame:
+    """The body being read: of the module, a class or a function.
+
+    Attributes:
+        place: what it is the body of.
+        scope: scope of what is declared in it.
+        body: statements; a class body runs as part of the body that declares the class.
+        names: expressions of names and dotted names seen, by source bytes; maps the receiver to `this`.
+        fields: of the class being read, also in its `__init__`; None elsewhere.
+        owner: the class as an expression, in a class body.
+        depth: how many conditions and loops enclose the current statement.
+    """
+
+    __slots__ = ("body", "depth", "fields", "names", "owner", "place", "scope")
+
+    def __init__(self, place: Place, scope: str, body: list[Statement], names: dict[bytes, Expr]) -> None:
+        self.place = place
+        self.scope = scope
+        self.body = body
+        self.names = names
+        self.fields: list[Field] | None = None
+        self.owner: Expr | None = None
+        self.depth = 0
+
+
+class Scan:
+    """Facts of one file while it is walked."""
+
+    def __init__(
+        self, data: bytes, expressions: Mapping[str, ExprHandler], statements: Mapping[str, StatementHandler]
+    ) -> None:
+        self.data = data
+        self.expressions = expressions
+        self.statements = statements
+        self.imports: list[Import] = []
+        self.classes: list[Class] = []
+        self.functions: list[Function] = []
+        self.constants: list[Constant] = []
+        self.frame = Frame("module", "", [], {})
+        self._receivers: dict[bytes, dict[bytes, Expr]] = {}
+        self.calls = 0
+        self.cut_line = 0
+        self._level = 0
+        self._nesting = 0
+
+    def expr(self, node: Node) -> Expr:
+        """Read an expression; what has no counterpart, or is nested too deeply, is Opaque."""
+        kind = node.type
+        if kind in _LEAVES:
+            # The same bytes mean the same in one frame, and most names and literals come up again.
+            raw = self.data[node.start_byte : node.end_byte]
+            found = self.frame.names.get(raw)
+            return found if found is not None else self._leaf(kind, node, raw)
+        return self._compound(kind, node)
+
+    def _leaf(self, kind: str, node: Node, raw: bytes) -> Expr:
+        if kind == "identifier":
+            return self.name(raw)
+        value = self._compound(kind, node)
+        if isinstance(value, _LITERALS):
+            self.frame.names[raw] = value
+        return value
+
+    def _compound(self, kind: str, node: Node) -> Expr:
+        handler = self.expressions.get(kind)
+        if handler is None:
+            return self.opaque(node)
+        if self._level >= MAX_EXPRESSION_DEPTH:
+            return self.cut(node)
+        self._level += 1
+        value = handler(self, node)
+        self._level -= 1
+        return value
+
+    def name(self, raw: bytes) -> Expr:
+        """Expression of a name or a dotted name, the same object each time; the receiver is `this`."""
+        names = self.frame.names
+        found = names.get(raw)
+        if found is None:
+            base, dot, last = raw.rpartition(b".")
+            text = last.decode("utf-8", "replace")
+            found = Member(self.name(base), text) if dot else Name(text)
+            names[raw] = found
+        return found
+
+    def names_of(self, receiver: bytes) -> dict[bytes, Expr]:
+        """Names seen in methods whose first parameter is `receiver`."""
+        return self._receivers.setdefault(receiver, {receiver: Name("this")})
+
+    def block(self, node: Node, deeper: int = 0) -> None:
+        """Read the statements of a block that `deeper` more conditions enclose."""
+        if self._nesting >= MAX_BLOCK_DEPTH:
+            self.cut(node)
+            return
+        self._nesting += 1
+        self.frame.depth += deeper
+        handlers = self.statements
+        for child in node.named_children:
+            handler = handlers.get(child.type)
+            if handler is not None:
+                handler(self, child)
+        self.frame.depth -= deeper
+        self._nesting -= 1
+
+    def do(self, node: Node) -> None:
+        """Emit an expression as a statement if it calls anything."""
+        if self.data.find(b"(", node.start_byte, node.end_byte) < 0:
+            return
+        before = self.calls
+        value = self.expr(node)
+        if self.calls > before:
+            self.emit("do", node, value)
+
+    def emit(
+        self, kind: StatementKind, node: Node, value: Expr | None, target: Expr | None = None, type_: str = ""
+    ) -> None:
+        """Add a statement to the current body."""
+        frame = self.frame
+        frame.body.append(Statement(kind, node.start_point[0] + 1, value, target, type_, frame.depth))
+
+    def raw(self, node: Node) -> bytes:
+        """Source bytes of a node."""
+        return self.data[node.start_byte : node.end_byte]
+
+    def text(self, node: Node | None) -> str:
+        """Source text of a node on one line; empty when there is no node."""
+        if node is None:
+            return ""
+        text = self.raw(node).decode("utf-8", "replace")
+        return " ".join(text.split()) if "\n" in text else text
+
+    def opaque(self, node: Node) -> Opaque:
+        """Source text of a node that means nothing to the linker."""
+        # Four bytes a character at most.
+        end = min(node.end_byte, node.start_byte + 4 * OPAQUE_LENGTH)
+        return Opaque(self.data[node.start_byte : end].decode("utf-8", "replace")[:OPAQUE_LENGTH])
+
+    def cut(self, node: Node) -> Opaque:
+        """Leave out a node that is nested too deeply, remembering the first such line."""
+        self.cut_line = self.cut_line or node.start_point[0] + 1
+        return self.opaque(node)
+
+
+ExprHandler: TypeAlias = Callable[[Scan, Node], Expr]
+StatementHandler: TypeAlias = Callable[[Scan, Node], None]
