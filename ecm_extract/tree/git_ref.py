@@ -1,6 +1,7 @@
 """A tree read out of a git repository at a commit: no checkout, no file written in the repository."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Generator, Iterable, Iterator
+from contextlib import closing
 
 from ecm_extract.errors import TreeError, TreeReadError
 from ecm_extract.tree.base import MAX_FILE_BYTES, Entry, FileDiagnostic, printable
@@ -70,18 +71,19 @@ class GitTree(ListedTree):
         entries: list[Entry] = []
         links: list[Entry] = []
         diagnostics: list[FileDiagnostic] = []
-        for mode, entry in self._records():
-            if mode == "160000":
-                diagnostics.append(_submodule(entry))
-            elif mode == "120000":
-                links.append(entry)
-            else:
-                entries.append(entry)
-            if len(entries) + len(links) + len(diagnostics) > MAX_FILES:
-                raise too_many(self.label)
+        with closing(self._records()) as records:
+            for mode, entry in records:
+                if mode == "160000":
+                    diagnostics.append(_submodule(entry))
+                elif mode == "120000":
+                    links.append(entry)
+                else:
+                    entries.append(entry)
+                if len(entries) + len(links) + len(diagnostics) > MAX_FILES:
+                    raise too_many(self.label)
         return Listing(tuple(entries), self._targets(links), tuple(diagnostics))
 
-    def _records(self) -> Iterator[tuple[str, Entry]]:
+    def _records(self) -> Generator[tuple[str, Entry], None, None]:
         """Mode and entry of each file, streamed: a few small objects can describe billions of files."""
         rest, total = b"", 0
         with self._repo.process("ls-tree", "-r", "-z", "-l", "--full-tree", self._tree_id) as process:

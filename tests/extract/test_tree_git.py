@@ -226,6 +226,19 @@ def test_too_many_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None
             tree.files()
 
 
+def test_tree_bomb(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Fifteen objects that describe 10^15 files end in an error as soon as the bound is passed."""
+    monkeypatch.setattr("ecm_extract.tree.git_ref.MAX_FILES", 5000)
+    git(tmp_path, "init", "-q")
+    below = f"100644 blob {git(tmp_path, 'hash-object', '-w', '--stdin', stdin=b'x')}"
+    for _ in range(15):
+        rows = "".join(f"{below}\t{name}\n" for name in "abcdefghij")
+        below = f"040000 tree {git(tmp_path, 'mktree', stdin=rows.encode())}"
+    head = git(tmp_path, "commit-tree", "-m", "bomb", below.split()[2])
+    with pytest.raises(TreeError, match="more than"):
+        open_tree(tmp_path, head).files()
+
+
 def test_odd_names(tmp_path: Path) -> None:
     """Names with a line break, a tab, quotes or bytes that are no UTF-8 are read and shown safely."""
     names = ["a\nb.py", "t\tab.py", '"q".py', b"\xff.py".decode("utf-8", "surrogateescape"), "-n.py"]
