@@ -11,14 +11,14 @@ import argparse
 import json
 import sys
 from collections import Counter
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
 import msgspec
 from extracted import RESOLVED, Index, extract
 from site_oracle import EXCLUSIONS, Site, load_rows, scan
-from source_files import walk
+from source_files import IsTest, walk
 
 TARGETS = {"found": 97.0, "typed": 97.0, "named": 90.0}
 
@@ -62,7 +62,7 @@ def share(results: Iterable[Result]) -> Share:
     )
 
 
-def oracle(root: Path, is_test: Callable[[str], bool]) -> tuple[list[Site], Counter[str], Counter[str]]:
+def oracle(root: Path, is_test: IsTest) -> tuple[list[Site], Counter[str], Counter[str]]:
     """All sites of a tree, what the rules excluded, and which files were left out."""
     rows, excluded, skipped = load_rows(), Counter[str](), Counter[str]()
     sites = [site for source in walk(root, is_test, skipped) for site in scan(source, rows, excluded)]

@@ -14,6 +14,9 @@ CPP = {".cpp", ".cc", ".cxx", ".h", ".hpp", ".hh", ".hxx", ".ipp", ".inl", ".tpp
 _IGNORE = {"COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE"}
 _LARGEST = 8_000_000
 
+IsTest = Callable[[str, str], bool]
+"""Whether the file of this path is test code, in the package at this path (both below the root)."""
+
 
 class Source(msgspec.Struct, frozen=True):
     """One source file: its text, and the ROS generations of the package that holds it."""
@@ -24,14 +27,14 @@ class Source(msgspec.Struct, frozen=True):
     text: str
 
 
-def walk(root: Path, is_test: Callable[[str], bool], skipped: Counter[str]) -> Iterator[Source]:
+def walk(root: Path, is_test: IsTest, skipped: Counter[str]) -> Iterator[Source]:
     """Yield the product sources of every package under `root`; count in `skipped` the files left out."""
     packages: dict[Path, frozenset[int]] = {}
     for folder, folders, files in os.walk(root):
         here = Path(folder)
         if _IGNORE & set(files):
             folders.clear()
-            skipped["in_an_ignored_folder"] += sum(language(here / name) is not None for name in files)
+            skipped["in_an_ignored_folder"] += sum(language(path) is not None for path in here.rglob("*"))
             continue
         folders[:] = sorted(name for name in folders if not name.startswith("."))
         if "package.xml" in files:
@@ -44,7 +47,7 @@ def _source(
     root: Path,
     path: Path,
     packages: dict[Path, frozenset[int]],
-    is_test: Callable[[str], bool],
+    is_test: IsTest,
     skipped: Counter[str],
 ) -> Iterator[Source]:
     lang = language(path)
@@ -54,7 +57,7 @@ def _source(
     owner = next((folder for folder in path.parents if folder in packages), None)
     if owner is None:
         skipped["in_no_package"] += 1
-    elif is_test(relative):
+    elif is_test(relative, owner.relative_to(root).as_posix().removeprefix(".")):
         skipped["test_code"] += 1
     else:
         yield Source(relative, lang, packages[owner], path.read_bytes()[:_LARGEST].decode("utf-8", "replace"))

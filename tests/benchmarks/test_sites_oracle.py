@@ -117,6 +117,10 @@ def test_the_generation_comes_from_the_manifest(tmp_path: Path) -> None:
         assert generations(manifest) == expected
 
 
+def _is_test(path: str, root: str) -> bool:
+    return path.startswith(f"{root}/test/")
+
+
 def _package(root: Path) -> None:
     (root / "src").mkdir()
     (root / "test").mkdir()
@@ -133,7 +137,7 @@ def test_files_left_out_are_counted(tmp_path: Path) -> None:
     _package(tmp_path / "pkg")
     (tmp_path / "loose.py").write_text("")
     skipped: Counter[str] = Counter()
-    found = [source.path for source in walk(tmp_path, lambda path: "/test/" in path, skipped)]
+    found = [source.path for source in walk(tmp_path, _is_test, skipped)]
     assert found == ["pkg/src/a.cpp"]
     assert skipped == {"test_code": 1, "in_no_package": 1}
 
@@ -155,7 +159,7 @@ def test_sites_are_compared_with_the_json_of_an_extraction(tmp_path: Path) -> No
         "packages": [{"name": "pkg", "path": "pkg", "modules": [module]}],
     }
     index = Index(msgspec.convert(document, Extraction))
-    sites, _, _ = oracle(tmp_path, lambda path: "/test/" in path)
+    sites, _, _ = oracle(tmp_path, _is_test)
     results = [judge(site, index) for site in sites]
     assert [missing(one) for one in results] == [["typed"], ["found"]]
     assert msgspec.to_builtins(share(results)) == {
