@@ -18,10 +18,17 @@ from ecm_parsers.text import decode
 MAX_BYTES = 8_000_000
 MAX_DEPTH = 200
 MAX_PROBLEMS = 20
+_MAX_CORRECTED = 200_000
+_MAX_LINE = 65_535  # what a node of libxml2 can hold
 _DECLARATION = re.compile(r"\s*<\?xml\b[^>]{0,200}\?>")
 _LATIN = re.compile(r"encoding\s*=\s*[\"'](?:iso-8859-1|latin-?1|windows-1252)[\"']", re.IGNORECASE)
 _ENTITY = re.compile(r"<!ENTITY\b")
 _NOT_BLANK = re.compile(r"[^\n]")
+_SKIPPED_OR_TAG = re.compile(
+    r"""<!--.*?(?:-->|\Z)|<!\[CDATA\[.*?(?:\]\]>|\Z)|<\?.*?(?:\?>|\Z)"""
+    r"""|(?P<tag><[A-Za-z_:](?:[^"'>]|"[^"]*"|'[^']*')*+)""",
+    re.DOTALL,
+)
 _NO_XML = Diagnostic("error", "xml-empty", 0, "The file holds no XML. Remove it or give it a root element.")
 
 
@@ -56,7 +63,8 @@ def parse_xml(data: bytes, *, many_roots: bool = False) -> XmlTree:
         return _refused("xml-entity", line, "Entity declarations are not read. Write the text itself.")
     if _LATIN.search(text, 0, 300):
         doubts = tuple(doubt for doubt in doubts if doubt.code != "text-not-utf8")
-    body = _DECLARATION.sub(lambda match: _NOT_BLANK.sub(" ", match[0]), text, count=1)
+    declaration = _DECLARATION.match(text)
+    body = _NOT_BLANK.sub(" ", declaration[0]) + text[declaration.end() :] if declaration else text
     if not body.strip():
         return XmlTree((), (*doubts, _NO_XML))
     return _parse(f"<roots>{body}\n</roots>" if many_roots else body, doubts, many_roots=many_roots)
@@ -105,6 +113,7 @@ def _parse(body: str, doubts: tuple[Diagnostic, ...], *, many_roots: bool) -> Xm
     if _is_too_deep(root):
         message = f"Elements nest deeper than {MAX_DEPTH}; the file is skipped. Flatten it."
         return XmlTree((), (*diagnostics, Diagnostic("error", "xml-too-deep", 0, message)))
+    _correct_lines(root, body)
     roots = tuple(element for _, element in children(root)) if many_roots else (root,)
     return XmlTree(roots, diagnostics if roots or diagnostics else (_NO_XML,))
 
@@ -125,6 +134,19 @@ def _is_too_deep(root: etree._Element) -> bool:
         if depth > MAX_DEPTH:
             return True
     return False
+
+
+def _correct_lines(root: etree._Element, body: str) -> None:
+    """Set each element's line to where its start tag begins; libxml2 knows only where it ends."""
+    starts = [match.start("tag") for match in _SKIPPED_OR_TAG.finditer(body) if match["tag"]]
+    if len(starts) > _MAX_CORRECTED or len(starts) != sum(1 for _ in root.iter(etree.Element)):
+        return
+    line, position = 1, 0
+    for element, start in zip(root.iter(etree.Element), starts, strict=True):
+        line += body.count("\n", position, start)
+        position = start
+        if line < _MAX_LINE:
+            element.sourceline = line  # type: ignore[assignment]  # the stubs know no setter
 
 
 def _refused(code: str, line: int, message: str) -> XmlTree:

@@ -22,6 +22,16 @@ def test_lines_and_text() -> None:
     assert [(tag, line_of(child), text_of(child)) for tag, child in children(tree.root)] == [("b", 6, "x y")]
 
 
+@pytest.mark.parametrize("noise", ["", "<!-- <x\n> -->", "<![CDATA[<x>]]>", "<?pi <x> ?>", "<c d='>'/>"])
+@pytest.mark.parametrize("many_roots", [False, True])
+def test_line_is_where_the_tag_begins(noise: str, many_roots: bool) -> None:
+    """An element whose attributes span lines is found at its first line."""
+    text = f'{noise if many_roots else ""}<a>{noise}\n<b\n x="<1>"\n y="2"/></a>'
+    tree = parse_xml(text.replace("<1>", "1>").encode(), many_roots=many_roots)
+    last = list(tree.roots[-1])[-1]
+    assert (last.tag, line_of(last)) == ("b", text[: text.index("<b")].count("\n") + 1)
+
+
 @pytest.mark.parametrize(
     "data",
     [
@@ -81,6 +91,17 @@ def test_many_roots() -> None:
     tree = parse_xml(b'<?xml version="1.0"?>\n<a/>\n<!-- x -->\n<b/>', many_roots=True)
     assert [(root.tag, line_of(root)) for root in tree.roots] == [("a", 2), ("b", 4)]
     assert tree.diagnostics == ()
+
+
+@pytest.mark.parametrize(
+    "part", [b"<a", b'<a "', b"<![CDATA[", b"<!--", b"<?", b"\n", b"<a/>", b"</a>", b"&a;"]
+)
+def test_hostile_repetition_ends_soon(part: bytes) -> None:
+    """No repeated fragment makes reading more than linear."""
+    started = time.perf_counter()
+    parse_xml(b"<r>" + part * (500_000 // len(part)))
+    parse_xml(part * (500_000 // len(part)) + b"<r/>")
+    assert time.perf_counter() - started < 2
 
 
 @settings(max_examples=50, deadline=None)
