@@ -80,8 +80,7 @@ class Tool:
     def __init__(self, root: Path, cache: str) -> None:
         self.environment = {**os.environ, "XDG_CACHE_HOME": cache}
         self.line = [command(), str(root), "--format", "json", "-o", os.devnull]
-        listed = subprocess.run([command(), "--help"], capture_output=True, text=True, check=False)
-        self.has_cache = "--no-cache" in listed.stdout
+        self.has_cache = any("--no-cache" in _help(of) for of in ([], ["extract"]))
         self.cold_line = [*self.line, "--no-cache"] if self.has_cache else self.line
 
     def run(self, line: list[str]) -> None:
@@ -96,6 +95,11 @@ class Tool:
             return None
         self.run(self.line)
         return best(lambda: self.run(self.line))
+
+
+def _help(subcommand: list[str]) -> str:
+    line = [command(), *subcommand, "--help"]
+    return subprocess.run(line, capture_output=True, text=True, check=False).stdout
 
 
 def measure(root: Path, tool: Tool) -> Timing:
