@@ -1,8 +1,8 @@
 """The group of commands. A command is a file in `commands/` that holds a click command named `command`.
 
 The name of the file is that of the command (`_` as `-`). A command's module is imported when it is used, and
-imports what does the work inside its function, so that help and completion stay fast. In help texts click keeps
-the lines of a paragraph that begins with a backspace.
+imports what does the work inside its function, so that help and completion stay fast. Click keeps the lines
+of a help paragraph that begins with a backspace.
 """
 
 from __future__ import annotations
