@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from time import monotonic
 
 import tree_sitter_python
 from tree_sitter import Language, Node, Parser
@@ -15,6 +16,7 @@ from ecm_parsers.source.python_expr import EXPRESSIONS
 from ecm_parsers.source.python_scan import Scan
 
 MAX_BYTES = 2_000_000
+MAX_SECONDS = 5.0
 
 _BOM = b"\xef\xbb\xbf"
 _HANDLERS = {**STATEMENTS, **DECLARATIONS}
@@ -27,20 +29,42 @@ def parse_python(data: bytes) -> Parsed[SourceFile]:
         data: content of the file.
 
     Returns:
-        Its facts; the module body is the function `<module>`. Diagnostics: `python-too-large` when nothing
-        was read, `python-syntax` at the first place that does not parse, `python-too-deep` at the first
-        statement or expression that is nested too deeply to be read.
+        Its facts; the module body is the function `<module>`. Diagnostics: `python-too-large` and
+        `python-too-slow` when nothing was read, `python-syntax` at the first place that does not parse,
+        `python-too-deep` at the first statement or expression that is nested too deeply to be read.
     """
     if len(data) > MAX_BYTES:
         message = (
             f"The file has more than {MAX_BYTES} bytes and was not read. Split it, or exclude generated code."
         )
-        return Parsed(SourceFile("python"), (Diagnostic("warning", "python-too-large", 0, message),))
+        return _unread("python-too-large", message)
     data = data.removeprefix(_BOM)
-    root = _parser().parse(data).root_node
+    root = _syntax(data)
+    if root is None:
+        message = f"The file took more than {MAX_SECONDS} s to parse and was not read. Correct its syntax."
+        return _unread("python-too-slow", message)
     scan = Scan(data, EXPRESSIONS, _HANDLERS)
     scan.block(root)
     return Parsed(_source_file(scan, root), _diagnostics(scan, root))
+
+
+def _unread(code: str, message: str) -> Parsed[SourceFile]:
+    return Parsed(SourceFile("python"), (Diagnostic("error", code, 0, message),))
+
+
+def _syntax(data: bytes) -> Node | None:
+    """Syntax tree of a source; None when it takes too long, as recovery from some errors is quadratic."""
+    parser = _parser()
+    end = monotonic() + MAX_SECONDS
+    try:
+        tree = parser.parse(
+            lambda offset, _point: data[offset:], progress_callback=lambda _offset, _error: monotonic() > end
+        )
+    except ValueError:
+        # Without it the parser would go on with this source at the next call.
+        parser.reset()
+        return None
+    return tree.root_node
 
 
 @cache

@@ -24,15 +24,16 @@ from ecm_parsers.source.python_literal import (
     split_string,
     string_value,
 )
-from ecm_parsers.source.python_scan import MAX_DOTTED_LENGTH, ExprHandler, Scan
+from ecm_parsers.source.python_scan import EXTRAS, MAX_DOTTED_LENGTH, ExprHandler, Scan
 
 _OPERATORS: Mapping[str, str] = {"and": "&&", "or": "||", "is": "==", "is not": "!=", "<>": "!="}
+_SKIPPED = EXTRAS | {"ERROR"}
 _F_PREFIXES = (b"f", b"F", b"t", b"T")
 
 
 def parts(node: Node) -> Iterator[Node]:
     """Named children that are neither comments nor what could not be parsed."""
-    return (child for child in node.named_children if child.type not in ("comment", "ERROR"))
+    return (child for child in node.named_children if child.type not in _SKIPPED)
 
 
 def _attribute(scan: Scan, node: Node) -> Expr:
@@ -67,7 +68,7 @@ def _call(scan: Scan, node: Node) -> Expr:
             keywords.append(("**", expr(child)))
         elif kind == "ERROR":
             salvage(scan, child)
-        elif kind != "comment":
+        elif kind not in EXTRAS:
             args.append(expr(child))
     return Call(callee, tuple(args), tuple(keywords), (), line)
 
@@ -127,7 +128,7 @@ def _interpolation(scan: Scan, node: Node) -> list[Expr]:
             spec += scan.text(child)[1:]
         elif kind == "=":
             shown = [Text(scan.data[node.start_byte + 1 : child.end_byte].decode("utf-8", "replace"))]
-        elif child.is_named and kind != "comment":
+        elif child.is_named and kind not in _SKIPPED:
             value = scan.expr(child)
     return [*shown, Op("format", (value, Text(spec))) if spec else value]
 
@@ -142,7 +143,7 @@ def _number(scan: Scan, node: Node) -> Expr:
 
 
 def _items(scan: Scan, node: Node) -> Expr:
-    return Items(tuple([scan.expr(child) for child in node.named_children if child.type != "comment"]))
+    return Items(tuple([scan.expr(child) for child in node.named_children if child.type not in _SKIPPED]))
 
 
 def _table(scan: Scan, node: Node) -> Expr:
@@ -175,7 +176,7 @@ def _slice(scan: Scan, node: Node) -> Expr:
     for child in node.children:
         if child.type == ":":
             bounds.append(NULL)
-        elif child.is_named and child.type != "comment":
+        elif child.is_named and child.type not in _SKIPPED:
             bounds[-1] = scan.expr(child)
     return Op(":", tuple(bounds))
 
@@ -187,7 +188,7 @@ def _binary(scan: Scan, node: Node) -> Expr:
         kind = child.type
         if not child.is_named:
             operators.append(_OPERATORS.get(kind, kind))
-        elif kind not in ("comment", "ERROR"):
+        elif kind not in _SKIPPED:
             operands.append(scan.expr(child))
     return Op(" ".join(operators), tuple(operands))
 

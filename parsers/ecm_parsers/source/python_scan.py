@@ -20,6 +20,8 @@ OPAQUE_LENGTH = 80
 MAX_DOTTED_LENGTH = 120
 
 _LEAVES = frozenset(("identifier", "attribute", "string", "integer", "float", "true", "false", "none"))
+# What may stand between any two nodes.
+EXTRAS = frozenset(("comment", "line_continuation"))
 _LITERALS = (Text, Number)
 
 Place: TypeAlias = Literal["module", "class", "function"]

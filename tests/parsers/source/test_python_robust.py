@@ -91,7 +91,7 @@ def test_call_inside_an_unclosed_call_is_read() -> None:
         b"{" * 10_000,
         b"\x00" * 10_000,
         b"x = " + b"9" * 10_000,
-        b"x = '" + b"\\N{" * 10_000 + b"'",
+        b"x = '" + b"\\N{" * 1000 + b"'",
     ],
     ids=lambda data: data[:16].decode(),
 )
@@ -111,6 +111,15 @@ def test_file_beyond_the_size_bound_is_not_read() -> None:
     parsed = parse_python(b"x = 1\n" * (MAX_BYTES // 6 + 1))
     assert parsed.facts == SourceFile("python")
     assert [one.code for one in parsed.diagnostics] == ["python-too-large"]
+
+
+def test_parse_that_takes_too_long_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A file whose recovery is slow has a diagnostic and no facts, and the next file is read as always."""
+    monkeypatch.setattr("ecm_parsers.source.python.MAX_SECONDS", 0.05)
+    parsed = parse_python(b"x = '" + b"\\N{" * 20_000 + b"'")
+    assert parsed.facts == SourceFile("python")
+    assert [one.code for one in parsed.diagnostics] == ["python-too-slow"]
+    assert parse_python(b"x = 'a'").facts.constants[0].value == Text("a")
 
 
 def test_encodings_and_line_ends_do_not_matter() -> None:
