@@ -6,7 +6,7 @@ import json
 
 import jsonschema
 import pytest
-from ecm_checker import schema
+from ecm_checker import json_schema
 from extractions import BAD_MESSAGE, demo, make_extraction, make_package
 
 from ecm_extract.extraction_model import LocatedDiagnostic
@@ -15,7 +15,7 @@ from ecm_extract.report.json_document import extract_document, json_document
 
 def test_document_is_valid() -> None:
     """It passes the schema that is published."""
-    jsonschema.validate(json.loads(json_document(demo())), schema.shipped("extract"))
+    jsonschema.validate(json.loads(json_document(demo())), json_schema.shipped("extract"))
 
 
 def test_document_is_the_same_on_every_run() -> None:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import jsonschema
 import yaml
-from ecm_checker import schema
+from ecm_checker import json_schema
 from ecm_checker.encode import decode
 from extractions import CMD_VEL, COMPUTED, demo, make_module
 
@@ -22,7 +22,7 @@ def test_manifest_is_read_back() -> None:
     """A manifest in a folder is as good as the contract that it was written from."""
     module = make_module("base", "driver", CMD_VEL, COMPUTED)
     plain = yaml.safe_load(manifest_yaml(module))
-    jsonschema.validate(plain, schema.shipped("manifest"))
+    jsonschema.validate(plain, json_schema.shipped("manifest"))
     assert decode(plain) == module
 
 

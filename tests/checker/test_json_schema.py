@@ -8,7 +8,7 @@ from typing import Any, Protocol
 import ecm_checker
 import jsonschema
 import pytest
-from ecm_checker import schema
+from ecm_checker import json_schema
 from ecm_checker.contract import Contract, Identity, Source
 from ecm_checker.encode import encode, encode_manifest
 
@@ -32,23 +32,23 @@ def extract_document(**changes: Any) -> dict[str, Any]:
     return {"schema": "ecm-extract/extract/1", "source": source, "packages": [package], **changes}
 
 
-@pytest.mark.parametrize("name", schema.NAMES)
+@pytest.mark.parametrize("name", json_schema.NAMES)
 def test_shipped_schema_is_that_of_the_model(name: str, golden: Checks) -> None:
     """The file that others read says what the code writes; `make schemas` updates it."""
     folder = Path(ecm_checker.__file__).parent / "schema"
-    golden.check(folder / f"{name}.schema.json", schema.render(name))
+    golden.check(folder / f"{name}.schema.json", json_schema.render(name))
 
 
-@pytest.mark.parametrize("name", schema.NAMES)
+@pytest.mark.parametrize("name", json_schema.NAMES)
 def test_shipped_schema_is_a_schema(name: str) -> None:
     """It is valid against draft 2020-12 itself."""
-    jsonschema.Draft202012Validator.check_schema(schema.shipped(name))
+    jsonschema.Draft202012Validator.check_schema(json_schema.shipped(name))
 
 
 def test_documents_are_valid() -> None:
     """What is written passes the schema that is published."""
-    jsonschema.validate(encode_manifest(MODULE), schema.shipped("manifest"))
-    jsonschema.validate(extract_document(), schema.shipped("extract"))
+    jsonschema.validate(encode_manifest(MODULE), json_schema.shipped("manifest"))
+    jsonschema.validate(extract_document(), json_schema.shipped("extract"))
 
 
 @pytest.mark.parametrize(
@@ -58,4 +58,4 @@ def test_documents_are_valid() -> None:
 def test_a_wrong_document_is_refused(changes: dict[str, Any]) -> None:
     """The schema is strict enough to tell another version or a broken document."""
     with pytest.raises(jsonschema.ValidationError):
-        jsonschema.validate(extract_document(**changes), schema.shipped("extract"))
+        jsonschema.validate(extract_document(**changes), json_schema.shipped("extract"))
