@@ -106,16 +106,16 @@ def _parse(body: str, doubts: tuple[Diagnostic, ...], *, many_roots: bool) -> Xm
     try:
         root = etree.fromstring(body.encode("utf-8", "replace"), parser)
     except etree.XMLSyntaxError as error:
-        return XmlTree((), (*doubts, _problem(error.lineno or 0, error.msg or "")))
+        return XmlTree((), (*doubts, _problem(error.lineno or 0, error.msg or ""), _NO_XML))
     diagnostics = (*doubts, *_problems(parser))
     if root is None:
-        return XmlTree((), diagnostics or (_NO_XML,))
+        return XmlTree((), (*diagnostics, _NO_XML))
     if _is_too_deep(root):
         message = f"Elements nest deeper than {MAX_DEPTH}; the file is skipped. Flatten it."
         return XmlTree((), (*diagnostics, Diagnostic("error", "xml-too-deep", 0, message)))
     _correct_lines(root, body)
     roots = tuple(element for _, element in children(root)) if many_roots else (root,)
-    return XmlTree(roots, diagnostics if roots or diagnostics else (_NO_XML,))
+    return XmlTree(roots, diagnostics if roots else (*diagnostics, _NO_XML))
 
 
 def _problems(parser: etree.XMLParser) -> tuple[Diagnostic, ...]:
