@@ -1,0 +1,163 @@
+"""CMake calls that state what a package offers beside targets: interfaces, plugins, parameters, installs."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+
+from ecm_parsers.cmake_facts import (
+    Dependency,
+    FileReference,
+    Install,
+    InstallKind,
+    InterfaceFile,
+    InterfaceKind,
+    ParameterLibrary,
+    PluginDescription,
+)
+from ecm_parsers.cmake_keywords import first, relative, split
+from ecm_parsers.cmake_run import Call
+
+_INTERFACE_KINDS: dict[str, InterfaceKind] = {
+    ".msg": "msg",
+    ".srv": "srv",
+    ".action": "action",
+    ".idl": "idl",
+}
+_CATKIN_INTERFACES: dict[str, InterfaceKind] = {
+    "add_message_files": "msg",
+    "add_service_files": "srv",
+    "add_action_files": "action",
+}
+_ROSIDL = frozenset({"rosidl_generate_interfaces"})
+_ROSIDL_WORDS = frozenset(
+    {"DEPENDENCIES", "LIBRARY_NAME", "ADD_LINTER_TESTS", "SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK"}
+)
+_PARAMETER_LIBRARIES = frozenset({"generate_parameter_library", "generate_parameter_module"})
+_INSTALL_KINDS: dict[str, InstallKind] = {
+    "TARGETS": "targets",
+    "PROGRAMS": "programs",
+    "DIRECTORY": "directory",
+    "FILES": "files",
+}
+_INSTALL_WORDS = frozenset(
+    {"DESTINATION", "EXPORT", "RUNTIME", "LIBRARY", "ARCHIVE", "INCLUDES", "PERMISSIONS", "PATTERN", "REGEX"}
+    | {"FILES_MATCHING", "USE_SOURCE_PERMISSIONS", "OPTIONAL", "COMPONENT", "RENAME", "FILE_PERMISSIONS"}
+    | {"DIRECTORY_PERMISSIONS", "CONFIGURATIONS", "TYPE", "PUBLIC_HEADER", "BUNDLE", "OBJECTS", "EXCLUDE"}
+)
+_FIND_WORDS = frozenset(
+    {
+        "REQUIRED",
+        "QUIET",
+        "COMPONENTS",
+        "OPTIONAL_COMPONENTS",
+        "CONFIG",
+        "MODULE",
+        "EXACT",
+        "NO_MODULE",
+        "HINTS",
+    }
+)
+_GPU = frozenset({"CUDA", "CUDAToolkit", "TensorRT", "TENSORRT", "CUDNN", "cuda", "tensorrt"})
+
+
+def interfaces(calls: tuple[Call, ...]) -> Iterator[InterfaceFile]:
+    """Yield the interface files that are generated from (REP 149 / rosidl_cmake, genmsg)."""
+    for call in calls:
+        if call.name in _ROSIDL:
+            for value in split(call.args[1:], _ROSIDL_WORDS)[""]:
+                # `BASE_DIR:relative/path` is the other form of an argument.
+                path = relative(value.rpartition(":")[2])
+                kind = _INTERFACE_KINDS.get(posixpath.splitext(path)[1], "other")
+                yield InterfaceFile(path, kind, call.line)
+        elif call.name in _CATKIN_INTERFACES:
+            yield from _catkin_interfaces(call, _CATKIN_INTERFACES[call.name])
+
+
+def _catkin_interfaces(call: Call, kind: InterfaceKind) -> Iterator[InterfaceFile]:
+    """`add_*_files([DIRECTORY dir] [FILES names])`; without names it is the whole folder."""
+    groups = split(call.args, frozenset({"DIRECTORY", "FILES", "NOINSTALL", "PACKAGE", "BASE_DIR"}))
+    folder = first(groups, "DIRECTORY") or kind
+    names = groups.get("FILES") or [f"*.{kind}"]
+    for name in names:
+        yield InterfaceFile(relative(posixpath.join(folder, name)), kind, call.line)
+
+
+def plugin_descriptions(calls: tuple[Call, ...]) -> Iterator[PluginDescription]:
+    """Yield pluginlib description files exported by CMake (ROS 2)."""
+    for call in calls:
+        if call.name == "pluginlib_export_plugin_description_file" and len(call.args) > 1:
+            for path in call.args[1:]:
+                yield PluginDescription(call.args[0], relative(path), call.line)
+
+
+def parameter_libraries(calls: tuple[Call, ...]) -> Iterator[ParameterLibrary]:
+    """Yield the parameter declaration files that code is generated from."""
+    for call in calls:
+        if call.name in _PARAMETER_LIBRARIES and len(call.args) > 1:
+            is_python = call.name.endswith("module")
+            yield ParameterLibrary(call.args[0], relative(call.args[1]), call.line, is_python)
+
+
+def reconfigure_files(calls: tuple[Call, ...]) -> Iterator[FileReference]:
+    """Yield the `.cfg` files of dynamic_reconfigure."""
+    for call in calls:
+        if call.name == "generate_dynamic_reconfigure_options":
+            for path in call.args:
+                yield FileReference(relative(path), call.line)
+
+
+def installs(calls: tuple[Call, ...]) -> Iterator[Install]:
+    """Yield what is installed where."""
+    for call in calls:
+        if call.name == "install" and call.args and call.args[0] in _INSTALL_KINDS:
+            yield _install(call, _INSTALL_KINDS[call.args[0]], call.args[1:])
+        elif call.name == "catkin_install_python":
+            yield _install(call, "python", tuple(value for value in call.args if value != "PROGRAMS"))
+
+
+def _install(call: Call, kind: InstallKind, args: tuple[str, ...]) -> Install:
+    groups = split(args, _INSTALL_WORDS)
+    items = groups[""] if kind == "targets" else [relative(value) for value in groups[""]]
+    return Install(kind, tuple(items), _destination(args), call.line)
+
+
+def _destination(args: tuple[str, ...]) -> str:
+    """Return the folder of programs (RUNTIME) when it is told, else the first one."""
+    found = {args[i - 1]: args[i + 1] for i, arg in enumerate(args[:-1]) if arg == "DESTINATION"}
+    return found.get("RUNTIME") or next(iter(found.values()), "")
+
+
+def dependencies(calls: tuple[Call, ...]) -> Iterator[Dependency]:
+    """Yield the packages that are searched for."""
+    for call in calls:
+        if call.name not in {"find_package", "ament_auto_find_package"} or not call.args:
+            continue
+        names = [call.args[0]]
+        if call.args[0] == "catkin":
+            groups = split(call.args[1:], _FIND_WORDS)
+            # catkin takes components after REQUIRED too.
+            after = ("COMPONENTS", "OPTIONAL_COMPONENTS", "REQUIRED")
+            names += [name for word in after for name in groups.get(word, [])]
+        for name in dict.fromkeys(names):
+            yield Dependency(name, call.line, call.is_test)
+
+
+def gpu(calls: tuple[Call, ...]) -> Iterator[FileReference]:
+    """Yield what the file asks of CUDA or TensorRT; `path` is the name."""
+    for call in calls:
+        if call.name in {"find_package", "find_library", "enable_language", "project"}:
+            wanted = call.args[:1] if call.name == "find_package" else call.args
+            yield from (FileReference(name, call.line) for name in wanted if name in _GPU)
+        elif call.name.startswith("cuda_add_"):
+            yield FileReference("CUDA", call.line)
+
+
+def python_packages(calls: tuple[Call, ...]) -> Iterator[FileReference]:
+    """Yield Python packages that CMake installs; `.` means what `setup.py` names."""
+    for call in calls:
+        if call.name == "ament_python_install_package" and call.args:
+            groups = split(call.args, frozenset({"PACKAGE_DIR", "VERSION", "SETUP_CFG", "DESTINATION"}))
+            yield FileReference(first(groups, "PACKAGE_DIR") or call.args[0], call.line)
+        elif call.name == "catkin_python_setup":
+            yield FileReference(".", call.line)

@@ -1,0 +1,137 @@
+"""What a CMakeLists.txt states about a package."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import msgspec
+
+TargetKind = Literal["executable", "library", "interface", "test"]
+InstallKind = Literal["targets", "programs", "directory", "files", "python"]
+InterfaceKind = Literal["msg", "srv", "action", "idl", "other"]
+
+
+class Target(msgspec.Struct, frozen=True):
+    """Something that is built.
+
+    Attributes:
+        name: folded; a part that is not known stays `${NAME}`.
+        kind: `test` is a program of a test framework; an ordinary target below BUILD_TESTING keeps its kind.
+        line: 1-based.
+        sources: paths relative to the file's folder, patterns (`src/*.cpp`, `**`), or names without a suffix
+            (CMake tries .cpp and others); generated and unknown ones stay references.
+        links: libraries and packages it is linked with.
+        is_test: whether it is built only with tests.
+    """
+
+    name: str
+    kind: TargetKind
+    line: int
+    sources: tuple[str, ...] = ()
+    links: tuple[str, ...] = ()
+    is_test: bool = False
+
+
+class Component(msgspec.Struct, frozen=True):
+    """An rclcpp component: its class, the library that holds it, the executable made for it (if any)."""
+
+    plugin_class: str
+    library: str
+    line: int
+    executable: str | None = None
+
+
+class PluginDescription(msgspec.Struct, frozen=True):
+    """A pluginlib description exported to `base_package`; path relative to the file's folder."""
+
+    base_package: str
+    path: str
+    line: int
+
+
+class ParameterLibrary(msgspec.Struct, frozen=True):
+    """A `generate_parameter_library` target (or Python module) and its YAML file."""
+
+    target: str
+    path: str
+    line: int
+    is_python: bool = False
+
+
+class FileReference(msgspec.Struct, frozen=True):
+    """A path, or pattern, relative to the file's folder."""
+
+    path: str
+    line: int
+
+
+class InterfaceFile(msgspec.Struct, frozen=True):
+    """An interface file, or pattern, that is generated from."""
+
+    path: str
+    kind: InterfaceKind
+    line: int
+
+
+class Install(msgspec.Struct, frozen=True):
+    """What is installed where; the destination may hold references (`${CATKIN_PACKAGE_BIN_DESTINATION}`)."""
+
+    kind: InstallKind
+    items: tuple[str, ...]
+    destination: str
+    line: int
+
+
+class Dependency(msgspec.Struct, frozen=True):
+    """A package that is searched for; catkin `COMPONENTS` are packages too."""
+
+    name: str
+    line: int
+    is_test: bool = False
+
+
+class Subdirectory(msgspec.Struct, frozen=True):
+    """A folder whose CMakeLists.txt runs here, or (`is_include`) a .cmake file or module included here."""
+
+    path: str
+    line: int
+    is_test: bool = False
+    is_include: bool = False
+
+
+class Option(msgspec.Struct, frozen=True):
+    """A build option with its default as written."""
+
+    name: str
+    default: str
+    line: int
+
+
+class CmakeFile(msgspec.Struct, frozen=True):
+    """All facts of one file.
+
+    Attributes:
+        project: name given to `project()`, None in a subdirectory's file.
+        version: of the project.
+        line: of `project()`, else 0.
+        gpu: names of CUDA or TensorRT that the file asks for, with their lines.
+        python_packages: what `ament_python_install_package` names; `.` for `catkin_python_setup`.
+        variables: at the end of the file, for files that run inside it.
+    """
+
+    project: str | None = None
+    version: str | None = None
+    line: int = 0
+    targets: tuple[Target, ...] = ()
+    components: tuple[Component, ...] = ()
+    plugin_descriptions: tuple[PluginDescription, ...] = ()
+    parameter_libraries: tuple[ParameterLibrary, ...] = ()
+    interfaces: tuple[InterfaceFile, ...] = ()
+    reconfigure_files: tuple[FileReference, ...] = ()
+    installs: tuple[Install, ...] = ()
+    dependencies: tuple[Dependency, ...] = ()
+    subdirectories: tuple[Subdirectory, ...] = ()
+    options: tuple[Option, ...] = ()
+    gpu: tuple[FileReference, ...] = ()
+    python_packages: tuple[FileReference, ...] = ()
+    variables: dict[str, str] = {}
