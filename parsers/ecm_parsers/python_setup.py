@@ -1,0 +1,130 @@
+"""`setup.py`: arguments of `setup()` (or catkin's `generate_distutils_setup()`), folded, never executed.
+
+Source: setuptools, keywords of `setup()`; catkin_pkg.python_setup.
+"""
+
+from __future__ import annotations
+
+from ecm_parsers.python_setup_facts import DataFiles, EntryPoint, PythonSetup, entry_point
+from ecm_parsers.python_tree import MAX_BYTES, callee_name, fold, parse_python, read_call, statements, text_of
+from ecm_parsers.python_values import PyCall, Table, Value, shown
+from ecm_parsers.result import Diagnostic, Parsed
+from ecm_parsers.text import decode
+
+_SETUP_CALLS = frozenset({"setup", "generate_distutils_setup"})
+_FINDERS = frozenset({"find_packages", "find_namespace_packages"})
+_WANTED = frozenset({"assignment", "call"})
+_Keywords = dict[str, Value]
+
+
+def parse_setup_py(data: bytes) -> Parsed[PythonSetup]:
+    """Read a `setup.py` of Python 2 or 3; names such as `package_name` are folded."""
+    if len(data) > MAX_BYTES:
+        message = f"setup.py larger than {MAX_BYTES} bytes is not read."
+        return Parsed(PythonSetup(), (Diagnostic("error", "setup-too-large", 0, message),))
+    text, doubts = decode(data)
+    diagnostics = list(doubts)
+    keywords = _setup_keywords(text, diagnostics)
+    if keywords is None:
+        message = "No call of setup() was found; nothing is read of this file."
+        diagnostics.append(Diagnostic("warning", "setup-no-call", 0, message))
+        return Parsed(PythonSetup(), tuple(diagnostics))
+    facts = PythonSetup(
+        name=_text(keywords, "name"),
+        version=_text(keywords, "version"),
+        packages=_packages(keywords.get("packages")) + _texts(keywords.get("py_modules")),
+        package_dir=_package_dir(keywords.get("package_dir")),
+        scripts=_texts(keywords.get("scripts")),
+        data_files=_data_files(keywords.get("data_files")),
+        entry_points=_entry_points(keywords.get("entry_points"), diagnostics),
+    )
+    return Parsed(facts, tuple(diagnostics))
+
+
+def _setup_keywords(text: str, diagnostics: list[Diagnostic]) -> _Keywords | None:
+    """Return the keyword arguments of all setup calls, the names before them folded."""
+    names: dict[str, Value] = {}
+    keywords: _Keywords | None = None
+    for node in statements(parse_python(text), _WANTED, diagnostics):
+        if node.type == "assignment":
+            target = node.child_by_field_name("left")
+            value = fold(node.child_by_field_name("right"), names)
+            if target is not None:
+                names[text_of(target)[:200]] = value
+        elif callee_name(node.child_by_field_name("function")).rpartition(".")[2] in _SETUP_CALLS:
+            keywords = {**(keywords or {}), **_spread(read_call(node, names))}
+    return keywords
+
+
+def _spread(call: PyCall) -> _Keywords:
+    """Return keyword arguments with those of a known `**dict` among them."""
+    keywords: _Keywords = {}
+    for name, value in call.keywords:
+        if name != "**":
+            keywords[name] = value
+        elif isinstance(value.data, Table):
+            keywords.update((shown(key), item) for key, item in value.data.entries)
+    return keywords
+
+
+def _text(keywords: _Keywords, name: str) -> str | None:
+    """Return a keyword that is text, or None."""
+    value = keywords.get(name)
+    return value.data if value is not None and isinstance(value.data, str) else None
+
+
+def _texts(value: Value | None) -> tuple[str, ...]:
+    """Return a list of texts; what is not known stays `{expression}`."""
+    if value is None or not isinstance(value.data, tuple):
+        return ()
+    return tuple(shown(item) for item in value.data)
+
+
+def _packages(value: Value | None) -> tuple[str, ...]:
+    """Return named packages, or the pattern that stands for a search."""
+    if value is None or not isinstance(value.data, PyCall):
+        return _texts(value)
+    if value.data.name.rpartition(".")[2] not in _FINDERS:
+        return ()
+    where = value.data.keyword("where") or next(iter(value.data.args), None)
+    folder = shown(where).strip("./") if where is not None else ""
+    return (f"{folder}/**" if folder else "**",)
+
+
+def _package_dir(value: Value | None) -> dict[str, str]:
+    if value is None or not isinstance(value.data, Table):
+        return {}
+    return {shown(key): shown(folder) for key, folder in value.data.entries}
+
+
+def _data_files(value: Value | None) -> tuple[DataFiles, ...]:
+    """Return `[(destination, [files...]), ...]`; a bare text installs to the prefix."""
+    found: list[DataFiles] = []
+    for item in value.data if value is not None and isinstance(value.data, tuple) else ():
+        if isinstance(item.data, str):
+            found.append(DataFiles("", (item.data,), item.line))
+        elif isinstance(item.data, tuple) and len(item.data) == 2:
+            destination, files = item.data
+            found.append(DataFiles(shown(destination), _texts(files), item.line))
+    return tuple(found)
+
+
+def _entry_points(value: Value | None, diagnostics: list[Diagnostic]) -> tuple[EntryPoint, ...]:
+    """Read `{group: [text, ...]}`, where a group may also be one text of several lines."""
+    found: list[EntryPoint] = []
+    for group, listed in value.data.entries if value is not None and isinstance(value.data, Table) else ():
+        items = listed.data if isinstance(listed.data, tuple) else (listed,)
+        for item in items:
+            found.extend(_points(shown(group), item, diagnostics))
+    return tuple(found)
+
+
+def _points(group: str, item: Value, diagnostics: list[Diagnostic]) -> list[EntryPoint]:
+    """Read the entry points in one text; an escaped line end inside one does not split it."""
+    if not isinstance(item.data, str):
+        message = f"An entry point of '{group[:80]}' is computed and not read. Write it as text."
+        diagnostics.append(Diagnostic("warning", "setup-computed-entry-point", item.line, message))
+        return []
+    lines = [line for line in item.data.splitlines() if line.strip()]
+    points = [entry_point(group, line, item.line, diagnostics) for line in lines]
+    return [point for point in points if point is not None]

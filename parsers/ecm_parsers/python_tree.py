@@ -1,0 +1,251 @@
+"""Python expressions of declarative files (`setup.py`, `.cfg`) folded to values, never executed.
+
+Works on a tree-sitter tree, so Python 2 text is read as well.
+"""
+
+from __future__ import annotations
+
+import math
+import posixpath
+import re
+from collections.abc import Callable
+
+import tree_sitter_python
+from tree_sitter import Language, Node, Parser
+
+from ecm_parsers.python_values import (
+    MAX_TEXT,
+    Data,
+    Names,
+    PyCall,
+    Table,
+    Unknown,
+    Value,
+    format_text,
+    operate,
+    shown,
+)
+from ecm_parsers.result import Diagnostic
+
+MAX_BYTES = 1_000_000
+MAX_DEPTH = 60
+MAX_NODES = 100_000
+MAX_STATEMENTS = 4_000
+MAX_SHOWN = 2_000
+_LANGUAGE = Language(tree_sitter_python.language())
+_ESCAPES = {"\\\n": "", "\\n": "\n", "\\t": "\t", "\\\\": "\\", "\\'": "'", '\\"': '"', "\\r": "\r"}
+_ESCAPE = re.compile(r"\\.", re.DOTALL)
+
+
+def parse_python(text: str) -> Node:
+    """Return the root of the syntax tree of Python text."""
+    return Parser(_LANGUAGE).parse(text.encode("utf-8", "replace")).root_node
+
+
+def statements(root: Node, wanted: frozenset[str], diagnostics: list[Diagnostic]) -> list[Node]:
+    """Return the nodes of the wanted kinds in the order of the text, within bounds, without recursion."""
+    found: list[Node] = []
+    stack = [root]
+    seen = 0
+    while stack and seen < MAX_NODES and len(found) < MAX_STATEMENTS:
+        node = stack.pop()
+        seen += 1
+        if node.type in wanted:
+            found.append(node)
+        stack.extend(reversed(node.named_children))
+    if stack:
+        message = "The file has too many statements; the rest is not read. Split it."
+        diagnostics.append(Diagnostic("error", "python-too-long", line_of(stack[-1]), message))
+    return found
+
+
+def line_of(node: Node) -> int:
+    """Return the 1-based line where a node starts."""
+    return node.start_point[0] + 1
+
+
+def text_of(node: Node) -> str:
+    """Return the source text of a node."""
+    return node.text.decode("utf-8", "replace") if node.text else ""
+
+
+def fold(node: Node | None, names: Names, depth: int = 0) -> Value:
+    """Return the value of an expression, with the given names known."""
+    if node is None:
+        return Value(None, 0)
+    line = line_of(node)
+    folder = _FOLDERS.get(node.type)
+    if folder is None or depth > MAX_DEPTH:
+        return Value(_unknown(node), line)
+    return Value(folder(node, names, depth + 1), line)
+
+
+def _unknown(node: Node) -> Unknown:
+    """Keep the text of a node; long text is not even copied, since nodes nest."""
+    is_short = node.end_byte - node.start_byte <= MAX_SHOWN
+    return Unknown(text_of(node)[:80] if is_short else "...")
+
+
+def _string(node: Node, names: Names, depth: int) -> Data:
+    """Fold a literal; the holes of an f-string are filled or kept as `{expression}`."""
+    start = text_of(node.children[0]).lower() if node.children else ""
+    parts: list[str] = []
+    for child in node.named_children:
+        if child.type == "interpolation":
+            parts.append(shown(fold(child.child_by_field_name("expression"), names, depth)))
+        elif child.type == "string_content":
+            raw = text_of(child)
+            parts.append(raw if "r" in start else _ESCAPE.sub(_unescape, raw))
+    return "".join(parts)[:MAX_TEXT]
+
+
+def _unescape(match: re.Match[str]) -> str:
+    return _ESCAPES.get(match[0], match[0])
+
+
+def _joined(node: Node, names: Names, depth: int) -> Data:
+    """Fold adjacent literals."""
+    return "".join(shown(fold(child, names, depth)) for child in node.named_children)[:MAX_TEXT]
+
+
+def _number(node: Node, _names: Names, _depth: int) -> Data:
+    text = text_of(node).rstrip("lL").replace("_", "")
+    if len(text) > 40:
+        return _unknown(node)
+    try:
+        return float(text) if node.type == "float" else int(text, 0)
+    except ValueError:
+        # Python 2 writes octal numbers as `017`.
+        return int(text, 8) if re.fullmatch("0[0-7]+", text) else _unknown(node)
+
+
+def _constant(node: Node, _names: Names, _depth: int) -> Data:
+    return {"true": True, "false": False}.get(node.type)
+
+
+def _items(node: Node, names: Names, depth: int) -> Data:
+    found: list[Value] = []
+    for child in node.named_children:
+        if child.type == "list_splat":
+            spread = fold(child.named_children[0], names, depth).data if child.named_children else None
+            found.extend(spread if isinstance(spread, tuple) else [Value(_unknown(child), line_of(child))])
+        elif child.type != "comment":
+            found.append(fold(child, names, depth))
+    return tuple(found)
+
+
+def _table(node: Node, names: Names, depth: int) -> Data:
+    pairs = [child for child in node.named_children if child.type == "pair"]
+    return Table(
+        tuple(
+            (
+                fold(pair.child_by_field_name("key"), names, depth),
+                fold(pair.child_by_field_name("value"), names, depth),
+            )
+            for pair in pairs
+        )
+    )
+
+
+def _name(node: Node, names: Names, _depth: int) -> Data:
+    """Fold an identifier, or an attribute by its last name (`math.pi`)."""
+    last = node.child_by_field_name("attribute") or node
+    name = text_of(last)
+    if name in names:
+        return names[name].data
+    return math.pi if name == "pi" else _unknown(node)
+
+
+def _inner(node: Node, names: Names, depth: int) -> Data:
+    inner = [child for child in node.named_children if child.type != "comment"]
+    return fold(inner[0], names, depth).data if inner else _unknown(node)
+
+
+def _negative(node: Node, names: Names, depth: int) -> Data:
+    data = fold(node.child_by_field_name("argument"), names, depth).data
+    is_minus = node.children[0].type == "-"
+    return -data if is_minus and isinstance(data, int | float) else _unknown(node)
+
+
+def _binary(node: Node, names: Names, depth: int) -> Data:
+    left = fold(node.child_by_field_name("left"), names, depth)
+    right = fold(node.child_by_field_name("right"), names, depth)
+    operator = node.child_by_field_name("operator")
+    result = operate(text_of(operator) if operator else "", left, right)
+    return _unknown(node) if result is None else result
+
+
+def _call(node: Node, names: Names, depth: int) -> Data:
+    """Fold a call that makes text, a list of patterns or a dict; keep other calls."""
+    call = read_call(node, names, depth)
+    function = call.name.rpartition(".")[2]
+    if function == "join" and "path" in call.name.split("."):
+        return posixpath.join(*(shown(value) for value in call.args))[:MAX_TEXT] if call.args else ""
+    if function == "glob" and call.args:
+        return (Value(shown(call.args[0]), line_of(node)),)
+    if function == "dict" and not call.args:
+        return Table(tuple((Value(key, value.line), value) for key, value in call.keywords))
+    if function == "str" and len(call.args) == 1:
+        return shown(call.args[0])
+    return _text_method(node, call, function, names, depth)
+
+
+def _text_method(node: Node, call: PyCall, function: str, names: Names, depth: int) -> Data:
+    """Fold `"...".format(...)` and `"/".join([...])`."""
+    callee = node.child_by_field_name("function")
+    owner = callee.child_by_field_name("object") if callee is not None else None
+    if owner is None or function not in {"format", "join"}:
+        return call
+    text = fold(owner, names, depth).data
+    if not isinstance(text, str):
+        return call
+    if function == "join":
+        items = call.args[0].data if call.args else ()
+        return text.join(map(shown, items))[:MAX_TEXT] if isinstance(items, tuple) else call
+    return format_text(text, call)
+
+
+def read_call(node: Node, names: Names, depth: int = 0) -> PyCall:
+    """Return a call with folded arguments."""
+    function = node.child_by_field_name("function")
+    arguments = node.child_by_field_name("arguments")
+    args: list[Value] = []
+    keywords: list[tuple[str, Value]] = []
+    for child in arguments.named_children if arguments is not None else []:
+        if child.type == "keyword_argument":
+            key = child.child_by_field_name("name")
+            value = fold(child.child_by_field_name("value"), names, depth)
+            keywords.append((text_of(key) if key is not None else "", value))
+        elif child.type == "dictionary_splat":
+            keywords.append(("**", fold(child.named_children[0], names, depth)))
+        elif child.type != "comment":
+            args.append(fold(child, names, depth))
+    return PyCall(callee_name(function), tuple(args), tuple(keywords))
+
+
+def callee_name(function: Node | None) -> str:
+    """Return the dotted name of what is called; of a long expression only its last name."""
+    if function is not None and function.end_byte - function.start_byte > MAX_SHOWN:
+        function = function.child_by_field_name("attribute")
+    return re.sub(r"\s+", "", text_of(function)[-200:]) if function is not None else ""
+
+
+_FOLDERS: dict[str, Callable[[Node, Names, int], Data]] = {
+    "string": _string,
+    "concatenated_string": _joined,
+    "integer": _number,
+    "float": _number,
+    "true": _constant,
+    "false": _constant,
+    "none": _constant,
+    "list": _items,
+    "tuple": _items,
+    "set": _items,
+    "dictionary": _table,
+    "identifier": _name,
+    "attribute": _name,
+    "parenthesized_expression": _inner,
+    "unary_operator": _negative,
+    "binary_operator": _binary,
+    "call": _call,
+}

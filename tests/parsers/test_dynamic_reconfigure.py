@@ -1,0 +1,77 @@
+"""`.cfg` files of dynamic_reconfigure."""
+
+from ecm_parsers.dynamic_reconfigure import EnumValue, parse_dynamic_reconfigure
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+CFG = b"""#!/usr/bin/env python
+PACKAGE = 'drive'
+import roslib; roslib.load_manifest(PACKAGE)
+from dynamic_reconfigure.parameter_generator_catkin import *
+from local_planner.limits import add_limits
+from math import pi
+gen = ParameterGenerator()
+add_limits(gen)
+mode = gen.enum([gen.const("Slow", int_t, 0, "safe"), gen.const("Fast", int_t, 1, "unsafe")], "Modes")
+gen.add("mode", int_t, 0x2, "Mode", 1, 0, 1, edit_method=mode)
+limits = gen.add_group("Limits", type="tab")
+inner = limits.add_group("Inner")
+limits.add("max_" + "angle", double_t, 1,
+           "Angle " "in rad", pi / 2, -pi, pi)
+inner.add(name="label", paramtype="str", level=0, description="Text", default="x")
+for side in ["l", "r"]:
+    gen.add("gain_%s" % side, gen.double_t, 0, "Gain", 0.5)
+print "done"
+exit(gen.generate(PACKAGE, "drive_node", "Drive"))
+"""
+
+
+def test_parameters() -> None:
+    """Types, defaults, limits, groups and enums are folded; nothing is executed."""
+    facts = parse_dynamic_reconfigure(CFG).facts
+    assert (facts.package, facts.node, facts.name, facts.line) == ("drive", "drive_node", "Drive", 19)
+    found = {p.name: p for p in facts.parameters}
+    assert list(found) == ["mode", "max_angle", "label", "gain_{side}"]
+    mode = found["mode"]
+    assert (mode.type, mode.level, mode.default, mode.min, mode.max, mode.line) == ("int", 2, 1, 0, 1, 10)
+    assert mode.enum == (EnumValue("Slow", 0, "safe"), EnumValue("Fast", 1, "unsafe"))
+    angle = found["max_angle"]
+    assert (angle.type, angle.group, angle.description) == ("double", ("Limits",), "Angle in rad")
+    assert (round(angle.default, 3), round(angle.min, 3), angle.line) == (1.571, -3.142, 13)
+    assert (found["label"].group, found["label"].default) == (("Limits", "Inner"), "x")
+    assert found["gain_{side}"].type == "double"
+
+
+def test_imported_parameters_are_reported() -> None:
+    """A function of another module that adds parameters is named and diagnosed."""
+    parsed = parse_dynamic_reconfigure(CFG)
+    assert [(i.module, i.name, i.line) for i in parsed.facts.included] == [
+        ("local_planner.limits", "add_limits", 8)
+    ]
+    assert ("cfg-imported-parameters", 8) in [(d.code, d.line) for d in parsed.diagnostics]
+
+
+def test_configuration_without_a_name() -> None:
+    """Without generate() the parameters are kept and the lack is diagnosed; an ini file has none."""
+    parsed = parse_dynamic_reconfigure(b'gen.add("a", int_t, 0, "d", 1)\n')
+    assert [p.name for p in parsed.facts.parameters] == ["a"]
+    assert [d.code for d in parsed.diagnostics] == ["cfg-no-generate"]
+    assert parse_dynamic_reconfigure(b"[section]\nkey=value\n").facts.parameters == ()
+
+
+def test_hostile_cfg_files() -> None:
+    """Deep nesting, endless chains and huge files end at a bound."""
+    for data in (
+        b"x = " + b"(" * 50_000,
+        b"gen.add(" * 20_000,
+        b"a" + b".add(1, 2)" * 20_000,
+        b"a" * 2_000_000,
+    ):
+        parse_dynamic_reconfigure(data)
+
+
+@settings(max_examples=50, deadline=None)
+@given(st.text(alphabet='gen.ad(),="%\\ \n1x[]{}', max_size=80).map(lambda t: b"gen.add(" + t.encode()))
+def test_cfg_never_raises(data: bytes) -> None:
+    """Any text gives facts or diagnostics."""
+    parse_dynamic_reconfigure(data)

@@ -1,0 +1,150 @@
+"""`setup.py`, `setup.cfg` and `pyproject.toml`."""
+
+import pytest
+from ecm_parsers.python_metadata import parse_pyproject, parse_setup_cfg
+from ecm_parsers.python_setup import parse_setup_py
+from ecm_parsers.python_setup_facts import DataFiles, EntryPoint
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+SETUP = b"""import os
+from glob import glob
+from setuptools import find_packages, setup
+package_name = 'robot_tools'
+VERSION = '1.' + '0'
+setup(
+    name=package_name,
+    version=VERSION,
+    packages=find_packages(exclude=['test']),
+    package_dir={'': 'src'},
+    scripts=['scripts/run'],
+    data_files=[
+        ('share/' + package_name, ['package.xml']),
+        (os.path.join('share', package_name, 'launch'), glob('launch/*.py')),
+        (f'share/{package_name}/config', ['a.yaml']),
+    ],
+    entry_points={
+        'console_scripts': [
+            'talk = robot_tools.talk:main',
+            'listen = ' + package_name + '.listen:main',
+            'walk = \\
+                robot_tools.walk:main',
+            '%s_fly = {0}.fly:main'.format(package_name) % 'can',
+        ],
+        'ros2cli.verb': ['x = robot_tools.x:Verb [extra]', COMPUTED, 'broken'],
+    },
+)
+"""
+
+
+def test_setup_py() -> None:
+    """Arguments of setup() are folded with the names before them; entry points have lines."""
+    parsed = parse_setup_py(SETUP)
+    facts = parsed.facts
+    assert (facts.name, facts.version, facts.packages) == ("robot_tools", "1.0", ("**",))
+    assert (facts.package_dir, facts.scripts) == ({"": "src"}, ("scripts/run",))
+    assert facts.data_files == (
+        DataFiles("share/robot_tools", ("package.xml",), 13),
+        DataFiles("share/robot_tools/launch", ("launch/*.py",), 14),
+        DataFiles("share/robot_tools/config", ("a.yaml",), 15),
+    )
+    assert facts.entry_points == (
+        EntryPoint("console_scripts", "talk", "robot_tools.talk", "main", 19),
+        EntryPoint("console_scripts", "listen", "robot_tools.listen", "main", 20),
+        EntryPoint("console_scripts", "walk", "robot_tools.walk", "main", 21),
+        EntryPoint("console_scripts", "can_fly", "robot_tools.fly", "main", 23),
+        EntryPoint("ros2cli.verb", "x", "robot_tools.x", "Verb", 25),
+    )
+    assert [d.code for d in parsed.diagnostics] == ["setup-computed-entry-point", "setup-bad-entry-point"]
+
+
+def test_catkin_setup_of_python_2() -> None:
+    """catkin's generate_distutils_setup counts, and Python 2 text is read."""
+    text = (
+        b"print 'x'\nd = generate_distutils_setup(packages=['a', u'b'], package_dir={'': 'x'})\nsetup(**d)\n"
+    )
+    facts = parse_setup_py(text).facts
+    assert (facts.packages, facts.package_dir) == (("a", "b"), {"": "x"})
+
+
+def test_spread_dictionaries() -> None:
+    """setup(**dict) is read when the dict is written in the file."""
+    assert parse_setup_py(b"k = dict(name='a')\nsetup(**k)\n").facts.name == "a"
+    assert parse_setup_py(b"k = {'name': 'b'}\nsetup(version='1', **k)\n").facts.name == "b"
+
+
+def test_setup_cfg() -> None:
+    """setup.cfg gives names, folders with their case, and entry points with lines."""
+    text = b"""[metadata]
+name = 'robot'
+version = 2.0
+[options]
+packages = find:
+package_dir =
+    = src
+[options.packages.find]
+where = src
+[options.data_files]
+share/Robot = a.xml, b.xml
+[options.entry_points]
+console_scripts =
+    talk=robot.talk:main
+    go = robot.go
+"""
+    facts = parse_setup_cfg(text).facts
+    assert (facts.name, facts.version, facts.packages, facts.package_dir) == (
+        "robot",
+        "2.0",
+        ("src/**",),
+        {"": "src"},
+    )
+    assert facts.data_files == (DataFiles("share/Robot", ("a.xml", "b.xml"), 11),)
+    assert facts.entry_points == (
+        EntryPoint("console_scripts", "talk", "robot.talk", "main", 14),
+        EntryPoint("console_scripts", "go", "robot.go", "", 15),
+    )
+
+
+def test_pyproject() -> None:
+    """The project table and packages of setuptools are read."""
+    text = b"""[project]
+name = "robot"
+version = "3.1"
+[project.scripts]
+talk = "robot.talk:main"
+[project.entry-points."my.group"]
+plug = "robot.plug:Plug"
+[tool.setuptools.packages.find]
+where = ["src"]
+"""
+    facts = parse_pyproject(text).facts
+    assert (facts.name, facts.version, facts.packages) == ("robot", "3.1", ("src/**",))
+    assert facts.entry_points == (
+        EntryPoint("console_scripts", "talk", "robot.talk", "main", 5),
+        EntryPoint("my.group", "plug", "robot.plug", "Plug", 7),
+    )
+
+
+@pytest.mark.parametrize(
+    ("parsed", "code"),
+    [
+        (parse_setup_py(b"x = 1\n"), "setup-no-call"),
+        (parse_setup_py(b"#" * 2_000_000), "setup-too-large"),
+        (parse_setup_cfg(b"name = x\n"), "setup-cfg-syntax"),
+        (parse_pyproject(b"[project\n"), "pyproject-syntax"),
+        (parse_pyproject(b"a = " + b"[" * 100_000), "pyproject-too-deep"),
+        (parse_setup_py(b"x = [1]\n" + b"x = x + x\n" * 10_000), "python-too-long"),
+    ],
+)
+def test_broken_files_are_reported(parsed: object, code: str) -> None:
+    """What cannot be read is diagnosed, never raised."""
+    assert code in [d.code for d in parsed.diagnostics]  # type: ignore[attr-defined]
+
+
+@settings(max_examples=50, deadline=None)
+@given(st.text(alphabet="setup(n=)[]{}'%\n:\\ .+*x1", max_size=80).map(str.encode))
+def test_setup_never_raises(data: bytes) -> None:
+    """Any text gives facts or diagnostics in all three forms."""
+    parse_setup_py(b"setup(" + data)
+    parse_setup_cfg(b"[options]\n" + data)
+    parse_pyproject(data)
