@@ -1,7 +1,7 @@
 """The two documents that other programs read: the manifest of a module and the extract of a tree.
 
-Keys are never changed without a new schema number (docs/manifest.md). They differ from the contract model in one
-place only: `missing` stands inside section `ecm`, so that a reader sees at the top what is not known.
+Keys are never changed without a new schema number. They differ from the contract model in one place only:
+`missing` stands inside section `ecm`, so that a reader sees at the top what is not known.
 """
 
 from __future__ import annotations

@@ -47,7 +47,7 @@ def with_interface(interface: Interface) -> dict[str, Any]:
 
 
 def test_interface_is_written_as_other_programs_read_it() -> None:
-    """The keys and their order are those of DESIGN §6."""
+    """The keys and their order are those of the published schema."""
     assert json.dumps(with_interface(CMD_VEL)) == json.dumps(
         {
             "role": "publisher",

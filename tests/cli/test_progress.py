@@ -1,0 +1,48 @@
+"""The progress bar."""
+
+from __future__ import annotations
+
+import io
+import sys
+
+import pytest
+
+from ecm_extract.cli.progress import progress_bar
+
+
+class Terminal(io.StringIO):
+    def isatty(self) -> bool:
+        return True
+
+
+@pytest.fixture
+def terminal(monkeypatch: pytest.MonkeyPatch) -> Terminal:
+    terminal = Terminal()
+    monkeypatch.setattr(sys, "stderr", terminal)
+    monkeypatch.setenv("TERM", "xterm")
+    return terminal
+
+
+def test_no_bar_in_a_file(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A log has no bars."""
+    monkeypatch.setattr(sys, "stderr", io.StringIO())
+    with progress_bar() as progress:
+        assert progress is None
+
+
+def test_no_bar_for_a_short_run(terminal: Terminal) -> None:
+    """What takes less than a second does not flicker."""
+    with progress_bar() as progress:
+        assert progress is not None
+        progress(1, 2)
+    assert terminal.getvalue() == ""
+
+
+def test_a_bar_for_a_long_run(terminal: Terminal, monkeypatch: pytest.MonkeyPatch) -> None:
+    """After a second it shows how many files are done."""
+    with progress_bar() as progress:
+        assert progress is not None
+        monkeypatch.setattr("ecm_extract.cli.progress._PATIENCE", -1.0)
+        progress(1, 2)
+        progress(2, 2)
+    assert "reading files" in terminal.getvalue()
