@@ -192,7 +192,7 @@ def _with(scan: Scan, node: Node) -> None:
 
 def _with_item(scan: Scan, node: Node) -> None:
     for child in parts(node):
-        halves = list(parts(child)) if child.type == "as_pattern" else []
+        halves = parts(child) if child.type == "as_pattern" else []
         if len(halves) == 2:
             targets = [scan.expr(target) for target in parts(halves[1])]
             scan.emit("let", node, scan.expr(halves[0]), targets[0] if targets else None)

@@ -8,7 +8,7 @@ is `Op("for", (element,))` after an `each` statement for each of its loops; a fo
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 
 from tree_sitter import Node
 
@@ -26,14 +26,14 @@ from ecm_parsers.source.python_literal import (
 )
 from ecm_parsers.source.python_scan import EXTRAS, MAX_DOTTED_LENGTH, ExprHandler, Scan
 
-_OPERATORS: Mapping[str, str] = {"and": "&&", "or": "||", "is": "==", "is not": "!=", "<>": "!="}
+_OPERATORS: Mapping[str, str] = {"and": "&&", "or": "||", "is": "==", "is not": "!=", "<>": "!=", "not": "!"}
 _SKIPPED = EXTRAS | {"ERROR"}
 _F_PREFIXES = (b"f", b"F", b"t", b"T")
 
 
-def parts(node: Node) -> Iterator[Node]:
+def parts(node: Node) -> list[Node]:
     """Named children that are neither comments nor what could not be parsed."""
-    return (child for child in node.named_children if child.type not in _SKIPPED)
+    return [child for child in node.named_children if child.type not in _SKIPPED]
 
 
 def _attribute(scan: Scan, node: Node) -> Expr:
@@ -143,7 +143,7 @@ def _number(scan: Scan, node: Node) -> Expr:
 
 
 def _items(scan: Scan, node: Node) -> Expr:
-    return Items(tuple([scan.expr(child) for child in node.named_children if child.type not in _SKIPPED]))
+    return Items(tuple([scan.expr(child) for child in parts(node)]))
 
 
 def _table(scan: Scan, node: Node) -> Expr:
@@ -193,12 +193,9 @@ def _binary(scan: Scan, node: Node) -> Expr:
     return Op(" ".join(operators), tuple(operands))
 
 
-def _not(scan: Scan, node: Node) -> Expr:
-    return Op("!", (_inner(scan, node),))
-
-
 def _unary(scan: Scan, node: Node) -> Expr:
-    operator = node.children[0].type
+    kind = node.children[0].type
+    operator = _OPERATORS.get(kind, kind)
     operand = _inner(scan, node)
     return negated(operand) if operator == "-" else Op(operator, (operand,))
 
@@ -213,7 +210,7 @@ def _conditional(scan: Scan, node: Node) -> Expr:
 
 def _inner(scan: Scan, node: Node) -> Expr:
     """What a wrapper that does not change the value encloses (parentheses, await, yield, star)."""
-    children = list(parts(node))
+    children = parts(node)
     if not children:
         return NULL
     if len(children) == 1:
@@ -246,7 +243,7 @@ def _loop(scan: Scan, clause: Node) -> None:
 
 
 def _named(scan: Scan, node: Node) -> Expr:
-    children = list(parts(node))
+    children = parts(node)
     if len(children) != 2:
         return scan.opaque(node)
     target = scan.expr(children[0])
@@ -284,7 +281,7 @@ EXPRESSIONS: Mapping[str, ExprHandler] = {
     "list_splat_pattern": _inner,
     "named_expression": _named,
     "none": lambda _scan, _node: NULL,
-    "not_operator": _not,
+    "not_operator": _unary,
     "pair": _pair_table,
     "parenthesized_expression": _inner,
     "pattern_list": _items,
