@@ -15,8 +15,7 @@ class Terminal(io.StringIO):
         return True
 
 
-@pytest.fixture
-def terminal(monkeypatch: pytest.MonkeyPatch) -> Terminal:
+def open_terminal(monkeypatch: pytest.MonkeyPatch) -> Terminal:
     terminal = Terminal()
     monkeypatch.setattr(sys, "stderr", terminal)
     monkeypatch.setenv("TERM", "xterm")
@@ -30,16 +29,18 @@ def test_no_bar_in_a_file(monkeypatch: pytest.MonkeyPatch) -> None:
         assert progress is None
 
 
-def test_no_bar_for_a_short_run(terminal: Terminal) -> None:
+def test_no_bar_for_a_short_run(monkeypatch: pytest.MonkeyPatch) -> None:
     """What takes less than a second does not flicker."""
+    terminal = open_terminal(monkeypatch)
     with progress_bar() as progress:
         assert progress is not None
         progress(1, 2)
     assert terminal.getvalue() == ""
 
 
-def test_a_bar_for_a_long_run(terminal: Terminal, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_bar_for_a_long_run(monkeypatch: pytest.MonkeyPatch) -> None:
     """After a second it shows how many files are done."""
+    terminal = open_terminal(monkeypatch)
     with progress_bar() as progress:
         assert progress is not None
         monkeypatch.setattr("ecm_extract.cli.progress._PATIENCE", -1.0)
