@@ -1,7 +1,7 @@
 """Any value of a contract as data that JSON and YAML hold alike, and that is the same on every run.
 
 Free-form values come from other people's files: keys that are no strings, numbers beyond every range, half
-surrogates. They are made into text here, once, so that no writer can fail on them.
+surrogates, nesting without end. They are made into text here, once, so that no writer can fail on them.
 """
 
 from __future__ import annotations
@@ -14,14 +14,19 @@ from typing import Any, Final
 import msgspec
 
 _LARGEST: Final = 2**63
+_DEEPEST: Final = 64
+_CUT: Final = "..."
 
 
-def json_data(value: object) -> Any:
+def json_data(value: object, depth: int = 0) -> Any:
     """Plain JSON data of a record or free-form value.
 
     Records keep the order of their fields and leave out what equals a default when they say so
-    (`omit_defaults`); keys of mappings and items of sets are sorted.
+    (`omit_defaults`); keys of mappings and items of sets are sorted. What is nested
+    deeper than 64 levels is cut.
     """
+    if depth > _DEEPEST:
+        return _CUT
     match value:
         case str():
             return _text(value)
@@ -32,21 +37,25 @@ def json_data(value: object) -> Any:
         case float():
             return value if math.isfinite(value) else repr(value)
         case msgspec.Struct():
-            return record_data(value)
+            return record_data(value, depth)
         case dict():
-            return {key: json_data(item) for key, item in sorted(_keyed(value), key=itemgetter(0))}
+            return {key: json_data(item, depth + 1) for key, item in sorted(_keyed(value), key=itemgetter(0))}
         case list() | tuple():
-            return [json_data(item) for item in value]
+            return [json_data(item, depth + 1) for item in value]
         case set() | frozenset():
-            return sorted((json_data(item) for item in value), key=repr)
+            return sorted((json_data(item, depth + 1) for item in value), key=repr)
     return _text(str(value))
 
 
-def record_data(record: msgspec.Struct) -> dict[str, Any]:
+def record_data(record: msgspec.Struct, depth: int = 0) -> dict[str, Any]:
     """Plain JSON data of a record, see `json_data`."""
     omitted = _omitted(type(record))
     pairs = ((name, getattr(record, name)) for name in record.__struct_fields__)
-    return {name: json_data(item) for name, item in pairs if name not in omitted or item != omitted[name]}
+    return {
+        name: json_data(item, depth + 1)
+        for name, item in pairs
+        if name not in omitted or item != omitted[name]
+    }
 
 
 def _text(value: str) -> str:

@@ -127,6 +127,15 @@ def test_hostile_values_are_written(value: object) -> None:
     assert decode(json.loads(text)).behavior.rates is not None
 
 
+def test_nesting_without_end_is_cut() -> None:
+    """A value that is nested a hundred thousand times neither fails nor takes the stack."""
+    value: object = "end"
+    for _ in range(100_000):
+        value = [value]
+    plain = encode(Contract(IDENTITY, behavior=Behavior(rates=Value(value, "inferred"))))
+    assert decode(json.loads(json.dumps(plain))).behavior.rates is not None
+
+
 plain_data = st.recursive(
     st.none()
     | st.booleans()
