@@ -7,7 +7,7 @@ from typing import Any
 import msgspec
 from ecm_checker.encode import encode
 from ecm_checker.json_data import record_data
-from ecm_checker.wire import EXTRACT_SCHEMA
+from ecm_checker.wire import EXTRACT_SCHEMA, Origin, Package
 
 from ecm_extract.extraction_model import Extraction, LocatedDiagnostic, PackageContracts
 
@@ -21,7 +21,7 @@ def extract_document(extraction: Extraction) -> dict[str, Any]:
     held = _by_package(extraction)
     return {
         "schema": EXTRACT_SCHEMA,
-        "source": {"path": extraction.path, "commit": extraction.commit},
+        "source": record_data(Origin(extraction.path, extraction.commit)),
         "packages": [_package(each, held.get(each.path, [])) for each in extraction.packages],
         "diagnostics": held.get(None, []),
     }
@@ -33,14 +33,9 @@ def json_document(extraction: Extraction) -> bytes:
 
 
 def _package(package: PackageContracts, diagnostics: list[dict[str, Any]]) -> dict[str, Any]:
-    return {
-        "name": package.name,
-        "version": package.version,
-        "path": package.path,
-        "ros": package.ros,
-        "modules": [encode(module) for module in package.modules],
-        "diagnostics": diagnostics,
-    }
+    head = Package(package.name, package.version, package.path, package.ros, (), ())
+    modules = [encode(module) for module in package.modules]
+    return {**record_data(head), "modules": modules, "diagnostics": diagnostics}
 
 
 def _by_package(extraction: Extraction) -> dict[str | None, list[dict[str, Any]]]:

@@ -45,6 +45,14 @@ def test_diagnostic_stands_with_the_innermost_package(paths: list[str], path: st
     assert len(document["diagnostics"]) == (0 if owner else 1)
 
 
+def test_a_folder_with_an_undecodable_name_is_written() -> None:
+    """Paths come from a file system or a repository and need not be text."""
+    diagnostic = LocatedDiagnostic("error", "c", "\udcff/a.msg", 1, "m")
+    extraction = make_extraction(make_package("\udcff", path="\udcff"), diagnostics=(diagnostic,))
+    document = json.loads(json_document(extraction))
+    assert [len(package["diagnostics"]) for package in document["packages"]] == [1]
+
+
 def test_diagnostic_has_the_published_keys() -> None:
     """Keys are those of the wire format."""
     document = extract_document(make_extraction(diagnostics=(BAD_MESSAGE,)))
