@@ -1,0 +1,82 @@
+"""Contracts of the modules of a tree."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Sequence
+
+import msgspec
+from ecm_checker.contract import Contract, Identity, Signature, Source
+from ecm_checker.fields import missing_fields
+
+from ecm_extract.assemble.behavior import behavior_of
+from ecm_extract.assemble.versioning import versioning_of
+from ecm_extract.extraction_model import PackageContracts
+from ecm_extract.link.linker import LinkedModule
+from ecm_extract.read.facts import PackageFacts
+from ecm_extract.tree import Tree
+
+
+def assemble(
+    tree: Tree, packages: Sequence[PackageFacts], linked: Iterable[LinkedModule]
+) -> tuple[PackageContracts, ...]:
+    """Return the contracts of every package, sorted by path; modules by their id."""
+    by_package: dict[str, list[LinkedModule]] = defaultdict(list)
+    for entry in linked:
+        by_package[entry.module.package].append(entry)
+    return tuple(_package(tree, facts, by_package[facts.name]) for facts in packages)
+
+
+def _package(tree: Tree, facts: PackageFacts, linked: list[LinkedModule]) -> PackageContracts:
+    version = facts.manifest.version if facts.manifest is not None else None
+    contracts = [_contract(tree, facts, entry) for entry in linked]
+    if facts.interfaces or not contracts:
+        contracts.append(_package_contract(tree, facts))
+    ros = facts.ros if facts.ros in {1, 2} else None
+    modules = tuple(sorted(_distinct(contracts), key=lambda contract: contract.ecm.module_id))
+    return PackageContracts(facts.name, version, facts.root.path or ".", ros, modules)  # type: ignore[arg-type]
+
+
+def _contract(tree: Tree, facts: PackageFacts, entry: LinkedModule) -> Contract:
+    module = entry.module
+    identity = _identity(tree, facts, module.name, module.kind, module.path)
+    contract = Contract(
+        ecm=identity,
+        signature=Signature(interfaces=entry.interfaces),
+        behavior=behavior_of(entry.interfaces),
+        versioning=versioning_of(facts),
+    )
+    return msgspec.structs.replace(contract, missing=missing_fields(contract))
+
+
+def _package_contract(tree: Tree, facts: PackageFacts) -> Contract:
+    """The contract of what a package offers as a whole: its interface files, or a library without endpoints."""
+    kind = "interface" if facts.interfaces else "library"
+    path = facts.root.manifest or facts.root.path
+    identity = _identity(tree, facts, "interfaces" if facts.interfaces else facts.name, kind, path)
+    contract = Contract(ecm=identity, versioning=versioning_of(facts, entities=True))
+    return msgspec.structs.replace(contract, missing=missing_fields(contract))
+
+
+def _identity(tree: Tree, facts: PackageFacts, name: str, kind: str, path: str) -> Identity:
+    return Identity(
+        module_id=f"ecm.{facts.name}.{name}",
+        package=facts.name,
+        kind=kind,
+        version=facts.manifest.version if facts.manifest is not None else None,
+        source=Source(tree.repository, tree.commit, path),
+        ros=facts.ros if facts.ros in {1, 2} else None,  # type: ignore[arg-type]
+    )
+
+
+def _distinct(contracts: list[Contract]) -> list[Contract]:
+    """Number modules that share an id, in the order of their paths, so that none is lost."""
+    seen: dict[str, int] = {}
+    result = []
+    for contract in sorted(contracts, key=lambda entry: (entry.ecm.module_id, entry.ecm.source.path)):
+        count = seen[contract.ecm.module_id] = seen.get(contract.ecm.module_id, 0) + 1
+        if count > 1:
+            renamed = msgspec.structs.replace(contract.ecm, module_id=f"{contract.ecm.module_id}_{count}")
+            contract = msgspec.structs.replace(contract, ecm=renamed)
+        result.append(contract)
+    return result

@@ -1,0 +1,61 @@
+"""Versioning: dependencies of the manifest, public entities of interface files."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import PurePosixPath
+
+from ecm_checker.contract import Entity, Evidence, Value, Versioning
+from ecm_parsers.interface_facts import Definition
+
+from ecm_extract.read.facts import PackageFacts
+
+
+def versioning_of(facts: PackageFacts, entities: bool = False) -> Versioning:
+    """Return the versioning section of a module of a package.
+
+    Args:
+        facts: of the package.
+        entities: also list what its interface files declare.
+    """
+    manifest = facts.manifest
+    if manifest is None or facts.root.manifest is None:
+        return Versioning(entities=tuple(_entities(facts)) if entities else ())
+    path = facts.root.manifest
+    ranges: dict[str, str] = {}
+    for entry in manifest.dependencies:
+        if entry.kind not in {"test", "doc"}:
+            ranges.setdefault(
+                entry.name, " ".join(f"{sign}{version}" for sign, version in entry.versions) or "*"
+            )
+    evidence = tuple(Evidence(path, entry.line) for entry in manifest.dependencies[:1])
+    deprecated = None
+    if manifest.deprecated is not None:
+        deprecated = Value(manifest.deprecated, "inferred", "literal", (Evidence(path, manifest.line),))
+    return Versioning(
+        dependencies=Value(ranges, "inferred", "literal", evidence),
+        deprecated=deprecated,
+        entities=tuple(_entities(facts)) if entities else (),
+    )
+
+
+def _entities(facts: PackageFacts) -> Iterator[Entity]:
+    for path, definition in sorted(facts.interfaces.items()):
+        yield from _of_interface(facts.name, path, definition)
+
+
+def _of_interface(package: str, path: str, definition: Definition) -> Iterator[Entity]:
+    name = f"{package}/{definition.shape}/{PurePosixPath(path).stem}"
+    yield Entity("message", package, "", name, (Evidence(path, 1),))
+    for section in definition.sections:
+        prefix = "" if section.name == "message" else f"{section.name}."
+        for field in section.fields:
+            evidence = (Evidence(path, field.line),)
+            yield Entity(
+                "message_field", package, name, prefix + field.name, evidence, field.type, field.default
+            )
+        for constant in section.constants:
+            evidence = (Evidence(path, constant.line),)
+            yield Entity(
+                "constant", package, name, prefix + constant.name, evidence, constant.type, constant.value
+            )

@@ -1,0 +1,197 @@
+"""Calls as the forms see them: a path, a receiver, arguments; object constructions in one shape."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op, Table, Template
+from ecm_parsers.source.facts import Statement
+
+from ecm_extract.link.program import Func, plain
+
+_MAKERS = frozenset({"make_shared", "make_unique", "allocate_shared"})
+_POINTERS = frozenset(
+    {"shared_ptr", "unique_ptr", "scoped_ptr", "optional", "SharedPtr", "UniquePtr", "Ptr", "weak_ptr"}
+)
+
+
+class Invocation(NamedTuple):
+    """One call in one function.
+
+    Attributes:
+        path: what is called, as written and with Python imports resolved; the class for a construction.
+        receiver: the object whose method is called; None for functions, constructions and implicit `this`.
+        types: template arguments, as written.
+        made: whether the call certainly constructs an object (`new`, `make_shared`, declaration, initialiser).
+    """
+
+    func: Func
+    statement: Statement
+    path: str
+    receiver: Expr | None
+    args: tuple[Expr, ...]
+    keywords: tuple[tuple[str, Expr], ...]
+    types: tuple[str, ...]
+    line: int
+    made: bool = False
+
+    @property
+    def last(self) -> str:
+        """Last part of the path."""
+        return last_name(self.path)
+
+    @property
+    def simple(self) -> bool:
+        """Whether it is a bare name: an implicit method of `this`, or a function in scope."""
+        return self.receiver is None and "::" not in self.path and "." not in self.path
+
+
+def last_name(path: str) -> str:
+    """Return the last part of a qualified name of either language."""
+    return path.replace("::", ".").rsplit(".", 1)[-1]
+
+
+def invocations(func: Func) -> Iterator[Invocation]:
+    """Yield every call of a function's body, inner calls first, constructions by initialiser included."""
+    for statement in func.fact.body:
+        if statement.value is not None:
+            for call in walk(statement.value):
+                yield invocation(func, statement, call)
+        implied = _implied(func, statement)
+        if implied is not None:
+            yield implied
+
+
+def walk(expr: Expr) -> Iterator[Call]:
+    """Yield the calls within an expression, inner ones first."""
+    if isinstance(expr, Call):
+        yield from walk(expr.callee)
+        for arg in expr.args:
+            yield from walk(arg)
+        for _, value in expr.keywords:
+            yield from walk(value)
+        yield expr
+    elif isinstance(expr, Member):
+        yield from walk(expr.base)
+    elif isinstance(expr, Op):
+        for operand in expr.operands:
+            yield from walk(operand)
+    elif isinstance(expr, Items):
+        for item in expr.items:
+            yield from walk(item)
+    elif isinstance(expr, Table):
+        for key, value in expr.entries:
+            yield from walk(key)
+            yield from walk(value)
+    elif isinstance(expr, Template):
+        for part in expr.parts:
+            yield from walk(part)
+
+
+def invocation(func: Func, statement: Statement, call: Call) -> Invocation:
+    """Return a call as the forms see it."""
+    if func.file.language == "python":
+        return _python(func, statement, call)
+    callee = call.callee
+    if isinstance(callee, Member):
+        return Invocation(
+            func, statement, callee.name, callee.base, call.args, call.keywords, call.types, call.line
+        )
+    path = callee.id if isinstance(callee, Name) else ""
+    last = path.rsplit("::", 1)[-1]
+    if last in _MAKERS and call.types:
+        return _construction(func, statement, call.types[0], call.args, call.line)
+    if last == "make_shared" and "::" in path and path not in {"std::make_shared", "boost::make_shared"}:
+        return Invocation(
+            func, statement, path.rsplit("::", 1)[0], None, call.args, (), call.types, call.line, True
+        )
+    made = statement.kind == "let" and statement.value is call and plain(statement.type) == path
+    return Invocation(func, statement, path, None, call.args, call.keywords, call.types, call.line, made)
+
+
+def _construction(
+    func: Func, statement: Statement, written: str, args: tuple[Expr, ...], line: int
+) -> Invocation:
+    return Invocation(
+        func, statement, plain(written), None, args, (), template_arguments(written), line, True
+    )
+
+
+def _python(func: Func, statement: Statement, call: Call) -> Invocation:
+    dotted = dotted_name(call.callee)
+    if dotted:
+        head, *rest = dotted.split(".")
+        target = func.file.imported.get(head)
+        if target is not None or not rest:
+            path = ".".join([target or head, *rest])
+            return Invocation(func, statement, path, None, call.args, call.keywords, (), call.line)
+    if isinstance(call.callee, Member):
+        return Invocation(
+            func, statement, call.callee.name, call.callee.base, call.args, call.keywords, (), call.line
+        )
+    return Invocation(func, statement, "", None, call.args, call.keywords, (), call.line)
+
+
+def dotted_name(expr: Expr) -> str:
+    """Return `a.b.c` for a chain of names, empty otherwise (also for what starts at `this`)."""
+    if isinstance(expr, Name):
+        return "" if expr.id == "this" else expr.id
+    if isinstance(expr, Member):
+        base = dotted_name(expr.base)
+        return f"{base}.{expr.name}" if base else ""
+    return ""
+
+
+def _implied(func: Func, statement: Statement) -> Invocation | None:
+    """A member initialiser `sub_(nh, "x", 1)` constructs an object of the member's type."""
+    if statement.kind != "init" or func.cls is None or not isinstance(statement.target, Name):
+        return None
+    field = func.cls.fields.get(statement.target.id)
+    if field is None:
+        return None
+    value = statement.value
+    same = isinstance(value, Call) and value.callee == statement.target
+    args = value.args if same and isinstance(value, Call) else (value,) if value is not None else ()
+    return _construction(func, statement, pointee(field.type), args, statement.line)
+
+
+def pointee(written: str) -> str:
+    """Return the class that a type's objects are of: through smart pointers and `::SharedPtr` aliases."""
+    text = written.strip().removeprefix("const ").rstrip("&* ")
+    for _ in range(4):
+        name = plain(text)
+        last = name.rsplit("::", 1)[-1]
+        inner = template_arguments(text)
+        if last in _POINTERS and inner and not text.rstrip().endswith(last):
+            text = inner[0].removeprefix("const ").rstrip("&* ")
+        elif _ALIASED.search(text):
+            text = _ALIASED.sub("", text)
+        else:
+            return text
+    return text
+
+
+_ALIASED = re.compile(r"::(?:Const)?(?:SharedPtr|UniquePtr|Ptr|WeakPtr|SharedConstPtr)$")
+
+
+def template_arguments(written: str) -> tuple[str, ...]:
+    """Split the template arguments of a type as written; empty without any."""
+    start = written.find("<")
+    if start < 0:
+        return ()
+    depth, begin, found = 0, start + 1, []
+    for index in range(start, len(written)):
+        char = written[index]
+        if char in "<([":
+            depth += 1
+        elif char in ">)]":
+            depth -= 1
+            if depth == 0:
+                found.append(written[begin:index].strip())
+                break
+        elif char == "," and depth == 1:
+            found.append(written[begin:index].strip())
+            begin = index + 1
+    return tuple(entry for entry in found if entry)

@@ -1,0 +1,93 @@
+"""Where an expression is evaluated: the function, what its parameters are bound to, how `this` was made."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+from ecm_parsers.source.expr import Call, Expr
+from ecm_parsers.source.facts import Statement
+
+from ecm_extract.link.calls import Invocation, invocation
+from ecm_extract.link.program import Cls, Func
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Bound:
+    """An argument: its expression and where that is evaluated."""
+
+    expr: Expr
+    env: Env
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Instance:
+    """One way an object of a class is made.
+
+    Attributes:
+        cls: the class.
+        args: constructor parameter -> argument.
+        types: template parameter of the class -> argument as written.
+        base_of: the instance of the derived class, when this is its base part.
+    """
+
+    cls: Cls
+    args: Mapping[str, Bound]
+    types: Mapping[str, str]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Env:
+    """A place of evaluation.
+
+    Attributes:
+        func: the function at hand.
+        at: index of the statement at hand; only earlier ones have happened.
+        args: parameter of `func` -> argument; parameters missing here are unknown.
+        types: template parameter -> argument, resolved where possible.
+        this: concrete class of `this`.
+        made: how `this` was made, when one way is looked at.
+        depth: nesting of evaluations so far.
+    """
+
+    func: Func
+    at: int = 1_000_000
+    args: Mapping[str, Bound] = field(default_factory=dict)
+    types: Mapping[str, str] = field(default_factory=dict)
+    this: Cls | None = None
+    made: Instance | None = None
+    depth: int = 0
+
+    def before(self, at: int) -> Env:
+        """The same place, at another statement."""
+        return replace(self, at=at, depth=self.depth + 1)
+
+    @property
+    def scope(self) -> str:
+        """Qualified scope of the function, the function itself included."""
+        fact = self.func.fact
+        return f"{fact.scope}::{fact.name}" if fact.scope else fact.name
+
+
+def bind(callee: Func, call: Invocation, env: Env) -> dict[str, Bound]:
+    """Return what the parameters of `callee` are at a call: arguments, keywords, then defaults."""
+    bound: dict[str, Bound] = {}
+    rest = list(call.args)
+    for parameter in callee.fact.params:
+        if parameter.name.startswith("*"):
+            break
+        if rest:
+            bound[parameter.name] = Bound(rest.pop(0), env)
+    for name, value in call.keywords:
+        bound[name] = Bound(value, env)
+    for parameter in callee.fact.params:
+        if parameter.default is not None and parameter.name not in bound:
+            bound[parameter.name] = Bound(parameter.default, Env(callee, depth=env.depth))
+    return bound
+
+
+def invocation_of(expr: Call, env: Env) -> Invocation:
+    """Return a call expression at a place as the forms see it."""
+    body = env.func.fact.body
+    statement = body[min(env.at, len(body) - 1)] if body else Statement("do", env.func.fact.line, expr)
+    return invocation(env.func, statement, expr)

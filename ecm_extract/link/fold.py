@@ -1,0 +1,589 @@
+"""Folding: the text an expression has, as far as the tree shows it.
+
+Follows DESIGN §4: constants, concatenation, formats, members set in constructors, parameters with their
+defaults, functions that return a value. Every result has a confidence; unknown parts stay as holes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Protocol
+
+from ecm_parsers.source.expr import (
+    Call,
+    Constant,
+    Expr,
+    Items,
+    Member,
+    Name,
+    Number,
+    Op,
+    Table,
+    Template,
+    Text,
+)
+
+from ecm_extract.link import formats
+from ecm_extract.link.calls import Invocation, dotted_name, last_name, pointee, template_arguments
+from ecm_extract.link.env import Bound, Env, Instance, bind, invocation_of
+from ecm_extract.link.program import Cls, Func, Program, plain
+from ecm_extract.link.scope import Definition, Scope
+from ecm_extract.link.values import (
+    MAX_ALTERNATIVES,
+    Value,
+    joined,
+    literal,
+    lowered,
+    parameter,
+    unique,
+    unknown,
+)
+
+MAX_DEPTH = 24
+_SAME = frozenset(
+    {
+        "std::string",
+        "string",
+        "str",
+        "std::move",
+        "String",
+        "QString",
+        "std::to_string",
+        "rclcpp::ParameterValue",
+    }
+)
+_READS = frozenset(
+    {
+        "as_string",
+        "get_value",
+        "value",
+        "str",
+        "c_str",
+        "string",
+        "string_value",
+        "get_parameter_value",
+        "strip",
+    }
+    | {
+        "toStdString",
+        "data",
+        "as_string_array",
+        "encode",
+        "rstrip",
+        "lstrip",
+        "lower",
+        "get",
+        "to_string",
+        "string_array_value",
+    }
+)
+
+
+class ParameterReads(Protocol):
+    """What the linker knows of parameters: which call reads one, and the defaults that were declared."""
+
+    def read(self, call: Invocation) -> tuple[Expr, Expr | None] | None:
+        """Return (name, default) when a call gives the value of a parameter."""
+
+    def written(self, func: Func, target: str) -> list[tuple[int, Expr, Expr | None]]:
+        """Return (statement, name, default) of the calls of a function that write a parameter to a variable."""
+
+    def default(self, name: str, package: str) -> tuple[Expr, Env] | str | None:
+        """Return the declared default of a parameter."""
+
+
+class Folder:
+    """Evaluates expressions of a program."""
+
+    def __init__(self, program: Program, scope: Scope, reads: ParameterReads) -> None:
+        self.program = program
+        self.scope = scope
+        self.reads = reads
+        self.instances: Callable[[Cls], Sequence[Instance]] = lambda cls: ()
+        self._active: set[tuple[int, str, int]] = set()
+
+    def fold(self, expr: Expr | None, env: Env) -> tuple[Value, ...]:
+        """Return the possible values of an expression, at least one."""
+        if expr is None or env.depth > MAX_DEPTH:
+            return (unknown("value"),)
+        handler = _HANDLERS.get(type(expr))
+        return handler(self, expr, env) if handler is not None else (unknown("value"),)
+
+    # --- names -----------------------------------------------------------------------------------
+
+    def name(self, expr: Name, env: Env) -> tuple[Value, ...]:
+        """A variable, a parameter, a member of `this`, or a constant."""
+        return self._guarded(expr.id, env, lambda: self._name(expr.id, env))
+
+    def _guarded(self, label: str, env: Env, work: Callable[[], tuple[Value, ...]]) -> tuple[Value, ...]:
+        """Break cycles such as `x = f(x)` in a loop or members that are set from each other."""
+        key = (id(env.func), label, env.at)
+        if key in self._active or len(self._active) > 60:
+            return (unknown(label),)
+        self._active.add(key)
+        try:
+            return work()
+        finally:
+            self._active.discard(key)
+
+    def _name(self, name: str, env: Env) -> tuple[Value, ...]:
+        found = self._local(name, env)
+        if found:
+            return found
+        if any(entry.name == name for entry in env.func.fact.params):
+            return self._parameter(name, env)
+        cls = env.this or env.func.cls
+        if cls is not None and env.func.file.language == "cpp":
+            found = self.member_value(name, cls, env)
+            if found:
+                return found
+        return self._outside(name, env) or (unknown(name),)
+
+    def _local(self, name: str, env: Env) -> tuple[Value, ...]:
+        values: list[Value] = []
+        for definition in self.scope.local(name, env):
+            values += self._defined(definition, env.before(definition.at))
+        for at, read, default in self.reads.written(env.func, name):
+            if at < env.at:
+                values += self.parameter_value(read, default, env.before(at))
+        return unique(values) if values else ()
+
+    def _defined(self, definition: Definition, env: Env) -> tuple[Value, ...]:
+        statement = definition.statement
+        if statement.kind == "each":
+            return self.elements(statement.value, env)
+        return _demoted(self.fold(statement.value, env))
+
+    def _parameter(self, name: str, env: Env) -> tuple[Value, ...]:
+        bound = env.args.get(name)
+        if bound is not None:
+            return _demoted(self.fold(bound.expr, bound.env.before(bound.env.at)))
+        made = self._constructor_argument(name, env)
+        if made:
+            return made
+        default = next((entry.default for entry in env.func.fact.params if entry.name == name), None)
+        if default is not None and env.args:
+            return lowered(self.fold(default, env.before(0)), "default")
+        return (parameter(name, env.func.is_constructor),)
+
+    def _constructor_argument(self, name: str, env: Env) -> tuple[Value, ...]:
+        func = env.func
+        if not func.is_constructor or env.made is None or func.cls is None:
+            return ()
+        instance = self.part(env.made, func.cls)
+        bound = instance.args.get(name) if instance is not None else None
+        return _demoted(self.fold(bound.expr, bound.env.before(bound.env.at))) if bound is not None else ()
+
+    def part(self, made: Instance, base: Cls, depth: int = 0) -> Instance | None:
+        """Return how the `base` part of an object is made, following constructor initialisers."""
+        if made.cls is base:
+            return made
+        if depth > 8:
+            return None
+        for written in made.cls.fact.bases:
+            parent = self.program.class_named(plain(written), made.cls.file, made.cls.qualified)
+            if parent is None or base not in self.program.ancestry(parent):
+                continue
+            return self.part(self.base_instance(made, parent, written), base, depth + 1)
+        return None
+
+    def base_instance(self, made: Instance, parent: Cls, written: str) -> Instance:
+        """Return how a derived class makes its direct base."""
+        types = dict(zip(parent.fact.template, template_arguments(written), strict=False))
+        types = {key: made.types.get(value, value) for key, value in types.items()}
+        for func in made.cls.methods:
+            if not func.is_constructor:
+                continue
+            env = Env(func, args=made.args, this=made.cls, made=made)
+            call = self._base_call(func, parent, env)
+            constructor = self.constructor(parent, len(call.args)) if call is not None else None
+            if call is not None and constructor is not None:
+                return Instance(parent, bind(constructor, call, env.before(self._at(func, call))), types)
+        return Instance(parent, {}, types)
+
+    def _at(self, func: Func, call: Invocation) -> int:
+        return next((at for at, entry in enumerate(func.fact.body) if entry is call.statement), 0)
+
+    def _base_call(self, func: Func, parent: Cls, env: Env) -> Invocation | None:
+        for statement in func.fact.body:
+            value = statement.value
+            target = statement.target
+            if (
+                statement.kind == "init"
+                and isinstance(target, Name)
+                and last_name(target.id) == parent.fact.name
+            ):
+                args = (
+                    value.args
+                    if isinstance(value, Call) and value.callee == target
+                    else (value,)
+                    if value
+                    else ()
+                )
+                return Invocation(func, statement, target.id, None, args, (), (), statement.line)
+            if isinstance(value, Call) and _calls_super(value, parent):
+                args = value.args[1:] if value.args[:1] == (Name("this"),) else value.args
+                return Invocation(func, statement, "super", None, args, value.keywords, (), statement.line)
+        return None
+
+    def constructor(self, cls: Cls, count: int) -> Func | None:
+        """Return the constructor that takes `count` arguments best."""
+        makers = [func for func in cls.methods if func.is_constructor and "deleted" not in func.fact.traits]
+        fitting = [func for func in makers if len(func.fact.params) >= count]
+        defined = sorted(
+            fitting or makers, key=lambda f: ("declaration" in f.fact.traits, abs(len(f.fact.params) - count))
+        )
+        return min(defined, key=lambda f: abs(len(f.fact.params) - count), default=None)
+
+    # --- members ---------------------------------------------------------------------------------
+
+    def member(self, expr: Member, env: Env) -> tuple[Value, ...]:
+        """`this->x`, `params_.x`, `module.CONSTANT`, `object.field`."""
+        if expr.base == Name("this"):
+            cls = env.this or env.func.cls
+            found = self.member_value(expr.name, cls, env) if cls is not None else ()
+            return found or (unknown(expr.name),)
+        if expr.name in _READS:
+            return self.fold(expr.base, env.before(env.at))
+        dotted = dotted_name(expr)
+        found = self._imported(dotted, env) if dotted and env.func.file.language == "python" else ()
+        return found or self._field(expr, env) or (unknown(expr.name),)
+
+    def _field(self, expr: Member, env: Env) -> tuple[Value, ...]:
+        default = self._library_parameter(expr, env)
+        if default is not None:
+            return default
+        cls = self.class_of(expr.base, env)
+        if cls is None:
+            return ()
+        return self.member_value(expr.name, cls, Env(env.func, env.at, depth=env.depth + 1, this=cls))
+
+    def _library_parameter(self, expr: Member, env: Env) -> tuple[Value, ...] | None:
+        """`params_.a.b` of generate_parameter_library: the default of parameter `a.b`."""
+        path: list[str] = []
+        node: Expr = expr
+        while isinstance(node, Member) and node.base != Name("this"):
+            path.insert(0, node.name)
+            node = node.base
+        root = node.id if isinstance(node, Name) else node.name if isinstance(node, Member) else ""
+        if "param" not in root.lower() and not self.scope.declared_type(root, env).endswith("Params"):
+            return None
+        name = ".".join(path)
+        known = self.reads.default(name, env.func.file.package)
+        return self._default_value(name, known, None, env) if known is not None else None
+
+    def member_value(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
+        """Return the values that the methods of a class and its bases give one of its data members."""
+        return self._guarded(
+            f"{cls.qualified}.{name}", Env(env.func), lambda: self._member_value(name, cls, env)
+        )
+
+    def _member_value(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
+        values: list[Value] = []
+        for entry in self.program.ancestry(cls):
+            for definition in self.scope.members(name, entry):
+                if definition.statement.value is not None and len(values) < MAX_ALTERNATIVES:
+                    values += _demoted(
+                        self.fold(definition.statement.value, self._method_env(definition, cls, env))
+                    )
+            for method in entry.methods:
+                for at, read, default in self.reads.written(method, name):
+                    values += self.parameter_value(
+                        read, default, self._method_env(Definition(method, at), cls, env)
+                    )
+            field = entry.fields.get(name)
+            if field is not None and field.default is not None:
+                values += _demoted(self.fold(field.default, Env(env.func, depth=env.depth + 1, this=cls)))
+        filled = [value for value in values if value.text]
+        return unique(filled or values) if values else ()
+
+    def _method_env(self, definition: Definition, cls: Cls, env: Env) -> Env:
+        made = env.made if env.made is not None and env.made.cls is cls else None
+        return Env(
+            definition.func, definition.at, this=cls, made=made or Instance(cls, {}, {}), depth=env.depth + 1
+        )
+
+    def class_of(self, expr: Expr, env: Env) -> Cls | None:
+        """Return the class in the tree that an object belongs to."""
+        if expr == Name("this"):
+            return env.this or env.func.cls
+        written = self.type_of(expr, env)
+        return (
+            self.program.class_named(plain(pointee(written)), env.func.file, env.scope) if written else None
+        )
+
+    def type_of(self, expr: Expr, env: Env) -> str:
+        """Return the type of an object as written, empty when the tree does not show it."""
+        if env.depth > MAX_DEPTH:
+            return ""
+        if isinstance(expr, Name):
+            return self.scope.declared_type(expr.id, env) or self._assigned_type(expr.id, env)
+        if isinstance(expr, Member) and expr.base == Name("this"):
+            cls = env.this or env.func.cls
+            return self.scope.member_type(expr.name, cls) or self._member_assigned_type(expr.name, cls, env)
+        if isinstance(expr, Member):
+            cls = self.class_of(expr.base, env.before(env.at))
+            return self.scope.member_type(expr.name, cls)
+        if isinstance(expr, Call):
+            return self._made_type(expr, env)
+        if isinstance(expr, Op) and expr.op in {"&", "?:"}:
+            return self.type_of(expr.operands[-1], env.before(env.at))
+        return ""
+
+    def _assigned_type(self, name: str, env: Env) -> str:
+        for definition in self.scope.local(name, env):
+            value = definition.statement.value
+            if value is not None and definition.statement.kind != "each":
+                return self.type_of(value, env.before(definition.at))
+        return self._member_assigned_type(name, env.this or env.func.cls, env)
+
+    def _member_assigned_type(self, name: str, cls: Cls | None, env: Env) -> str:
+        for entry in self.program.ancestry(cls) if cls is not None else ():
+            for definition in self.scope.members(name, entry):
+                value = definition.statement.value
+                if value is not None:
+                    return self.type_of(
+                        value, Env(definition.func, definition.at, this=cls, depth=env.depth + 1)
+                    )
+        return ""
+
+    def _made_type(self, expr: Call, env: Env) -> str:
+        if isinstance(expr.callee, Name):
+            last = expr.callee.id.rsplit("::", 1)[-1]
+            if last in {"make_shared", "make_unique"} and expr.types:
+                return expr.types[0]
+            if last in {"dynamic_pointer_cast", "static_pointer_cast"} and expr.types:
+                return expr.types[0]
+            return (
+                expr.callee.id
+                if not self.program.functions.get(last) or last in self.program.classes
+                else self._returned(last, env)
+            )
+        dotted = dotted_name(expr.callee)
+        if dotted and env.func.file.language == "python":
+            return dotted
+        return self._returned(expr.callee.name, env) if isinstance(expr.callee, Member) else ""
+
+    def _returned(self, name: str, env: Env) -> str:
+        types = {func.fact.returns for func in self.program.functions.get(name, ()) if func.fact.returns}
+        return next(iter(types)) if len(types) == 1 else ""
+
+    # --- constants and imports ---------------------------------------------------------------------
+
+    def _outside(self, name: str, env: Env) -> tuple[Value, ...]:
+        constant = self.scope.constant(name, env)
+        if constant is not None:
+            expr, _, file = constant
+            inner = Env(self._file_env(file, env).func, depth=env.depth + 1)
+            return _demoted(self.fold(expr, inner))
+        if env.func.file.language == "python":
+            return self._imported(name, env)
+        return ()
+
+    def _file_env(self, file: object, env: Env) -> Env:
+        func = next((f for f in self.program.functions.get("<module>", ()) if f.file is file), None)
+        return Env(func) if func is not None else env
+
+    def _imported(self, dotted: str, env: Env) -> tuple[Value, ...]:
+        head, *rest = dotted.split(".")
+        target = ".".join([env.func.file.imported.get(head, head), *rest])
+        owner, _, last = target.rpartition(".")
+        owner_last = owner.rsplit(".", 1)[-1]
+        for file, constant in self.program.constants.get(last, ()):
+            stem = file.path.rsplit("/", 1)[-1].removesuffix(".py")
+            if (
+                file.language == "python"
+                and constant.value is not None
+                and owner_last in {stem, constant.scope, ""}
+                and owner_last
+            ):
+                return _demoted(
+                    self.fold(constant.value, Env(self._file_env(file, env).func, depth=env.depth + 1))
+                )
+        return ()
+
+    # --- calls --------------------------------------------------------------------------------------
+
+    def call(self, expr: Call, env: Env) -> tuple[Value, ...]:
+        """String constructions, formats, parameter reads and functions that return a value."""
+        call = invocation_of(expr, env)
+        if call.path in _SAME and len(call.args) >= 1:
+            return self.fold(call.args[0], env.before(env.at))
+        read = self.reads.read(call)
+        if read is not None:
+            return self.parameter_value(*read, env.before(env.at))
+        formatted = formats.formatted(call)
+        if formatted is not None:
+            return joined(self._folded_parts(formatted, env))
+        if call.receiver is not None and call.last in _READS:
+            return self.fold(call.receiver, env.before(env.at))
+        return self._guarded(f"{call.path}()", env, lambda: self._returns(call, env))
+
+    def _folded_parts(self, parts: Sequence[Expr | str], env: Env) -> list[tuple[Value, ...]]:
+        inner = env.before(env.at)
+        return [(literal(part),) if isinstance(part, str) else self.fold(part, inner) for part in parts]
+
+    def _returns(self, call: Invocation, env: Env) -> tuple[Value, ...]:
+        callee = self.callee(call, env)
+        if callee is None:
+            label = call.last
+            return (unknown("name" if label in {"getName", "get_name"} else label),)
+        returned = [
+            (at, s.value)
+            for at, s in enumerate(callee.fact.body)
+            if s.kind == "return" and s.value is not None
+        ]
+        if not returned or len(returned) > 4:
+            return (unknown(call.last),)
+        this = env.this if call.receiver in {None, Name("this")} and callee.cls is not None else callee.cls
+        made = env.made if this is env.this else None
+        args = bind(callee, call, env)
+        values = [
+            self.fold(value, Env(callee, at, args, this=this, made=made, depth=env.depth + 1))
+            for at, value in returned
+        ]
+        return unique(_demoted(value for group in values for value in group))
+
+    def callee(self, call: Invocation, env: Env) -> Func | None:
+        """Return the function in the tree that a call means, with a body."""
+        candidates = [
+            f
+            for f in self.program.functions.get(call.last, ())
+            if f.fact.body and f.file.language == env.func.file.language
+        ]
+        if not candidates:
+            return None
+        if call.receiver is not None:
+            cls = self.class_of(call.receiver, env.before(env.at))
+            owners = self.program.ancestry(cls) if cls is not None else ()
+            return next((f for owner in owners for f in candidates if f.cls is owner), None)
+        own = env.this or env.func.cls
+        for owner in self.program.ancestry(own) if own is not None else ():
+            for func in candidates:
+                if func.cls is owner:
+                    return func
+        free = [
+            f for f in candidates if f.cls is None or call.path.endswith(f"{f.cls.fact.name}::{f.fact.name}")
+        ]
+        near = sorted(free, key=lambda f: -self.program._nearness(f.file, env.func.file))
+        return near[0] if near else None
+
+    def parameter_value(self, name: Expr, default: Expr | None, env: Env) -> tuple[Value, ...]:
+        """Return the value of a ROS parameter: its default where the call or a declaration has one."""
+        names = self.fold(name, env)
+        known = self.reads.default(names[0].text, env.func.file.package)
+        return self._default_value(names[0].text, known, default, env)
+
+    def _default_value(
+        self, name: str, known: tuple[Expr, Env] | str | None, default: Expr | None, env: Env
+    ) -> tuple[Value, ...]:
+        if default is not None:
+            return lowered(self.fold(default, env.before(env.at)), "default")
+        if isinstance(known, str):
+            return (Value((known,), "default"),)
+        if known is not None:
+            return lowered(self.fold(known[0], known[1].before(known[1].at)), "default")
+        return (unknown(name.rsplit("/", 1)[-1].rsplit(".", 1)[-1].strip("~{}")),)
+
+    # --- operators -----------------------------------------------------------------------------------
+
+    def op(self, expr: Op, env: Env) -> tuple[Value, ...]:
+        """Concatenation, conditionals, `%` formats, subscripts."""
+        inner = env.before(env.at)
+        if expr.op == "+" and len(expr.operands) >= 2:
+            return joined(self.fold(operand, inner) for operand in expr.operands)
+        if expr.op == "?:":
+            values = [value for operand in expr.operands[1:] for value in self.fold(operand, inner)]
+            return unique(_demoted(values))
+        if expr.op == "%" and isinstance(expr.operands[0], Text):
+            return joined(self._folded_parts(formats.percent(expr.operands[0].value, expr.operands[1]), env))
+        if expr.op in {"or", "||"}:
+            return unique(value for operand in expr.operands for value in self.fold(operand, inner))
+        if expr.op == "[]":
+            return self.elements(expr.operands[0], inner, expr.operands[1])
+        if expr.op == "&":
+            return self.fold(expr.operands[0], inner)
+        return (unknown("value"),)
+
+    def elements(self, expr: Expr | None, env: Env, index: Expr | None = None) -> tuple[Value, ...]:
+        """Return the values that the elements of a list, or one of them, can have."""
+        items = self.items(expr, env)
+        if items is None:
+            return (unknown("item"),)
+        if (
+            isinstance(index, Number)
+            and isinstance(index.value, int)
+            and -len(items) <= index.value < len(items)
+        ):
+            items = [items[index.value]]
+        folded = [value for bound in items for value in self.fold(bound.expr, bound.env.before(bound.env.at))]
+        return unique(_demoted(folded)) if folded else (unknown("item"),)
+
+    def items(self, expr: Expr | None, env: Env) -> list[Bound] | None:
+        """Return the elements of a list that an expression is, None when the tree does not show them."""
+        if env.depth > MAX_DEPTH or expr is None:
+            return None
+        if isinstance(expr, Items):
+            return [Bound(item, env) for item in expr.items]
+        if isinstance(expr, Table):
+            return [Bound(value, env) for _, value in expr.entries]
+        if isinstance(expr, Call) and len(expr.args) == 1 and isinstance(expr.args[0], Items):
+            return self.items(expr.args[0], env)
+        if isinstance(expr, Call) and isinstance(expr.callee, Name) and "vector" in expr.callee.id:
+            return [Bound(item, env) for item in expr.args]
+        for definition, inner in self.definitions(expr, env):
+            value = definition.statement.value
+            found = self.items(value, inner) if definition.statement.kind != "each" else None
+            if found is not None:
+                return found
+        constant = self.scope.constant(expr.id, env) if isinstance(expr, Name) else None
+        return self.items(constant[0], env.before(env.at)) if constant is not None else None
+
+    def definitions(self, expr: Expr, env: Env) -> list[tuple[Definition, Env]]:
+        """Return the assignments of a variable or of a member of `this`, with where each is evaluated."""
+        name = (
+            expr.id
+            if isinstance(expr, Name)
+            else expr.name
+            if isinstance(expr, Member) and expr.base == Name("this")
+            else ""
+        )
+        if not name:
+            return []
+        if isinstance(expr, Name):
+            local = self.scope.local(name, env)
+            if local:
+                return [(definition, env.before(definition.at)) for definition in local]
+        cls = env.this or env.func.cls
+        found = []
+        for entry in self.program.ancestry(cls) if cls is not None else ():
+            for definition in self.scope.members(name, entry):
+                found.append((definition, Env(definition.func, definition.at, this=cls, depth=env.depth + 1)))
+        return found
+
+
+def _calls_super(call: Call, parent: Cls) -> bool:
+    callee = call.callee
+    if not isinstance(callee, Member) or callee.name != "__init__":
+        return False
+    base = callee.base
+    if isinstance(base, Call) and isinstance(base.callee, Name) and base.callee.id == "super":
+        return True
+    return last_name(dotted_name(base)) == parent.fact.name
+
+
+def _demoted(values: object) -> tuple[Value, ...]:
+    """What went through a name is folded, not literal."""
+    return lowered(values, "folded")  # type: ignore[arg-type]
+
+
+_HANDLERS: dict[type, Callable[[Folder, Expr, Env], tuple[Value, ...]]] = {
+    Text: lambda folder, expr, env: (literal(expr.value),),  # type: ignore[union-attr]
+    Number: lambda folder, expr, env: (literal(str(expr.value)),),  # type: ignore[union-attr]
+    Constant: lambda folder, expr, env: (literal("" if expr.name == "null" else expr.name),),  # type: ignore[union-attr]
+    Name: Folder.name,  # type: ignore[dict-item]
+    Member: Folder.member,  # type: ignore[dict-item]
+    Call: Folder.call,  # type: ignore[dict-item]
+    Op: Folder.op,  # type: ignore[dict-item]
+    Template: lambda folder, expr, env: joined(folder.fold(part, env.before(env.at)) for part in expr.parts),  # type: ignore[union-attr]
+}

@@ -1,0 +1,64 @@
+"""String formats of both languages, taken apart into literal and computed pieces."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from ecm_parsers.source.expr import Expr, Items, Name, Text
+
+from ecm_extract.link.calls import Invocation
+
+_PERCENT = re.compile(r"%(?:\((\w+)\))?[-+ #0-9.]*l?[sdifurgx]")
+_BRACES = re.compile(r"\{([^{}:!]*)(?:[:!][^{}]*)?\}")
+_JOINERS = {"append": "/", "join": "/"}
+
+
+def formatted(call: Invocation) -> list[Expr | str] | None:
+    """Return the pieces of a formatting call, None when it is no such call."""
+    receiver, args = call.receiver, call.args
+    if call.last == "format" and isinstance(receiver, Text):
+        return braces(receiver.value, args, dict(call.keywords))
+    if call.path in {"fmt::format", "std::format"} and args and isinstance(args[0], Text):
+        return braces(args[0].value, args[1:], {})
+    if call.last == "join" and isinstance(receiver, Text) and args and isinstance(args[0], Items):
+        return _with_separator(args[0].items, receiver.value)
+    if call.path in {"os.path.join", "ros::names::append", "names::append", "rospy.names.ns_join"}:
+        return _with_separator(args, "/")
+    if call.last == "concat" or call.path == "absl::StrCat":
+        return list(args)
+    return None
+
+
+def percent(text: str, operand: Expr) -> list[Expr | str]:
+    """Take a printf-style format apart."""
+    values = list(operand.items) if isinstance(operand, Items) else [operand]
+    pieces: list[Expr | str] = []
+    position = 0
+    for match in _PERCENT.finditer(text):
+        pieces.append(text[position : match.start()])
+        pieces.append(values.pop(0) if values and not match.group(1) else Name(match.group(1) or "value"))
+        position = match.end()
+    return [*pieces, text[position:]]
+
+
+def braces(text: str, args: Sequence[Expr], keywords: dict[str, Expr]) -> list[Expr | str]:
+    """Take a brace format apart."""
+    pieces: list[Expr | str] = []
+    position, count = 0, 0
+    for match in _BRACES.finditer(text):
+        pieces.append(text[position : match.start()])
+        key = match.group(1)
+        index = int(key) if key.isdigit() else count
+        count += not key
+        known = keywords.get(key) if key and not key.isdigit() else args[index] if index < len(args) else None
+        pieces.append(known if known is not None else Name(key or "value"))
+        position = match.end()
+    return [*pieces, text[position:]]
+
+
+def _with_separator(items: Sequence[Expr], separator: str) -> list[Expr | str]:
+    pieces: list[Expr | str] = []
+    for index, item in enumerate(items):
+        pieces += [separator, item] if index else [item]
+    return pieces

@@ -1,0 +1,94 @@
+"""The table of forms: which call declares what, and where its type, name, QoS and default stand.
+
+Rows live in `forms/<framework>.toml`; users add rows in `ecm.toml`. A position is `arg:N` (from 0), `kw:NAME`,
+`template:N`, `callback:N` (the message type of the callback in argument N) or several joined by `|`.
+"""
+
+from __future__ import annotations
+
+import tomllib
+from collections import defaultdict
+from collections.abc import Iterable, Mapping, Sequence
+from functools import cache
+from importlib import resources
+from typing import Any, Literal
+
+import msgspec
+from ecm_checker.contract import Role
+
+Match = Literal["method", "function", "construct"]
+
+
+class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """One row.
+
+    Attributes:
+        callee: method or function name, or a qualified function or class name (`::` in C++, dots in Python).
+        role: what the call makes of its module.
+        match: `method` of any object, `function` by qualified name, `construct` for objects of a class.
+        language: `cpp` or `python`. ros: 1, 2 or 0 for both.
+        name: position of the ROS name. type: position of the type, or a fixed `package/kind/Name`.
+        qos: position of the QoS profile or queue size. default: position of a parameter's default.
+        out: position of the variable that receives a parameter's value.
+        receiver: last names of the classes whose objects have the method; empty for any.
+        node: position of the node or node handle when it is an argument.
+        fixed: the name, when the form implies it.
+        items: position of a list of (name, default) pairs, for calls that declare many.
+        min_args: fewer positional arguments are another function.
+        profile: QoS preset when none is given.
+        typed: type's kind when the source writes only package and name (`msg`, `srv`, `action`).
+        latch: position of the ROS 1 latch flag.
+        frame: positions of frames, for transforms.
+    """
+
+    callee: str
+    role: Role
+    match: Match = "method"
+    language: Literal["cpp", "python"] = "cpp"
+    ros: Literal[0, 1, 2] = 0
+    name: str = ""
+    type: str = ""
+    qos: str = ""
+    default: str = ""
+    out: str = ""
+    receiver: tuple[str, ...] = ()
+    node: str = ""
+    fixed: str = ""
+    items: str = ""
+    min_args: int = 0
+    profile: str = ""
+    latch: str = ""
+    frame: str = ""
+    suffix: str = ""
+
+    @property
+    def last(self) -> str:
+        """Last part of the callee's name."""
+        return self.callee.replace("::", ".").rsplit(".", 1)[-1]
+
+
+FormTable = Mapping[str, Sequence[Form]]
+
+
+@cache
+def bundled_forms() -> tuple[Form, ...]:
+    """Return the rows that ship with the package."""
+    folder = resources.files("ecm_extract.link") / "forms"
+    names = sorted(entry.name for entry in folder.iterdir() if entry.name.endswith(".toml"))
+    return tuple(form for name in names for form in _rows((folder / name).read_text("utf-8")))
+
+
+def _rows(text: str) -> list[Form]:
+    return msgspec.convert(tomllib.loads(text)["form"], list[Form])
+
+
+def form_table(extra: Iterable[dict[str, Any]] = ()) -> FormTable:
+    """Return all rows by the last part of their callee, the user's first.
+
+    Raises:
+        msgspec.ValidationError: a user's row has an unknown key or a wrong value.
+    """
+    table: dict[str, list[Form]] = defaultdict(list)
+    for form in (*msgspec.convert(list(extra), list[Form]), *bundled_forms()):
+        table[form.last].append(form)
+    return table

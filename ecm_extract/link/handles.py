@@ -1,0 +1,147 @@
+"""Node handles and sub-nodes: the namespace that a name is relative to."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from ecm_parsers.source.expr import Call, Expr, Member, Name, Text
+
+from ecm_extract.link.calls import Invocation, last_name, pointee
+from ecm_extract.link.env import Env, invocation_of
+from ecm_extract.link.fold import Folder
+from ecm_extract.link.program import plain
+from ecm_extract.link.values import Value, joined, literal
+
+MAX_DEPTH = 12
+_PRIVATE = frozenset({"getPrivateNodeHandle", "getMTPrivateNodeHandle"})
+_PUBLIC = frozenset({"getNodeHandle", "getMTNodeHandle"})
+_NODES = frozenset({"Node", "LifecycleNode"})
+
+
+class Handle(NamedTuple):
+    """What a handle makes of names.
+
+    Attributes:
+        prefix: put before relative names; starts with `~` for a private handle, empty for the node itself.
+        node: name of a node made on the spot, to which `~` then belongs; None for the module's own node.
+    """
+
+    prefix: Value
+    node: Value | None = None
+
+
+OWN = Handle(literal(""))
+
+
+class Handles:
+    """Evaluates receivers of endpoint calls."""
+
+    def __init__(self, folder: Folder) -> None:
+        self.folder = folder
+
+    def of(self, expr: Expr | None, env: Env, depth: int = 0) -> Handle:
+        """Return the handle that an expression is; what is not known is the module's own node."""
+        if expr is None or expr == Name("this") or depth > MAX_DEPTH:
+            return OWN
+        if isinstance(expr, Call):
+            return self._call(invocation_of(expr, env), env, depth)
+        if isinstance(expr, Name):
+            bound = env.args.get(expr.id)
+            if bound is not None:
+                return self.of(bound.expr, bound.env, depth + 1)
+            made = self._constructor_argument(expr.id, env, depth)
+            if made is not None:
+                return made
+        if isinstance(expr, Name | Member):
+            return self._variable(expr, env, depth)
+        return OWN
+
+    def _constructor_argument(self, name: str, env: Env, depth: int) -> Handle | None:
+        if not env.func.is_constructor or env.made is None or env.func.cls is None:
+            return None
+        part = self.folder.part(env.made, env.func.cls)
+        bound = part.args.get(name) if part is not None else None
+        return self.of(bound.expr, bound.env, depth + 1) if bound is not None else None
+
+    def _variable(self, expr: Name | Member, env: Env, depth: int) -> Handle:
+        for definition, inner in self.folder.definitions(expr, env):
+            value, kind = definition.statement.value, definition.statement.kind
+            if value is None or kind == "each":
+                continue
+            if kind == "init" and not isinstance(value, Call):
+                return self._member(expr, value, inner, depth)
+            return self.of(value, inner, depth + 1)
+        return OWN
+
+    def _member(self, expr: Name | Member, value: Expr, env: Env, depth: int) -> Handle:
+        """`nh_("~x")` and `nh_(parent)` in an initialiser list carry one argument without a constructor call."""
+        name = expr.id if isinstance(expr, Name) else expr.name
+        written = self.folder.scope.member_type(name, env.this or env.func.cls)
+        if isinstance(value, Text) and "NodeHandle" in written:
+            return Handle(literal(value.value))
+        return self.of(value, env, depth + 1)
+
+    def _call(self, call: Invocation, env: Env, depth: int) -> Handle:
+        last = call.last
+        if last in _PRIVATE:
+            return Handle(literal("~"))
+        if last in _PUBLIC:
+            return OWN
+        if last == "NodeHandle" or _is_handle(call, self.folder, env):
+            return self._node_handle(call, env, depth)
+        if last == "create_sub_node" and call.args:
+            return self._nested(self.of(call.receiver, env, depth + 1), call.args[0], env)
+        if last in _NODES and call.args and not isinstance(call.args[0], Name):
+            return self._new_node(call, env)
+        if last in _NODES and len(call.args) >= 2:
+            return self._new_node(call, env)
+        if last in {"dynamic_pointer_cast", "static_pointer_cast", "lock", "get", "shared_from_this"}:
+            return self.of(call.args[0] if call.args else call.receiver, env, depth + 1)
+        return OWN
+
+    def _node_handle(self, call: Invocation, env: Env, depth: int) -> Handle:
+        if not call.args:
+            return OWN
+        first = call.args[0]
+        if isinstance(first, Text):
+            return Handle(literal(first.value))
+        parent = self.of(first, env, depth + 1)
+        if len(call.args) >= 2:
+            return self._nested(parent, call.args[1], env)
+        if parent is OWN and self._stringy(first, env):
+            return Handle(self.folder.fold(first, env)[0])
+        return parent
+
+    def _stringy(self, expr: Expr, env: Env) -> bool:
+        return not isinstance(expr, Name | Member) or "string" in self.folder.type_of(expr, env)
+
+    def _nested(self, parent: Handle, name: Expr, env: Env) -> Handle:
+        value = self.folder.fold(name, env)[0]
+        return Handle(under(parent.prefix, value), parent.node)
+
+    def _new_node(self, call: Invocation, env: Env) -> Handle:
+        name = self.folder.fold(call.args[0], env)[0]
+        if len(call.args) >= 2 and self._is_namespace(call.args[1], env):
+            name = under(self.folder.fold(call.args[1], env)[0], name)
+        return Handle(literal(""), name)
+
+    def _is_namespace(self, expr: Expr, env: Env) -> bool:
+        if isinstance(expr, Text):
+            return True
+        written = self.folder.type_of(expr, env)
+        return "string" in written or (isinstance(expr, Name) and "ns" in expr.id.split("_"))
+
+
+def under(prefix: Value, name: Value) -> Value:
+    """Return `prefix/name`; an empty prefix changes nothing, an absolute name drops the prefix."""
+    if not prefix.parts or prefix.text == "" or name.text.startswith("/"):
+        return name
+    if prefix.text == "~":
+        return joined([(prefix,), (name,)])[0]
+    return joined([(prefix,), (literal("/"),), (name,)])[0]
+
+
+def _is_handle(call: Invocation, folder: Folder, env: Env) -> bool:
+    if call.statement.kind == "let" and call.statement.type:
+        return last_name(plain(pointee(call.statement.type))) in {"NodeHandle", "NodeHandlePtr"} and call.made
+    return False

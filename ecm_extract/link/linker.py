@@ -1,0 +1,261 @@
+"""Link a whole tree: from facts by package to endpoints by module."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from ecm_checker.contract import Evidence, Interface, Qos
+from ecm_parsers.source.expr import Expr, Items
+
+from ecm_extract.link.data import UNKNOWN, data_of, declared_type, stated_type, type_of_data
+from ecm_extract.link.env import Env
+from ecm_extract.link.fold import Folder
+from ecm_extract.link.forms import FormTable
+from ecm_extract.link.generated import GeneratedParameters
+from ecm_extract.link.handles import OWN, Handle, Handles
+from ecm_extract.link.match import Matcher, name_argument, positions
+from ecm_extract.link.modules import Module, Modules
+from ecm_extract.link.names import RosName, endpoint_name, parameter_name
+from ecm_extract.link.node_names import NodeNames
+from ecm_extract.link.parameters import Parameters
+from ecm_extract.link.program import File, Program
+from ecm_extract.link.qos import QosReader
+from ecm_extract.link.references import References
+from ecm_extract.link.registry import build_registry
+from ecm_extract.link.scope import Scope
+from ecm_extract.link.sites import Site, Sites
+from ecm_extract.link.types import Types
+from ecm_extract.link.values import Value, literal
+from ecm_extract.read.facts import PackageFacts
+
+MAX_NAMES = 40
+
+
+@dataclass(frozen=True, slots=True)
+class LinkedModule:
+    """A module with its endpoints and the name of its node."""
+
+    module: Module
+    node: str | None
+    interfaces: tuple[Interface, ...]
+
+
+class Linker:
+    """Everything that is known of one tree while its endpoints are found."""
+
+    def __init__(self, packages: Sequence[PackageFacts], forms: FormTable) -> None:
+        self.packages = packages
+        self.program = Program(_files(packages))
+        self.parameters = Parameters(forms)
+        self.folder = Folder(self.program, Scope(self.program), self.parameters)
+        self.types = Types(self.folder)
+        self.qos = QosReader(self.folder)
+        self.handles = Handles(self.folder)
+        matcher = Matcher(forms, self.folder)
+        self.sites = Sites(self.program, matcher, self.types, self.parameters)
+        self.names = NodeNames(self.folder, self.sites)
+        self.generated = GeneratedParameters(self.program, packages)
+        registry = build_registry(self.program, packages)
+        self.modules = Modules(self.program, References(self.sites), registry)
+
+    def link(self) -> list[LinkedModule]:
+        """Return all modules with their endpoints, in a stable order."""
+        self.generated.declare(self.parameters)
+        declared = self.sites.find(parameters=True)
+        self._declare_defaults(declared)
+        nodes = self._class_nodes()
+        self.modules.find(nodes)
+        found: dict[int, list[Interface]] = defaultdict(list)
+        for site in [*self.sites.find(parameters=False), *declared]:
+            self._attribute(site, found, nodes)
+        for unit, interfaces in self.generated.interfaces():
+            for module in self.modules.owners(unit):
+                found[id(module)].extend(interfaces)
+        return [self._linked(module, found, nodes) for module in _ordered(self.modules.all())]
+
+    def _class_nodes(self) -> dict[int, str]:
+        nodes: dict[int, str] = {}
+        for group in self.program.classes.values():
+            for cls in group:
+                name = self.names.of_class(cls) if self.modules.is_module(cls) else None
+                if name is not None:
+                    nodes[id(cls)] = name
+        return nodes
+
+    def _declare_defaults(self, sites: Iterable[Site]) -> None:
+        for site in sites:
+            default = next(positions(site.form.default, site.call), None)
+            name = name_argument(site.form, site.call)
+            if default is not None and name is not None and stated_type(default) is None:
+                for value in self.folder.fold(name, site.env):
+                    self.parameters.declare(value.text, site.root.file.package, (default, site.env))
+
+    def _linked(
+        self, module: Module, found: Mapping[int, list[Interface]], nodes: Mapping[int, str]
+    ) -> LinkedModule:
+        return LinkedModule(module, self._node(module, nodes), merged(found.get(id(module), [])))
+
+    def _node(self, module: Module, nodes: Mapping[int, str]) -> str | None:
+        if module.cls is not None:
+            return nodes.get(id(module.cls))
+        return self.names.of_program(module.main) if module.main is not None else None
+
+    # --- endpoints ---------------------------------------------------------------------------------------
+
+    def _attribute(self, site: Site, found: dict[int, list[Interface]], nodes: Mapping[int, str]) -> None:
+        unit = site.owner or site.root
+        for module in self.modules.owners(unit):
+            origin = (
+                None
+                if unit is module.cls or unit is module.main or module.kind == "library"
+                else unit.fact.name
+            )
+            node = self._node(module, nodes)
+            found[id(module)].extend(self._interfaces(site, node, origin))
+
+    def _interfaces(self, site: Site, node: str | None, origin: str | None) -> Iterator[Interface]:
+        ros = site.root.file.ros
+        handle = self._handle(site)
+        evidence = tuple(Evidence(path, line) for path, line in dict.fromkeys(site.lines()))
+        for value, default in self._named(site):
+            name, confidence = self._name(site, value, handle, node, ros), value.confidence
+            kind, data = self._typed(site, default)
+            if value.text == "" and site.form.role != "parameter":
+                confidence = "pattern"
+            yield Interface(
+                role=site.form.role,
+                name=name.resolved,
+                raw_name=name.raw,
+                type=kind,
+                qos=self._qos(site, ros),
+                frame=self._frame(site),
+                confidence=confidence,
+                evidence=evidence,
+                default=None if data is UNKNOWN else data,
+                inherited_from=origin,
+            )
+
+    def _name(self, site: Site, value: Value, handle: Handle, node: str | None, ros: int | None) -> RosName:
+        if site.form.fixed:
+            return RosName(value.text, value.text)
+        make = parameter_name if site.form.role == "parameter" else endpoint_name
+        return make(value, handle, node, ros)
+
+    def _handle(self, site: Site) -> Handle:
+        if site.form.node:
+            expr = next(positions(site.form.node, site.call), None)
+            return self.handles.of(expr, site.env)
+        return self.handles.of(site.call.receiver, site.env) if site.call.receiver is not None else OWN
+
+    def _named(self, site: Site) -> list[tuple[Value, Expr | None]]:
+        """Return the names of a site with the expression of each default."""
+        form, call = site.form, site.call
+        if form.fixed:
+            return [(literal(form.fixed), None)]
+        default = next(positions(form.default, call), None)
+        if form.items:
+            return self._listed(site)
+        values = self.folder.fold(name_argument(form, call), site.env)
+        return [(value, default) for value in values[:MAX_NAMES]]
+
+    def _listed(self, site: Site) -> list[tuple[Value, Expr | None]]:
+        listed = next(positions(site.form.items, site.call), None)
+        prefix = (
+            self.folder.fold(name_argument(site.form, site.call), site.env)[0]
+            if site.call.args or site.call.keywords
+            else literal("")
+        )
+        found: list[tuple[Value, Expr | None]] = []
+        for bound in self.folder.items(listed, site.env) or ():
+            if isinstance(bound.expr, Items) and bound.expr.items:
+                default = bound.expr.items[1] if len(bound.expr.items) > 1 else None
+                for value in self.folder.fold(bound.expr.items[0], bound.env):
+                    full = (
+                        Value((prefix.text, ".", *value.parts), value.confidence)
+                        if prefix.text and prefix.confidence != "pattern"
+                        else value
+                    )
+                    found.append((full, default))
+        return found
+
+    def _typed(self, site: Site, default: Expr | None) -> tuple[str | None, Any]:
+        if site.form.role != "parameter":
+            return self.types.at(site.form.type, site.call, site.env, site.form.role).name, UNKNOWN
+        stated = stated_type(default) or self._bound_stated(default, site.env)
+        data = UNKNOWN if stated else data_of(default, site.env, self.folder)
+        written = site.call.types[0] if site.form.type == "template:0" and site.call.types else ""
+        written = site.env.types.get(written, written)
+        out = next(positions(site.form.out, site.call), None)
+        declared = declared_type(written) or stated or (type_of_data(data) if data is not UNKNOWN else None)
+        return declared or self._out_type(out, site.env), data
+
+    def _bound_stated(self, default: Expr | None, env: Env) -> str | None:
+        bound = env.args.get(getattr(default, "id", "")) if default is not None else None
+        return stated_type(bound.expr) if bound is not None else None
+
+    def _out_type(self, out: Expr | None, env: Env) -> str | None:
+        written = self.folder.type_of(out, env) if out is not None else ""
+        return declared_type(written) if written else None
+
+    def _qos(self, site: Site, ros: int | None) -> Qos | None:
+        if site.form.role not in {"publisher", "subscriber"} or (
+            site.form.fixed and site.form.fixed.startswith("/tf")
+        ):
+            return None
+        expr = next(positions(site.form.qos, site.call), None)
+        return self.qos.depth(expr, site.env) if ros == 1 else self.qos.read(expr, site.env)
+
+    def _frame(self, site: Site) -> str | None:
+        if not site.form.frame:
+            return None
+        frames = [self.folder.fold(expr, site.env)[0].text for expr in positions(site.form.frame, site.call)]
+        return " <- ".join(frames) if frames else None
+
+
+def merged(interfaces: Iterable[Interface]) -> tuple[Interface, ...]:
+    """Join records of one endpoint that several lines make: same role, name and type; evidence adds up."""
+    by_key: dict[tuple[str, str, str | None], Interface] = {}
+    for entry in interfaces:
+        key = (entry.role, entry.name, entry.type)
+        known = by_key.get(key)
+        if known is None:
+            by_key[key] = entry
+            continue
+        evidence = tuple(dict.fromkeys((*known.evidence, *entry.evidence)))
+        by_key[key] = _joined(known, entry, evidence)
+    return tuple(
+        sorted(
+            by_key.values(),
+            key=lambda e: (e.role, e.name, e.type or "", e.evidence[0].path, e.evidence[0].line),
+        )
+    )
+
+
+def _joined(first: Interface, second: Interface, evidence: tuple[Evidence, ...]) -> Interface:
+    return Interface(
+        role=first.role,
+        name=first.name,
+        raw_name=first.raw_name,
+        type=first.type,
+        qos=first.qos or second.qos,
+        frame=first.frame or second.frame,
+        confidence=first.confidence,
+        evidence=evidence,
+        default=second.default if first.default is None else first.default,
+        inherited_from=first.inherited_from if second.inherited_from else None,
+    )
+
+
+def _files(packages: Iterable[PackageFacts]) -> list[File]:
+    return [
+        File(path, package.name, package.ros, facts)
+        for package in packages
+        for path, facts in package.sources.items()
+    ]
+
+
+def _ordered(modules: Iterable[Module]) -> list[Module]:
+    return sorted(modules, key=lambda module: (module.package, module.name, module.path, module.line))

@@ -1,0 +1,129 @@
+"""Which calls are forms."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ecm_parsers.source.expr import Constant, Expr, Lambda, Name, Number, Op, Text
+
+from ecm_extract.link.calls import Invocation, last_name, pointee
+from ecm_extract.link.env import Env
+from ecm_extract.link.fold import Folder
+from ecm_extract.link.forms import Form, FormTable
+from ecm_extract.link.program import plain
+
+
+class Matcher:
+    """Finds the row of the table that a call is, if any."""
+
+    def __init__(self, forms: FormTable, folder: Folder) -> None:
+        self.forms = forms
+        self.folder = folder
+
+    def form(self, call: Invocation, env: Env) -> Form | None:
+        """Return the first fitting row."""
+        file = call.func.file
+        for form in self.forms.get(call.last, ()):
+            if form.language != file.language or len(call.args) < form.min_args:
+                continue
+            if form.ros and file.ros and form.ros != file.ros:
+                continue
+            if self._fits(form, call, env) and self._named(form, call):
+                return form
+        return None
+
+    def _fits(self, form: Form, call: Invocation, env: Env) -> bool:
+        if form.match == "method":
+            return self._method(form, call, env)
+        if call.receiver is not None:
+            return False
+        if form.match == "function":
+            return _qualified(call.path, form.callee)
+        return self._constructs(form, call, env)
+
+    def _named(self, form: Form, call: Invocation) -> bool:
+        return bool(form.fixed or form.items) or name_argument(form, call) is not None
+
+    def _method(self, form: Form, call: Invocation, env: Env) -> bool:
+        if form.receiver:
+            return self._receiver(form, call, env)
+        if call.receiver is not None:
+            return self._own_method(call, env)
+        if not call.simple:
+            owner = call.path.rsplit("::", 1)[0]
+            known = self.folder.program.class_named(owner, call.func.file, env.scope)
+            return known is not None or owner.endswith("Node")
+        callee = self.folder.callee(call, env)
+        return callee is None or callee.cls is not None or callee.fact.name in env.func.fact.name
+
+    def _own_method(self, call: Invocation, env: Env) -> bool:
+        """A class of the tree that has a method of this name with another first parameter is not a node."""
+        if call.func.file.language == "python":
+            return True
+        callee = self.folder.callee(call, env)
+        if callee is None or callee.cls is None or not callee.fact.params:
+            return True
+        return "string" in callee.fact.params[0].type or "char" in callee.fact.params[0].type
+
+    def _receiver(self, form: Form, call: Invocation, env: Env) -> bool:
+        if call.receiver is None:
+            return False
+        written = self.folder.type_of(call.receiver, env)
+        if not written:
+            return _texty(name_argument(form, call)) and not form.fixed
+        bare = plain(pointee(written))
+        target = self.folder.program.alias(bare, call.func.file, env.scope) or bare
+        last = last_name(plain(pointee(target)))
+        return last in form.receiver or any(last == entry + "Ptr" for entry in form.receiver)
+
+    def _constructs(self, form: Form, call: Invocation, env: Env) -> bool:
+        path = call.path
+        if _qualified(path, form.callee) or ("::" not in form.callee and "." not in form.callee):
+            return True
+        if "::" in path or call.func.file.language == "python":
+            return False
+        target = self.folder.program.alias(path, call.func.file, env.scope)
+        if target is not None:
+            return _qualified(plain(target), form.callee)
+        namespace = form.callee.rsplit("::", 1)[0]
+        return any(
+            using == namespace or using.endswith("::" + namespace) for using in call.func.file.facts.usings
+        )
+
+
+def positions(text: str, call: Invocation) -> Iterator[Expr]:
+    """Yield the arguments at the positions of a row, in order of preference."""
+    keywords = dict(call.keywords)
+    for position in text.split("|") if text else ():
+        kind, _, index = position.partition(":")
+        if kind == "kw" and index in keywords:
+            yield keywords[index]
+        elif kind == "arg" and int(index) < len(call.args):
+            yield call.args[int(index)]
+        elif kind == "text":
+            texts = [arg for arg in call.args if _texty(arg)]
+            if int(index) < len(texts):
+                yield texts[int(index)]
+
+
+def name_argument(form: Form, call: Invocation) -> Expr | None:
+    """Return the argument that holds the ROS name; None when the call cannot have one."""
+    found = next(positions(form.name, call), None)
+    return None if isinstance(found, Number | Constant | Lambda) else found
+
+
+def _qualified(path: str, callee: str) -> bool:
+    separator = "." if "." in callee else "::"
+    return path == callee or path.endswith(separator + callee)
+
+
+def _texty(expr: Expr | None) -> bool:
+    if isinstance(expr, Name):
+        return (
+            "name" in expr.id.lower()
+            or "topic" in expr.id.lower()
+            or "NAME" in expr.id
+            or "TOPIC" in expr.id
+            or expr.id.isupper()
+        )
+    return isinstance(expr, Text) or (isinstance(expr, Op) and expr.op in {"+", "%", "?:"})

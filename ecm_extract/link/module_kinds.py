@@ -1,0 +1,44 @@
+"""What kind of module a class is, by the bases it derives from."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Mapping
+from functools import cache
+from importlib import resources
+
+from ecm_extract.link.calls import last_name
+from ecm_extract.link.program import Cls, Program
+
+NODE_KINDS = frozenset({"node", "nodelet"})
+
+
+@cache
+def _bases() -> Mapping[str, tuple[str, ...]]:
+    text = (resources.files("ecm_extract.link") / "module_bases.toml").read_text("utf-8")
+    return {kind: tuple(row["bases"]) for kind, row in tomllib.loads(text).items()}
+
+
+def class_kind(cls: Cls, program: Program) -> str | None:
+    """Return `node`, `nodelet`, `controller` or `hardware`; None for a class that is none of them."""
+    for name in program.base_names(cls):
+        for kind, bases in _bases().items():
+            if any(_is(name, base) for base in bases):
+                return kind
+    return None
+
+
+def is_node_base(name: str) -> bool:
+    """Tell whether a base class is a node's: its first constructor argument is the node's name."""
+    return any(_is(name, base) for base in _bases()["node"]) or last_name(name) in {"Node", "LifecycleNode"}
+
+
+def _is(name: str, base: str) -> bool:
+    if "::" not in base and "." not in base:
+        return last_name(name) == base
+    separator = "." if "." in base else "::"
+    return (
+        name == base
+        or name.endswith(separator + base)
+        or (base.endswith(separator + name) and separator in name)
+    )

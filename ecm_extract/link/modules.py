@@ -1,0 +1,186 @@
+"""Modules: which classes and programs have a contract, and which of them an endpoint belongs to.
+
+A class that derives from a node, controller or hardware base, or that is registered as a plugin or component, is a
+module; so is a program whose endpoints stand in no such class. An endpoint of a helper class belongs to every module
+that uses the helper; one that nobody uses belongs to the package's library.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from ecm_extract.link.module_kinds import class_kind
+from ecm_extract.link.program import Cls, Func, Program
+from ecm_extract.link.references import References, Unit
+
+MAX_USERS = 4000
+_REGISTRATION_KINDS = {"RCLCPP_COMPONENTS_REGISTER_NODE": "component", "NODELET": "nodelet"}
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Module:
+    """A module before its contract is written.
+
+    Attributes:
+        package: name of its package. name: own name, unique in the package.
+        kind: as in the contract. cls: its class; None for a program or library.
+        main: main function of a program.
+        path, line: where it is declared.
+    """
+
+    package: str
+    name: str
+    kind: str
+    cls: Cls | None
+    main: Func | None
+    path: str
+    line: int
+
+
+@dataclass(slots=True)
+class Registry:
+    """What the build files and macros say is a module.
+
+    Attributes:
+        classes: class -> kind, of plugins and components.
+        names: class -> name that a loader or executable gives it.
+        programs: main function -> executable name.
+        libraries: source path -> library name.
+    """
+
+    classes: dict[int, str] = field(default_factory=dict)
+    names: dict[int, str] = field(default_factory=dict)
+    programs: dict[int, str] = field(default_factory=dict)
+    libraries: dict[str, str] = field(default_factory=dict)
+
+
+class Modules:
+    """Finds modules and attributes units to them."""
+
+    def __init__(self, program: Program, references: References, registry: Registry) -> None:
+        self.program = program
+        self.references = references
+        self.registry = registry
+        self.by_class: dict[int, Module] = {}
+        self.by_main: dict[int, Module] = {}
+        self.libraries: dict[tuple[str, str], Module] = {}
+        self._owners: dict[int, tuple[Module, ...]] = {}
+
+    def find(self, node_name: Mapping[int, str]) -> None:
+        """Make the modules of all classes that are modules, and of programs.
+
+        Args:
+            node_name: class -> node name, where a constructor fixes it.
+        """
+        for group in self.program.classes.values():
+            for cls in group:
+                kind = self._kind(cls)
+                if kind is not None:
+                    name = node_name.get(id(cls)) or self.registry.names.get(id(cls)) or snake(cls.fact.name)
+                    self.by_class[id(cls)] = Module(
+                        cls.file.package, name, kind, cls, None, cls.file.path, cls.fact.line
+                    )
+
+    def is_module(self, cls: Cls) -> bool:
+        """Tell whether a class has a contract of its own."""
+        return self._kind(cls) is not None
+
+    def _kind(self, cls: Cls) -> str | None:
+        registered = self.registry.classes.get(id(cls))
+        kind = class_kind(cls, self.program)
+        if registered is not None:
+            return kind if kind not in {None, "node"} else "component" if kind == "node" else registered
+        if kind is None or not self._concrete(cls):
+            return None
+        return kind
+
+    def _concrete(self, cls: Cls) -> bool:
+        """A class of the tree that others derive from and that nobody makes is a base, not a module."""
+        if any("pure" in method.fact.traits for method in cls.methods):
+            return False
+        if not self.references.sites.derived(cls):
+            return not cls.fact.template
+        return any(
+            self.references.sites._makes(call, cls)
+            for call in self.references.sites.calls.get(cls.fact.name, ())
+        )
+
+    def owners(self, unit: Unit) -> tuple[Module, ...]:
+        """Return the modules that have the endpoints of a unit: itself, those that use it, or the library."""
+        known = self._owners.get(id(unit))
+        if known is None:
+            known = self._owners[id(unit)] = self._find_owners(unit)
+        return known
+
+    def _find_owners(self, unit: Unit) -> tuple[Module, ...]:
+        found: dict[int, Module] = {}
+        seen, pending = {id(unit)}, [unit]
+        while pending and len(seen) < MAX_USERS:
+            current = pending.pop()
+            module = self._own(current)
+            if module is not None:
+                found[id(module)] = module
+                if not (isinstance(current, Cls) and current is unit):
+                    continue
+            for user in self._users(current, module):
+                if id(user) not in seen:
+                    seen.add(id(user))
+                    pending.append(user)
+        if not found:
+            return (self.library(unit),)
+        return tuple(sorted(found.values(), key=lambda module: (module.package, module.name, module.path)))
+
+    def _users(self, unit: Unit, module: Module | None) -> Iterable[Unit]:
+        """A module class passes its endpoints on only to the classes that derive from it."""
+        if module is None:
+            return self.references.users(unit)
+        return self.references.sites.derived(unit) if isinstance(unit, Cls) else ()
+
+    def _own(self, unit: Unit) -> Module | None:
+        if isinstance(unit, Cls):
+            return self.by_class.get(id(unit))
+        name = self.registry.programs.get(id(unit))
+        if name is None:
+            return None
+        module = self.by_main.get(id(unit))
+        if module is None:
+            kind = "script" if unit.file.language == "python" else "node"
+            module = Module(unit.file.package, name, kind, None, unit, unit.file.path, unit.fact.line)
+            self.by_main[id(unit)] = module
+        return module
+
+    def library(self, unit: Unit) -> Module:
+        """Return the library module of the package of a unit."""
+        file = unit.file
+        name = self.registry.libraries.get(file.path) or file.package
+        key = (file.package, name)
+        if key not in self.libraries:
+            self.libraries[key] = Module(file.package, name, "library", None, None, file.path, 1)
+        return self.libraries[key]
+
+    def all(self) -> Sequence[Module]:
+        """Return every module found so far."""
+        return [*self.by_class.values(), *self.by_main.values(), *self.libraries.values()]
+
+
+def snake(name: str) -> str:
+    """`ControllerServer` -> `controller_server`."""
+    out = []
+    for index, char in enumerate(name):
+        previous = name[index - 1] if index else ""
+        following = name[index + 1] if index + 1 < len(name) else ""
+        if (
+            char.isupper()
+            and previous
+            and previous != "_"
+            and (previous.islower() or previous.isdigit() or following.islower())
+        ):
+            out.append("_")
+        out.append(char.lower())
+    return "".join(out)
+
+
+def registration_kind(macro: str) -> str:
+    """Return the kind that a registration macro makes of its class."""
+    return _REGISTRATION_KINDS.get(macro, "plugin")

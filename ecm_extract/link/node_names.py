@@ -1,0 +1,104 @@
+"""Names of nodes, where a constructor or an initialisation call fixes them."""
+
+from __future__ import annotations
+
+from ecm_parsers.source.expr import Call, Expr, Member, Name
+
+from ecm_extract.link.calls import Invocation
+from ecm_extract.link.env import Env, Instance
+from ecm_extract.link.fold import Folder
+from ecm_extract.link.module_kinds import is_node_base
+from ecm_extract.link.program import Cls, Func, plain
+from ecm_extract.link.sites import Sites
+from ecm_extract.link.values import Value
+
+_INITS = {"ros::init": 2, "rospy.init_node": 0, "rclpy.create_node": 0}
+_MAKERS = frozenset({"Node", "LifecycleNode", "make_shared"})
+
+
+class NodeNames:
+    """Finds the name that a class or program gives its node."""
+
+    def __init__(self, folder: Folder, sites: Sites) -> None:
+        self.folder = folder
+        self.sites = sites
+
+    def of_class(self, cls: Cls) -> str | None:
+        """Return the name that the class passes to its node base, None when it is not fixed."""
+        made = Instance(cls, {}, {})
+        for owner in self.folder.program.ancestry(cls):
+            part = self.folder.part(made, owner)
+            if part is None or not self._derives_outside(owner):
+                continue
+            for func in owner.methods:
+                if func.is_constructor:
+                    env = Env(func, args=part.args, this=cls, made=made)
+                    name = self._passed(func, env)
+                    if name is not None:
+                        return name
+        return self._made_with(cls)
+
+    def _derives_outside(self, cls: Cls) -> bool:
+        program = self.folder.program
+        return any(is_node_base(program.canonical(base, cls.file, cls.qualified)) for base in cls.fact.bases)
+
+    def _passed(self, func: Func, env: Env) -> str | None:
+        for at, statement in enumerate(func.fact.body):
+            arg = _base_argument(func, statement.value, statement.target, statement.kind)
+            if arg is not None:
+                return _known(self.folder.fold(arg, env.before(at)))
+        return None
+
+    def _made_with(self, cls: Cls) -> str | None:
+        """The name that the places that make the class agree on."""
+        names = set()
+        for call in self.sites.calls.get(cls.fact.name, ()):
+            if self.sites._makes(call, cls) and call.func.cls is not cls:
+                constructor = self.folder.constructor(cls, len(call.args))
+                if (
+                    constructor is None
+                    or not call.args
+                    or "name" not in constructor.fact.params[0].name.lower()
+                ):
+                    return None
+                env = self.sites.root_env(call.func, self.sites.position(call))
+                names.add(_known(self.folder.fold(call.args[0], env)))
+        return names.pop() if len(names) == 1 else None
+
+    def of_program(self, main: Func) -> str | None:
+        """Return the name that a program gives its node, by a call in the file of its main function."""
+        for name in ("init", "init_node", "create_node", "Node", "LifecycleNode", "make_shared"):
+            for call in self.sites.calls.get(name, ()):
+                if call.func.file is main.file and call.func.cls is None:
+                    found = self._initialised(call)
+                    if found is not None:
+                        return found
+        return None
+
+    def _initialised(self, call: Invocation) -> str | None:
+        index = next(
+            (at for path, at in _INITS.items() if call.path == path or call.path.endswith("::" + path)), None
+        )
+        if index is None and (is_node_base(call.path) and call.receiver is None):
+            index = 0
+        if index is None or index >= len(call.args):
+            return None
+        env = self.sites.root_env(call.func, self.sites.position(call))
+        return _known(self.folder.fold(call.args[index], env))
+
+
+def _base_argument(func: Func, value: Expr | None, target: Expr | None, kind: str) -> Expr | None:
+    """The first argument that a constructor hands to a node base: initialiser or `super().__init__`."""
+    if kind == "init" and isinstance(target, Name) and is_node_base(plain(target.id)):
+        args = value.args if isinstance(value, Call) and value.callee == target else (value,)
+        return args[0] if args else None
+    if isinstance(value, Call) and isinstance(value.callee, Member) and value.callee.name == "__init__":
+        args = value.args[1:] if value.args[:1] == (Name("this"),) else value.args
+        keywords = dict(value.keywords)
+        return args[0] if args else keywords.get("node_name")
+    return None
+
+
+def _known(values: tuple[Value, ...]) -> str | None:
+    value = values[0]
+    return value.text if len(values) == 1 and value.confidence != "pattern" and value.text else None

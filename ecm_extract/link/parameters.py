@@ -1,0 +1,99 @@
+"""What is known of ROS parameters while values are folded: reads, out arguments, declared defaults."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+
+from ecm_parsers.source.expr import Expr, Member, Name
+
+from ecm_extract.link.calls import Invocation, invocations
+from ecm_extract.link.env import Env, bind
+from ecm_extract.link.forms import Form, FormTable
+from ecm_extract.link.match import name_argument, positions
+from ecm_extract.link.program import Func
+
+_READERS = frozenset({"get_parameter", "getParam", "get_param", "get_parameter_or"})
+
+
+class Parameters:
+    """Implements `fold.ParameterReads`; declarations and wrappers are added as they are found."""
+
+    def __init__(self, forms: FormTable) -> None:
+        self.forms = forms
+        self._written: dict[int, dict[str, list[tuple[int, Expr, Expr | None]]]] = {}
+        self._defaults: dict[tuple[str, str], tuple[Expr, Env] | str] = {}
+        self._wrappers: dict[str, list[tuple[Func, str, str]]] = defaultdict(list)
+
+    def read(self, call: Invocation) -> tuple[Expr, Expr | None] | None:
+        """Return (name, default) when a call gives the value of a parameter."""
+        form = self._form(call)
+        if form is not None:
+            name = name_argument(form, call)
+            if name is not None and (form.match != "method" or call.receiver is not None or call.simple):
+                return name, next(positions(form.default, call), None)
+        if call.last in _READERS and call.args:
+            return call.args[0], None
+        return self._wrapped(call)
+
+    def _form(self, call: Invocation) -> Form | None:
+        for form in self.forms.get(call.last, ()):
+            if form.role == "parameter" and form.language == call.func.file.language and not form.items:
+                if form.match == "method" or call.path.endswith(form.callee):
+                    return form
+        return None
+
+    def _wrapped(self, call: Invocation) -> tuple[Expr, Expr | None] | None:
+        for func, name, default in self._wrappers.get(call.last, ()):
+            if len(call.args) > len(func.fact.params):
+                continue
+            bound = bind(func, call, Env(call.func))
+            if name in bound:
+                return bound[name].expr, bound[default].expr if default in bound else None
+        return None
+
+    def written(self, func: Func, target: str) -> list[tuple[int, Expr, Expr | None]]:
+        """Return (statement, name, default) of the calls of a function that write a parameter to a variable."""
+        known = self._written.get(id(func))
+        if known is None:
+            known = self._written[id(func)] = self._index(func)
+        return known.get(target, [])
+
+    def _index(self, func: Func) -> dict[str, list[tuple[int, Expr, Expr | None]]]:
+        found: dict[str, list[tuple[int, Expr, Expr | None]]] = defaultdict(list)
+        index = {id(statement): at for at, statement in enumerate(func.fact.body)}
+        for call in invocations(func):
+            entry = self._out(call)
+            if entry is not None:
+                target, name, default = entry
+                found[target].append((index[id(call.statement)], name, default))
+        return found
+
+    def _out(self, call: Invocation) -> tuple[str, Expr, Expr | None] | None:
+        if call.last in _READERS and len(call.args) >= 2:
+            target = _variable(call.args[1])
+            default = call.args[2] if len(call.args) > 2 else None
+            return (target, call.args[0], default) if target else None
+        form = self._form(call)
+        out = next(positions(form.out, call), None) if form is not None else None
+        target = _variable(out)
+        if form is None or not target or len(call.args) < 3:
+            return None
+        return target, call.args[0], next(positions(form.default, call), None)
+
+    def declare(self, name: str, package: str, default: tuple[Expr, Env] | str) -> None:
+        """Remember the default of a declared parameter; the first declaration in a package stands."""
+        self._defaults.setdefault((package, name), default)
+
+    def default(self, name: str, package: str) -> tuple[Expr, Env] | str | None:
+        """Return the declared default of a parameter."""
+        return self._defaults.get((package, name))
+
+    def add_wrapper(self, func: Func, name: str, default: str) -> None:
+        """Remember that a function reads the parameter named by its parameter `name`."""
+        self._wrappers[func.fact.name].append((func, name, default))
+
+
+def _variable(expr: Expr | None) -> str:
+    if isinstance(expr, Member) and expr.base == Name("this"):
+        return expr.name
+    return expr.id if isinstance(expr, Name) else ""

@@ -1,0 +1,258 @@
+"""All source facts of a tree, indexed so that names can be looked up the way a compiler would.
+
+A name resolves to the nearest candidate: same file, included or imported file, same package, whole tree.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from pathlib import PurePosixPath
+
+from ecm_parsers.source.facts import Alias, Class, Constant, Field, Function, SourceFile
+
+
+@dataclass(slots=True, eq=False)
+class File:
+    """One source file: its path, the package it belongs to, its facts."""
+
+    path: str
+    package: str
+    ros: int | None
+    facts: SourceFile
+    imported: dict[str, str] = field(default_factory=dict)
+
+    @property
+    def language(self) -> str:
+        """`cpp` or `python`."""
+        return self.facts.language
+
+
+@dataclass(slots=True, eq=False)
+class Func:
+    """A function with the file it stands in and, for a method, its class."""
+
+    fact: Function
+    file: File
+    cls: Cls | None = None
+
+    @property
+    def is_constructor(self) -> bool:
+        """Whether calling it makes an object of its class."""
+        return self.cls is not None and self.fact.name in {self.cls.fact.name, "__init__"}
+
+
+@dataclass(slots=True, eq=False)
+class Cls:
+    """A class with its file and all definitions of its methods, wherever they stand."""
+
+    fact: Class
+    file: File
+    methods: list[Func] = field(default_factory=list)
+    fields: dict[str, Field] = field(default_factory=dict)
+
+    @property
+    def qualified(self) -> str:
+        """Name with its namespaces."""
+        return f"{self.fact.scope}::{self.fact.name}" if self.fact.scope else self.fact.name
+
+
+class Program:
+    """The index over all files. Built once, then only read."""
+
+    def __init__(self, files: Iterable[File]) -> None:
+        self.files = tuple(files)
+        self.classes: Mapping[str, list[Cls]] = _group_classes(self.files)
+        self.functions: dict[str, list[Func]] = defaultdict(list)
+        self.constants: dict[str, list[tuple[File, Constant]]] = defaultdict(list)
+        self.aliases: dict[str, list[tuple[File, Alias]]] = defaultdict(list)
+        self._by_suffix: dict[str, list[File]] = defaultdict(list)
+        self._resolved: dict[tuple[str, str, int], Cls | None] = {}
+        self._mro: dict[int, tuple[Cls, ...]] = {}
+        for file in self.files:
+            self._index(file)
+
+    def _index(self, file: File) -> None:
+        self._by_suffix[PurePosixPath(file.path).name].append(file)
+        for function in file.facts.functions:
+            owner = self._owner(function, file)
+            func = Func(function, file, owner)
+            self.functions[function.name].append(func)
+            if owner is not None:
+                owner.methods.append(func)
+        for constant in file.facts.constants:
+            self.constants[constant.name].append((file, constant))
+        for alias in file.facts.aliases:
+            self.aliases[alias.name].append((file, alias))
+        file.imported = {
+            entry.alias or entry.name or entry.module: _dotted(entry.module, entry.name)
+            for entry in file.facts.imports
+            if file.language == "python"
+        }
+
+    def _owner(self, function: Function, file: File) -> Cls | None:
+        """The class that a scope names: same qualified name, or the same last name when namespaces are `using`."""
+        if not function.scope:
+            return None
+        last = function.scope.rsplit("::", 1)[-1]
+        candidates = [cls for cls in self.classes.get(last, ()) if cls.file.language == file.language]
+        exact = [cls for cls in candidates if cls.qualified == function.scope]
+        loose = [cls for cls in candidates if cls.qualified.endswith("::" + function.scope)]
+        return self._nearest(exact or loose, file)
+
+    def _nearest(self, candidates: list[Cls], file: File) -> Cls | None:
+        if not candidates:
+            return None
+        return max(candidates, key=lambda cls: self._nearness(cls.file, file))
+
+    def _nearness(self, other: File, file: File) -> int:
+        if other is file:
+            return 3
+        if self.includes(file, other):
+            return 2
+        return 1 if other.package == file.package else 0
+
+    def includes(self, file: File, other: File) -> bool:
+        """Tell whether `file` includes or imports `other` by its path."""
+        if file.language == "python":
+            module = other.path.removesuffix(".py").replace("/", ".")
+            return any(
+                entry.module and module.endswith(entry.module.lstrip(".")) for entry in file.facts.imports
+            )
+        return any(other.path.endswith("/" + entry.module) for entry in file.facts.imports)
+
+    def class_named(self, name: str, file: File, scope: str = "") -> Cls | None:
+        """Return the class that `name` (possibly qualified, without template arguments) means in a scope of a file."""
+        key = (name, scope, id(file))
+        if key not in self._resolved:
+            self._resolved[key] = self._find_class(name, file, scope)
+        return self._resolved[key]
+
+    def _find_class(self, name: str, file: File, scope: str) -> Cls | None:
+        if file.language == "python":
+            return self._find_python(name, file)
+        last = name.rsplit("::", 1)[-1]
+        candidates = [cls for cls in self.classes.get(last, ()) if cls.file.language == "cpp"]
+        for prefix in _enclosing(scope):
+            wanted = f"{prefix}::{name}" if prefix else name.removeprefix("::")
+            exact = [cls for cls in candidates if cls.qualified == wanted]
+            if exact:
+                return self._nearest(exact, file)
+        loose = [
+            cls for cls in candidates if cls.qualified.endswith("::" + name) and self._visible(cls, file)
+        ]
+        found = self._nearest(loose, file)
+        return found or self._aliased(name, file, scope)
+
+    def _visible(self, cls: Cls, file: File) -> bool:
+        namespace = cls.fact.scope
+        return any(namespace == using or namespace.endswith("::" + using) for using in file.facts.usings) or (
+            cls.file.package == file.package
+        )
+
+    def _find_python(self, name: str, file: File) -> Cls | None:
+        head, *rest = name.replace("::", ".").split(".")
+        target = ".".join([file.imported.get(head, head), *rest])
+        last = target.rsplit(".", 1)[-1]
+        candidates = [cls for cls in self.classes.get(last, ()) if cls.file.language == "python"]
+        if head not in file.imported:
+            return next((cls for cls in candidates if cls.file is file), None)
+        module = target.rpartition(".")[0].lstrip(".")
+        near = [cls for cls in candidates if module and _module_matches(cls.file.path, module)]
+        if near:
+            return self._nearest(near, file)
+        return next(
+            (cls for cls in candidates if cls.file.package == file.package and cls.file is not file), None
+        )
+
+    def _aliased(self, name: str, file: File, scope: str) -> Cls | None:
+        target = self.alias(name, file, scope)
+        if target is None or plain(target) == name:
+            return None
+        return self.class_named(plain(target), file, scope)
+
+    def alias(self, name: str, file: File, scope: str = "") -> str | None:
+        """Return what `using name = ...` or a typedef stands for, nearest declaration first."""
+        last = name.rsplit("::", 1)[-1]
+        entries = self.aliases.get(last)
+        if not entries:
+            return None
+        enclosing = set(_enclosing(scope))
+        fitting = [(other, alias) for other, alias in entries if self._alias_fits(alias, name, enclosing)]
+        near = [
+            (self._nearness(other, file), alias.scope in enclosing, alias.target) for other, alias in fitting
+        ]
+        near = [entry for entry in near if entry[0] > 0]
+        return max(near, key=lambda entry: (entry[1], entry[0]))[2] if near else None
+
+    def _alias_fits(self, alias: Alias, name: str, enclosing: set[str]) -> bool:
+        if "::" not in name:
+            return True
+        qualified = f"{alias.scope}::{alias.name}" if alias.scope else alias.name
+        return qualified == name or qualified.endswith("::" + name) or name.endswith("::" + qualified)
+
+    def bases(self, cls: Cls) -> list[Cls]:
+        """Return the direct base classes that stand in the tree."""
+        found = (self.class_named(plain(base), cls.file, cls.qualified) for base in cls.fact.bases)
+        return [base for base in found if base is not None and base is not cls]
+
+    def ancestry(self, cls: Cls) -> tuple[Cls, ...]:
+        """Return the class and its bases in the tree, nearest first, each once."""
+        known = self._mro.get(id(cls))
+        if known is None:
+            ordered = [cls]
+            for entry in ordered:
+                ordered.extend(base for base in self.bases(entry) if base not in ordered)
+            known = self._mro[id(cls)] = tuple(ordered)
+        return known
+
+    def base_names(self, cls: Cls) -> list[str]:
+        """Return all base names of the ancestry as written, those outside the tree included."""
+        return [
+            self.canonical(base, entry.file, entry.qualified)
+            for entry in self.ancestry(cls)
+            for base in entry.fact.bases
+        ]
+
+    def canonical(self, name: str, file: File, scope: str = "") -> str:
+        """Return a base or type name with imports and aliases resolved and template arguments dropped."""
+        bare = plain(name)
+        if file.language == "python":
+            head, *rest = bare.split(".")
+            return ".".join([file.imported.get(head, head), *rest])
+        target = self.alias(bare, file, scope)
+        return plain(target) if target else bare
+
+
+def plain(text: str) -> str:
+    """Return a type name without template arguments, qualifiers and marks."""
+    head = text.split("<", 1)[0] if "<" in text else text
+    words = [word for word in head.replace("&", " ").replace("*", " ").split() if word not in _QUALIFIERS]
+    return words[-1] if words else ""
+
+
+_QUALIFIERS = frozenset({"const", "typename", "class", "struct", "volatile", "public", "virtual", "static"})
+
+
+def _group_classes(files: tuple[File, ...]) -> dict[str, list[Cls]]:
+    grouped: dict[str, list[Cls]] = defaultdict(list)
+    for file in files:
+        for fact in file.facts.classes:
+            grouped[fact.name].append(Cls(fact, file, fields={entry.name: entry for entry in fact.fields}))
+    return grouped
+
+
+def _enclosing(scope: str) -> list[str]:
+    """`a::b` -> [`a::b`, `a`, ``]."""
+    parts = scope.split("::") if scope else []
+    return ["::".join(parts[:count]) for count in range(len(parts), -1, -1)]
+
+
+def _dotted(module: str, name: str) -> str:
+    return f"{module}.{name}" if name and name != "*" and module else name or module
+
+
+def _module_matches(path: str, module: str) -> bool:
+    stem = path.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
+    return stem == module or stem.endswith("." + module)

@@ -1,0 +1,241 @@
+"""QoS of an endpoint from the expression that gives it: presets, chains of setters, keywords, variables.
+
+Policies that source does not set keep the default of rclcpp and rclpy (reliable, volatile, keep last 10) and are
+named in `Qos.defaulted`.
+"""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Mapping
+from functools import cache
+from importlib import resources
+from typing import Any
+
+from ecm_checker.contract import Qos
+from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Number, Op
+
+from ecm_extract.link.calls import dotted_name, last_name
+from ecm_extract.link.env import Env, bind, invocation_of
+from ecm_extract.link.fold import Folder
+
+_FLAGS: dict[str, tuple[str, str]] = {
+    "reliable": ("reliability", "reliable"),
+    "best_effort": ("reliability", "best_effort"),
+    "reliability_best_available": ("reliability", "best_available"),
+    "transient_local": ("durability", "transient_local"),
+    "durability_volatile": ("durability", "volatile"),
+    "volatile": ("durability", "volatile"),
+    "durability_best_available": ("durability", "best_available"),
+    "keep_all": ("history", "keep_all"),
+}
+_POLICIES = ("reliability", "durability", "history", "liveliness")
+_TIMES = {"deadline": "deadline_ms", "lifespan": "lifespan_ms", "liveliness_lease_duration": "lease_ms"}
+_UNITS = {"s": 1000.0, "ms": 1.0, "us": 0.001, "ns": 1e-6, "min": 60000.0, "h": 3600000.0}
+_WRAPPERS = frozenset({"QoS", "QoSProfile", "QoSInitialization", "from_rmw", "KeepLast", "shared_ptr"})
+_BASIC = ("reliability", "durability", "history", "depth")
+MAX_DEPTH = 12
+
+
+@cache
+def presets() -> Mapping[str, tuple[str, Mapping[str, Any]]]:
+    """Return preset name as written -> (profile, policies)."""
+    text = (resources.files("ecm_extract.link") / "qos_presets.toml").read_text("utf-8")
+    table = tomllib.loads(text)
+    return {
+        name: (profile, {key: value for key, value in row.items() if key != "names"})
+        for profile, row in table.items()
+        for name in row["names"]
+    }
+
+
+class QosReader:
+    """Evaluates QoS expressions."""
+
+    def __init__(self, folder: Folder) -> None:
+        self.folder = folder
+
+    def read(self, expr: Expr | None, env: Env) -> Qos:
+        """Return the profile of a ROS 2 endpoint; without an expression the default one."""
+        policies = self._policies(expr, env, 0) if expr is not None else {}
+        known = policies or {}
+        default = presets()["default"][1]
+        filled = {key: known.get(key, default[key]) for key in _BASIC}
+        if filled["history"] == "keep_all" and "depth" not in known:
+            filled["depth"] = None
+        missing = tuple(key for key in _BASIC if key not in known)
+        rest = {key: value for key, value in known.items() if key not in _BASIC}
+        return Qos(**filled, **rest, defaulted=missing)
+
+    def depth(self, expr: Expr | None, env: Env) -> Qos | None:
+        """Return the profile of a ROS 1 endpoint: its queue size, nothing else exists there."""
+        number = self._number(expr, env) if expr is not None else None
+        return Qos(depth=number) if number is not None else None
+
+    def _policies(self, expr: Expr, env: Env, level: int) -> dict[str, Any]:
+        if level > MAX_DEPTH:
+            return {}
+        if isinstance(expr, Number):
+            return {"history": "keep_last", "depth": int(expr.value)}
+        preset = self._preset(expr)
+        if preset is not None and not isinstance(expr, Call):
+            return preset
+        if isinstance(expr, Call):
+            return self._call(expr, env, level)
+        if isinstance(expr, Name | Member):
+            return self._variable(expr, env, level)
+        if isinstance(expr, Op) and expr.op == "?:":
+            return self._policies(expr.operands[2], env, level + 1)
+        if isinstance(expr, Items) and expr.items:
+            return self._policies(expr.items[0], env, level + 1)
+        return {}
+
+    def _preset(self, expr: Expr) -> dict[str, Any] | None:
+        text = expr.id if isinstance(expr, Name) else expr.name if isinstance(expr, Member) else ""
+        found = presets().get(last_name(text)) if text else None
+        return {**found[1], "profile": found[0]} if found is not None else None
+
+    def _call(self, expr: Call, env: Env, level: int) -> dict[str, Any]:
+        callee = expr.callee
+        if isinstance(callee, Member) and not (dotted_name(callee) and env.func.file.language == "python"):
+            base = self._policies(callee.base, env, level + 1)
+            return {**base, **self._setter(callee.name, expr, env, level)}
+        name = last_name(dotted_name(callee) or (callee.id if isinstance(callee, Name) else ""))
+        found = presets().get(name)
+        if found is not None:
+            return {**found[1], "profile": found[0]}
+        if name in _WRAPPERS or name.endswith("QoS"):
+            return self._profile(name, expr, env, level)
+        return self._function(expr, env, level)
+
+    def _profile(self, name: str, expr: Call, env: Env, level: int) -> dict[str, Any]:
+        policies: dict[str, Any] = {}
+        for arg in expr.args:
+            policies.update(self._policies(arg, env, level + 1))
+        if name == "KeepLast" and expr.args:
+            depth = self._number(expr.args[0], env)
+            policies = {"history": "keep_last"} | ({"depth": depth} if depth is not None else {})
+        for key, value in expr.keywords:
+            policies.update(self._assignment(key, value, env))
+        return policies
+
+    def _setter(self, name: str, expr: Call, env: Env, level: int) -> dict[str, Any]:
+        if name == "keep_last" and expr.args:
+            depth = self._number(expr.args[0], env)
+            return {"history": "keep_last"} | ({"depth": depth} if depth is not None else {})
+        if name in _FLAGS:
+            key, value = _FLAGS[name]
+            return {key: value}
+        return self._assignment(name, expr.args[0], env) if expr.args else {}
+
+    def _assignment(self, key: str, value: Expr, env: Env) -> dict[str, Any]:
+        if key == "depth":
+            number = self._number(value, env)
+            return {"depth": number} if number is not None else {}
+        if key in _POLICIES:
+            word = _policy_word(value)
+            return {key: word} if word else {}
+        if key in _TIMES:
+            duration = _milliseconds(value)
+            return {_TIMES[key]: duration} if duration is not None else {}
+        return {}
+
+    def _variable(self, expr: Name | Member, env: Env, level: int) -> dict[str, Any]:
+        name = expr.id if isinstance(expr, Name) else expr.name
+        if isinstance(expr, Name):
+            bound = env.args.get(expr.id)
+            if bound is not None:
+                return self._policies(bound.expr, bound.env, level + 1)
+        policies: dict[str, Any] = {}
+        for definition, inner in self.folder.definitions(expr, env):
+            if definition.statement.value is not None:
+                policies = self._policies(definition.statement.value, inner, level + 1)
+                policies |= self._mutations(name, definition.func.fact.body[definition.at :], inner)
+                break
+        if policies:
+            return policies
+        for parameter in env.func.fact.params:
+            if parameter.name == name and parameter.default is not None:
+                return self._policies(parameter.default, env, level + 1)
+        constant = self.folder.scope.constant(name, env)
+        return self._policies(constant[0], env, level + 1) if constant is not None else {}
+
+    def _mutations(self, name: str, statements: tuple[Any, ...], env: Env) -> dict[str, Any]:
+        """`qos.reliable();` and `qos.depth = 5` after the profile was made."""
+        policies: dict[str, Any] = {}
+        for statement in statements[:40]:
+            value, target = statement.value, statement.target
+            if statement.kind == "do" and isinstance(value, Call) and _root(value) == name:
+                policies |= self._chain(value, env)
+            elif statement.kind == "set" and isinstance(target, Member) and _root(target) == name:
+                policies |= self._assignment(target.name, value, env)
+        return policies
+
+    def _chain(self, expr: Expr, env: Env) -> dict[str, Any]:
+        if not isinstance(expr, Call) or not isinstance(expr.callee, Member):
+            return {}
+        return {**self._chain(expr.callee.base, env), **self._setter(expr.callee.name, expr, env, 0)}
+
+    def _function(self, expr: Call, env: Env, level: int) -> dict[str, Any]:
+        call = invocation_of(expr, env)
+        callee = self.folder.callee(call, env)
+        if callee is None:
+            return {}
+        args = bind(callee, call, env)
+        for at, statement in enumerate(callee.fact.body):
+            if statement.kind == "return" and statement.value is not None:
+                inner = Env(callee, at, args, this=callee.cls, depth=env.depth + 1)
+                return self._policies(statement.value, inner, level + 1)
+        return {}
+
+    def _number(self, expr: Expr, env: Env) -> int | None:
+        text = self.folder.fold(expr, env)[0].text
+        try:
+            return int(float(text))
+        except ValueError:
+            return None
+
+
+def _policy_word(expr: Expr) -> str:
+    """`ReliabilityPolicy.BEST_EFFORT`, `RMW_QOS_POLICY_RELIABILITY_BEST_EFFORT`, `rclcpp::ReliabilityPolicy::BestEffort`."""
+    text = expr.id if isinstance(expr, Name) else expr.name if isinstance(expr, Member) else ""
+    squeezed = last_name(text).replace("_", "").lower()
+    for word in (
+        "best_effort",
+        "reliable",
+        "transient_local",
+        "volatile",
+        "keep_last",
+        "keep_all",
+        "automatic",
+        "manual_by_topic",
+        "best_available",
+    ):
+        if squeezed.endswith(word.replace("_", "")):
+            return word
+    return ""
+
+
+def _milliseconds(expr: Expr) -> float | None:
+    if not isinstance(expr, Call):
+        return None
+    name = last_name(dotted_name(expr.callee) or (expr.callee.id if isinstance(expr.callee, Name) else ""))
+    keywords = dict(expr.keywords)
+    if name == "Duration" and keywords:
+        seconds, nanoseconds = keywords.get("seconds"), keywords.get("nanoseconds")
+        total = seconds.value * 1000.0 if isinstance(seconds, Number) else 0.0
+        return total + (nanoseconds.value * 1e-6 if isinstance(nanoseconds, Number) else 0.0)
+    if len(expr.args) == 1 and isinstance(expr.args[0], Number):
+        factor = {"milliseconds": 1.0, "seconds": 1000.0, "nanoseconds": 1e-6, "from_seconds": 1000.0}.get(
+            name, _UNITS.get(name)
+        )
+        return expr.args[0].value * factor if factor is not None else None
+    return _milliseconds(expr.args[0]) if len(expr.args) == 1 else None
+
+
+def _root(expr: Expr) -> str:
+    while isinstance(expr, Call | Member):
+        if isinstance(expr, Member) and expr.base == Name("this"):
+            return expr.name
+        expr = expr.callee if isinstance(expr, Call) else expr.base
+    return expr.id if isinstance(expr, Name) else ""

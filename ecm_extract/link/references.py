@@ -1,0 +1,65 @@
+"""Who mentions whom: from a class or function to the classes and functions that use it."""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Iterator
+
+from ecm_extract.link.program import Cls, File, Func
+from ecm_extract.link.sites import Sites
+
+Unit = Cls | Func
+_WORD = re.compile(r"\w+")
+
+
+class References:
+    """Reverse references between units; a method belongs to the unit of its class."""
+
+    def __init__(self, sites: Sites) -> None:
+        self.sites = sites
+        self.program = sites.program
+        self._mentions: dict[str, dict[int, tuple[Unit, File, str]]] = defaultdict(dict)
+        for group in self.program.classes.values():
+            for cls in group:
+                for field in cls.fact.fields:
+                    self._mention(field.type, cls, cls.file, cls.qualified)
+        for functions in self.program.functions.values():
+            for func in functions:
+                self._mention_body(func)
+
+    def _mention_body(self, func: Func) -> None:
+        unit: Unit = func.cls or func
+        scope = f"{func.fact.scope}::{func.fact.name}"
+        for statement in func.fact.body:
+            if statement.type and statement.type != "auto":
+                self._mention(statement.type, unit, func.file, scope)
+
+    def _mention(self, text: str, unit: Unit, file: File, scope: str) -> None:
+        for word in _WORD.findall(text):
+            if word in self.program.classes:
+                self._mentions[word][id(unit)] = (unit, file, scope)
+
+    def users(self, unit: Unit) -> Iterator[Unit]:
+        """Yield the units that derive from, hold, make or call a unit."""
+        if isinstance(unit, Cls):
+            yield from self._class_users(unit)
+        else:
+            yield from self._callers(unit)
+
+    def _class_users(self, cls: Cls) -> Iterator[Unit]:
+        yield from self.sites.derived(cls)
+        for unit, file, scope in self._mentions.get(cls.fact.name, {}).values():
+            if unit is not cls and self.program.class_named(cls.fact.name, file, scope) in {cls, None}:
+                yield unit
+        for call in self.sites.calls.get(cls.fact.name, ()):
+            if self.sites._makes(call, cls):
+                yield call.func.cls or call.func
+        for method in cls.methods:
+            if "static" in method.fact.traits:
+                yield from self._callers(method)
+
+    def _callers(self, func: Func) -> Iterator[Unit]:
+        for call in self.sites.calls.get(func.fact.name, ()):
+            if call.func is not func and self.sites._means(call, func):
+                yield call.func.cls or call.func

@@ -1,0 +1,144 @@
+"""What build files and registration macros say: plugins, components, programs, libraries."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from fnmatch import fnmatch
+from pathlib import PurePosixPath
+
+from ecm_parsers.cmake_facts import Target
+
+from ecm_extract.link.modules import Registry, registration_kind, snake
+from ecm_extract.link.program import Cls, File, Func, Program, plain
+from ecm_extract.read.facts import PackageFacts
+
+_SUFFIXES = ("", ".cpp", ".cc", ".cxx", ".c", ".py")
+
+
+def build_registry(program: Program, packages: Iterable[PackageFacts]) -> Registry:
+    """Collect the registrations of all packages."""
+    registry = Registry()
+    by_package: dict[str, list[File]] = {}
+    for file in program.files:
+        by_package.setdefault(file.package, []).append(file)
+        _macros(file, program, registry)
+    for package in packages:
+        files = by_package.get(package.name, [])
+        _plugins(package, files, program, registry)
+        _components(package, files, program, registry)
+        _targets(package, {file.path for file in files}, registry)
+        _programs(package, files, program, registry)
+    return registry
+
+
+def _macros(file: File, program: Program, registry: Registry) -> None:
+    for macro in file.facts.macros:
+        for arg in macro.args:
+            cls = program.class_named(plain(arg), file)
+            if cls is not None:
+                _register(cls, registration_kind(macro.name), registry)
+                break
+
+
+def _register(cls: Cls, kind: str, registry: Registry) -> None:
+    registry.classes.setdefault(id(cls), kind)
+
+
+def _plugins(package: PackageFacts, files: list[File], program: Program, registry: Registry) -> None:
+    for classes in package.plugins.values():
+        for entry in classes:
+            cls = _class_of(entry.type, files, program)
+            if cls is not None:
+                nodelet = "odelet" in entry.base_class_type
+                _register(cls, "nodelet" if nodelet else "plugin", registry)
+                registry.names.setdefault(id(cls), snake(cls.fact.name))
+
+
+def _components(package: PackageFacts, files: list[File], program: Program, registry: Registry) -> None:
+    for file in package.cmake.values():
+        for entry in file.components:
+            cls = _class_of(entry.plugin_class, files, program)
+            if cls is not None:
+                _register(cls, "component", registry)
+                if entry.executable:
+                    registry.names[id(cls)] = entry.executable
+
+
+def _class_of(written: str, files: list[File], program: Program) -> Cls | None:
+    name = plain(written)
+    for cls in program.classes.get(name.rsplit("::", 1)[-1], ()):
+        if cls.file in files and (
+            cls.qualified == name or cls.qualified.endswith("::" + name) or "::" not in name
+        ):
+            return cls
+    return None
+
+
+def _targets(package: PackageFacts, listed: set[str], registry: Registry) -> None:
+    for path, file in package.cmake.items():
+        for target in file.targets:
+            if target.kind == "library":
+                for source in _sources(target, path, listed):
+                    registry.libraries.setdefault(source, target.name)
+
+
+def _sources(target: Target, cmake: str, listed: set[str]) -> list[str]:
+    """Return the files of a target: names without a suffix are tried as CMake does, patterns are expanded."""
+    folder = str(PurePosixPath(cmake).parent)
+    prefix = "" if folder == "." else f"{folder}/"
+    found = []
+    for source in target.sources:
+        path = prefix + source.removeprefix("./")
+        if "*" in path:
+            found.extend(sorted(entry for entry in listed if fnmatch(entry, path)))
+        else:
+            found.extend(path + suffix for suffix in _SUFFIXES if path + suffix in listed)
+    return found
+
+
+def _programs(package: PackageFacts, files: list[File], program: Program, registry: Registry) -> None:
+    names = _executables(package, {file.path for file in files})
+    entries = _entry_points(package)
+    for file in files:
+        for func in _mains(file, program, entries):
+            stem = PurePosixPath(file.path).stem
+            registry.programs[id(func)] = names.get(file.path) or entries.get((stem, func.fact.name)) or stem
+
+
+def _executables(package: PackageFacts, listed: set[str]) -> dict[str, str]:
+    found: dict[str, str] = {}
+    for path, file in package.cmake.items():
+        for target in file.targets:
+            if target.kind == "executable":
+                for source in _sources(target, path, listed):
+                    found.setdefault(source, target.name)
+    return found
+
+
+def _entry_points(package: PackageFacts) -> dict[tuple[str, str], str]:
+    found = {}
+    for setup in package.setups.values():
+        for entry in setup.entry_points:
+            if entry.group == "console_scripts":
+                found[entry.module.rsplit(".", 1)[-1], entry.attribute] = entry.name
+    return found
+
+
+def _mains(file: File, program: Program, entries: dict[tuple[str, str], str]) -> list[Func]:
+    """Main functions of a file: `main`, what an entry point names, and the body of a Python program."""
+    stem = PurePosixPath(file.path).stem
+    wanted = {"main", *(attribute for module, attribute in entries if module == stem)}
+    found = [
+        func
+        for name in wanted
+        for func in program.functions.get(name, ())
+        if func.file is file and func.cls is None
+    ]
+    if file.language == "python":
+        body = [func for func in program.functions.get("<module>", ()) if func.file is file]
+        found += [func for func in body if file.facts.shebang or found or _runs_as_main(func)]
+    return found
+
+
+def _runs_as_main(func: Func) -> bool:
+    return any(statement.kind == "do" and statement.depth > 0 for statement in func.fact.body)

@@ -1,0 +1,151 @@
+"""Which definitions a name has at a place: locals, parameters, members, constants, module globals."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from typing import NamedTuple
+
+from ecm_parsers.source.expr import Expr, Member, Name
+from ecm_parsers.source.facts import Statement
+
+from ecm_extract.link.env import Env
+from ecm_extract.link.program import Cls, File, Func, Program
+
+
+class Definition(NamedTuple):
+    """One assignment: the statement `func.body[at]`."""
+
+    func: Func
+    at: int
+
+    @property
+    def statement(self) -> Statement:
+        """The assigning statement."""
+        return self.func.fact.body[self.at]
+
+
+class Scope:
+    """Definition look-ups over a program, each function and class indexed once."""
+
+    def __init__(self, program: Program) -> None:
+        self.program = program
+        self._locals: dict[int, dict[str, list[int]]] = {}
+        self._members: dict[int, dict[str, list[Definition]]] = {}
+
+    def locals_of(self, func: Func) -> dict[str, list[int]]:
+        """Return name -> indices of the statements that bind it in a function."""
+        known = self._locals.get(id(func))
+        if known is None:
+            known = defaultdict(list)
+            for at, statement in enumerate(func.fact.body):
+                if isinstance(statement.target, Name) and statement.kind != "init":
+                    known[statement.target.id].append(at)
+            self._locals[id(func)] = known
+        return known
+
+    def local(self, name: str, env: Env) -> list[Definition]:
+        """Return the assignments of a local that can reach the place: the last certain one and conditional ones after it."""
+        func = env.func
+        indices = self.locals_of(func).get(name)
+        if not indices:
+            return []
+        body = func.fact.body
+        earlier = [at for at in indices if at < env.at]
+        reaching: list[int] = []
+        for at in reversed(earlier):
+            reaching.append(at)
+            if body[at].depth == 0 and body[at].value is not None:
+                break
+        return [Definition(func, at) for at in reaching if body[at].value is not None]
+
+    def declared_type(self, name: str, env: Env) -> str:
+        """Return the written type of a variable at a place: local, parameter, member, constant; empty when unknown."""
+        body = env.func.fact.body
+        for at in self.locals_of(env.func).get(name, ()):
+            if body[at].kind == "let" and body[at].type and body[at].type != "auto":
+                return body[at].type
+        for parameter in env.func.fact.params:
+            if parameter.name == name:
+                return parameter.type
+        return self.member_type(name, env.this or env.func.cls)
+
+    def member_type(self, name: str, cls: Cls | None) -> str:
+        """Return the written type of a data member, bases included."""
+        for entry in self.program.ancestry(cls) if cls is not None else ():
+            field = entry.fields.get(name)
+            if field is not None:
+                return field.type
+        return ""
+
+    def members(self, name: str, cls: Cls) -> list[Definition]:
+        """Return the assignments of a data member in all methods of a class (bases are separate classes)."""
+        known = self._members.get(id(cls))
+        if known is None:
+            known = defaultdict(list)
+            for method in cls.methods:
+                own = {parameter.name for parameter in method.fact.params}
+                for at, statement in enumerate(method.fact.body):
+                    target = _member_target(statement, own)
+                    if target and statement.value is not None:
+                        known[target].append(Definition(method, at))
+            self._members[id(cls)] = known
+        return known.get(name, [])
+
+    def constant(self, name: str, env: Env) -> tuple[Expr, Func | None, File] | None:
+        """Return the value of a constant that `name` means at a place, with the file it stands in."""
+        last = name.rsplit("::", 1)[-1]
+        best, rank = None, 0
+        for file, constant in self.program.constants.get(last, ()):
+            if constant.value is None or file.language != env.func.file.language:
+                continue
+            score = self._constant_rank(name, constant.scope, file, env)
+            if score > rank:
+                best, rank = (constant.value, None, file), score
+        return best
+
+    def _constant_rank(self, name: str, scope: str, file: File, env: Env) -> int:
+        here = env.func.file
+        near = self.program._nearness(file, here)
+        if "::" in name:
+            qualifier = name.rsplit("::", 1)[0]
+            return (
+                10 + near
+                if scope == qualifier
+                or scope.endswith("::" + qualifier)
+                or (qualifier.endswith(scope)
+                and scope)
+                else 0
+            )
+        inside = bool(scope) and (env.scope == scope or env.scope.startswith(scope + "::"))
+        if self._in_ancestry(scope, env):
+            return 20 + near
+        if inside:
+            return 10 + len(scope.split("::")) + near
+        if not scope or any(scope == using or scope.endswith("::" + using) for using in here.facts.usings):
+            return 5 + near if near else 0
+        return 0
+
+    def _in_ancestry(self, scope: str, env: Env) -> bool:
+        cls = env.this or env.func.cls
+        return (
+            bool(scope)
+            and cls is not None
+            and any(entry.qualified == scope for entry in self.program.ancestry(cls))
+        )
+
+    def module_globals(self, file: File) -> Func | None:
+        """Return the module body of a Python file."""
+        return next((f for f in self.program.functions.get("<module>", ()) if f.file is file), None)
+
+
+def _member_target(statement: Statement, params: set[str]) -> str:
+    target = statement.target
+    if isinstance(target, Member) and target.base == Name("this"):
+        return target.name
+    if (
+        isinstance(target, Name)
+        and statement.kind in {"set", "init"}
+        and (statement.kind == "init" or target.id not in params)
+    ):
+        return target.id
+    return ""

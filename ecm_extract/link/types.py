@@ -1,0 +1,251 @@
+"""Message, service and action types: from what the source writes to `package/kind/Name`."""
+
+from __future__ import annotations
+
+import re
+from typing import NamedTuple
+
+from ecm_checker.contract import Role
+from ecm_parsers.source.expr import Call, Expr, Lambda, Member, Name, Op, Text
+
+from ecm_extract.link.calls import Invocation, dotted_name, pointee, template_arguments
+from ecm_extract.link.env import Env
+from ecm_extract.link.fold import Folder
+from ecm_extract.link.program import plain
+
+_KINDS = ("msg", "srv", "action")
+_ROLE_KIND: dict[Role, str] = {
+    "publisher": "msg",
+    "subscriber": "msg",
+    "service_server": "srv",
+    "service_client": "srv",
+    "action_server": "action",
+    "action_client": "action",
+}
+_SUFFIX = re.compile(
+    r"(?:::)?(?:Const)?(?:Shared|Unique)?(?:Const)?Ptr$|::(?:Request|Response|Goal|Result|Feedback)$"
+)
+_EVENT = re.compile(r"^(?:const\s+)?(?:ros::)?(?:Message|Service)Event\s*<(.*)>\s*&?$")
+_ACTION_PART = re.compile(r"Action$")
+
+
+class TypeFound(NamedTuple):
+    """A type, and the template parameters in it that callers know."""
+
+    name: str | None
+    open: frozenset[str] = frozenset()
+
+
+UNKNOWN_TYPE = TypeFound(None)
+
+
+class Types:
+    """Resolves types at call sites."""
+
+    def __init__(self, folder: Folder) -> None:
+        self.folder = folder
+        self.program = folder.program
+
+    def at(self, positions: str, call: Invocation, env: Env, role: Role) -> TypeFound:
+        """Return the type that the first fitting position of a form's row gives."""
+        if "/" in positions:
+            return TypeFound(positions)
+        for position in positions.split("|") if positions else ():
+            kind, _, index = position.partition(":")
+            found = self._position(kind, index, call, env, role)
+            if found.name is not None or found.open:
+                return found
+        return UNKNOWN_TYPE
+
+    def _position(self, kind: str, index: str, call: Invocation, env: Env, role: Role) -> TypeFound:
+        if kind == "template":
+            return (
+                self.written(call.types[int(index)], env, role)
+                if int(index) < len(call.types)
+                else UNKNOWN_TYPE
+            )
+        if kind == "receiver":
+            types = (
+                template_arguments(pointee(self.folder.type_of(call.receiver, env))) if call.receiver else ()
+            )
+            return self.written(types[int(index)], env, role) if int(index) < len(types) else UNKNOWN_TYPE
+        arg = dict(call.keywords).get(index) if kind == "kw" else _argument(call, int(index))
+        if arg is None:
+            return UNKNOWN_TYPE
+        if kind in {"callback", "service_callback"}:
+            return self._callback(arg, env, role, kind == "service_callback")
+        if kind == "variable":
+            return self.written(self.folder.type_of(arg, env), env, role)
+        return self.expression(arg, env, role)
+
+    def expression(self, expr: Expr, env: Env, role: Role) -> TypeFound:
+        """Return the type that an expression names: a Python class, or text `pkg/Name`."""
+        if isinstance(expr, Text):
+            return TypeFound(self._full(expr.value.replace("/", "::"), role))
+        dotted = dotted_name(expr)
+        if dotted and env.func.file.language == "python":
+            return self._python(dotted, expr, env, role)
+        bound = env.args.get(expr.id) if isinstance(expr, Name) else None
+        if bound is not None:
+            return self.expression(bound.expr, bound.env, role)
+        if isinstance(expr, Call | Member | Name | Op):
+            values = self.folder.fold(expr, env)
+            text = values[0].text
+            if "/" in text and "{" not in text:
+                return TypeFound(self._full(text.replace("/", "::"), role))
+            return TypeFound(None, values[0].open("param") | values[0].open("made"))
+        return UNKNOWN_TYPE
+
+    def _python(self, dotted: str, expr: Expr, env: Env, role: Role) -> TypeFound:
+        head, *rest = dotted.split(".")
+        imported = env.func.file.imported.get(head)
+        if imported is not None:
+            return TypeFound(self._full("::".join([*imported.split("."), *rest]), role))
+        bound = env.args.get(head) if not rest else None
+        if bound is not None:
+            return self.expression(bound.expr, bound.env, role)
+        if not rest and any(parameter.name == head for parameter in env.func.fact.params):
+            return TypeFound(None, frozenset({head}))
+        if isinstance(expr, Name):
+            for definition in self.folder.scope.local(head, env):
+                value = definition.statement.value
+                if value is not None:
+                    return self.expression(value, env.before(definition.at), role)
+            starred = [entry.module for entry in env.func.file.facts.imports if entry.name == "*"]
+            for module in starred:
+                if module.rsplit(".", 1)[-1] in _KINDS:
+                    return TypeFound(self._full("::".join([*module.split("."), head]), role))
+        return UNKNOWN_TYPE
+
+    def written(self, text: str, env: Env, role: Role, depth: int = 0) -> TypeFound:
+        """Return the type that C++ source text means: aliases, template parameters and pointers resolved."""
+        if depth > 6 or not text:
+            return UNKNOWN_TYPE
+        event = _EVENT.match(text.strip())
+        if event:
+            return self.written(template_arguments(text)[0], env, role, depth + 1)
+        bare = _bare(text)
+        bound = env.types.get(bare) or (env.made.types.get(bare) if env.made is not None else None)
+        if bound is not None and bound != bare:
+            return self.written(bound, env, role, depth + 1)
+        template = self._template_names(env)
+        if bare in template:
+            return TypeFound(None, frozenset({bare}))
+        alias = (
+            self.program.alias(bare, env.func.file, self._scope(env))
+            if "::" not in bare or _not_ros(bare)
+            else None
+        )
+        if alias is not None and _bare(alias) != bare:
+            return self.written(alias, env, role, depth + 1)
+        head, _, tail = bare.partition("::")
+        if head in template:
+            return TypeFound(None, frozenset({head}))
+        outer = self.program.alias(head, env.func.file, self._scope(env)) if tail else None
+        if outer is not None and plain(outer) != head:
+            return self.written(f"{_bare(outer)}::{tail}", env, role, depth + 1)
+        if "::" not in bare:
+            for using in env.func.file.facts.usings:
+                if using.rsplit("::", 1)[-1] in _KINDS or using.endswith("_msgs"):
+                    return TypeFound(self._full(f"{using}::{bare}", role))
+        return TypeFound(self._full(bare, role))
+
+    def _scope(self, env: Env) -> str:
+        cls = env.func.cls
+        return f"{cls.qualified}::{env.func.fact.name}" if cls is not None else env.scope
+
+    def _template_names(self, env: Env) -> set[str]:
+        names = set(env.func.fact.template)
+        if env.func.cls is not None:
+            names.update(env.func.cls.fact.template)
+        return names - {""}
+
+    def _full(self, text: str, role: Role) -> str | None:
+        """`sensor_msgs::msg::Imu`, `sensor_msgs::Imu`, `sensor_msgs::msg::dds_::Imu_` -> `sensor_msgs/msg/Imu`."""
+        parts = [part for part in _SUFFIX.sub("", text).split("::") if part and part != "_" + part]
+        if len(parts) >= 3 and parts[-2].startswith("_"):
+            parts.pop(-2)
+        for kind in _KINDS:
+            if kind in parts[1:-1]:
+                at = parts.index(kind, 1)
+                name = parts[-1] if len(parts) > at + 1 else ""
+                return f"{parts[at - 1]}/{kind}/{_action(name, kind)}" if name[:1].isupper() else None
+        wanted = _ROLE_KIND.get(role)
+        if wanted is None or len(parts) != 2 or not parts[1][:1].isupper():
+            return None
+        return f"{parts[0]}/{wanted}/{_action(parts[1], wanted)}"
+
+    def _callback(self, expr: Expr, env: Env, role: Role, service: bool) -> TypeFound:
+        if isinstance(expr, Lambda):
+            return self.written(expr.param_types[0], env, role) if expr.param_types else UNKNOWN_TYPE
+        name = _callback_name(expr)
+        if name is None:
+            return UNKNOWN_TYPE
+        if isinstance(name, Lambda):
+            return self._callback(name, env, role, service)
+        for func in self._named(name, env):
+            params = [p for p in func.fact.params if p.type]
+            if params:
+                inner = Env(func, types=env.types, this=env.this, made=env.made)
+                return self.written(params[0].type, inner, role)
+        for definition in self.folder.scope.local(name, env):
+            value = definition.statement.value
+            if value is not None:
+                return self._callback(value, env.before(definition.at), role, service)
+        return UNKNOWN_TYPE
+
+    def _named(self, name: str, env: Env) -> list[object]:
+        last = name.rsplit("::", 1)[-1]
+        candidates = self.program.functions.get(last, [])
+        own = env.this or env.func.cls
+        owner = (
+            self.program.class_named(name.rsplit("::", 1)[0], env.func.file, env.scope)
+            if "::" in name
+            else own
+        )
+        lineage = self.program.ancestry(owner) if owner is not None else ()
+        methods = [func for func in candidates if func.cls in lineage]
+        near = [func for func in candidates if func.file is env.func.file]
+        return [*methods, *near]  # type: ignore[list-item]
+
+
+def _bare(text: str) -> str:
+    """The type's name without pointers, references and template arguments of pointers."""
+    stripped = _SUFFIX.sub(
+        "",
+        " ".join(
+            word
+            for word in text.replace("&", " ").replace("*", " ").split()
+            if word not in {"const", "typename", "template"}
+        ),
+    )
+    inner = pointee(stripped)
+    inner = " ".join(word for word in inner.split() if word not in {"const", "typename"})
+    head = inner.split("<", 1)[0].strip()
+    return _SUFFIX.sub("", head).strip().removeprefix("::")
+
+
+def _not_ros(name: str) -> bool:
+    return not any(f"::{kind}::" in name for kind in _KINDS)
+
+
+def _action(name: str, kind: str) -> str:
+    return _ACTION_PART.sub("", name) if kind == "action" and name != "Action" else name
+
+
+def _argument(call: Invocation, index: int) -> Expr | None:
+    return call.args[index] if index < len(call.args) else None
+
+
+def _callback_name(expr: Expr) -> str | Lambda | None:
+    """The function that `&C::f`, `f`, `std::bind(&C::f, this, _1)`, `boost::bind(...)` or a cast of them means."""
+    if isinstance(expr, Op) and expr.op == "&" and isinstance(expr.operands[0], Name):
+        return expr.operands[0].id
+    if isinstance(expr, Name):
+        return expr.id
+    if isinstance(expr, Member):
+        return expr.name
+    if isinstance(expr, Call) and expr.args:
+        first = expr.args[0]
+        return first if isinstance(first, Lambda) else _callback_name(first)
+    return None

@@ -1,0 +1,88 @@
+"""Folded values: text with holes where no artefact shows what stands there."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Literal, NamedTuple
+
+from ecm_checker.contract import Confidence
+
+MAX_ALTERNATIVES = 12
+_RANK: dict[Confidence, int] = {"literal": 0, "folded": 1, "default": 2, "pattern": 3}
+
+
+class Hole(NamedTuple):
+    """An unknown part of a value.
+
+    `param`: a parameter of the function at hand, which its callers know; `made`: a parameter of the constructor,
+    which whoever makes the object knows; `unknown`: nobody does.
+    """
+
+    label: str
+    kind: Literal["param", "made", "unknown"] = "unknown"
+
+
+class Value(NamedTuple):
+    """One possible value: its parts in order and how surely it is known."""
+
+    parts: tuple[str | Hole, ...]
+    confidence: Confidence = "literal"
+
+    @property
+    def text(self) -> str:
+        """The value with holes as `{label}`."""
+        return "".join(part if isinstance(part, str) else f"{{{part.label}}}" for part in self.parts)
+
+    def open(self, kind: str) -> frozenset[str]:
+        """Return the labels of the holes of a kind."""
+        return frozenset(part.label for part in self.parts if isinstance(part, Hole) and part.kind == kind)
+
+
+def literal(text: str) -> Value:
+    """A value read as it stands."""
+    return Value((text,))
+
+
+def unknown(label: str) -> Value:
+    """A value that nothing shows; the label tells what it is called in source."""
+    return Value((Hole(_label(label)),), "pattern")
+
+
+def parameter(label: str, made: bool = False) -> Value:
+    """A value that the callers of the function at hand know, or the makers of the object."""
+    return Value((Hole(label, "made" if made else "param"),), "pattern")
+
+
+def weaker(first: Confidence, second: Confidence) -> Confidence:
+    """The less certain of two."""
+    return first if _RANK[first] >= _RANK[second] else second
+
+
+def lowered(values: Iterable[Value], to: Confidence) -> tuple[Value, ...]:
+    """The same values, at most as certain as `to`."""
+    return tuple([Value(value.parts, weaker(value.confidence, to)) for value in values])
+
+
+def joined(groups: Iterable[tuple[Value, ...]]) -> tuple[Value, ...]:
+    """Concatenate: every combination of one alternative of each group, bounded."""
+    results: list[Value] = [Value((), "folded")]
+    for group in groups:
+        results = [
+            Value(left.parts + right.parts, weaker(left.confidence, right.confidence))
+            for left in results
+            for right in group
+        ][:MAX_ALTERNATIVES]
+    return tuple(results)
+
+
+def unique(values: Iterable[Value]) -> tuple[Value, ...]:
+    """Drop repetitions by text and patterns that a known value stands beside, keeping order."""
+    seen: dict[str, Value] = {}
+    for value in values:
+        seen.setdefault(value.text, value)
+    known = [value for value in seen.values() if any(isinstance(part, str) and part for part in value.parts)]
+    return tuple((known or list(seen.values()))[:MAX_ALTERNATIVES])
+
+
+def _label(text: str) -> str:
+    return text.strip("_").rsplit("::", 1)[-1].removeprefix("m_") or "value"

@@ -1,0 +1,46 @@
+"""The facts of a tree, by package."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from ecm_parsers.cmake_facts import CmakeFile
+from ecm_parsers.dynamic_reconfigure import ReconfigureFile
+from ecm_parsers.interface_facts import Definition
+from ecm_parsers.package_facts import Manifest
+from ecm_parsers.parameter_library import ParameterNamespace
+from ecm_parsers.plugin_xml import PluginClass
+from ecm_parsers.python_setup_facts import PythonSetup
+from ecm_parsers.source.facts import SourceFile
+
+from ecm_extract.discover import PackageRoot
+
+
+@dataclass(slots=True)
+class PackageFacts:
+    """What the files of one package declare, each by its path in the tree.
+
+    Attributes:
+        root: the package's folder and files.
+        manifest: of `package.xml`; None when there is none or it cannot be read.
+        ros: 1 or 2; None when no artefact tells.
+    """
+
+    root: PackageRoot
+    manifest: Manifest | None = None
+    ros: int | None = None
+    cmake: dict[str, CmakeFile] = field(default_factory=dict)
+    setups: dict[str, PythonSetup] = field(default_factory=dict)
+    interfaces: dict[str, Definition] = field(default_factory=dict)
+    plugins: dict[str, tuple[PluginClass, ...]] = field(default_factory=dict)
+    parameters: dict[str, tuple[ParameterNamespace, ...]] = field(default_factory=dict)
+    reconfigure: dict[str, ReconfigureFile] = field(default_factory=dict)
+    sources: dict[str, SourceFile] = field(default_factory=dict)
+
+    @property
+    def name(self) -> str:
+        """Name of the package: of its manifest, else of its folder."""
+        if self.manifest is not None and self.manifest.name:
+            return self.manifest.name
+        project = next((file.project for file in self.cmake.values() if file.project), None)
+        return project or self.root.path.rsplit("/", 1)[-1] or "package"

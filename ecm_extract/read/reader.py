@@ -1,0 +1,161 @@
+"""Read a whole tree: small declarative artefacts in this process, sources on all cores."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from fnmatch import fnmatch
+from pathlib import PurePosixPath
+from typing import Any, cast
+
+from ecm_parsers import dynamic_reconfigure, interface, package_xml, parameter_library, plugin_xml
+from ecm_parsers.interface_facts import Shape
+from ecm_parsers.result import Diagnostic, Parsed
+
+from ecm_extract.discover import PackageRoot, discover, is_test_path
+from ecm_extract.read import select
+from ecm_extract.read.build_files import read_cmake, read_setups
+from ecm_extract.read.facts import PackageFacts
+from ecm_extract.read.parallel import Task, parse_sources
+from ecm_extract.tree import FileDiagnostic, Tree, printable
+
+Progress = Callable[[int, int], None]
+
+
+class Reader:
+    """Reads the packages of one tree.
+
+    Attributes:
+        tree: where files are read.
+        files: how many were parsed. bytes: how much that was.
+    """
+
+    def __init__(self, tree: Tree, include_tests: bool = False, exclude: Iterable[str] = ()) -> None:
+        self.tree = tree
+        self.include_tests = include_tests
+        self.exclude = tuple(exclude)
+        self.files = 0
+        self.bytes = 0
+
+    def read(self, jobs: int | None, progress: Progress | None = None) -> list[PackageFacts]:
+        """Return the facts of every package, sorted by path."""
+        packages = [PackageFacts(self._wanted(root)) for root in discover(self.tree)]
+        tasks = self._tasks(packages)
+        count = 0
+
+        def done(finished: int) -> None:
+            nonlocal count
+            count += finished
+            if progress is not None:
+                progress(count, len(tasks))
+
+        parsed = parse_sources(self.tree, tasks, jobs, done)
+        owner = {entry.path: package for package in packages for entry in package.root.files}
+        for file in parsed:
+            owner[file.path].sources[file.path] = file.facts
+            self._count(file.path, file.size, file.diagnostics)
+        for package in packages:
+            self._read_package(package)
+        return packages
+
+    def _wanted(self, root: PackageRoot) -> PackageRoot:
+        if not self.exclude:
+            return root
+        kept = tuple(e for e in root.files if not any(fnmatch(e.path, pattern) for pattern in self.exclude))
+        return PackageRoot(root.path, root.manifest, kept)
+
+    def _tasks(self, packages: list[PackageFacts]) -> list[Task]:
+        return [task for package in packages for task in select.sources(package.root, self.include_tests)]
+
+    def _read_package(self, package: PackageFacts) -> None:
+        root = package.root
+        if root.manifest is not None and root.manifest.endswith("package.xml"):
+            package.manifest = self.parse(root.manifest, package_xml.parse)
+        package.cmake = read_cmake(self, root)
+        package.setups = read_setups(self, root)
+        package.ros = _ros(package)
+        for entry in root.files:
+            self._read_declarative(package, entry.path)
+        self._read_named(package)
+
+    def _read_declarative(self, package: PackageFacts, path: str) -> None:
+        suffix = PurePosixPath(path).suffix
+        if suffix in select.INTERFACES and (self.include_tests or not is_test_path(path, package.root.path)):
+            shape = cast("Shape", suffix[1:])
+            found = self.parse(path, lambda data: interface.parse(data, shape))
+            if found is not None:
+                package.interfaces[path] = found
+        elif suffix == ".cfg" and "cfg" in PurePosixPath(path).parts[:-1]:
+            reconfigure = self.parse(path, dynamic_reconfigure.parse_dynamic_reconfigure)
+            if reconfigure is not None:
+                package.reconfigure[path] = reconfigure
+
+    def _read_named(self, package: PackageFacts) -> None:
+        """Files that another file names: plugin descriptions and parameter libraries."""
+        for path in sorted(self._plugin_files(package)):
+            classes = self.parse(path, plugin_xml.parse)
+            if classes is not None:
+                package.plugins[path] = classes
+        for folder, file in package.cmake.items():
+            for library in file.parameter_libraries:
+                path = _beside(folder, library.path)
+                found = self.parse(path, parameter_library.parse_parameter_library)
+                if found is not None:
+                    package.parameters[path] = found
+
+    def _plugin_files(self, package: PackageFacts) -> set[str]:
+        listed = {entry.path for entry in package.root.files}
+        named = {
+            _beside(at, entry.path)
+            for at, file in package.cmake.items()
+            for entry in file.plugin_descriptions
+        }
+        root = f"{package.root.path}/" if package.root.path else ""
+        if package.manifest is not None:
+            named |= {root + entry.path.lstrip("/") for entry in package.manifest.plugins}
+        return named & listed
+
+    def parse(self, path: str, parser: Callable[[bytes], Parsed[Any]]) -> Any:
+        """Return the facts of one file, None when it cannot be read; diagnostics go to the tree."""
+        for _, data in self.tree.read_many([path]):
+            parsed = parser(data)
+            self._count(path, len(data), parsed.diagnostics)
+            return parsed.facts
+        return None
+
+    def _count(self, path: str, size: int, diagnostics: Iterable[Diagnostic]) -> None:
+        self.files += 1
+        self.bytes += size
+        for entry in diagnostics:
+            located = FileDiagnostic(entry.severity, entry.code, printable(path), entry.line, entry.message)
+            self.tree.report(located)
+
+
+def _beside(path: str, relative: str) -> str:
+    """Return a path that a file at `path` gives relative to its own folder."""
+    parts: list[str] = []
+    for part in [*PurePosixPath(path).parts[:-1], *PurePosixPath(relative).parts]:
+        if part == "..":
+            parts[-1:] = []
+        elif part != ".":
+            parts.append(part)
+    return "/".join(parts)
+
+
+def _ros(package: PackageFacts) -> int | None:
+    """The ROS version: of the manifest, else of what the sources include."""
+    if package.root.rosbuild:
+        return 1
+    if package.manifest is not None:
+        known = package_xml.ros_version(package.manifest)
+        if known is not None:
+            return known
+        if package_xml.ros_versions(package.manifest):
+            return None
+    return _ros_by_includes(package)
+
+
+def _ros_by_includes(package: PackageFacts) -> int | None:
+    modules = {entry.module for facts in package.sources.values() for entry in facts.imports}
+    ros1 = any(module in {"ros/ros.h", "rospy"} for module in modules)
+    ros2 = any(module in {"rclcpp/rclcpp.hpp", "rclpy"} or module.startswith("rclpy.") for module in modules)
+    return None if ros1 == ros2 else 1 if ros1 else 2
