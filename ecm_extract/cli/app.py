@@ -9,9 +9,11 @@ from __future__ import annotations
 
 import difflib
 import pkgutil
+from collections.abc import Iterator
+from contextlib import contextmanager
 from importlib import import_module
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
 import click
 
@@ -28,6 +30,18 @@ Examples:
 """
 
 
+class OutputClosedError(Exception):
+    """Whoever read our output has left; click would end with status 1, which means findings here."""
+
+
+@contextmanager
+def _telling_closed_output() -> Iterator[None]:
+    try:
+        yield
+    except BrokenPipeError as error:
+        raise OutputClosedError from error
+
+
 class App(click.Group):
     """A group whose first argument may be the path of a tree: then the command is `extract`."""
 
@@ -42,6 +56,18 @@ class App(click.Group):
         module = import_module(f"{commands.__name__}.{cmd_name.replace('-', '_')}")
         command: click.Command = module.command
         return command
+
+    def make_context(
+        self, info_name: str | None, args: list[str], parent: click.Context | None = None, **extra: Any
+    ) -> click.Context:
+        """The context of a run; printing help and version happens here."""
+        with _telling_closed_output():
+            return super().make_context(info_name, args, parent, **extra)
+
+    def invoke(self, ctx: click.Context) -> Any:
+        """Run the command that the context names."""
+        with _telling_closed_output():
+            return super().invoke(ctx)
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Put the default command before arguments that name none."""

@@ -21,7 +21,7 @@ from typing import Final, NamedTuple
 
 import click
 
-from ecm_extract.cli.app import PROGRAM, app
+from ecm_extract.cli.app import PROGRAM, OutputClosedError, app
 from ecm_extract.errors import EcmError
 
 DEBUG_VARIABLE: Final = "ECM_DEBUG"
@@ -51,8 +51,9 @@ def run(arguments: Sequence[str]) -> int:
     try:
         status = app.main(list(arguments), prog_name=PROGRAM, standalone_mode=False)
         sys.stdout.flush()
-    except (BrokenPipeError, SystemExit) as error:
-        return _after_output_closed(error)
+    except (BrokenPipeError, OutputClosedError):
+        _close_output()
+        return _PIPE_CLOSED
     except click.exceptions.NoArgsIsHelpError as help_page:
         help_page.show()
         return _USAGE
@@ -64,14 +65,6 @@ def run(arguments: Sequence[str]) -> int:
         _tell(_End(_INTERRUPTED, "interrupted"))
         return _INTERRUPTED
     return status if isinstance(status, int) else 0
-
-
-def _after_output_closed(error: BrokenPipeError | SystemExit) -> int:
-    """Click leaves with status 1, which means findings here, when whoever read the output has left."""
-    if isinstance(error, SystemExit) and not isinstance(error.__context__, BrokenPipeError):
-        raise error
-    _close_output()
-    return _PIPE_CLOSED
 
 
 def _end_of(error: Exception) -> _End:

@@ -154,11 +154,11 @@ def test_commands_are_completed() -> None:
 
 
 def test_a_closed_pipe_is_silent(tmp_path: Path) -> None:
-    """`ecm-extract ... | head` ends without a word."""
+    """`ecm-extract ... | head` ends without a word, and not with the status of findings."""
     err = tmp_path / "err"
     with err.open("w") as stderr:
         process = subprocess.Popen([*PROGRAM, "--help"], stdout=subprocess.PIPE, stderr=stderr)
         assert process.stdout is not None
         process.stdout.close()
-        process.wait(timeout=20)
+        assert process.wait(timeout=20) == 141
     assert err.read_text() == ""
