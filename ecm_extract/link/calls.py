@@ -9,7 +9,7 @@ from typing import NamedTuple
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op, Table, Template
 from ecm_parsers.source.facts import Statement
 
-from ecm_extract.link.program import Func, plain
+from ecm_extract.link.program import Cls, Func, plain
 
 _MAKERS = frozenset({"make_shared", "make_unique", "allocate_shared"})
 _POINTERS = frozenset(
@@ -59,9 +59,21 @@ def invocations(func: Func) -> Iterator[Invocation]:
         if statement.value is not None:
             for call in walk(statement.value):
                 yield invocation(func, statement, call)
+        elif statement.kind == "let" and statement.type[:1].isalpha() and statement.type != "auto":
+            yield _construction(func, statement, statement.type, (), statement.line)
         implied = _implied(func, statement)
         if implied is not None:
             yield implied
+
+
+def held_objects(cls: Cls) -> Iterator[Invocation]:
+    """Yield a construction for each member that is an object, not a pointer, of a class with a method to hold it."""
+    if not cls.methods or cls.file.language != "cpp":
+        return
+    for field in cls.fact.fields:
+        if field.type[:1].isalpha() and pointee(field.type) == field.type and "*" not in field.type:
+            statement = Statement("let", field.line, None, Name(field.name), field.type)
+            yield _construction(cls.methods[0], statement, field.type, (), field.line)
 
 
 def walk(expr: Expr) -> Iterator[Call]:
@@ -100,6 +112,7 @@ def invocation(func: Func, statement: Statement, call: Call) -> Invocation:
             func, statement, callee.name, callee.base, call.args, call.keywords, call.types, call.line
         )
     path = callee.id if isinstance(callee, Name) else ""
+    call = _one_node(func, call)
     last = path.rsplit("::", 1)[-1]
     if last in _MAKERS and call.types:
         return _construction(func, statement, call.types[0], call.args, call.line)
@@ -109,6 +122,25 @@ def invocation(func: Func, statement: Statement, call: Call) -> Invocation:
         )
     made = statement.kind == "let" and statement.value is call and plain(statement.type) == path
     return Invocation(func, statement, path, None, call.args, call.keywords, call.types, call.line, made)
+
+
+def _one_node(func: Func, call: Call) -> Call:
+    """Read several node interfaces in front as the one node that they stand for."""
+    count = 0
+    while count < len(call.args) and _is_interface(func, call.args[count]):
+        count += 1
+    if count < 2:
+        return call
+    return Call(call.callee, (Name("node"), *call.args[count:]), call.keywords, call.types, call.line)
+
+
+def _is_interface(func: Func, expr: Expr) -> bool:
+    if isinstance(expr, Call) and isinstance(expr.callee, Member):
+        return expr.callee.name.startswith("get_node_") and expr.callee.name.endswith("_interface")
+    if not isinstance(expr, Name):
+        return False
+    values = [s.value for s in func.fact.body if s.target == expr and s.kind == "let" and s.value is not None]
+    return any(not isinstance(value, Name) and _is_interface(func, value) for value in values)
 
 
 def _construction(

@@ -142,6 +142,11 @@ def _field_default(name: str, env: Env, folder: Folder) -> Expr | None:
     return None
 
 
+def plain_type(written: str) -> str:
+    """Return a type as written without `const`, references and pointers."""
+    return " ".join(word for word in written.replace("&", " ").replace("*", " ").split() if word != "const")
+
+
 def declared_type(written: str) -> str | None:
     """Return the parameter type that a C++ template argument or `PARAMETER_*` constant means."""
     text = written.replace("rclcpp::", "").replace("std::", "").strip()
@@ -181,4 +186,4 @@ def type_of_data(value: Any) -> str | None:
     return None
 
 
-__all__ = ["UNKNOWN", "data_of", "declared_type", "stated_type", "type_of_data"]
+__all__ = ["UNKNOWN", "data_of", "declared_type", "plain_type", "stated_type", "type_of_data"]

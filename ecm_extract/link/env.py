@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
-from ecm_parsers.source.expr import Call, Expr
+from ecm_parsers.source.expr import Call, Expr, Items
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.link.calls import Invocation, invocation
@@ -75,6 +75,7 @@ def bind(callee: Func, call: Invocation, env: Env) -> dict[str, Bound]:
     rest = list(call.args)
     for parameter in callee.fact.params:
         if parameter.name.startswith("*"):
+            bound[parameter.name.lstrip("*")] = Bound(Items(tuple(rest)), env)
             break
         if rest:
             bound[parameter.name] = Bound(rest.pop(0), env)

@@ -26,6 +26,7 @@ from ecm_parsers.source.expr import (
 from ecm_extract.link import formats
 from ecm_extract.link.calls import Invocation, dotted_name, last_name, pointee, template_arguments
 from ecm_extract.link.env import Bound, Env, Instance, bind, invocation_of
+from ecm_extract.link.overloads import NO, score
 from ecm_extract.link.program import Cls, Func, Program, plain
 from ecm_extract.link.scope import Definition, Scope
 from ecm_extract.link.values import (
@@ -34,6 +35,7 @@ from ecm_extract.link.values import (
     joined,
     literal,
     lowered,
+    node_name,
     parameter,
     unique,
     unknown,
@@ -79,6 +81,9 @@ _READS = frozenset(
 )
 
 
+_ITSELF = frozenset({"lock", "get", "shared_from_this", "value", "release"})
+
+
 class ParameterReads(Protocol):
     """What the linker knows of parameters: which call reads one, and the defaults that were declared."""
 
@@ -88,7 +93,7 @@ class ParameterReads(Protocol):
     def written(self, func: Func, target: str) -> list[tuple[int, Expr, Expr | None]]:
         """Return (statement, name, default) of the calls of a function that write a parameter to a variable."""
 
-    def default(self, name: str, package: str) -> tuple[Expr, Env] | str | None:
+    def default(self, name: str, package: str, owners: Sequence[str] = ()) -> tuple[Expr, Env] | str | None:
         """Return the declared default of a parameter."""
 
 
@@ -128,9 +133,12 @@ class Folder:
 
     def _name(self, name: str, env: Env) -> tuple[Value, ...]:
         found = self._local(name, env)
+        given = any(entry.name.lstrip("*") == name for entry in env.func.fact.params)
+        if found and given and all(entry.statement.depth for entry in self.scope.local(name, env)):
+            return unique((*self._parameter(name, env), *found))
         if found:
             return found
-        if any(entry.name == name for entry in env.func.fact.params):
+        if given:
             return self._parameter(name, env)
         cls = env.this or env.func.cls
         if cls is not None and env.func.file.language == "cpp":
@@ -146,7 +154,20 @@ class Folder:
         for at, read, default in self.reads.written(env.func, name):
             if at < env.at:
                 values += self.parameter_value(read, default, env.before(at))
-        return unique(values) if values else ()
+        return unique(values or self._by_reference(name, env)) if values or not env.args.get(name) else ()
+
+    def _by_reference(self, name: str, env: Env) -> list[Value]:
+        """What functions of the tree write to a local that they get by reference."""
+        values: list[Value] = []
+        for at, expr, index in self.scope.passed(env.func, name):
+            callee = self.callee(invocation_of(expr, env.before(at)), env.before(at)) if at < env.at else None
+            if callee is None or callee is env.func or index >= len(callee.fact.params):
+                continue
+            target = callee.fact.params[index]
+            if target.type.endswith("&") and "const" not in target.type:
+                inner = Env(callee, this=env.this, made=env.made, depth=env.depth + 1)
+                values += self._local(target.name, inner)
+        return values
 
     def _defined(self, definition: Definition, env: Env) -> tuple[Value, ...]:
         statement = definition.statement
@@ -164,7 +185,13 @@ class Folder:
         default = next((entry.default for entry in env.func.fact.params if entry.name == name), None)
         if default is not None and env.args:
             return lowered(self.fold(default, env.before(0)), "default")
-        return (parameter(name, env.func.is_constructor),)
+        return (parameter(name, env.func.is_constructor, self._fallback(default, env)),)
+
+    def _fallback(self, default: Expr | None, env: Env) -> str | None:
+        """The text of a parameter's default, when it is one."""
+        value = self.fold(default, Env(env.func, 0, depth=env.depth + 1))[0] if default is not None else None
+        known = value is not None and value.confidence != "pattern" and value.text not in {"", "null"}
+        return value.text if value is not None and known else None
 
     def _constructor_argument(self, name: str, env: Env) -> tuple[Value, ...]:
         func = env.func
@@ -357,14 +384,26 @@ class Folder:
             return (
                 expr.callee.id
                 if not self.program.functions.get(last) or last in self.program.classes
-                else self._returned(last, env)
+                else self._returned(last)
             )
         dotted = dotted_name(expr.callee)
         if dotted and env.func.file.language == "python":
             return dotted
-        return self._returned(expr.callee.name, env) if isinstance(expr.callee, Member) else ""
+        return self._method_type(expr.callee, env) if isinstance(expr.callee, Member) else ""
 
-    def _returned(self, name: str, env: Env) -> str:
+    def _method_type(self, callee: Member, env: Env) -> str:
+        """The type that a method returns; `lock()` and the like give the object itself."""
+        inner = env.before(env.at)
+        if callee.name in _ITSELF:
+            return self.type_of(callee.base, inner)
+        cls = self.class_of(callee.base, inner)
+        for owner in self.program.ancestry(cls) if cls is not None else ():
+            for method in owner.methods:
+                if method.fact.name == callee.name and method.fact.returns:
+                    return method.fact.returns
+        return ""
+
+    def _returned(self, name: str) -> str:
         types = {func.fact.returns for func in self.program.functions.get(name, ()) if func.fact.returns}
         return next(iter(types)) if len(types) == 1 else ""
 
@@ -412,12 +451,35 @@ class Folder:
         read = self.reads.read(call)
         if read is not None:
             return self.parameter_value(*read, env.before(env.at))
+        if call.last == "join" and isinstance(call.receiver, Text) and call.args:
+            return self._joined(call.receiver.value, call.args[0], env.before(env.at))
         formatted = formats.formatted(call)
         if formatted is not None:
             return joined(self._folded_parts(formatted, env))
         if call.receiver is not None and call.last in _READS:
             return self.fold(call.receiver, env.before(env.at))
         return self._guarded(f"{call.path}()", env, lambda: self._returns(call, env))
+
+    def _joined(self, separator: str, expr: Expr, env: Env) -> tuple[Value, ...]:
+        groups: list[tuple[Value, ...]] = []
+        for bound in self.flat(expr, env):
+            if groups:
+                groups.append((literal(separator),))
+            groups.append(self.fold(bound.expr, bound.env.before(bound.env.at)))
+        return joined(groups)
+
+    def flat(self, expr: Expr, env: Env) -> list[Bound]:
+        """Return the elements of a sequence with spread and concatenated ones in place."""
+        if env.depth > MAX_DEPTH:
+            return [Bound(expr, env)]
+        if isinstance(expr, Items):
+            return [bound for item in expr.items for bound in self.flat(item, env.before(env.at))]
+        if isinstance(expr, Op) and expr.op == "+":
+            return [bound for operand in expr.operands for bound in self.flat(operand, env.before(env.at))]
+        if isinstance(expr, Name) and expr.id in env.args:
+            given = env.args[expr.id]
+            return self.flat(given.expr, given.env.before(given.env.at))
+        return [Bound(expr, env)]
 
     def _folded_parts(self, parts: Sequence[Expr | str], env: Env) -> list[tuple[Value, ...]]:
         inner = env.before(env.at)
@@ -426,8 +488,7 @@ class Folder:
     def _returns(self, call: Invocation, env: Env) -> tuple[Value, ...]:
         callee = self.callee(call, env)
         if callee is None:
-            label = call.last
-            return (unknown("name" if label in {"getName", "get_name"} else label),)
+            return (node_name(),) if _names_node(call) else (unknown(call.last),)
         returned = [
             (at, s.value)
             for at, s in enumerate(callee.fact.body)
@@ -446,43 +507,54 @@ class Folder:
 
     def callee(self, call: Invocation, env: Env) -> Func | None:
         """Return the function in the tree that a call means, with a body."""
-        candidates = [
-            f
-            for f in self.program.functions.get(call.last, ())
-            if f.fact.body and f.file.language == env.func.file.language
+        scored = [
+            (score(call, func), func) for func in self.program.functions.get(call.last, ()) if func.fact.body
         ]
+        candidates = [func for fit, func in sorted(scored, key=lambda entry: -entry[0]) if fit != NO]
         if not candidates:
             return None
         if call.receiver is not None:
             cls = self.class_of(call.receiver, env.before(env.at))
-            owners = self.program.ancestry(cls) if cls is not None else ()
-            return next((f for owner in owners for f in candidates if f.cls is owner), None)
-        own = env.this or env.func.cls
-        for owner in self.program.ancestry(own) if own is not None else ():
-            for func in candidates:
-                if func.cls is owner:
-                    return func
+            return self._method(cls, candidates)
+        found = self._method(env.this or env.func.cls, candidates)
+        return found or self._free(call, candidates, env)
+
+    def _method(self, cls: Cls | None, candidates: Sequence[Func]) -> Func | None:
+        owners = self.program.ancestry(cls) if cls is not None else ()
+        return next((func for owner in owners for func in candidates if func.cls is owner), None)
+
+    def _free(self, call: Invocation, candidates: Sequence[Func], env: Env) -> Func | None:
         free = [
             f for f in candidates if f.cls is None or call.path.endswith(f"{f.cls.fact.name}::{f.fact.name}")
         ]
-        near = sorted(free, key=lambda f: -self.program._nearness(f.file, env.func.file))
-        return near[0] if near else None
+        least = 0 if "::" in call.path or "." in call.path else 1
+        near = [(self.program.nearness(f.file, env.func.file), f) for f in free]
+        return max(
+            (entry for entry in near if entry[0] >= least), key=lambda entry: entry[0], default=(0, None)
+        )[1]
 
     def parameter_value(self, name: Expr, default: Expr | None, env: Env) -> tuple[Value, ...]:
         """Return the value of a ROS parameter: its default where the call or a declaration has one."""
         names = self.fold(name, env)
-        known = self.reads.default(names[0].text, env.func.file.package)
+        owner = (env.this or env.func.cls) if env.func is not None else None
+        lineage = self.program.ancestry(owner) if owner is not None else ()
+        known = self.reads.default(
+            names[0].text, env.func.file.package, tuple([cls.qualified for cls in lineage])
+        )
         return self._default_value(names[0].text, known, default, env)
 
     def _default_value(
         self, name: str, known: tuple[Expr, Env] | str | None, default: Expr | None, env: Env
     ) -> tuple[Value, ...]:
+        values: tuple[Value, ...] = ()
         if default is not None:
-            return lowered(self.fold(default, env.before(env.at)), "default")
-        if isinstance(known, str):
-            return (Value((known,), "default"),)
-        if known is not None:
-            return lowered(self.fold(known[0], known[1].before(known[1].at)), "default")
+            values = lowered(self.fold(default, env.before(env.at)), "default")
+        elif isinstance(known, str):
+            values = (Value((known,), "default"),)
+        elif known is not None:
+            values = lowered(self.fold(known[0], known[1].before(known[1].at)), "default")
+        if values and (values[0].text or len(values) > 1):
+            return values
         return (unknown(name.rsplit("/", 1)[-1].rsplit(".", 1)[-1].strip("~{}")),)
 
     # --- operators -----------------------------------------------------------------------------------
@@ -531,6 +603,8 @@ class Folder:
             return self.items(expr.args[0], env)
         if isinstance(expr, Call) and isinstance(expr.callee, Name) and "vector" in expr.callee.id:
             return [Bound(item, env) for item in expr.args]
+        if isinstance(expr, Name) and expr.id in env.args:
+            return self.items(env.args[expr.id].expr, env.args[expr.id].env.before(env.args[expr.id].env.at))
         for definition, inner in self.definitions(expr, env):
             value = definition.statement.value
             found = self.items(value, inner) if definition.statement.kind != "each" else None
@@ -560,6 +634,14 @@ class Folder:
             for definition in self.scope.members(name, entry):
                 found.append((definition, Env(definition.func, definition.at, this=cls, depth=env.depth + 1)))
         return found
+
+
+def _names_node(call: Invocation) -> bool:
+    """`get_name()` of a node and its ROS 1 counterparts; in-tree functions of that name were tried before."""
+    return call.last in {"get_name", "get_fully_qualified_name"} or call.path in {
+        "ros::this_node::getName",
+        "rospy.get_name",
+    }
 
 
 def _calls_super(call: Call, parent: Cls) -> bool:

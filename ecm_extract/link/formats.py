@@ -11,7 +11,6 @@ from ecm_extract.link.calls import Invocation
 
 _PERCENT = re.compile(r"%(?:\((\w+)\))?[-+ #0-9.]*l?[sdifurgx]")
 _BRACES = re.compile(r"\{([^{}:!]*)(?:[:!][^{}]*)?\}")
-_JOINERS = {"append": "/", "join": "/"}
 
 
 def formatted(call: Invocation) -> list[Expr | str] | None:
@@ -21,9 +20,7 @@ def formatted(call: Invocation) -> list[Expr | str] | None:
         return braces(receiver.value, args, dict(call.keywords))
     if call.path in {"fmt::format", "std::format"} and args and isinstance(args[0], Text):
         return braces(args[0].value, args[1:], {})
-    if call.last == "join" and isinstance(receiver, Text) and args and isinstance(args[0], Items):
-        return _with_separator(args[0].items, receiver.value)
-    if call.path in {"os.path.join", "ros::names::append", "names::append", "rospy.names.ns_join"}:
+    if call.path in {"os.path.join", "rospy.names.ns_join"} or call.path.endswith("names::append"):
         return _with_separator(args, "/")
     if call.last == "concat" or call.path == "absl::StrCat":
         return list(args)

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from ecm_checker.contract import Evidence, Interface, Qos
-from ecm_parsers.source.expr import Expr, Items
+from ecm_parsers.source.expr import Call, Expr, Items, Name, Text
 
-from ecm_extract.link.data import UNKNOWN, data_of, declared_type, stated_type, type_of_data
+from ecm_extract.link.data import UNKNOWN, data_of, declared_type, plain_type, stated_type, type_of_data
 from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.forms import FormTable
@@ -21,14 +21,14 @@ from ecm_extract.link.modules import Module, Modules
 from ecm_extract.link.names import RosName, endpoint_name, parameter_name
 from ecm_extract.link.node_names import NodeNames
 from ecm_extract.link.parameters import Parameters
-from ecm_extract.link.program import File, Program
+from ecm_extract.link.program import File, Program, plain
 from ecm_extract.link.qos import QosReader
 from ecm_extract.link.references import References
 from ecm_extract.link.registry import build_registry
 from ecm_extract.link.scope import Scope
 from ecm_extract.link.sites import Site, Sites
 from ecm_extract.link.types import Types
-from ecm_extract.link.values import Value, literal
+from ecm_extract.link.values import Value, literal, settled, with_node
 from ecm_extract.read.facts import PackageFacts
 
 MAX_NAMES = 40
@@ -64,6 +64,7 @@ class Linker:
     def link(self) -> list[LinkedModule]:
         """Return all modules with their endpoints, in a stable order."""
         self.generated.declare(self.parameters)
+        self._declare_ports()
         declared = self.sites.find(parameters=True)
         self._declare_defaults(declared)
         nodes = self._class_nodes()
@@ -84,6 +85,14 @@ class Linker:
                 if name is not None:
                     nodes[id(cls)] = name
         return nodes
+
+    def _declare_ports(self) -> None:
+        """Behaviour tree ports carry defaults like parameters do: `InputPort<T>("name", default, "description")`."""
+        for name in ("InputPort", "BidirectionalPort"):
+            for call in self.sites.calls.get(name, ()):
+                if len(call.args) == 3 and isinstance(call.args[0], Text) and call.func.cls is not None:
+                    env = self.sites.root_env(call.func, self.sites.position(call))
+                    self.parameters.declare(call.args[0].value, call.func.cls.qualified, (call.args[1], env))
 
     def _declare_defaults(self, sites: Iterable[Site]) -> None:
         for site in sites:
@@ -120,7 +129,8 @@ class Linker:
         ros = site.root.file.ros
         handle = self._handle(site)
         evidence = tuple(Evidence(path, line) for path, line in dict.fromkeys(site.lines()))
-        for value, default in self._named(site):
+        for named, default in self._named(site):
+            value = settled(with_node(named, node))
             name, confidence = self._name(site, value, handle, node, ros), value.confidence
             kind, data = self._typed(site, default)
             if value.text == "" and site.form.role != "parameter":
@@ -189,12 +199,38 @@ class Linker:
         written = site.call.types[0] if site.form.type == "template:0" and site.call.types else ""
         written = site.env.types.get(written, written)
         out = next(positions(site.form.out, site.call), None)
-        declared = declared_type(written) or stated or (type_of_data(data) if data is not UNKNOWN else None)
-        return declared or self._out_type(out, site.env), data
+        declared = (
+            self._declared(written, site.env)
+            or stated
+            or (type_of_data(data) if data is not UNKNOWN else None)
+        )
+        return declared or self._out_type(out, site.env) or self._default_type(default, site.env), data
 
     def _bound_stated(self, default: Expr | None, env: Env) -> str | None:
         bound = env.args.get(getattr(default, "id", "")) if default is not None else None
         return stated_type(bound.expr) if bound is not None else None
+
+    def _default_type(self, default: Expr | None, env: Env) -> str | None:
+        """The type of the variable or construction that a default is."""
+        if isinstance(default, Name) and default.id in env.args:
+            bound = env.args[default.id]
+            return self._default_type(bound.expr, bound.env)
+        if isinstance(default, Call) and isinstance(default.callee, Name):
+            inner = default.args[0] if default.callee.id.endswith("ParameterValue") and default.args else None
+            if inner is not None:
+                return self._default_type(inner, env)
+            arguments = f"<{', '.join(default.types)}>" if default.types else ""
+            return self._declared(default.callee.id + arguments, env)
+        return self._declared(self.folder.type_of(default, env), env) if default is not None else None
+
+    def _declared(self, written: str, env: Env) -> str | None:
+        found = declared_type(plain_type(written))
+        alias = (
+            self.program.alias(plain(written), env.func.file, env.scope)
+            if found is None and written
+            else None
+        )
+        return declared_type(plain_type(alias)) if alias else found
 
     def _out_type(self, out: Expr | None, env: Env) -> str | None:
         written = self.folder.type_of(out, env) if out is not None else ""

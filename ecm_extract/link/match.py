@@ -6,11 +6,11 @@ from collections.abc import Iterator
 
 from ecm_parsers.source.expr import Constant, Expr, Lambda, Name, Number, Op, Text
 
-from ecm_extract.link.calls import Invocation, last_name, pointee
+from ecm_extract.link.calls import Invocation, invocations, last_name, pointee
 from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.forms import Form, FormTable
-from ecm_extract.link.program import plain
+from ecm_extract.link.program import Func, plain
 
 
 class Matcher:
@@ -47,6 +47,8 @@ class Matcher:
     def _method(self, form: Form, call: Invocation, env: Env) -> bool:
         if form.receiver:
             return self._receiver(form, call, env)
+        if form.fixed:
+            return True
         if call.receiver is not None:
             return self._own_method(call, env)
         if not call.simple:
@@ -54,16 +56,12 @@ class Matcher:
             known = self.folder.program.class_named(owner, call.func.file, env.scope)
             return known is not None or owner.endswith("Node")
         callee = self.folder.callee(call, env)
-        return callee is None or callee.cls is not None or callee.fact.name in env.func.fact.name
+        return callee is None or callee is call.func or (callee.cls is not None and not _forwards(callee))
 
     def _own_method(self, call: Invocation, env: Env) -> bool:
-        """A class of the tree that has a method of this name with another first parameter is not a node."""
-        if call.func.file.language == "python":
-            return True
+        """A method of the tree that passes its name on is a wrapper, and so no form itself."""
         callee = self.folder.callee(call, env)
-        if callee is None or callee.cls is None or not callee.fact.params:
-            return True
-        return "string" in callee.fact.params[0].type or "char" in callee.fact.params[0].type
+        return callee is None or callee is call.func or not _forwards(callee)
 
     def _receiver(self, form: Form, call: Invocation, env: Env) -> bool:
         if call.receiver is None:
@@ -91,6 +89,11 @@ class Matcher:
         )
 
 
+def _forwards(func: Func) -> bool:
+    """Tell whether a function calls another of its own name: a helper around the real thing."""
+    return any(call.last == func.fact.name for call in invocations(func))
+
+
 def positions(text: str, call: Invocation) -> Iterator[Expr]:
     """Yield the arguments at the positions of a row, in order of preference."""
     keywords = dict(call.keywords)
@@ -113,7 +116,10 @@ def name_argument(form: Form, call: Invocation) -> Expr | None:
 
 
 def _qualified(path: str, callee: str) -> bool:
-    separator = "." if "." in callee else "::"
+    if "." in callee:
+        parts = path.split(".")
+        return parts[0] == callee.split(".")[0] and parts[-1] == last_name(callee)
+    separator = "::"
     return path == callee or path.endswith(separator + callee)
 
 

@@ -58,6 +58,7 @@ class NodeNames:
                 if (
                     constructor is None
                     or not call.args
+                    or not constructor.fact.params
                     or "name" not in constructor.fact.params[0].name.lower()
                 ):
                     return None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Sequence
 
 from ecm_parsers.source.expr import Expr, Member, Name
 
@@ -10,9 +11,10 @@ from ecm_extract.link.calls import Invocation, invocations
 from ecm_extract.link.env import Env, bind
 from ecm_extract.link.forms import Form, FormTable
 from ecm_extract.link.match import name_argument, positions
+from ecm_extract.link.overloads import NO, score
 from ecm_extract.link.program import Func
 
-_READERS = frozenset({"get_parameter", "getParam", "get_param", "get_parameter_or"})
+_READERS = frozenset({"get_parameter", "getParam", "get_param", "get_parameter_or", "getInput"})
 
 
 class Parameters:
@@ -43,13 +45,20 @@ class Parameters:
         return None
 
     def _wrapped(self, call: Invocation) -> tuple[Expr, Expr | None] | None:
-        for func, name, default in self._wrappers.get(call.last, ()):
-            if len(call.args) > len(func.fact.params):
-                continue
-            bound = bind(func, call, Env(call.func))
-            if name in bound:
-                return bound[name].expr, bound[default].expr if default in bound else None
-        return None
+        scored = [(score(call, func), func, name, default) for func, name, default in self._fitting(call)]
+        best = max((entry for entry in scored if entry[0] != NO), key=lambda entry: entry[0], default=None)
+        if best is None:
+            return None
+        _, func, name, default = best
+        bound = bind(func, call, Env(call.func))
+        return (
+            (bound[name].expr, bound[default].expr if default in bound else None) if name in bound else None
+        )
+
+    def _fitting(self, call: Invocation) -> list[tuple[Func, str, str]]:
+        """A method is called on an object or from its class, a function on nothing."""
+        found = self._wrappers.get(call.last, ())
+        return [entry for entry in found if entry[0].cls is not None or call.receiver is None]
 
     def written(self, func: Func, target: str) -> list[tuple[int, Expr, Expr | None]]:
         """Return (statement, name, default) of the calls of a function that write a parameter to a variable."""
@@ -84,13 +93,18 @@ class Parameters:
         """Remember the default of a declared parameter; the first declaration in a package stands."""
         self._defaults.setdefault((package, name), default)
 
-    def default(self, name: str, package: str) -> tuple[Expr, Env] | str | None:
-        """Return the declared default of a parameter."""
+    def default(self, name: str, package: str, owners: Sequence[str] = ()) -> tuple[Expr, Env] | str | None:
+        """Return the declared default: of a port of one of the classes `owners`, else of a parameter."""
+        for owner in owners:
+            if (owner, name) in self._defaults:
+                return self._defaults[owner, name]
         return self._defaults.get((package, name))
 
     def add_wrapper(self, func: Func, name: str, default: str) -> None:
         """Remember that a function reads the parameter named by its parameter `name`."""
-        self._wrappers[func.fact.name].append((func, name, default))
+        known = self._wrappers[func.fact.name]
+        if all(entry[0] is not func for entry in known):
+            known.append((func, name, default))
 
 
 def _variable(expr: Expr | None) -> str:

@@ -13,7 +13,7 @@ from pathlib import PurePosixPath
 from ecm_parsers.source.facts import Alias, Class, Constant, Field, Function, SourceFile
 
 
-@dataclass(slots=True, eq=False)
+@dataclass(slots=True, eq=False, repr=False)
 class File:
     """One source file: its path, the package it belongs to, its facts."""
 
@@ -29,7 +29,7 @@ class File:
         return self.facts.language
 
 
-@dataclass(slots=True, eq=False)
+@dataclass(slots=True, eq=False, repr=False)
 class Func:
     """A function with the file it stands in and, for a method, its class."""
 
@@ -43,7 +43,7 @@ class Func:
         return self.cls is not None and self.fact.name in {self.cls.fact.name, "__init__"}
 
 
-@dataclass(slots=True, eq=False)
+@dataclass(slots=True, eq=False, repr=False)
 class Cls:
     """A class with its file and all definitions of its methods, wherever they stand."""
 
@@ -104,9 +104,10 @@ class Program:
     def _nearest(self, candidates: list[Cls], file: File) -> Cls | None:
         if not candidates:
             return None
-        return max(candidates, key=lambda cls: self._nearness(cls.file, file))
+        return max(candidates, key=lambda cls: self.nearness(cls.file, file))
 
-    def _nearness(self, other: File, file: File) -> int:
+    def nearness(self, other: File, file: File) -> int:
+        """Return how close another file is: 3 itself, 2 included, 1 in the same package, 0 elsewhere."""
         if other is file:
             return 3
         if self.includes(file, other):
@@ -181,7 +182,7 @@ class Program:
         enclosing = set(_enclosing(scope))
         fitting = [(other, alias) for other, alias in entries if self._alias_fits(alias, name, enclosing)]
         near = [
-            (self._nearness(other, file), alias.scope in enclosing, alias.target) for other, alias in fitting
+            (self.nearness(other, file), alias.scope in enclosing, alias.target) for other, alias in fitting
         ]
         near = [entry for entry in near if entry[0] > 0]
         return max(near, key=lambda entry: (entry[1], entry[0]))[2] if near else None

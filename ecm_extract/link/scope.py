@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections import defaultdict
 from typing import NamedTuple
 
-from ecm_parsers.source.expr import Expr, Member, Name
+from ecm_parsers.source.expr import Call, Expr, Member, Name
 from ecm_parsers.source.facts import Statement
 
+from ecm_extract.link.calls import walk
 from ecm_extract.link.env import Env
 from ecm_extract.link.program import Cls, File, Func, Program
 
@@ -30,6 +31,7 @@ class Scope:
     def __init__(self, program: Program) -> None:
         self.program = program
         self._locals: dict[int, dict[str, list[int]]] = {}
+        self._passed: dict[int, dict[str, list[tuple[int, Call, int]]]] = {}
         self._members: dict[int, dict[str, list[Definition]]] = {}
 
     def locals_of(self, func: Func) -> dict[str, list[int]]:
@@ -57,6 +59,19 @@ class Scope:
             if body[at].depth == 0 and body[at].value is not None:
                 break
         return [Definition(func, at) for at in reaching if body[at].value is not None]
+
+    def passed(self, func: Func, name: str) -> list[tuple[int, Call, int]]:
+        """Return (statement, call, argument index) of the calls that a local is handed to."""
+        known = self._passed.get(id(func))
+        if known is None:
+            known = defaultdict(list)
+            for at, statement in enumerate(func.fact.body):
+                for call in walk(statement.value) if statement.value is not None else ():
+                    for index, arg in enumerate(call.args):
+                        if isinstance(arg, Name):
+                            known[arg.id].append((at, call, index))
+            self._passed[id(func)] = known
+        return known.get(name, [])
 
     def declared_type(self, name: str, env: Env) -> str:
         """Return the written type of a variable at a place: local, parameter, member, constant; empty when unknown."""
@@ -105,15 +120,14 @@ class Scope:
 
     def _constant_rank(self, name: str, scope: str, file: File, env: Env) -> int:
         here = env.func.file
-        near = self.program._nearness(file, here)
+        near = self.program.nearness(file, here)
         if "::" in name:
             qualifier = name.rsplit("::", 1)[0]
             return (
                 10 + near
                 if scope == qualifier
                 or scope.endswith("::" + qualifier)
-                or (qualifier.endswith(scope)
-                and scope)
+                or (qualifier.endswith(scope) and scope)
                 else 0
             )
         inside = bool(scope) and (env.scope == scope or env.scope.startswith(scope + "::"))

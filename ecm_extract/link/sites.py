@@ -6,23 +6,24 @@ for a class that passes a constructor argument or template argument on: each pla
 
 from __future__ import annotations
 
-from collections import defaultdict
+from collections import defaultdict, deque
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from ecm_parsers.source.expr import Call, Items, Name, Op
+from ecm_parsers.source.expr import Expr, Name
 
-from ecm_extract.link.calls import Invocation, invocations, last_name, template_arguments
+from ecm_extract.link.calls import Invocation, held_objects, invocations, last_name
 from ecm_extract.link.env import Env, Instance, bind
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.forms import Form
-from ecm_extract.link.match import Matcher, name_argument
+from ecm_extract.link.match import Matcher, name_argument, positions
+from ecm_extract.link.overloads import NO, score
 from ecm_extract.link.parameters import Parameters
-from ecm_extract.link.program import Cls, Func, Program
+from ecm_extract.link.program import Cls, Func, Program, plain
 from ecm_extract.link.types import Types
 
 MAX_CHAIN = 5
-MAX_EXPANSIONS = 400
+MAX_EXPANSIONS = 50_000
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -63,9 +64,14 @@ class Sites:
         self.calls: dict[str, list[Invocation]] = defaultdict(list)
         self._positions: dict[int, dict[int, int]] = {}
         self._derived: dict[int, list[Cls]] | None = None
+        self._targets: dict[int, tuple[Func, ...]] = {}
         for functions in program.functions.values():
             for func in functions:
                 for call in invocations(func):
+                    self.calls[call.last].append(call)
+        for group in program.classes.values():
+            for cls in group:
+                for call in held_objects(cls):
                     self.calls[call.last].append(call)
 
     def find(self, parameters: bool) -> list[Site]:
@@ -97,15 +103,15 @@ class Sites:
         if known is None:
             known = {id(statement): at for at, statement in enumerate(call.func.fact.body)}
             self._positions[id(call.func)] = known
-        return known[id(call.statement)]
+        return known.get(id(call.statement), len(known))
 
     # --- wrappers --------------------------------------------------------------------------------------
 
     def _closed(self, site: Site) -> Iterable[Site]:
         """Expand a site over its callers until nothing more is known; without callers it stands as it is."""
-        pending, closed = [site], []
+        pending, closed = deque([site]), []
         while pending and len(closed) < MAX_EXPANSIONS:
-            current = pending.pop(0)
+            current = pending.popleft()
             wider = list(self._wider(current)) if len(current.chain) < MAX_CHAIN else []
             if wider:
                 pending.extend(wider)
@@ -117,7 +123,7 @@ class Sites:
         params, made = self._open(site)
         own = {parameter.name for parameter in site.root.fact.params} | set(site.root.fact.template)
         if params & own:
-            if site.form.role == "parameter" and not site.chain:
+            if site.form.role == "parameter":
                 self._remember_wrapper(site)
             yield from self._callers(site)
         elif made and site.owner is not None:
@@ -142,13 +148,16 @@ class Sites:
         return params, made
 
     def _remember_wrapper(self, site: Site) -> None:
-        name = name_argument(site.form, site.call)
-        labels = self.folder.fold(name, site.env)[0].open("param") if name is not None else frozenset()
-        params = [parameter.name for parameter in site.root.fact.params if parameter.name in labels]
-        given = next((arg for arg in site.call.args[1:] if _mentions(arg, site.root)), None)
-        default = given.id if isinstance(given, Name) else ""
-        if params:
-            self.parameters.add_wrapper(site.root, params[-1], default)
+        """A function that declares the parameter it is asked for also gives its value."""
+        name = self._parameter_of(name_argument(site.form, site.call), site)
+        default = self._parameter_of(next(positions(site.form.default, site.call), None), site)
+        if name:
+            self.parameters.add_wrapper(site.root, name, default)
+
+    def _parameter_of(self, expr: Expr | None, site: Site) -> str:
+        """Return the parameter of the outermost function that an argument comes from, empty for none."""
+        labels = self.folder.fold(expr, site.env)[0].open("param") if expr is not None else frozenset()
+        return next((entry.name for entry in reversed(site.root.fact.params) if entry.name in labels), "")
 
     def _callers(self, site: Site) -> Iterator[Site]:
         root = site.root
@@ -162,30 +171,31 @@ class Sites:
             yield self._through(site, call, outer)
 
     def _means(self, call: Invocation, func: Func) -> bool:
-        """Tell whether a call can be of this function: arity, language, class of the receiver, visibility."""
-        count = len(call.args) + len(call.keywords)
-        required = sum(
-            parameter.default is None and not parameter.name.startswith("*") for parameter in func.fact.params
-        )
-        variadic = any(parameter.name.startswith("*") for parameter in func.fact.params)
-        if call.func.file.language != func.file.language or (
-            not variadic and not required <= count <= len(func.fact.params)
-        ):
-            return False
+        """Tell whether a call is of this function: the best of those that its arguments and receiver allow."""
+        return func in self.targets(call)
+
+    def targets(self, call: Invocation) -> tuple[Func, ...]:
+        """Return the functions of the tree that a call can mean, the best fitting overloads only."""
+        known = self._targets.get(id(call))
+        if known is None:
+            scored = [(score(call, func), func) for func in self.program.functions.get(call.last, ())]
+            fitting = [(fit, func) for fit, func in scored if fit != NO and self._visible(call, func)]
+            best = max((fit for fit, _ in fitting), default=0)
+            known = self._targets[id(call)] = tuple(func for fit, func in fitting if fit == best)
+        return known
+
+    def _visible(self, call: Invocation, func: Func) -> bool:
         if "lambda" in func.fact.traits:
+            here = f"{call.func.fact.scope}::{call.func.fact.name}"
             return (
                 call.func.file is func.file
                 and call.receiver is None
-                and (
-                    f"{call.func.fact.scope}::{call.func.fact.name}".endswith(func.fact.scope)
-                    or call.func.fact.scope.endswith(func.fact.scope)
-                )
+                and func.fact.scope in {here, call.func.fact.scope}
             )
         if func.cls is not None:
             return self._method_means(call, func.cls)
-        return call.receiver is None and self.program._nearness(func.file, call.func.file) >= (
-            0 if "::" in call.path else 1
-        )
+        near = self.program.nearness(func.file, call.func.file)
+        return call.receiver is None and near >= (0 if "::" in call.path or "." in call.path else 1)
 
     def _method_means(self, call: Invocation, cls: Cls) -> bool:
         if call.receiver is None and "::" not in call.path:
@@ -197,15 +207,28 @@ class Sites:
         owner = self.folder.class_of(call.receiver, env)
         if owner is not None:
             return cls in self.program.ancestry(owner)
-        return not self.folder.type_of(call.receiver, env)
+        written = plain(self.folder.type_of(call.receiver, env))
+        return not written or written == "auto" or written in self._templates(call.func)
+
+    def _templates(self, func: Func) -> set[str]:
+        return {*func.fact.template, *(func.cls.fact.template if func.cls is not None else ())}
 
     def _through(self, site: Site, call: Invocation, outer: Env) -> Site:
         """Rebuild the chain of environments from a new outermost call."""
-        env = outer
-        for link, following in zip((call, *site.chain), (*site.chain, site.call), strict=True):
+        env = self._enter(call, self._first(site), outer)
+        return Site(
+            site.form, site.call, self._inside(site, env), (call, *site.chain), call.func.cls, call.func
+        )
+
+    def _first(self, site: Site) -> Invocation:
+        return site.chain[0] if site.chain else site.call
+
+    def _inside(self, site: Site, root: Env) -> Env:
+        """Walk from the outermost function, whose place is given, to the form itself."""
+        env = root
+        for link, following in zip(site.chain, (*site.chain[1:], site.call), strict=False):
             env = self._enter(link, following, env)
-        owner = call.func.cls
-        return Site(site.form, site.call, env, (call, *site.chain), owner, call.func)
+        return env
 
     def _enter(self, link: Invocation, following: Invocation, env: Env) -> Env:
         func, at = following.func, self.position(following)
@@ -243,37 +266,31 @@ class Sites:
 
     def _makers(self, site: Site, cls: Cls) -> Iterator[Site]:
         """One site for each class that derives from `cls`, and for each place that makes one."""
-        for derived in self.derived(cls):
+        at = self.position(self._first(site))
+        for derived in self.derived(cls) if site.owner is site.root.cls else ():
             made = Instance(derived, {}, {})
-            env = Env(site.env.func, site.env.at, site.env.args, site.env.types, derived, made)
-            if site.chain or (site.env.made is not None and site.env.made.cls is not cls):
-                continue
-            if self._base_types(derived, cls) or self._calls_base(derived, cls):
-                part = self.folder.part(made, cls)
-                types = {**site.env.types, **(dict(part.types) if part is not None else {})}
-                env = Env(site.env.func, site.env.at, site.env.args, types, derived, made)
-                yield Site(site.form, site.call, env, site.chain, derived, site.root)
+            part = self.folder.part(made, cls)
+            types = dict(part.types) if part is not None else {}
+            root = Env(site.root, at, {}, types, derived, made)
+            yield Site(site.form, site.call, self._inside(site, root), site.chain, derived, site.root)
         for call in self.calls.get(cls.fact.name, ()):
-            if not self._makes(call, cls) or any(call is link for link in site.chain) or call.func.cls is cls:
-                continue
-            yield self._made_at(site, cls, call)
+            if (
+                call.func.cls is not cls
+                and self._makes(call, cls)
+                and not any(call is link for link in site.chain)
+            ):
+                yield self._made_at(site, cls, call, at)
 
-    def _calls_base(self, derived: Cls, cls: Cls) -> bool:
-        return cls in self.program.ancestry(derived)
-
-    def _base_types(self, derived: Cls, cls: Cls) -> bool:
-        return any(template_arguments(base) for base in derived.fact.bases)
-
-    def _made_at(self, site: Site, cls: Cls, call: Invocation) -> Site:
+    def _made_at(self, site: Site, cls: Cls, call: Invocation, at: int) -> Site:
         outer = self.root_env(call.func, self.position(call))
         constructor = self.folder.constructor(cls, len(call.args))
         args = bind(constructor, call, outer) if constructor is not None else {}
-        made = Instance(cls, args, self._class_types(cls, call, outer))
-        inner = site.env
-        own = args if inner.func.is_constructor and inner.func.cls is cls else inner.args
-        env = Env(inner.func, inner.at, own, {**inner.types, **made.types}, cls, made)
-        owner = call.func.cls
-        return Site(site.form, site.call, env, (call, *site.chain), owner, call.func)
+        types = self._class_types(cls, call, outer)
+        own = args if site.root.is_constructor and site.root.cls is cls else {}
+        root = Env(site.root, at, own, types, cls, Instance(cls, args, types))
+        return Site(
+            site.form, site.call, self._inside(site, root), (call, *site.chain), call.func.cls, call.func
+        )
 
     def _makes(self, call: Invocation, cls: Cls) -> bool:
         if last_name(call.path) != cls.fact.name or call.receiver is not None:
@@ -296,12 +313,3 @@ class Sites:
                     for base in self.program.ancestry(entry)[1:]:
                         self._derived[id(base)].append(entry)
         return self._derived.get(id(cls), [])
-
-
-def _mentions(expr: object, func: Func) -> bool:
-    names = {parameter.name for parameter in func.fact.params}
-    if isinstance(expr, Name):
-        return expr.id in names
-    if isinstance(expr, Call | Op | Items):
-        return False
-    return False

@@ -12,14 +12,15 @@ _RANK: dict[Confidence, int] = {"literal": 0, "folded": 1, "default": 2, "patter
 
 
 class Hole(NamedTuple):
-    """An unknown part of a value.
+    """An unknown part of a value; `default` is what it is when nobody says otherwise.
 
     `param`: a parameter of the function at hand, which its callers know; `made`: a parameter of the constructor,
-    which whoever makes the object knows; `unknown`: nobody does.
+    which whoever makes the object knows; `node`: the name of the node at hand; `unknown`: nobody does.
     """
 
     label: str
-    kind: Literal["param", "made", "unknown"] = "unknown"
+    kind: Literal["param", "made", "node", "unknown"] = "unknown"
+    default: str | None = None
 
 
 class Value(NamedTuple):
@@ -48,9 +49,37 @@ def unknown(label: str) -> Value:
     return Value((Hole(_label(label)),), "pattern")
 
 
-def parameter(label: str, made: bool = False) -> Value:
+def parameter(label: str, made: bool = False, default: str | None = None) -> Value:
     """A value that the callers of the function at hand know, or the makers of the object."""
-    return Value((Hole(label, "made" if made else "param"),), "pattern")
+    return Value((Hole(label, "made" if made else "param", default),), "pattern")
+
+
+def settled(value: Value) -> Value:
+    """Fill holes that have a default: nobody in the tree says otherwise."""
+    if not any(isinstance(part, Hole) and part.default is not None for part in value.parts):
+        return value
+    parts = tuple(
+        [
+            part.default if isinstance(part, Hole) and part.default is not None else part
+            for part in value.parts
+        ]
+    )
+    rest = any(isinstance(part, Hole) for part in parts)
+    return Value(parts, "pattern" if rest else "default")
+
+
+def node_name() -> Value:
+    """The name of the node that the code runs in."""
+    return Value((Hole("node", "node"),), "pattern")
+
+
+def with_node(value: Value, node: str | None) -> Value:
+    """Fill in the name of the node where it is known."""
+    if node is None or not value.open("node"):
+        return value
+    parts = tuple([node if isinstance(part, Hole) and part.kind == "node" else part for part in value.parts])
+    rest = any(isinstance(part, Hole) for part in parts)
+    return Value(parts, "pattern" if rest else "folded")
 
 
 def weaker(first: Confidence, second: Confidence) -> Confidence:
