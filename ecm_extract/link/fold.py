@@ -24,10 +24,10 @@ from ecm_parsers.source.expr import (
 )
 
 from ecm_extract.link import formats
-from ecm_extract.link.calls import Invocation, dotted_name, last_name, pointee, template_arguments
+from ecm_extract.link.calls import Invocation, dotted_name
 from ecm_extract.link.env import Bound, Env, Instance, bind, invocation_of
-from ecm_extract.link.overloads import NO, score
-from ecm_extract.link.program import Cls, Func, Program, plain
+from ecm_extract.link.objects import Objects
+from ecm_extract.link.program import Cls, Func, Program
 from ecm_extract.link.scope import Definition, Scope
 from ecm_extract.link.values import (
     MAX_ALTERNATIVES,
@@ -81,7 +81,8 @@ _READS = frozenset(
 )
 
 
-_ITSELF = frozenset({"lock", "get", "shared_from_this", "value", "release"})
+_STREAMS = frozenset({"stringstream", "ostringstream"})
+_PROPERTY_READS = frozenset({"getStdString", "getTopicStd", "getString"})
 
 
 class ParameterReads(Protocol):
@@ -103,6 +104,7 @@ class Folder:
     def __init__(self, program: Program, scope: Scope, reads: ParameterReads) -> None:
         self.program = program
         self.scope = scope
+        self.objects = Objects(program, scope)
         self.reads = reads
         self.instances: Callable[[Cls], Sequence[Instance]] = lambda cls: ()
         self._active: set[tuple[int, str, int]] = set()
@@ -160,7 +162,11 @@ class Folder:
         """What functions of the tree write to a local that they get by reference."""
         values: list[Value] = []
         for at, expr, index in self.scope.passed(env.func, name):
-            callee = self.callee(invocation_of(expr, env.before(at)), env.before(at)) if at < env.at else None
+            callee = (
+                self.objects.callee(invocation_of(expr, env.before(at)), env.before(at))
+                if at < env.at
+                else None
+            )
             if callee is None or callee is env.func or index >= len(callee.fact.params):
                 continue
             target = callee.fact.params[index]
@@ -190,77 +196,16 @@ class Folder:
     def _fallback(self, default: Expr | None, env: Env) -> str | None:
         """The text of a parameter's default, when it is one."""
         value = self.fold(default, Env(env.func, 0, depth=env.depth + 1))[0] if default is not None else None
-        known = value is not None and value.confidence != "pattern" and value.text not in {"", "null"}
+        known = value is not None and value.confidence != "pattern" and value.text != "null"
         return value.text if value is not None and known else None
 
     def _constructor_argument(self, name: str, env: Env) -> tuple[Value, ...]:
         func = env.func
         if not func.is_constructor or env.made is None or func.cls is None:
             return ()
-        instance = self.part(env.made, func.cls)
+        instance = self.objects.part(env.made, func.cls)
         bound = instance.args.get(name) if instance is not None else None
         return _demoted(self.fold(bound.expr, bound.env.before(bound.env.at))) if bound is not None else ()
-
-    def part(self, made: Instance, base: Cls, depth: int = 0) -> Instance | None:
-        """Return how the `base` part of an object is made, following constructor initialisers."""
-        if made.cls is base:
-            return made
-        if depth > 8:
-            return None
-        for written in made.cls.fact.bases:
-            parent = self.program.class_named(plain(written), made.cls.file, made.cls.qualified)
-            if parent is None or base not in self.program.ancestry(parent):
-                continue
-            return self.part(self.base_instance(made, parent, written), base, depth + 1)
-        return None
-
-    def base_instance(self, made: Instance, parent: Cls, written: str) -> Instance:
-        """Return how a derived class makes its direct base."""
-        types = dict(zip(parent.fact.template, template_arguments(written), strict=False))
-        types = {key: made.types.get(value, value) for key, value in types.items()}
-        for func in made.cls.methods:
-            if not func.is_constructor:
-                continue
-            env = Env(func, args=made.args, this=made.cls, made=made)
-            call = self._base_call(func, parent, env)
-            constructor = self.constructor(parent, len(call.args)) if call is not None else None
-            if call is not None and constructor is not None:
-                return Instance(parent, bind(constructor, call, env.before(self._at(func, call))), types)
-        return Instance(parent, {}, types)
-
-    def _at(self, func: Func, call: Invocation) -> int:
-        return next((at for at, entry in enumerate(func.fact.body) if entry is call.statement), 0)
-
-    def _base_call(self, func: Func, parent: Cls, env: Env) -> Invocation | None:
-        for statement in func.fact.body:
-            value = statement.value
-            target = statement.target
-            if (
-                statement.kind == "init"
-                and isinstance(target, Name)
-                and last_name(target.id) == parent.fact.name
-            ):
-                args = (
-                    value.args
-                    if isinstance(value, Call) and value.callee == target
-                    else (value,)
-                    if value
-                    else ()
-                )
-                return Invocation(func, statement, target.id, None, args, (), (), statement.line)
-            if isinstance(value, Call) and _calls_super(value, parent):
-                args = value.args[1:] if value.args[:1] == (Name("this"),) else value.args
-                return Invocation(func, statement, "super", None, args, value.keywords, (), statement.line)
-        return None
-
-    def constructor(self, cls: Cls, count: int) -> Func | None:
-        """Return the constructor that takes `count` arguments best."""
-        makers = [func for func in cls.methods if func.is_constructor and "deleted" not in func.fact.traits]
-        fitting = [func for func in makers if len(func.fact.params) >= count]
-        defined = sorted(
-            fitting or makers, key=lambda f: ("declaration" in f.fact.traits, abs(len(f.fact.params) - count))
-        )
-        return min(defined, key=lambda f: abs(len(f.fact.params) - count), default=None)
 
     # --- members ---------------------------------------------------------------------------------
 
@@ -280,7 +225,7 @@ class Folder:
         default = self._library_parameter(expr, env)
         if default is not None:
             return default
-        cls = self.class_of(expr.base, env)
+        cls = self.objects.class_of(expr.base, env)
         if cls is None:
             return ()
         return self.member_value(expr.name, cls, Env(env.func, env.at, depth=env.depth + 1, this=cls))
@@ -330,83 +275,6 @@ class Folder:
             definition.func, definition.at, this=cls, made=made or Instance(cls, {}, {}), depth=env.depth + 1
         )
 
-    def class_of(self, expr: Expr, env: Env) -> Cls | None:
-        """Return the class in the tree that an object belongs to."""
-        if expr == Name("this"):
-            return env.this or env.func.cls
-        written = self.type_of(expr, env)
-        return (
-            self.program.class_named(plain(pointee(written)), env.func.file, env.scope) if written else None
-        )
-
-    def type_of(self, expr: Expr, env: Env) -> str:
-        """Return the type of an object as written, empty when the tree does not show it."""
-        if env.depth > MAX_DEPTH:
-            return ""
-        if isinstance(expr, Name):
-            return self.scope.declared_type(expr.id, env) or self._assigned_type(expr.id, env)
-        if isinstance(expr, Member) and expr.base == Name("this"):
-            cls = env.this or env.func.cls
-            return self.scope.member_type(expr.name, cls) or self._member_assigned_type(expr.name, cls, env)
-        if isinstance(expr, Member):
-            cls = self.class_of(expr.base, env.before(env.at))
-            return self.scope.member_type(expr.name, cls)
-        if isinstance(expr, Call):
-            return self._made_type(expr, env)
-        if isinstance(expr, Op) and expr.op in {"&", "?:"}:
-            return self.type_of(expr.operands[-1], env.before(env.at))
-        return ""
-
-    def _assigned_type(self, name: str, env: Env) -> str:
-        for definition in self.scope.local(name, env):
-            value = definition.statement.value
-            if value is not None and definition.statement.kind != "each":
-                return self.type_of(value, env.before(definition.at))
-        return self._member_assigned_type(name, env.this or env.func.cls, env)
-
-    def _member_assigned_type(self, name: str, cls: Cls | None, env: Env) -> str:
-        for entry in self.program.ancestry(cls) if cls is not None else ():
-            for definition in self.scope.members(name, entry):
-                value = definition.statement.value
-                if value is not None:
-                    return self.type_of(
-                        value, Env(definition.func, definition.at, this=cls, depth=env.depth + 1)
-                    )
-        return ""
-
-    def _made_type(self, expr: Call, env: Env) -> str:
-        if isinstance(expr.callee, Name):
-            last = expr.callee.id.rsplit("::", 1)[-1]
-            if last in {"make_shared", "make_unique"} and expr.types:
-                return expr.types[0]
-            if last in {"dynamic_pointer_cast", "static_pointer_cast"} and expr.types:
-                return expr.types[0]
-            return (
-                expr.callee.id
-                if not self.program.functions.get(last) or last in self.program.classes
-                else self._returned(last)
-            )
-        dotted = dotted_name(expr.callee)
-        if dotted and env.func.file.language == "python":
-            return dotted
-        return self._method_type(expr.callee, env) if isinstance(expr.callee, Member) else ""
-
-    def _method_type(self, callee: Member, env: Env) -> str:
-        """The type that a method returns; `lock()` and the like give the object itself."""
-        inner = env.before(env.at)
-        if callee.name in _ITSELF:
-            return self.type_of(callee.base, inner)
-        cls = self.class_of(callee.base, inner)
-        for owner in self.program.ancestry(cls) if cls is not None else ():
-            for method in owner.methods:
-                if method.fact.name == callee.name and method.fact.returns:
-                    return method.fact.returns
-        return ""
-
-    def _returned(self, name: str) -> str:
-        types = {func.fact.returns for func in self.program.functions.get(name, ()) if func.fact.returns}
-        return next(iter(types)) if len(types) == 1 else ""
-
     # --- constants and imports ---------------------------------------------------------------------
 
     def _outside(self, name: str, env: Env) -> tuple[Value, ...]:
@@ -446,8 +314,8 @@ class Folder:
     def call(self, expr: Call, env: Env) -> tuple[Value, ...]:
         """String constructions, formats, parameter reads and functions that return a value."""
         call = invocation_of(expr, env)
-        if call.path in _SAME and len(call.args) >= 1:
-            return self.fold(call.args[0], env.before(env.at))
+        if call.path in _SAME or call.last in _STREAMS:
+            return self.fold(call.args[0], env.before(env.at)) if call.args else (literal(""),)
         read = self.reads.read(call)
         if read is not None:
             return self.parameter_value(*read, env.before(env.at))
@@ -456,9 +324,23 @@ class Folder:
         formatted = formats.formatted(call)
         if formatted is not None:
             return joined(self._folded_parts(formatted, env))
+        if call.receiver is not None and call.last in _PROPERTY_READS:
+            return self._property(call.receiver, env) or (unknown(call.last),)
         if call.receiver is not None and call.last in _READS:
             return self.fold(call.receiver, env.before(env.at))
         return self._guarded(f"{call.path}()", env, lambda: self._returns(call, env))
+
+    def _property(self, receiver: Expr, env: Env) -> tuple[Value, ...]:
+        """An rviz property `new XProperty("Topic", "/default", ...)` is read like a parameter with that default."""
+        for definition, inner in self.definitions(receiver, env):
+            made = definition.statement.value
+            if (
+                isinstance(made, Call)
+                and isinstance(made.callee, Name)
+                and made.callee.id.endswith("Property")
+            ):
+                return lowered(self.fold(made.args[1], inner), "default") if len(made.args) > 1 else ()
+        return ()
 
     def _joined(self, separator: str, expr: Expr, env: Env) -> tuple[Value, ...]:
         groups: list[tuple[Value, ...]] = []
@@ -486,7 +368,7 @@ class Folder:
         return [(literal(part),) if isinstance(part, str) else self.fold(part, inner) for part in parts]
 
     def _returns(self, call: Invocation, env: Env) -> tuple[Value, ...]:
-        callee = self.callee(call, env)
+        callee = self.objects.callee(call, env)
         if callee is None:
             return (node_name(),) if _names_node(call) else (unknown(call.last),)
         returned = [
@@ -504,34 +386,6 @@ class Folder:
             for at, value in returned
         ]
         return unique(_demoted(value for group in values for value in group))
-
-    def callee(self, call: Invocation, env: Env) -> Func | None:
-        """Return the function in the tree that a call means, with a body."""
-        scored = [
-            (score(call, func), func) for func in self.program.functions.get(call.last, ()) if func.fact.body
-        ]
-        candidates = [func for fit, func in sorted(scored, key=lambda entry: -entry[0]) if fit != NO]
-        if not candidates:
-            return None
-        if call.receiver is not None:
-            cls = self.class_of(call.receiver, env.before(env.at))
-            return self._method(cls, candidates)
-        found = self._method(env.this or env.func.cls, candidates)
-        return found or self._free(call, candidates, env)
-
-    def _method(self, cls: Cls | None, candidates: Sequence[Func]) -> Func | None:
-        owners = self.program.ancestry(cls) if cls is not None else ()
-        return next((func for owner in owners for func in candidates if func.cls is owner), None)
-
-    def _free(self, call: Invocation, candidates: Sequence[Func], env: Env) -> Func | None:
-        free = [
-            f for f in candidates if f.cls is None or call.path.endswith(f"{f.cls.fact.name}::{f.fact.name}")
-        ]
-        least = 0 if "::" in call.path or "." in call.path else 1
-        near = [(self.program.nearness(f.file, env.func.file), f) for f in free]
-        return max(
-            (entry for entry in near if entry[0] >= least), key=lambda entry: entry[0], default=(0, None)
-        )[1]
 
     def parameter_value(self, name: Expr, default: Expr | None, env: Env) -> tuple[Value, ...]:
         """Return the value of a ROS parameter: its default where the call or a declaration has one."""
@@ -642,16 +496,6 @@ def _names_node(call: Invocation) -> bool:
         "ros::this_node::getName",
         "rospy.get_name",
     }
-
-
-def _calls_super(call: Call, parent: Cls) -> bool:
-    callee = call.callee
-    if not isinstance(callee, Member) or callee.name != "__init__":
-        return False
-    base = callee.base
-    if isinstance(base, Call) and isinstance(base.callee, Name) and base.callee.id == "super":
-        return True
-    return last_name(dotted_name(base)) == parent.fact.name
 
 
 def _demoted(values: object) -> tuple[Value, ...]:

@@ -59,7 +59,7 @@ class Handles:
     def _constructor_argument(self, name: str, env: Env, depth: int) -> Handle | None:
         if not env.func.is_constructor or env.made is None or env.func.cls is None:
             return None
-        part = self.folder.part(env.made, env.func.cls)
+        part = self.folder.objects.part(env.made, env.func.cls)
         bound = part.args.get(name) if part is not None else None
         return self.of(bound.expr, bound.env, depth + 1) if bound is not None else None
 
@@ -113,7 +113,7 @@ class Handles:
         return parent
 
     def _stringy(self, expr: Expr, env: Env) -> bool:
-        return not isinstance(expr, Name | Member) or "string" in self.folder.type_of(expr, env)
+        return not isinstance(expr, Name | Member) or "string" in self.folder.objects.type_of(expr, env)
 
     def _nested(self, parent: Handle, name: Expr, env: Env) -> Handle:
         value = self.folder.fold(name, env)[0]
@@ -128,7 +128,7 @@ class Handles:
     def _is_namespace(self, expr: Expr, env: Env) -> bool:
         if isinstance(expr, Text):
             return True
-        written = self.folder.type_of(expr, env)
+        written = self.folder.objects.type_of(expr, env)
         return "string" in written or (isinstance(expr, Name) and "ns" in expr.id.split("_"))
 
 

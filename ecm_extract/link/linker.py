@@ -221,7 +221,7 @@ class Linker:
                 return self._default_type(inner, env)
             arguments = f"<{', '.join(default.types)}>" if default.types else ""
             return self._declared(default.callee.id + arguments, env)
-        return self._declared(self.folder.type_of(default, env), env) if default is not None else None
+        return self._declared(self.folder.objects.type_of(default, env), env) if default is not None else None
 
     def _declared(self, written: str, env: Env) -> str | None:
         found = declared_type(plain_type(written))
@@ -233,7 +233,7 @@ class Linker:
         return declared_type(plain_type(alias)) if alias else found
 
     def _out_type(self, out: Expr | None, env: Env) -> str | None:
-        written = self.folder.type_of(out, env) if out is not None else ""
+        written = self.folder.objects.type_of(out, env) if out is not None else ""
         return declared_type(written) if written else None
 
     def _qos(self, site: Site, ros: int | None) -> Qos | None:

@@ -55,18 +55,18 @@ class Matcher:
             owner = call.path.rsplit("::", 1)[0]
             known = self.folder.program.class_named(owner, call.func.file, env.scope)
             return known is not None or owner.endswith("Node")
-        callee = self.folder.callee(call, env)
+        callee = self.folder.objects.callee(call, env)
         return callee is None or callee is call.func or (callee.cls is not None and not _forwards(callee))
 
     def _own_method(self, call: Invocation, env: Env) -> bool:
         """A method of the tree that passes its name on is a wrapper, and so no form itself."""
-        callee = self.folder.callee(call, env)
+        callee = self.folder.objects.callee(call, env)
         return callee is None or callee is call.func or not _forwards(callee)
 
     def _receiver(self, form: Form, call: Invocation, env: Env) -> bool:
         if call.receiver is None:
             return False
-        written = self.folder.type_of(call.receiver, env)
+        written = self.folder.objects.type_of(call.receiver, env)
         if not written:
             return _texty(name_argument(form, call)) and not form.fixed
         bare = plain(pointee(written))

@@ -27,7 +27,7 @@ class NodeNames:
         """Return the name that the class passes to its node base, None when it is not fixed."""
         made = Instance(cls, {}, {})
         for owner in self.folder.program.ancestry(cls):
-            part = self.folder.part(made, owner)
+            part = self.folder.objects.part(made, owner)
             if part is None or not self._derives_outside(owner):
                 continue
             for func in owner.methods:
@@ -54,7 +54,7 @@ class NodeNames:
         names = set()
         for call in self.sites.calls.get(cls.fact.name, ()):
             if self.sites._makes(call, cls) and call.func.cls is not cls:
-                constructor = self.folder.constructor(cls, len(call.args))
+                constructor = self.folder.objects.constructor(cls, len(call.args))
                 if (
                     constructor is None
                     or not call.args

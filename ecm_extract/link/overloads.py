@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from ecm_extract.link.calls import Invocation
-from ecm_extract.link.program import Func, plain
 from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Name, Number, Text
 from ecm_parsers.source.facts import Parameter
+
+from ecm_extract.link.calls import Invocation
+from ecm_extract.link.program import Func, plain
 
 _NUMERIC = frozenset({"int", "double", "float", "bool", "unsigned", "long", "short", "char", "size_t"})
 NO = -1

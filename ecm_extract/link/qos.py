@@ -178,7 +178,7 @@ class QosReader:
 
     def _function(self, expr: Call, env: Env, level: int) -> dict[str, Any]:
         call = invocation_of(expr, env)
-        callee = self.folder.callee(call, env)
+        callee = self.folder.objects.callee(call, env)
         if callee is None:
             return {}
         args = bind(callee, call, env)

@@ -204,10 +204,10 @@ class Sites:
         if call.receiver is None:
             return cls.fact.name in call.path.split("::")
         env = self.root_env(call.func, self.position(call))
-        owner = self.folder.class_of(call.receiver, env)
+        owner = self.folder.objects.class_of(call.receiver, env)
         if owner is not None:
             return cls in self.program.ancestry(owner)
-        written = plain(self.folder.type_of(call.receiver, env))
+        written = plain(self.folder.objects.type_of(call.receiver, env))
         return not written or written == "auto" or written in self._templates(call.func)
 
     def _templates(self, func: Func) -> set[str]:
@@ -269,7 +269,7 @@ class Sites:
         at = self.position(self._first(site))
         for derived in self.derived(cls) if site.owner is site.root.cls else ():
             made = Instance(derived, {}, {})
-            part = self.folder.part(made, cls)
+            part = self.folder.objects.part(made, cls)
             types = dict(part.types) if part is not None else {}
             root = Env(site.root, at, {}, types, derived, made)
             yield Site(site.form, site.call, self._inside(site, root), site.chain, derived, site.root)
@@ -283,7 +283,7 @@ class Sites:
 
     def _made_at(self, site: Site, cls: Cls, call: Invocation, at: int) -> Site:
         outer = self.root_env(call.func, self.position(call))
-        constructor = self.folder.constructor(cls, len(call.args))
+        constructor = self.folder.objects.constructor(cls, len(call.args))
         args = bind(constructor, call, outer) if constructor is not None else {}
         types = self._class_types(cls, call, outer)
         own = args if site.root.is_constructor and site.root.cls is cls else {}

@@ -66,7 +66,9 @@ class Types:
             )
         if kind == "receiver":
             types = (
-                template_arguments(pointee(self.folder.type_of(call.receiver, env))) if call.receiver else ()
+                template_arguments(pointee(self.folder.objects.type_of(call.receiver, env)))
+                if call.receiver
+                else ()
             )
             return self.written(types[int(index)], env, role) if int(index) < len(types) else UNKNOWN_TYPE
         arg = dict(call.keywords).get(index) if kind == "kw" else _argument(call, int(index))
@@ -75,7 +77,7 @@ class Types:
         if kind in {"callback", "service_callback"}:
             return self._callback(arg, env, role, kind == "service_callback")
         if kind == "variable":
-            return self.written(self.folder.type_of(arg, env), env, role)
+            return self.written(self.folder.objects.type_of(arg, env), env, role)
         return self.expression(arg, env, role)
 
     def expression(self, expr: Expr, env: Env, role: Role) -> TypeFound:
