@@ -14,6 +14,7 @@ IGNORE_MARKERS = ("COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE")
 """Files that hide their folder from the build tool of the same name."""
 
 TEST_FOLDERS = frozenset({"test", "tests", "unit_tests", "integration_tests", "gtest"})
+TEST_PACKAGE_SUFFIXES = ("_tests", "_testsuite", "_test_suite")
 TEST_FILES = frozenset({"conftest.py"})
 TEST_EXTENSIONS = (".test", ".test.xml")
 """Of rostest, the ROS 1 test launcher."""
@@ -61,8 +62,16 @@ def discover(tree: Tree) -> tuple[PackageRoot, ...]:
     return _packages(manifests, kept)
 
 
+def is_test_package(root: str) -> bool:
+    """Whether a package below the root of a tree exists only to test others, by the name of its folder."""
+    name = root.rpartition("/")[2].lower()
+    return name.startswith("test_") or name.endswith(TEST_PACKAGE_SUFFIXES)
+
+
 def is_test_path(path: str, root: str = "") -> bool:
-    """Whether a file is test code, by its path below the package root `root` alone."""
+    """Whether a file is test code, by the path of its package `root` and its own path below it."""
+    if is_test_package(root):
+        return True
     inside = path.removeprefix(f"{root}/") if root else path
     *folders, name = inside.lower().split("/")
     in_test_folder = not TEST_FOLDERS.isdisjoint(folders)

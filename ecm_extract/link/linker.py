@@ -18,7 +18,7 @@ from ecm_extract.link.generated import GeneratedParameters
 from ecm_extract.link.handles import OWN, Handle, Handles
 from ecm_extract.link.match import Matcher, name_argument, positions
 from ecm_extract.link.modules import Module, Modules
-from ecm_extract.link.names import RosName, endpoint_name, parameter_name
+from ecm_extract.link.names import RosName, endpoint_name, is_below_node, parameter_name
 from ecm_extract.link.node_names import NodeNames
 from ecm_extract.link.parameters import Parameters
 from ecm_extract.link.program import File, Program, plain
@@ -133,6 +133,8 @@ class Linker:
             value = settled(with_node(named, node))
             name, confidence = self._name(site, value, handle, node, ros), value.confidence
             kind, data = self._typed(site, default)
+            if is_below_node(value):
+                confidence = "folded"
             if value.text == "" and site.form.role != "parameter":
                 confidence = "pattern"
             yield Interface(

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from ecm_extract.link.module_kinds import class_kind
-from ecm_extract.link.program import Cls, Func, Program
+from ecm_extract.link.program import Cls, Func, Program, snake
 from ecm_extract.link.references import References, Unit
 
 MAX_USERS = 4000
@@ -162,23 +162,6 @@ class Modules:
     def all(self) -> Sequence[Module]:
         """Return every module found so far."""
         return [*self.by_class.values(), *self.by_main.values(), *self.libraries.values()]
-
-
-def snake(name: str) -> str:
-    """`ControllerServer` -> `controller_server`."""
-    out = []
-    for index, char in enumerate(name):
-        previous = name[index - 1] if index else ""
-        following = name[index + 1] if index + 1 < len(name) else ""
-        if (
-            char.isupper()
-            and previous
-            and previous != "_"
-            and (previous.islower() or previous.isdigit() or following.islower())
-        ):
-            out.append("_")
-        out.append(char.lower())
-    return "".join(out)
 
 
 def registration_kind(macro: str) -> str:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from ecm_extract.link.handles import Handle, under
-from ecm_extract.link.values import Value
+from ecm_extract.link.values import Hole, Value
 
 
 class RosName(NamedTuple):
@@ -22,6 +22,9 @@ class RosName(NamedTuple):
 def endpoint_name(value: Value, handle: Handle, node: str | None, ros: int | None) -> RosName:
     """Return the name of a topic, service or action."""
     raw = value.text
+    own = _after_node(value)
+    if own is not None:
+        return RosName(raw, _private(own, handle, node))
     if raw.startswith("/"):
         return RosName(raw, _clean(raw))
     if raw.startswith("~"):
@@ -30,6 +33,22 @@ def endpoint_name(value: Value, handle: Handle, node: str | None, ros: int | Non
     if relative.startswith("~"):
         return RosName(relative, _private(relative[1:].lstrip("/"), handle, node))
     return RosName(relative if ros == 1 else raw, _clean(f"/{relative}"))
+
+
+def _after_node(value: Value) -> str | None:
+    """`get_name() + "/x"` is `~/x` while the node stands in the root namespace."""
+    if not is_below_node(value):
+        return None
+    return "".join(part for part in value.parts[1:] if isinstance(part, str)).lstrip("/")
+
+
+def is_below_node(value: Value) -> bool:
+    """Tell whether a value is the node's own name followed by known text below it."""
+    parts = [part for part in value.parts if part]
+    if len(parts) < 2 or not isinstance(parts[0], Hole) or parts[0].kind != "node":
+        return False
+    rest = parts[1:]
+    return all(isinstance(part, str) for part in rest) and str(rest[0]).startswith("/")
 
 
 def _private(rest: str, handle: Handle, node: str | None) -> str:

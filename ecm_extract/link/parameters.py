@@ -83,11 +83,24 @@ class Parameters:
             default = call.args[2] if len(call.args) > 2 else None
             return (target, call.args[0], default) if target else None
         form = self._form(call)
-        out = next(positions(form.out, call), None) if form is not None else None
-        target = _variable(out)
-        if form is None or not target or len(call.args) < 3:
+        if form is None:
+            return self._wrapped_out(call)
+        target = _variable(next(positions(form.out, call), None))
+        if not target or len(call.args) < 3:
             return None
         return target, call.args[0], next(positions(form.default, call), None)
+
+    def _wrapped_out(self, call: Invocation) -> tuple[str, Expr, Expr | None] | None:
+        """A helper that writes the parameter to a variable that it gets by reference."""
+        found = self._wrapped(call)
+        if found is None:
+            return None
+        for func, name, _ in self._fitting(call):
+            for arg, parameter in zip(call.args, func.fact.params, strict=False):
+                reference = parameter.type.endswith("&") and "const" not in parameter.type
+                if reference and parameter.name != name and _variable(arg):
+                    return _variable(arg), *found
+        return None
 
     def declare(self, name: str, package: str, default: tuple[Expr, Env] | str) -> None:
         """Remember the default of a declared parameter; the first declaration in a package stands."""

@@ -226,6 +226,23 @@ class Program:
         return plain(target) if target else bare
 
 
+def snake(name: str) -> str:
+    """`ControllerServer` -> `controller_server`."""
+    out = []
+    for index, char in enumerate(name):
+        previous = name[index - 1] if index else ""
+        following = name[index + 1] if index + 1 < len(name) else ""
+        if (
+            char.isupper()
+            and previous
+            and previous != "_"
+            and (previous.islower() or previous.isdigit() or following.islower())
+        ):
+            out.append("_")
+        out.append(char.lower())
+    return "".join(out)
+
+
 def plain(text: str) -> str:
     """Return a type name without template arguments, qualifiers and marks."""
     head = text.split("<", 1)[0] if "<" in text else text

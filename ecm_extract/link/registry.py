@@ -8,8 +8,8 @@ from pathlib import PurePosixPath
 
 from ecm_parsers.cmake_facts import Target
 
-from ecm_extract.link.modules import Registry, registration_kind, snake
-from ecm_extract.link.program import Cls, File, Func, Program, plain
+from ecm_extract.link.modules import Registry, registration_kind
+from ecm_extract.link.program import Cls, File, Func, Program, plain, snake
 from ecm_extract.read.facts import PackageFacts
 
 _SUFFIXES = ("", ".cpp", ".cc", ".cxx", ".c", ".py")

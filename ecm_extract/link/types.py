@@ -11,7 +11,7 @@ from ecm_parsers.source.expr import Call, Expr, Lambda, Member, Name, Op, Text
 from ecm_extract.link.calls import Invocation, dotted_name, pointee, template_arguments
 from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
-from ecm_extract.link.program import plain
+from ecm_extract.link.program import plain, snake
 
 _KINDS = ("msg", "srv", "action")
 _ROLE_KIND: dict[Role, str] = {
@@ -146,11 +146,20 @@ class Types:
         outer = self.program.alias(head, env.func.file, self._scope(env)) if tail else None
         if outer is not None and plain(outer) != head:
             return self.written(f"{_bare(outer)}::{tail}", env, role, depth + 1)
-        if "::" not in bare:
-            for using in env.func.file.facts.usings:
-                if using.rsplit("::", 1)[-1] in _KINDS or using.endswith("_msgs"):
-                    return TypeFound(self._full(f"{using}::{bare}", role))
-        return TypeFound(self._full(bare, role))
+        full = self._full(bare, role)
+        return TypeFound(full if "::" in bare else self._unqualified(bare, env, role))
+
+    def _unqualified(self, name: str, env: Env, role: Role) -> str | None:
+        """A bare message name: its header says the package, else a `using namespace` of messages."""
+        for entry in env.func.file.facts.imports:
+            parts = entry.module.split("/")
+            stem = parts[-1].rsplit(".", 1)[0]
+            if len(parts) in {2, 3} and (stem == name or (len(parts) == 3 and stem == snake(name))):
+                return self._full("::".join([*parts[:-1], name]), role)
+        for using in env.func.file.facts.usings:
+            if using.rsplit("::", 1)[-1] in _KINDS or using.endswith("_msgs"):
+                return self._full(f"{using}::{name}", role)
+        return None
 
     def _scope(self, env: Env) -> str:
         cls = env.func.cls
