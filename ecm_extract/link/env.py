@@ -28,12 +28,13 @@ class Instance:
         cls: the class.
         args: constructor parameter -> argument.
         types: template parameter of the class -> argument as written.
-        base_of: the instance of the derived class, when this is its base part.
+        maker: the constructor that is called, when known.
     """
 
     cls: Cls
     args: Mapping[str, Bound]
     types: Mapping[str, str]
+    maker: Func | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -135,19 +135,21 @@ class Folder:
 
     def _name(self, name: str, env: Env) -> tuple[Value, ...]:
         found = self._local(name, env)
-        given = any(entry.name.lstrip("*") == name for entry in env.func.fact.params)
-        if found and given and all(entry.statement.depth for entry in self.scope.local(name, env)):
-            return unique((*self._parameter(name, env), *found))
-        if found:
+        if found and any(entry.statement.depth == 0 for entry in self.scope.local(name, env)):
             return found
-        if given:
+        base = self._given(name, env)
+        if found or base:
+            return unique((*base, *found))
+        return self._outside(name, env) or (unknown(name),)
+
+    def _given(self, name: str, env: Env) -> tuple[Value, ...]:
+        """What a name is before the function assigns it: its parameter, or a member of the object."""
+        if any(entry.name.lstrip("*") == name for entry in env.func.fact.params):
             return self._parameter(name, env)
         cls = env.this or env.func.cls
-        if cls is not None and env.func.file.language == "cpp":
-            found = self.member_value(name, cls, env)
-            if found:
-                return found
-        return self._outside(name, env) or (unknown(name),)
+        if cls is None or env.func.file.language != "cpp":
+            return ()
+        return self.member_value(name, cls, env)
 
     def _local(self, name: str, env: Env) -> tuple[Value, ...]:
         values: list[Value] = []
@@ -254,7 +256,7 @@ class Folder:
         values: list[Value] = []
         for entry in self.program.ancestry(cls):
             for definition in self.scope.members(name, entry):
-                if definition.statement.value is not None and len(values) < MAX_ALTERNATIVES:
+                if len(values) < MAX_ALTERNATIVES and self.objects.runs(definition.func, env.made):
                     values += _demoted(
                         self.fold(definition.statement.value, self._method_env(definition, cls, env))
                     )
@@ -486,6 +488,8 @@ class Folder:
         found = []
         for entry in self.program.ancestry(cls) if cls is not None else ():
             for definition in self.scope.members(name, entry):
+                if not self.objects.runs(definition.func, env.made):
+                    continue
                 found.append((definition, Env(definition.func, definition.at, this=cls, depth=env.depth + 1)))
         return found
 

@@ -128,6 +128,12 @@ class Handles:
     def _is_namespace(self, expr: Expr, env: Env) -> bool:
         if isinstance(expr, Text):
             return True
+        if isinstance(expr, Call):
+            return invocation_of(expr, env).last in {
+                "get_fully_qualified_name",
+                "get_namespace",
+                "get_effective_namespace",
+            }
         written = self.folder.objects.type_of(expr, env)
         return "string" in written or (isinstance(expr, Name) and "ns" in expr.id.split("_"))
 

@@ -116,7 +116,8 @@ class Linker:
 
     def _attribute(self, site: Site, found: dict[int, list[Interface]], nodes: Mapping[int, str]) -> None:
         unit = site.owner or site.root
-        for module in self.modules.owners(unit):
+        owners = (self.modules.library(unit),) if self._only_offered(site) else self.modules.owners(unit)
+        for module in owners:
             origin = (
                 None
                 if unit is module.cls or unit is module.main or module.kind == "library"
@@ -124,6 +125,18 @@ class Linker:
             )
             node = self._node(module, nodes)
             found[id(module)].extend(self._interfaces(site, node, origin))
+
+    def _only_offered(self, site: Site) -> bool:
+        """A helper that nobody calls declares nothing in the modules that could call it."""
+        if site.root.is_constructor or site.form.fixed or site.form.items:
+            return False
+        name = name_argument(site.form, site.call)
+        values = self.folder.fold(name, site.env) if name is not None else ()
+        given = {parameter.name for parameter in site.root.fact.params}
+        return any(
+            value.open("param") & given and all(not isinstance(part, str) for part in value.parts)
+            for value in values
+        )
 
     def _interfaces(self, site: Site, node: str | None, origin: str | None) -> Iterator[Interface]:
         ros = site.root.file.ros

@@ -129,6 +129,13 @@ class Objects:
             return self.part(self.base_instance(made, parent, written), base, depth + 1)
         return None
 
+    def runs(self, func: Func, made: Instance | None) -> bool:
+        """Tell whether a method can have run on an object: of several constructors only the one that made it."""
+        if not func.is_constructor or made is None or func.cls is None:
+            return True
+        part = self.part(made, func.cls)
+        return part is None or part.maker is None or part.maker is func
+
     def base_instance(self, made: Instance, parent: Cls, written: str) -> Instance:
         """Return how a derived class makes its direct base."""
         types = dict(zip(parent.fact.template, template_arguments(written), strict=False))
@@ -140,7 +147,9 @@ class Objects:
             call = self._base_call(func, parent, env)
             constructor = self.constructor(parent, len(call.args)) if call is not None else None
             if call is not None and constructor is not None:
-                return Instance(parent, bind(constructor, call, env.before(self._at(func, call))), types)
+                return Instance(
+                    parent, bind(constructor, call, env.before(self._at(func, call))), types, constructor
+                )
         return Instance(parent, {}, types)
 
     def _at(self, func: Func, call: Invocation) -> int:

@@ -85,11 +85,7 @@ class Program:
             self.constants[constant.name].append((file, constant))
         for alias in file.facts.aliases:
             self.aliases[alias.name].append((file, alias))
-        file.imported = {
-            entry.alias or entry.name or entry.module: _dotted(entry.module, entry.name)
-            for entry in file.facts.imports
-            if file.language == "python"
-        }
+        file.imported = _imported(file) if file.language == "python" else {}
 
     def _owner(self, function: Function, file: File) -> Cls | None:
         """The class that a scope names: same qualified name, or the same last name when namespaces are `using`."""
@@ -265,6 +261,18 @@ def _enclosing(scope: str) -> list[str]:
     """`a::b` -> [`a::b`, `a`, ``]."""
     parts = scope.split("::") if scope else []
     return ["::".join(parts[:count]) for count in range(len(parts), -1, -1)]
+
+
+def _imported(file: File) -> dict[str, str]:
+    """Local name -> dotted path; `import a.b` binds `a`."""
+    found: dict[str, str] = {}
+    for entry in file.facts.imports:
+        if entry.alias or entry.name:
+            found[entry.alias or entry.name] = _dotted(entry.module, entry.name)
+        else:
+            head = entry.module.split(".")[0]
+            found[head] = head
+    return found
 
 
 def _dotted(module: str, name: str) -> str:

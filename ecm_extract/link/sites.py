@@ -287,7 +287,7 @@ class Sites:
         args = bind(constructor, call, outer) if constructor is not None else {}
         types = self._class_types(cls, call, outer)
         own = args if site.root.is_constructor and site.root.cls is cls else {}
-        root = Env(site.root, at, own, types, cls, Instance(cls, args, types))
+        root = Env(site.root, at, own, types, cls, Instance(cls, args, types, constructor))
         return Site(
             site.form, site.call, self._inside(site, root), (call, *site.chain), call.func.cls, call.func
         )
