@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 from typing import NamedTuple
 
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op, Table, Template
@@ -11,6 +11,17 @@ from ecm_parsers.source.facts import Statement
 
 from ecm_extract.link.program import Cls, Func, plain
 
+_INTERFACE_NAMES = (
+    "interface",
+    "base",
+    "graph",
+    "logging",
+    "waitables",
+    "topics",
+    "services",
+    "parameters",
+    "params",
+)
 _MAKERS = frozenset({"make_shared", "make_unique", "allocate_shared"})
 _POINTERS = frozenset(
     {"shared_ptr", "unique_ptr", "scoped_ptr", "optional", "SharedPtr", "UniquePtr", "Ptr", "weak_ptr"}
@@ -53,17 +64,34 @@ def last_name(path: str) -> str:
     return path.replace("::", ".").rsplit(".", 1)[-1]
 
 
-def invocations(func: Func) -> Iterator[Invocation]:
-    """Yield every call of a function's body, inner calls first, constructions by initialiser included."""
+def invocations(func: Func, wanted: Container[str] | None = None) -> Iterator[Invocation]:
+    """Yield the calls of a function's body, inner calls first, constructions by initialiser included.
+
+    Args:
+        func: the function.
+        wanted: only calls whose last name is in it; None for all.
+    """
     for statement in func.fact.body:
         if statement.value is not None:
             for call in walk(statement.value):
-                yield invocation(func, statement, call)
+                if wanted is None or _last_of(call) in wanted:
+                    yield invocation(func, statement, call)
         elif statement.kind == "let" and statement.type[:1].isalpha() and statement.type != "auto":
             yield _construction(func, statement, statement.type, (), statement.line)
         implied = _implied(func, statement)
         if implied is not None:
             yield implied
+
+
+def _last_of(call: Call) -> str:
+    """The last name of a call, without building its path."""
+    callee = call.callee
+    name = callee.name if isinstance(callee, Member) else callee.id if isinstance(callee, Name) else ""
+    last = name.rsplit("::", 1)[-1]
+    if last not in _MAKERS:
+        return last
+    owner = call.types[0] if call.types else name.rsplit("::", 1)[0]
+    return last_name(plain(owner))
 
 
 def held_objects(cls: Cls) -> Iterator[Invocation]:
@@ -137,7 +165,7 @@ def _one_node(func: Func, call: Call) -> Call:
 def _is_interface(func: Func, expr: Expr) -> bool:
     if isinstance(expr, Call) and isinstance(expr.callee, Member):
         return expr.callee.name.startswith("get_node_") and expr.callee.name.endswith("_interface")
-    if not isinstance(expr, Name):
+    if not isinstance(expr, Name) or not expr.id.strip("_").endswith(_INTERFACE_NAMES):
         return False
     values = [s.value for s in func.fact.body if s.target == expr and s.kind == "let" and s.value is not None]
     return any(not isinstance(value, Name) and _is_interface(func, value) for value in values)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 from ecm_parsers.source.expr import Call, Expr, Items
 from ecm_parsers.source.facts import Statement
@@ -12,7 +12,7 @@ from ecm_extract.link.calls import Invocation, invocation
 from ecm_extract.link.program import Cls, Func
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(slots=True, eq=False, repr=False)
 class Bound:
     """An argument: its expression and where that is evaluated."""
 
@@ -20,7 +20,7 @@ class Bound:
     env: Env
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(slots=True, eq=False, repr=False)
 class Instance:
     """One way an object of a class is made.
 
@@ -37,7 +37,7 @@ class Instance:
     maker: Func | None = None
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(slots=True, eq=False, repr=False)
 class Env:
     """A place of evaluation.
 
@@ -61,7 +61,7 @@ class Env:
 
     def before(self, at: int) -> Env:
         """The same place, at another statement."""
-        return replace(self, at=at, depth=self.depth + 1)
+        return Env(self.func, at, self.args, self.types, self.this, self.made, self.depth + 1)
 
     @property
     def scope(self) -> str:

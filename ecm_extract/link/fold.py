@@ -94,6 +94,9 @@ class ParameterReads(Protocol):
     def written(self, func: Func, target: str) -> list[tuple[int, Expr, Expr | None]]:
         """Return (statement, name, default) of the calls of a function that write a parameter to a variable."""
 
+    def members(self, cls: Cls, target: str) -> list[tuple[Func, int, Expr, Expr | None]]:
+        """Return (method, statement, name, default) of the calls of a class that write a parameter to a member."""
+
     def default(self, name: str, package: str, owners: Sequence[str] = ()) -> tuple[Expr, Env] | str | None:
         """Return the declared default of a parameter."""
 
@@ -108,10 +111,13 @@ class Folder:
         self.reads = reads
         self.instances: Callable[[Cls], Sequence[Instance]] = lambda cls: ()
         self._active: set[tuple[int, str, int]] = set()
+        self._members: dict[tuple[int, str], tuple[Value, ...]] = {}
+        self._cuts = 0
 
     def fold(self, expr: Expr | None, env: Env) -> tuple[Value, ...]:
         """Return the possible values of an expression, at least one."""
         if expr is None or env.depth > MAX_DEPTH:
+            self._cuts += 1
             return (unknown("value"),)
         handler = _HANDLERS.get(type(expr))
         return handler(self, expr, env) if handler is not None else (unknown("value"),)
@@ -126,6 +132,7 @@ class Folder:
         """Break cycles such as `x = f(x)` in a loop or members that are set from each other."""
         key = (id(env.func), label, env.at)
         if key in self._active or len(self._active) > 60:
+            self._cuts += 1
             return (unknown(label),)
         self._active.add(key)
         try:
@@ -135,7 +142,7 @@ class Folder:
 
     def _name(self, name: str, env: Env) -> tuple[Value, ...]:
         found = self._local(name, env)
-        if found and any(entry.statement.depth == 0 for entry in self.scope.local(name, env)):
+        if found and self.scope.is_certain(name, env):
             return found
         base = self._given(name, env)
         if found or base:
@@ -248,23 +255,32 @@ class Folder:
 
     def member_value(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
         """Return the values that the methods of a class and its bases give one of its data members."""
-        return self._guarded(
-            f"{cls.qualified}.{name}", Env(env.func), lambda: self._member_value(name, cls, env)
-        )
+        anyone = env.made is None or env.made.cls is not cls or not (env.made.args or env.made.types)
+        known = self._members.get((id(cls), name)) if anyone else None
+        if known is not None:
+            return known
+        cuts = self._cuts
+        label = f"{cls.qualified}.{name}"
+        values = self._guarded(label, Env(env.func), lambda: self._member_value(name, cls, env))
+        if anyone and cuts == self._cuts:
+            self._members[id(cls), name] = values
+        return values
+
+    def forget(self) -> None:
+        """Drop remembered members, since more of the parameters is known now."""
+        self._members.clear()
 
     def _member_value(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
         values: list[Value] = []
         for entry in self.program.ancestry(cls):
             for definition in self.scope.members(name, entry):
                 if len(values) < MAX_ALTERNATIVES and self.objects.runs(definition.func, env.made):
-                    values += _demoted(
-                        self.fold(definition.statement.value, self._method_env(definition, cls, env))
-                    )
-            for method in entry.methods:
-                for at, read, default in self.reads.written(method, name):
-                    values += self.parameter_value(
-                        read, default, self._method_env(Definition(method, at), cls, env)
-                    )
+                    inner = self._method_env(definition, cls, env)
+                    values += _demoted(self.fold(definition.statement.value, inner))
+            for method, at, read, default in self.reads.members(entry, name):
+                values += self.parameter_value(
+                    read, default, self._method_env(Definition(method, at), cls, env)
+                )
             field = entry.fields.get(name)
             if field is not None and field.default is not None:
                 values += _demoted(self.fold(field.default, Env(env.func, depth=env.depth + 1, this=cls)))

@@ -8,7 +8,9 @@ from typing import Any
 from ecm_checker.contract import Evidence, Interface
 from ecm_parsers.dynamic_reconfigure import ReconfigureFile
 from ecm_parsers.parameter_library import ParameterNamespace
+from ecm_parsers.source.expr import Member, Name
 
+from ecm_extract.link.calls import dotted_name, walk
 from ecm_extract.link.parameters import Parameters
 from ecm_extract.link.program import Cls, File, Func, Program
 from ecm_extract.link.references import Unit
@@ -23,6 +25,7 @@ class GeneratedParameters:
     def __init__(self, program: Program, packages: Sequence[PackageFacts]) -> None:
         self.program = program
         self.packages = packages
+        self._texts: list[tuple[Unit, str, str]] | None = None
 
     def declare(self, parameters: Parameters) -> None:
         """Make the defaults known, so that names that come from parameters fold."""
@@ -62,18 +65,24 @@ class GeneratedParameters:
         )
 
     def _mentioning(self, marks: tuple[str, ...], files: Sequence[File]) -> list[Unit]:
+        paths = {file.path for file in files}
         found: dict[int, Unit] = {}
-        for cls in (cls for group in self.program.classes.values() for cls in group):
-            if cls.file in files and any(mark in field.type for field in cls.fact.fields for mark in marks):
-                found[id(cls)] = cls
-        for func in (func for functions in self.program.functions.values() for func in functions):
-            if func.file in files and any(self._statement_mentions(func, mark) for mark in marks):
-                unit: Unit = func.cls or func
+        for unit, path, text in self._typed_units():
+            if path in paths and any(mark in text for mark in marks):
                 found[id(unit)] = unit
         return list(found.values())
 
-    def _statement_mentions(self, func: Func, mark: str) -> bool:
-        return any(mark in statement.type or mark in str(statement.value) for statement in func.fact.body)
+    def _typed_units(self) -> list[tuple[Unit, str, str]]:
+        """Return each class and function with the types that its members and statements name, as one text."""
+        if self._texts is None:
+            self._texts = []
+            for group in self.program.classes.values():
+                self._texts += [
+                    (cls, cls.file.path, " ".join(f"{f.type}>" for f in cls.fact.fields)) for cls in group
+                ]
+            for functions in self.program.functions.values():
+                self._texts += [(func.cls or func, func.file.path, _types_in(func)) for func in functions]
+        return self._texts
 
     def _units_of(self, files: Sequence[File]) -> list[Unit]:
         found: list[Cls | Func] = [
@@ -86,6 +95,16 @@ class GeneratedParameters:
         return self._mentioning(
             (f"{_config_name(reconfigure)}Config>", f"{_config_name(reconfigure)}Config >"), files
         )
+
+
+def _types_in(func: Func) -> str:
+    words = [statement.type for statement in func.fact.body if statement.type]
+    for statement in func.fact.body:
+        for call in walk(statement.value) if statement.value is not None else ():
+            words += call.types
+            if isinstance(call.callee, Name | Member):
+                words.append(dotted_name(call.callee) if isinstance(call.callee, Member) else call.callee.id)
+    return "> ".join(words) + ">"
 
 
 def _config_name(reconfigure: ReconfigureFile) -> str:

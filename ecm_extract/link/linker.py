@@ -70,7 +70,8 @@ class Linker:
         nodes = self._class_nodes()
         self.modules.find(nodes)
         found: dict[int, list[Interface]] = defaultdict(list)
-        for site in [*self.sites.find(parameters=False), *declared]:
+        others = self.sites.find(parameters=False)
+        for site in [*others, *declared]:
             self._attribute(site, found, nodes)
         for unit, interfaces in self.generated.interfaces():
             for module in self.modules.owners(unit):
@@ -99,7 +100,7 @@ class Linker:
             default = next(positions(site.form.default, site.call), None)
             name = name_argument(site.form, site.call)
             if default is not None and name is not None and stated_type(default) is None:
-                for value in self.folder.fold(name, site.env):
+                for value in self.sites.names(site):
                     self.parameters.declare(value.text, site.root.file.package, (default, site.env))
 
     def _linked(
@@ -130,8 +131,7 @@ class Linker:
         """A helper that nobody calls declares nothing in the modules that could call it."""
         if site.root.is_constructor or site.form.fixed or site.form.items:
             return False
-        name = name_argument(site.form, site.call)
-        values = self.folder.fold(name, site.env) if name is not None else ()
+        values = self.sites.names(site)
         given = {parameter.name for parameter in site.root.fact.params}
         return any(
             value.open("param") & given and all(not isinstance(part, str) for part in value.parts)
@@ -183,7 +183,7 @@ class Linker:
         default = next(positions(form.default, call), None)
         if form.items:
             return self._listed(site)
-        values = self.folder.fold(name_argument(form, call), site.env)
+        values = self.sites.names(site)
         return [(value, default) for value in values[:MAX_NAMES]]
 
     def _listed(self, site: Site) -> list[tuple[Value, Expr | None]]:

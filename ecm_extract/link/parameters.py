@@ -12,7 +12,7 @@ from ecm_extract.link.env import Env, bind
 from ecm_extract.link.forms import Form, FormTable
 from ecm_extract.link.match import name_argument, positions
 from ecm_extract.link.overloads import NO, score
-from ecm_extract.link.program import Func
+from ecm_extract.link.program import Cls, Func
 
 _READERS = frozenset({"get_parameter", "getParam", "get_param", "get_parameter_or", "getInput"})
 
@@ -23,6 +23,7 @@ class Parameters:
     def __init__(self, forms: FormTable) -> None:
         self.forms = forms
         self._written: dict[int, dict[str, list[tuple[int, Expr, Expr | None]]]] = {}
+        self._by_class: dict[int, dict[str, list[tuple[Func, int, Expr, Expr | None]]]] = {}
         self._defaults: dict[tuple[str, str], tuple[Expr, Env] | str] = {}
         self._wrappers: dict[str, list[tuple[Func, str, str]]] = defaultdict(list)
 
@@ -62,9 +63,23 @@ class Parameters:
 
     def written(self, func: Func, target: str) -> list[tuple[int, Expr, Expr | None]]:
         """Return (statement, name, default) of the calls of a function that write a parameter to a variable."""
+        return self.all_written(func).get(target, [])
+
+    def all_written(self, func: Func) -> dict[str, list[tuple[int, Expr, Expr | None]]]:
+        """Return variable -> (statement, name, default) of the calls of a function that write a parameter."""
         known = self._written.get(id(func))
         if known is None:
             known = self._written[id(func)] = self._index(func)
+        return known
+
+    def members(self, cls: Cls, target: str) -> list[tuple[Func, int, Expr, Expr | None]]:
+        """Return (method, statement, name, default) of the calls of a class that write a parameter to a member."""
+        known = self._by_class.get(id(cls))
+        if known is None:
+            known = self._by_class[id(cls)] = defaultdict(list)
+            for method in cls.methods:
+                for name, entries in self.all_written(method).items():
+                    known[name].extend((method, *entry) for entry in entries)
         return known.get(target, [])
 
     def _index(self, func: Func) -> dict[str, list[tuple[int, Expr, Expr | None]]]:
@@ -116,6 +131,8 @@ class Parameters:
     def add_wrapper(self, func: Func, name: str, default: str) -> None:
         """Remember that a function reads the parameter named by its parameter `name`."""
         known = self._wrappers[func.fact.name]
+        self._written.clear()
+        self._by_class.clear()
         if all(entry[0] is not func for entry in known):
             known.append((func, name, default))
 

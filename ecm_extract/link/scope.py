@@ -46,19 +46,34 @@ class Scope:
         return known
 
     def local(self, name: str, env: Env) -> list[Definition]:
-        """Return the assignments of a local that can reach the place: the last certain one and conditional ones after it."""
-        func = env.func
-        indices = self.locals_of(func).get(name)
+        """Return the assignments of a local that can reach the place, latest first.
+
+        Going back, the first one whose block encloses everything since ends the search: it has surely happened.
+        """
+        indices = self.locals_of(env.func).get(name)
         if not indices:
             return []
-        body = func.fact.body
-        earlier = [at for at in indices if at < env.at]
-        reaching: list[int] = []
-        for at in reversed(earlier):
-            reaching.append(at)
-            if body[at].depth == 0 and body[at].value is not None:
-                break
-        return [Definition(func, at) for at in reaching if body[at].value is not None]
+        body = env.func.fact.body
+        reaching: list[Definition] = []
+        lowest, seen = _depth_at(body, env.at), min(env.at, len(body))
+        for at in reversed(indices):
+            if at >= env.at:
+                continue
+            lowest = min([lowest, *(statement.depth for statement in body[at + 1 : seen])])
+            seen = at + 1
+            if body[at].value is not None:
+                reaching.append(Definition(env.func, at))
+                if body[at].depth <= lowest:
+                    break
+        return reaching
+
+    def is_certain(self, name: str, env: Env) -> bool:
+        """Tell whether one of the assignments that reach the place has surely happened."""
+        found = self.local(name, env)
+        if not found:
+            return False
+        since = env.func.fact.body[found[-1].at + 1 : env.at + 1]
+        return found[-1].statement.depth <= min((statement.depth for statement in since), default=0)
 
     def passed(self, func: Func, name: str) -> list[tuple[int, Call, int]]:
         """Return (statement, call, argument index) of the calls that a local is handed to."""
@@ -163,3 +178,7 @@ def _member_target(statement: Statement, params: set[str]) -> str:
     ):
         return target.id
     return ""
+
+
+def _depth_at(body: tuple[Statement, ...], at: int) -> int:
+    return body[at].depth if at < len(body) else 0

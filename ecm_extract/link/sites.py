@@ -21,12 +21,15 @@ from ecm_extract.link.overloads import NO, score
 from ecm_extract.link.parameters import Parameters
 from ecm_extract.link.program import Cls, Func, Program, plain
 from ecm_extract.link.types import Types
+from ecm_extract.link.values import Value
 
+_ALSO = ("InputPort", "BidirectionalPort", "init", "init_node", "create_node", "Node", "LifecycleNode")
+"""Calls that are looked up by name without being forms: behaviour tree ports and node names."""
 MAX_CHAIN = 5
 MAX_EXPANSIONS = 50_000
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(slots=True, eq=False, repr=False)
 class Site:
     """A call that is a form, seen from the outermost call that fixes its name.
 
@@ -64,10 +67,12 @@ class Sites:
         self.calls: dict[str, list[Invocation]] = defaultdict(list)
         self._positions: dict[int, dict[int, int]] = {}
         self._derived: dict[int, list[Cls]] | None = None
+        self._names: dict[int, tuple[Site, tuple[Value, ...]]] = {}
         self._targets: dict[int, tuple[Func, ...]] = {}
+        wanted = {*matcher.forms, *program.functions, *program.classes, *_ALSO}
         for functions in program.functions.values():
             for func in functions:
-                for call in invocations(func):
+                for call in invocations(func, wanted):
                     self.calls[call.last].append(call)
         for group in program.classes.values():
             for cls in group:
@@ -76,6 +81,7 @@ class Sites:
 
     def find(self, parameters: bool) -> list[Site]:
         """Return the sites of parameters, or of everything else."""
+        self.folder.forget()
         found: list[Site] = []
         for last in self.matcher.forms:
             for call in self.calls.get(last, ()):
@@ -133,8 +139,7 @@ class Sites:
         """Return the parameters and the constructor parameters that name and type depend on."""
         params: frozenset[str] = frozenset()
         made: frozenset[str] = frozenset()
-        name = name_argument(site.form, site.call)
-        for value in self.folder.fold(name, site.env) if name is not None else ():
+        for value in self.names(site):
             params |= value.open("param")
             made |= value.open("made")
         found = (
@@ -146,6 +151,15 @@ class Sites:
             params |= found.open
             made |= found.open
         return params, made
+
+    def names(self, site: Site) -> tuple[Value, ...]:
+        """Return the possible names of a site, folded once."""
+        known = self._names.get(id(site))
+        if known is None:
+            name = name_argument(site.form, site.call)
+            values = self.folder.fold(name, site.env) if name is not None else ()
+            known = self._names[id(site)] = (site, values)
+        return known[1]
 
     def _remember_wrapper(self, site: Site) -> None:
         """A function that declares the parameter it is asked for also gives its value."""
