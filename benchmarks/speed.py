@@ -79,7 +79,7 @@ class Tool:
 
     def __init__(self, root: Path, cache: str) -> None:
         self.environment = {**os.environ, "XDG_CACHE_HOME": cache}
-        self.line = [command(), str(root), "--format", "json", "-o", os.devnull]
+        self.line = [command(), str(root), "--format", "json", "-o", "-"]
         self.has_cache = any("--no-cache" in _help(of) for of in ([], ["extract"]))
         self.cold_line = [*self.line, "--no-cache"] if self.has_cache else self.line
 

@@ -94,6 +94,9 @@ class ParameterReads(Protocol):
     def written(self, func: Func, target: str) -> list[tuple[int, Expr, Expr | None]]:
         """Return (statement, name, default) of the calls of a function that write a parameter to a variable."""
 
+    def forget(self) -> None:
+        """Drop what was remembered, since more is known now."""
+
     def members(self, cls: Cls, target: str) -> list[tuple[Func, int, Expr, Expr | None]]:
         """Return (method, statement, name, default) of the calls of a class that write a parameter to a member."""
 
@@ -269,6 +272,7 @@ class Folder:
     def forget(self) -> None:
         """Drop remembered members, since more of the parameters is known now."""
         self._members.clear()
+        self.reads.forget()
 
     def _member_value(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
         values: list[Value] = []

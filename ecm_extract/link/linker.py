@@ -67,6 +67,7 @@ class Linker:
         self._declare_ports()
         declared = self.sites.find(parameters=True)
         self._declare_defaults(declared)
+        self.folder.forget()
         nodes = self._class_nodes()
         self.modules.find(nodes)
         found: dict[int, list[Interface]] = defaultdict(list)

@@ -32,9 +32,11 @@ def score(call: Invocation, func: Func) -> int:
 def _countable(call: Invocation, func: Func) -> bool:
     params = func.fact.params
     count = len(call.args) + len(call.keywords)
-    if any(parameter.name.startswith("*") or "..." in parameter.type for parameter in params):
+    if params and (params[-1].name.startswith("*") or "..." in params[-1].type):
         return True
-    required = sum(parameter.default is None for parameter in params)
+    if count > len(params):
+        return any(parameter.name.startswith("*") for parameter in params)
+    required = sum([parameter.default is None for parameter in params])
     return count <= len(params) and (count >= required or _declared_defaults(func, count))
 
 

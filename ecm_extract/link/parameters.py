@@ -22,6 +22,7 @@ class Parameters:
 
     def __init__(self, forms: FormTable) -> None:
         self.forms = forms
+        self._names = {name for name, rows in forms.items() if any(row.role == "parameter" for row in rows)}
         self._written: dict[int, dict[str, list[tuple[int, Expr, Expr | None]]]] = {}
         self._by_class: dict[int, dict[str, list[tuple[Func, int, Expr, Expr | None]]]] = {}
         self._defaults: dict[tuple[str, str], tuple[Expr, Env] | str] = {}
@@ -85,12 +86,15 @@ class Parameters:
     def _index(self, func: Func) -> dict[str, list[tuple[int, Expr, Expr | None]]]:
         found: dict[str, list[tuple[int, Expr, Expr | None]]] = defaultdict(list)
         index = {id(statement): at for at, statement in enumerate(func.fact.body)}
-        for call in invocations(func):
+        for call in invocations(func, self._relevant()):
             entry = self._out(call)
             if entry is not None:
                 target, name, default = entry
                 found[target].append((index[id(call.statement)], name, default))
         return found
+
+    def _relevant(self) -> set[str]:
+        return {*_READERS, *self._names, *self._wrappers}
 
     def _out(self, call: Invocation) -> tuple[str, Expr, Expr | None] | None:
         if call.last in _READERS and len(call.args) >= 2:
@@ -128,11 +132,14 @@ class Parameters:
                 return self._defaults[owner, name]
         return self._defaults.get((package, name))
 
+    def forget(self) -> None:
+        """Drop what was indexed, since more wrappers are known now."""
+        self._written.clear()
+        self._by_class.clear()
+
     def add_wrapper(self, func: Func, name: str, default: str) -> None:
         """Remember that a function reads the parameter named by its parameter `name`."""
         known = self._wrappers[func.fact.name]
-        self._written.clear()
-        self._by_class.clear()
         if all(entry[0] is not func for entry in known):
             known.append((func, name, default))
 
