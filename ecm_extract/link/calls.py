@@ -163,8 +163,9 @@ def _one_node(func: Func, call: Call) -> Call:
 
 
 def _is_interface(func: Func, expr: Expr) -> bool:
-    if isinstance(expr, Call) and isinstance(expr.callee, Member):
-        return expr.callee.name.startswith("get_node_") and expr.callee.name.endswith("_interface")
+    if isinstance(expr, Call) and isinstance(expr.callee, Member | Name):
+        name = expr.callee.name if isinstance(expr.callee, Member) else expr.callee.id
+        return name.startswith("get_node_") and name.endswith("_interface")
     if not isinstance(expr, Name) or not expr.id.strip("_").endswith(_INTERFACE_NAMES):
         return False
     values = [s.value for s in func.fact.body if s.target == expr and s.kind == "let" and s.value is not None]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ecm_parsers.source.expr import Constant, Expr, Lambda, Name, Number, Op, Text
+from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Member, Name, Number, Op, Text
 
 from ecm_extract.link.calls import Invocation, invocations, last_name, pointee
 from ecm_extract.link.env import Env
@@ -68,7 +68,7 @@ class Matcher:
             return False
         written = self.folder.objects.type_of(call.receiver, env)
         if not written:
-            return _texty(name_argument(form, call)) and not form.fixed
+            return _texty(name_argument(form, call)) and not form.fixed and _handle_like(call.receiver)
         bare = plain(pointee(written))
         target = self.folder.program.alias(bare, call.func.file, env.scope) or bare
         last = last_name(plain(pointee(target)))
@@ -113,6 +113,15 @@ def name_argument(form: Form, call: Invocation) -> Expr | None:
     """Return the argument that holds the ROS name; None when the call cannot have one."""
     found = next(positions(form.name, call), None)
     return None if isinstance(found, Number | Constant | Lambda) else found
+
+
+def _handle_like(expr: Expr) -> bool:
+    """Tell by its name whether an object of unknown type is a node handle or an image transport."""
+    name = expr.id if isinstance(expr, Name) else expr.name if isinstance(expr, Member) else ""
+    if isinstance(expr, Call):
+        return isinstance(expr.callee, Name | Member) and _handle_like(expr.callee)
+    bare = name.rsplit("::", 1)[-1].strip("_").lower()
+    return bare in {"n", "it", "pn"} or any(word in bare for word in ("nh", "node", "handle", "transport"))
 
 
 def _qualified(path: str, callee: str) -> bool:

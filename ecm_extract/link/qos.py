@@ -32,7 +32,9 @@ _FLAGS: dict[str, tuple[str, str]] = {
 _POLICIES = ("reliability", "durability", "history", "liveliness")
 _TIMES = {"deadline": "deadline_ms", "lifespan": "lifespan_ms", "liveliness_lease_duration": "lease_ms"}
 _UNITS = {"s": 1000.0, "ms": 1.0, "us": 0.001, "ns": 1e-6, "min": 60000.0, "h": 3600000.0}
-_WRAPPERS = frozenset({"QoS", "QoSProfile", "QoSInitialization", "from_rmw", "KeepLast", "shared_ptr"})
+_WRAPPERS = frozenset(
+    {"QoS", "QoSProfile", "QoSInitialization", "from_rmw", "KeepLast", "KeepAll", "shared_ptr"}
+)
 _BASIC = ("reliability", "durability", "history", "depth")
 MAX_DEPTH = 12
 
@@ -112,6 +114,8 @@ class QosReader:
         policies: dict[str, Any] = {}
         for arg in expr.args:
             policies.update(self._policies(arg, env, level + 1))
+        if name == "KeepAll":
+            return {"history": "keep_all"}
         if name == "KeepLast" and expr.args:
             depth = self._number(expr.args[0], env)
             policies = {"history": "keep_last"} | ({"depth": depth} if depth is not None else {})

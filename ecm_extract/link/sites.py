@@ -309,6 +309,8 @@ class Sites:
     def _makes(self, call: Invocation, cls: Cls) -> bool:
         if last_name(call.path) != cls.fact.name or call.receiver is not None:
             return False
+        if not call.args and not call.keywords and not _default_constructible(cls):
+            return False
         scope = f"{call.func.fact.scope}::{call.func.fact.name}"
         path = call.path.replace(".", "::") if call.func.file.language == "cpp" else call.path
         return self.program.class_named(path, call.func.file, scope) is cls or self._imported_as(call, cls)
@@ -327,3 +329,11 @@ class Sites:
                     for base in self.program.ancestry(entry)[1:]:
                         self._derived[id(base)].append(entry)
         return self._derived.get(id(cls), [])
+
+
+def _default_constructible(cls: Cls) -> bool:
+    """Tell whether a class can be made without arguments: no constructor at all, or one that needs none."""
+    makers = [func for func in cls.methods if func.is_constructor]
+    return not makers or any(
+        all(entry.default is not None for entry in maker.fact.params) for maker in makers
+    )

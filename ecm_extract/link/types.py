@@ -180,6 +180,8 @@ class Types:
             if kind in parts[1:-1]:
                 at = parts.index(kind, 1)
                 name = parts[-1] if len(parts) > at + 1 else ""
+                if kind == "msg" and _ROLE_KIND.get(role) == "action":
+                    kind = "action"  # ROS 1 generates actions as messages
                 return f"{parts[at - 1]}/{kind}/{_action(name, kind)}" if name[:1].isupper() else None
         wanted = _ROLE_KIND.get(role)
         if wanted is None or len(parts) != 2 or not parts[1][:1].isupper():

@@ -1,0 +1,100 @@
+"""QoS from the expressions that real code writes."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from ecm_checker.contract import Qos
+
+CPP = 'class D : public rclcpp::Node {{ D() : Node("d") {{ {setup} create_publisher<std_msgs::msg::String>("a", {qos}); }} }};'
+PYTHON = """
+from rclpy.node import Node
+from rclpy.qos import *
+from std_msgs.msg import String
+class D(Node):
+    def __init__(self):
+        super().__init__('d')
+        {setup}
+        self.create_publisher(String, 'a', {qos})
+"""
+CPP_ROWS = [
+    ("", "5", ("reliable", "volatile", "keep_last", 5)),
+    ("", "rclcpp::SensorDataQoS()", ("best_effort", "volatile", "keep_last", 5)),
+    (
+        "",
+        "rclcpp::QoS(3).best_effort().transient_local()",
+        ("best_effort", "transient_local", "keep_last", 3),
+    ),
+    ("", "rclcpp::QoS(rclcpp::KeepLast(7)).reliable()", ("reliable", "volatile", "keep_last", 7)),
+    ("", "rclcpp::QoS(rclcpp::KeepAll())", ("reliable", "volatile", "keep_all", None)),
+    ("", "rmw_qos_profile_sensor_data", ("best_effort", "volatile", "keep_last", 5)),
+    ("auto q = rclcpp::QoS(1); q.transient_local();", "q", ("reliable", "transient_local", "keep_last", 1)),
+    (
+        "rclcpp::QoS q{2}; q.reliability(rclcpp::ReliabilityPolicy::BestEffort);",
+        "q",
+        ("best_effort", "volatile", "keep_last", 2),
+    ),
+    (
+        "auto p = rmw_qos_profile_default; p.depth = 50;",
+        "rclcpp::QoS(rclcpp::QoSInitialization::from_rmw(p), p)",
+        ("reliable", "volatile", "keep_last", 50),
+    ),
+]
+PYTHON_ROWS = [
+    ("", "10", ("reliable", "volatile", "keep_last", 10)),
+    ("", "qos_profile_sensor_data", ("best_effort", "volatile", "keep_last", 5)),
+    (
+        "",
+        "QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)",
+        ("reliable", "transient_local", "keep_last", 1),
+    ),
+    (
+        "q = QoSProfile(depth=4); q.reliability = QoSReliabilityPolicy.BEST_EFFORT",
+        "q",
+        ("best_effort", "volatile", "keep_last", 4),
+    ),
+]
+
+
+def four(qos: Qos | None) -> tuple[str | None, str | None, str | None, int | None]:
+    assert qos is not None
+    return qos.reliability, qos.durability, qos.history, qos.depth
+
+
+@pytest.mark.parametrize(("setup", "qos", "expected"), CPP_ROWS, ids=[row[1] for row in CPP_ROWS])
+def test_cpp_qos(workspace: Any, setup: str, qos: str, expected: tuple[Any, ...]) -> None:
+    """Presets, setters and variables give the four policies that matter most."""
+    entry = workspace.package({"src/d.cpp": CPP.format(setup=setup, qos=qos)}).only("publisher")
+    assert four(entry.qos) == expected
+
+
+@pytest.mark.parametrize(("setup", "qos", "expected"), PYTHON_ROWS, ids=[row[1] for row in PYTHON_ROWS])
+def test_python_qos(workspace: Any, setup: str, qos: str, expected: tuple[Any, ...]) -> None:
+    """Profiles by keyword and by assignment are read alike."""
+    entry = workspace.package({"pkg/d.py": PYTHON.format(setup=setup, qos=qos)}).only("publisher")
+    assert four(entry.qos) == expected
+
+
+def test_unset_policies_are_named_as_defaults(workspace: Any) -> None:
+    """What source does not set takes the default and says so."""
+    entry = workspace.package({"src/d.cpp": CPP.format(setup="", qos="5")}).only("publisher")
+    assert entry.qos is not None
+    assert entry.qos.defaulted == ("reliability", "durability")
+
+
+def test_deadline_and_lease_are_milliseconds(workspace: Any) -> None:
+    """Durations are read with their unit."""
+    qos = "rclcpp::QoS(1).deadline(std::chrono::milliseconds(100)).liveliness_lease_duration(2s)"
+    entry = workspace.package({"src/d.cpp": CPP.format(setup="", qos=qos)}).only("publisher")
+    assert entry.qos is not None
+    assert (entry.qos.deadline_ms, entry.qos.lease_ms) == (100.0, 2000.0)
+
+
+def test_ros1_has_a_queue_size_only(workspace: Any) -> None:
+    """No DDS policy is invented for ROS 1."""
+    text = (
+        'int main(int c, char ** v) { ros::NodeHandle nh; auto p = nh.advertise<std_msgs::String>("a", 7); }'
+    )
+    assert workspace.package({"src/m.cpp": text}, ros=1).only("publisher").qos == Qos(depth=7)

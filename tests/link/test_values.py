@@ -1,0 +1,134 @@
+"""Names that are computed: what folds, what stays a pattern."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+CPP = """
+#include "names.hpp"
+#define FROM_MACRO "from_macro"
+namespace demo {{
+constexpr auto CONSTANT = "constant";
+static const std::string PREFIX = "robot/";
+std::string joined(const std::string & ns, const std::string & leaf) {{ return ns + "/" + leaf; }}
+class Demo : public rclcpp::Node {{
+ public:
+  Demo() : Node("demo"), member_("from_initialiser") {{ set_in_body_ = "from_body"; }}
+  void start(const std::string & given) {{
+    {setup}
+    create_publisher<std_msgs::msg::String>({name}, 10);
+  }}
+  static constexpr char STATIC[] = "static";
+  std::string member_, set_in_body_;
+  std::string with_default_{{"from_default"}};
+}};
+}}
+"""
+ROWS = [
+    ("", "CONSTANT", "/constant", "folded"),
+    ("", 'PREFIX + "odom"', "/robot/odom", "folded"),
+    ("", "STATIC", "/static", "folded"),
+    ("", "Demo::STATIC", "/static", "folded"),
+    ("", "FROM_MACRO", "/from_macro", "folded"),
+    ("", "names::IN_HEADER", "/in_header", "folded"),
+    ("", "member_", "/from_initialiser", "folded"),
+    ("", "set_in_body_", "/from_body", "folded"),
+    ("", "with_default_", "/from_default", "folded"),
+    ("", 'std::string("a") + "/b"', "/a/b", "folded"),
+    ("", 'joined("ns", "leaf")', "/ns/leaf", "folded"),
+    ("", 'fmt::format("{}/{}", "a", CONSTANT)', "/a/constant", "folded"),
+    ('auto n = declare_parameter<std::string>("topic", "odom");', "n", "/odom", "default"),
+    (
+        'declare_parameter("topic", "odom"); auto n = get_parameter("topic").as_string();',
+        "n",
+        "/odom",
+        "default",
+    ),
+    (
+        'declare_parameter("topic", "odom"); std::string n; get_parameter("topic", n);',
+        "n",
+        "/odom",
+        "default",
+    ),
+    ('std::string n = "a"; n += "/b";', "n", "/a/b", "folded"),
+    ('std::string n; if (x) { n = "first"; } else { n = "second"; }', "n", None, "folded"),
+    ("", 'given + "/state"', "/{given}/state", "pattern"),
+    ("", 'compute() + "/state"', "/{compute}/state", "pattern"),
+]
+
+
+@pytest.mark.parametrize(
+    ("setup", "name", "expected", "confidence"), ROWS, ids=[f"{row[0][:30]} {row[1]}" for row in ROWS]
+)
+def test_cpp_name_folds(workspace: Any, setup: str, name: str, expected: str | None, confidence: str) -> None:
+    """A computed name is folded as far as the tree shows it, and says how surely it is known."""
+    files = {
+        "src/demo.cpp": CPP.format(setup=setup, name=name),
+        "include/pkg/names.hpp": 'namespace names { const char IN_HEADER[] = "in_header"; }',
+    }
+    found = [entry for entry in workspace.package(files).interfaces() if entry.role == "publisher"]
+    assert {entry.confidence for entry in found} == {confidence}
+    assert {entry.name for entry in found} == ({expected} if expected else {"/first", "/second"})
+
+
+PYTHON = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+from pkg.names import SHARED
+TOPIC = 'global'
+
+class Demo(Node):
+    LEVEL = 'class_level'
+    def __init__(self, suffix='left'):
+        super().__init__('demo')
+        self.prefix = 'robot'
+        {setup}
+        self.create_publisher(String, {name}, 10)
+"""
+PYTHON_ROWS = [
+    ("", "TOPIC", "/global", "folded"),
+    ("", "SHARED", "/shared", "folded"),
+    ("", "self.LEVEL", "/class_level", "folded"),
+    ("", "f'{self.prefix}/odom'", "/robot/odom", "folded"),
+    ("", "'%s/odom' % self.prefix", "/robot/odom", "folded"),
+    ("", "'{}/odom'.format(self.prefix)", "/robot/odom", "folded"),
+    ("", "'/'.join([self.prefix, 'odom'])", "/robot/odom", "folded"),
+    ("", "self.prefix + '/' + suffix", "/robot/left", "default"),
+    ("n = self.declare_parameter('topic', 'odom').value", "n", "/odom", "default"),
+    (
+        "n = self.declare_parameter('topic', 'odom').get_parameter_value().string_value",
+        "n",
+        "/odom",
+        "default",
+    ),
+    (
+        "self.declare_parameter('topic', 'odom'); n = self.get_parameter('topic').value",
+        "n",
+        "/odom",
+        "default",
+    ),
+    ("import sys; n = sys.argv[1]", "n", "/{item}", "pattern"),
+]
+
+
+@pytest.mark.parametrize(
+    ("setup", "name", "expected", "confidence"), PYTHON_ROWS, ids=[row[1] for row in PYTHON_ROWS]
+)
+def test_python_name_folds(workspace: Any, setup: str, name: str, expected: str, confidence: str) -> None:
+    """The same folding holds in Python, across imports of the package."""
+    files = {
+        "pkg/demo.py": PYTHON.replace("{setup}", setup).replace("{name}", name),
+        "pkg/names.py": "SHARED = 'shared'\n",
+        "pkg/__init__.py": "",
+    }
+    entry = workspace.package(files).only("publisher")
+    assert (entry.name, entry.confidence) == (expected, confidence)
+
+
+def test_values_that_define_each_other_end(workspace: Any) -> None:
+    """Members that are set from each other give a pattern, not an endless search."""
+    text = 'class D : public rclcpp::Node { D() : Node("d") { a_ = b_; b_ = a_; create_client<std_srvs::srv::Empty>(a_); } std::string a_, b_; };'
+    assert workspace.package({"src/d.cpp": text}).only("service_client").confidence == "pattern"

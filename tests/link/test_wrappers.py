@@ -1,0 +1,116 @@
+"""Functions and classes that pass their arguments on to a form are forms themselves."""
+
+from __future__ import annotations
+
+from typing import Any
+
+HELPER = """
+template<typename NodeT>
+void declare_once(NodeT node, const std::string & name, const rclcpp::ParameterValue & value) {
+  if (!node->has_parameter(name)) { node->declare_parameter(name, value); }
+}
+"""
+
+
+def test_a_helper_function_in_another_package_is_a_form(workspace: Any) -> None:
+    """The call of the helper is the declaration: its name, its default, its line first."""
+    workspace.package({"include/util/util.hpp": HELPER}, name="util")
+    node = 'class D : public rclcpp::Node { D() : Node("d") {\n util::declare_once(this, "speed", rclcpp::ParameterValue(0.5)); } };'
+    workspace.package({"src/d.cpp": '#include "util/util.hpp"\n' + node})
+    entry = workspace.only("parameter")
+    assert (entry.name, entry.type, entry.default) == ("speed", "double", 0.5)
+    assert [place.path for place in entry.evidence] == ["pkg/src/d.cpp", "util/include/util/util.hpp"]
+
+
+def test_a_chain_of_helpers_is_followed(workspace: Any) -> None:
+    """A helper of a helper is a form too; each call of the outermost one is its own endpoint."""
+    text = """
+class D : public rclcpp::Node {
+  D() : Node("d") { both("left"); both("right"); }
+  void both(const std::string & side) { one(side + "/cmd"); }
+  void one(const std::string & topic) { pubs_.push_back(create_publisher<std_msgs::msg::Float64>(topic, 1)); }
+};"""
+    names = {entry.name for entry in workspace.package({"src/d.cpp": text}).interfaces()}
+    assert names == {"/left/cmd", "/right/cmd"}
+
+
+def test_template_arguments_go_through(workspace: Any) -> None:
+    """The message type of a template helper is that of each call."""
+    text = """
+template<class MessageT> auto make(rclcpp::Node * node, const std::string & topic) { return node->create_publisher<MessageT>(topic, 1); }
+class D : public rclcpp::Node { D() : Node("d") { a_ = make<std_msgs::msg::String>(this, "a"); b_ = make<std_msgs::msg::Bool>(this, "b"); } };"""
+    found = {(entry.name, entry.type) for entry in workspace.package({"src/d.cpp": text}).interfaces()}
+    assert found == {("/a", "std_msgs/msg/String"), ("/b", "std_msgs/msg/Bool")}
+
+
+def test_constructor_arguments_go_through_members(workspace: Any) -> None:
+    """A helper object opens a topic that the maker of the object names."""
+    text = """
+class Channel { public:
+  Channel(rclcpp::Node * node, const std::string & topic) : node_(node), topic_(topic) {}
+  void open() { pub_ = node_->create_publisher<std_msgs::msg::String>(topic_, 1); }
+  rclcpp::Node * node_; std::string topic_; };
+class D : public rclcpp::Node { D() : Node("d"), fixed_(this, "fixed") { made_ = std::make_unique<Channel>(this, "made"); }
+  Channel fixed_; std::unique_ptr<Channel> made_; };"""
+    modules = workspace.package({"src/d.cpp": text}).modules()
+    assert {entry.name for entry in modules["ecm.pkg.d"].signature.interfaces} == {"/fixed", "/made"}
+
+
+def test_base_classes_of_another_package_bring_their_endpoints(workspace: Any) -> None:
+    """What a base class declares belongs to each module that derives from it, marked with where it comes from."""
+    base = 'namespace base { class Base : public rclcpp::Node { public: Base(const std::string & name, const std::string & topic) : Node(name) { declare_parameter("common", true); create_publisher<std_msgs::msg::String>(topic, 1); } }; }'
+    workspace.package({"include/base/base.hpp": base}, name="base")
+    workspace.package(
+        {
+            "src/d.cpp": '#include "base/base.hpp"\nclass D : public base::Base { public: D() : base::Base("derived", "from_derived") {} };'
+        }
+    )
+    contract = workspace.modules()["ecm.pkg.derived"]
+    found = {entry.role: entry for entry in contract.signature.interfaces}
+    assert found["publisher"].name == "/from_derived"
+    assert (found["parameter"].name, found["parameter"].inherited_from) == ("common", "Base")
+
+
+def test_a_local_lambda_is_a_helper(workspace: Any) -> None:
+    """A lambda bound to a name and called with a name is a form."""
+    text = """
+class D : public rclcpp::Node { D() : Node("d") {
+  auto declare = [this](const std::string & name, double value) { return declare_parameter(name, value); };
+  declare("gain", 1.5); } };"""
+    entry = workspace.package({"src/d.cpp": text}).only("parameter")
+    assert (entry.name, entry.default) == ("gain", 1.5)
+
+
+def test_python_helpers_with_spread_arguments(workspace: Any) -> None:
+    """A topic given as a tuple is joined where the helper joins it."""
+    text = """
+from rclpy.node import Node
+from std_msgs.msg import String
+class Base(Node):
+    def __init__(self, ns='robot'):
+        super().__init__('demo')
+        self._ns = ns
+    def topic(self, *args):
+        return '/'.join((self._ns,) + args)
+    def subscribe_to(self, kind, *parts):
+        return self.create_subscription(kind, self.topic(*parts), print, 10)
+class Demo(Base):
+    def start(self):
+        self.subscribe_to(String, 'state', 'text')
+"""
+    entry = workspace.package({"pkg/demo.py": text}).only("subscriber")
+    assert (entry.name, entry.type, entry.confidence) == (
+        "/robot/state/text",
+        "std_msgs/msg/String",
+        "default",
+    )
+
+
+def test_overloads_are_told_apart_by_their_arguments(workspace: Any) -> None:
+    """A default that is a number cannot mean the overload that takes a descriptor there."""
+    text = """
+class D : public rclcpp::Node { public: D() : Node("d") { get("a", 1.0); get<std::string>("b"); }
+  template<class T> T get(const std::string & name, const Descriptor & d = Descriptor()) { return declare_parameter<T>(name, d); }
+  template<class T> T get(const std::string & name, const T & value, const Descriptor & d = Descriptor()) { return declare_parameter(name, value, d); } };"""
+    found = {(entry.name, entry.default) for entry in workspace.package({"src/d.cpp": text}).interfaces()}
+    assert found == {("a", 1.0), ("b", None)}
