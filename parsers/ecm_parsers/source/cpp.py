@@ -12,7 +12,7 @@ from ecm_parsers.result import Diagnostic, Parsed
 from ecm_parsers.source import cpp_text
 from ecm_parsers.source.cpp_body import BodyReader, declared_name, parameters
 from ecm_parsers.source.cpp_expr import ExprReader
-from ecm_parsers.source.expr import Expr
+from ecm_parsers.source.expr import Expr, Items
 from ecm_parsers.source.facts import Alias, Class, Constant, Field, Function, Import, Macro, SourceFile
 
 if TYPE_CHECKING:
@@ -238,7 +238,7 @@ class _FileReader:
             return None
         if node.type in {"initializer_list", "argument_list"}:
             args = self.expr.arguments(node)
-            return args[0] if len(args) == 1 else None
+            return args[0] if len(args) == 1 else Items(args) if args else None
         return self.expr.read(node)
 
     def function(self, node: Node, place: _Place) -> None:

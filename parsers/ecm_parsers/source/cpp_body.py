@@ -118,6 +118,16 @@ class BodyReader:
                 self._add("set", node, assigned, target)
         elif isinstance(value, Op) and value.op == "+=":
             self._add("set", node, Op("+", value.operands), value.operands[0])
+        elif isinstance(value, Op) and value.op == "<<":
+            self._stream(node, value)
+        elif has_call(value):
+            self._add("do", node, value)
+
+    def _stream(self, node: Node, value: Op) -> None:
+        """`stream << a << b` appends to the stream."""
+        parts = _shifted(value)
+        if isinstance(parts[0], Name) and "::" not in parts[0].id:
+            self._add("set", node, Op("+", tuple(parts)), parts[0])
         elif has_call(value):
             self._add("do", node, value)
 
@@ -137,7 +147,10 @@ class BodyReader:
     def _bind(self, declaration: Node, declarator: Node) -> None:
         kind = declaration.child_by_field_name("type")
         value = declarator.child_by_field_name("value")
-        if kind is None or declarator.type == "function_declarator":
+        if kind is None:
+            return
+        if declarator.type == "function_declarator":
+            self._constructed(kind, declarator)
             return
         bound = declarator.child_by_field_name("declarator") or declarator
         name = declared_name(self.expr, bound)
@@ -145,9 +158,28 @@ class BodyReader:
             self._named_lambda(name, value)
             return
         read = self._initial(kind, value)
-        if kind.type == "primitive_type" and not _keeps_number(read):
-            return
+        if kind.type == "primitive_type" and read is not None and not _keeps_number(read):
+            read = None
         self._add("let", declarator, read, Name(name), self.expr.type_text(kind))
+
+    def _constructed(self, kind: Node, declarator: Node) -> None:
+        """`Listener listener(buffer);` reads as a function declaration; in a body it makes an object."""
+        named, listed = (
+            declarator.child_by_field_name("declarator"),
+            declarator.child_by_field_name("parameters"),
+        )
+        if named is None or listed is None or named.type != "identifier" or not listed.named_children:
+            return
+        args = []
+        for child in listed.named_children:
+            written = child.child_by_field_name("type")
+            if written is None or child.child_by_field_name("declarator") is not None:
+                return
+            args.append(Name(self.expr.name(written)))
+        made = Call(
+            Name(self.expr.name(kind)), tuple(args), (), self.expr.template_arguments(kind), _line(kind)
+        )
+        self._add("let", declarator, made, Name(self.expr.text(named)), self.expr.type_text(kind))
 
     def _initial(self, kind: Node, value: Node | None) -> Expr | None:
         if value is None:
@@ -200,6 +232,14 @@ class BodyReader:
 
 
 _LOGGING_BYTES = tuple(prefix.encode() for prefix in _LOGGING)
+
+
+def _shifted(value: Expr) -> list[Expr]:
+    parts: list[Expr] = []
+    while isinstance(value, Op) and value.op == "<<" and len(value.operands) == 2:
+        parts.insert(0, value.operands[1])
+        value = value.operands[0]
+    return [value, *parts]
 
 
 def has_call(value: Expr) -> bool:
