@@ -61,16 +61,20 @@ def _parser() -> Parser:
 
 
 def _tree(data: bytes) -> tuple[Tree, bytes]:
-    """Parse as it is; on errors without macros, and then without conditionals, whichever reads more."""
+    """Parse as it is; on errors without macros, and then without conditionals, whichever reads more.
+
+    A missing `;` after a macro spoils nothing, so only real errors are worth a second parse.
+    """
     tree = _parser().parse(data)
-    if not tree.root_node.has_error:
+    if _first_error(tree.root_node) is None:
         return tree, data
-    data = cpp_text.without_macros(data)
-    tree = _parser().parse(data)
-    if tree.root_node.has_error and b"#if" in data:
+    rewritten = cpp_text.without_macros(data)
+    if rewritten != data:
+        tree, data = _parser().parse(rewritten), rewritten
+    if b"#if" in data and _first_error(tree.root_node) is not None:
         flat = cpp_text.without_conditionals(data)
         other = _parser().parse(flat)
-        if not other.root_node.has_error:
+        if _first_error(other.root_node) is None:
             return other, flat
     return tree, data
 
@@ -84,13 +88,15 @@ def _diagnostics(tree: Tree) -> tuple[Diagnostic, ...]:
     return (Diagnostic("info", "cpp-syntax", line, message),)
 
 
-def _first_error(node: Node) -> Node | None:
-    while node.has_error and node.type != "ERROR":
-        following = next((child for child in node.children if child.has_error or child.is_missing), None)
-        if following is None or following.is_missing:
-            return None
-        node = following
-    return node if node.type == "ERROR" else None
+def _first_error(root: Node) -> Node | None:
+    """Return the first ERROR node; nodes that the parser only missed do not count."""
+    pending = [root] if root.has_error else []
+    while pending:
+        node = pending.pop()
+        if node.type == "ERROR":
+            return node
+        pending.extend(child for child in reversed(node.children) if child.has_error)
+    return None
 
 
 class _Place:
