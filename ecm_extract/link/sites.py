@@ -67,6 +67,7 @@ class Sites:
         self.calls: dict[str, list[Invocation]] = defaultdict(list)
         self._positions: dict[int, dict[int, int]] = {}
         self._derived: dict[int, list[Cls]] | None = None
+        self._remembered: set[int] = set()
         self._names: dict[int, tuple[Site, tuple[Value, ...]]] = {}
         self._targets: dict[int, tuple[Func, ...]] = {}
         wanted = {*matcher.forms, *program.functions, *program.classes, *_ALSO}
@@ -129,7 +130,8 @@ class Sites:
         params, made = self._open(site)
         own = {parameter.name for parameter in site.root.fact.params} | set(site.root.fact.template)
         if params & own:
-            if site.form.role == "parameter":
+            if site.form.role == "parameter" and id(site.root) not in self._remembered:
+                self._remembered.add(id(site.root))
                 self._remember_wrapper(site)
             yield from self._callers(site)
         elif made and site.owner is not None:

@@ -1,16 +1,17 @@
 """Parse source files on all cores.
 
-Workers are forked, so they inherit the tree without a copy; the parent parses a share itself, and children hand
-back encoded facts through a pipe: parsing two shares on two cores costs one pickle of nothing.
+Workers are forked, so they inherit the tree without a copy; the parent parses along, and children hand back
+encoded facts through a pipe.
 """
 
 from __future__ import annotations
 
 import os
 import threading
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from multiprocessing import get_context
 from multiprocessing.connection import Connection
+from multiprocessing.process import BaseProcess
 
 import msgspec
 from ecm_parsers.result import Diagnostic, Parsed
@@ -21,7 +22,7 @@ from ecm_extract.tree import FileDiagnostic, Tree, printable
 
 Task = tuple[str, SourceKind]
 MIN_PARALLEL = 40
-BATCH = 24
+BATCH = 12
 
 
 class ParsedFile(msgspec.Struct, frozen=True, array_like=True):
@@ -38,48 +39,80 @@ class _Batch(msgspec.Struct, frozen=True, array_like=True):
 
     files: tuple[ParsedFile, ...]
     unread: tuple[FileDiagnostic, ...] = ()
-    last: bool = False
 
 
-def parse_sources(
-    tree: Tree, tasks: Sequence[Task], jobs: int | None, done: Callable[[int], None]
-) -> list[ParsedFile]:
-    """Parse all files, in the order of `tasks`; what cannot be read is reported to the tree.
+class SourceParse:
+    """The parse of many files under way: workers run from `start` on, the caller joins in with `finish`."""
 
-    Args:
-        tree: where to read.
-        tasks: path and kind of each file.
-        jobs: processes in all; None takes one per core.
-        done: called with the number of files finished since the last call.
-    """
-    count = jobs or os.cpu_count() or 1
-    if count <= 1 or len(tasks) < MIN_PARALLEL:
-        return list(_parse(tree, tasks, done))
-    shares = _shares(tasks, count)
-    context = get_context("fork")
-    receivers: list[Connection] = []
-    workers = []
-    for share in shares[1:]:
-        receiver, sender = context.Pipe(duplex=False)
-        worker = context.Process(target=_work, args=(tree, share, sender), daemon=True)
-        worker.start()
+    def __init__(self, tree: Tree, tasks: Sequence[Task], jobs: int | None) -> None:
+        self.tree = tree
+        self.tasks = tasks
+        count = jobs or os.cpu_count() or 1
+        self._others = count - 1 if len(tasks) >= MIN_PARALLEL else 0
+        self._context = get_context("fork")
+        self._next = self._context.Value("i", 0)
+        self._workers: list[BaseProcess] = []
+        self._collectors: list[_Collector] = []
+
+    def start(self) -> None:
+        """Fork the workers; they inherit the tree without a copy."""
+        for _ in range(self._others):
+            receiver, sender = self._context.Pipe(duplex=False)
+            worker = self._context.Process(target=self._work, args=(sender,), daemon=True)
+            worker.start()
+            sender.close()
+            self._collectors.append(_Collector(receiver))
+            self._workers.append(worker)
+
+    def finish(self, done: Callable[[int], None]) -> list[ParsedFile]:
+        """Parse along until nothing is left; return all files in the order of the tasks.
+
+        Args:
+            done: called with the number of files finished since the last call.
+        """
+        results = {parsed.path: parsed for parsed in self._batches(done)}
+        for collector in self._collectors:
+            for batch in collector.batches():
+                done(len(batch.files))
+                results.update((parsed.path, parsed) for parsed in batch.files)
+                for diagnostic in batch.unread:
+                    self.tree.report(diagnostic)
+        for worker in self._workers:
+            worker.join()
+        self._report_lost(results)
+        return [results[path] for path, _ in self.tasks if path in results]
+
+    def _batches(self, done: Callable[[int], None]) -> Iterator[ParsedFile]:
+        """Take batches off the common counter, so that nobody waits for the slowest share."""
+        while True:
+            with self._next.get_lock():
+                start = self._next.value
+                self._next.value += BATCH
+            if start >= len(self.tasks):
+                return
+            yield from _parse(self.tree, self.tasks[start : start + BATCH], done)
+
+    def _work(self, sender: Connection) -> None:
+        before = len(self.tree.diagnostics)
+        encoder = msgspec.msgpack.Encoder()
+        pending: list[ParsedFile] = []
+        for parsed in self._batches(lambda count: None):
+            pending.append(parsed)
+            if len(pending) >= BATCH:
+                sender.send_bytes(encoder.encode(_Batch(tuple(pending))))
+                pending = []
+        sender.send_bytes(encoder.encode(_Batch(tuple(pending), tuple(self.tree.diagnostics[before:]))))
         sender.close()
-        receivers.append(receiver)
-        workers.append(worker)
-    results: dict[str, ParsedFile] = {}
-    collectors = [_Collector(receiver) for receiver in receivers]
-    for parsed in _parse(tree, shares[0], done):
-        results[parsed.path] = parsed
-    for collector in collectors:
-        for batch in collector.batches():
-            done(len(batch.files))
-            results.update((parsed.path, parsed) for parsed in batch.files)
-            for diagnostic in batch.unread:
-                tree.report(diagnostic)
-    for worker in workers:
-        worker.join()
-    _report_lost(tree, tasks, results, workers)
-    return [results[path] for path, _ in tasks if path in results]
+
+    def _report_lost(self, results: Mapping[str, ParsedFile]) -> None:
+        """A worker that was killed costs its remaining files, and says so."""
+        if all(worker.exitcode == 0 for worker in self._workers):
+            return
+        unread = {diagnostic.path for diagnostic in self.tree.diagnostics}
+        for path, kind in self.tasks:
+            if path not in results and kind != "script" and printable(path) not in unread:
+                message = "The process that read this file was stopped. Run again with --jobs 1 to see why."
+                self.tree.report(FileDiagnostic("error", "worker-lost", printable(path), 0, message))
 
 
 class _Collector:
@@ -98,27 +131,14 @@ class _Collector:
         except (EOFError, OSError):
             return
 
-    def batches(self) -> Iterable[_Batch]:
+    def batches(self) -> list[_Batch]:
         """Return what the worker sent, after it has ended."""
         self._thread.join()
         decoder = msgspec.msgpack.Decoder(_Batch)
         return [decoder.decode(raw) for raw in self._raw]
 
 
-def _work(tree: Tree, share: Sequence[Task], sender: Connection) -> None:
-    before = len(tree.diagnostics)
-    encoder = msgspec.msgpack.Encoder()
-    pending: list[ParsedFile] = []
-    for parsed in _parse(tree, share, lambda count: None):
-        pending.append(parsed)
-        if len(pending) >= BATCH:
-            sender.send_bytes(encoder.encode(_Batch(tuple(pending))))
-            pending = []
-    sender.send_bytes(encoder.encode(_Batch(tuple(pending), tuple(tree.diagnostics[before:]), True)))
-    sender.close()
-
-
-def _parse(tree: Tree, tasks: Sequence[Task], done: Callable[[int], None]) -> Iterable[ParsedFile]:
+def _parse(tree: Tree, tasks: Sequence[Task], done: Callable[[int], None]) -> Iterator[ParsedFile]:
     kinds = dict(tasks)
     for path, data in tree.read_many([path for path, _ in tasks]):
         done(1)
@@ -138,21 +158,3 @@ def parse_source(data: bytes, kind: SourceKind) -> Parsed[SourceFile] | None:
     from ecm_parsers.source.python import parse_python
 
     return parse_python(data)
-
-
-def _shares(tasks: Sequence[Task], count: int) -> list[list[Task]]:
-    """Deal the files out in turn: neighbours are alike, so shares take about the same time."""
-    return [list(tasks[start::count]) for start in range(count)]
-
-
-def _report_lost(
-    tree: Tree, tasks: Sequence[Task], results: dict[str, ParsedFile], workers: Sequence[object]
-) -> None:
-    """A worker that was killed costs its remaining files, and says so."""
-    failed = [worker for worker in workers if getattr(worker, "exitcode", 0)]
-    if not failed:
-        return
-    for path, kind in tasks:
-        if path not in results and kind != "script":
-            message = "The process that read this file was stopped. Run again with --jobs 1 to see why."
-            tree.report(FileDiagnostic("error", "worker-lost", printable(path), 0, message))

@@ -15,7 +15,7 @@ from ecm_extract.discover import PackageRoot, discover, is_test_path
 from ecm_extract.read import select
 from ecm_extract.read.build_files import read_cmake, read_setups
 from ecm_extract.read.facts import PackageFacts
-from ecm_extract.read.parallel import Task, parse_sources
+from ecm_extract.read.parallel import SourceParse, Task
 from ecm_extract.tree import FileDiagnostic, Tree, printable
 
 Progress = Callable[[int, int], None]
@@ -40,6 +40,10 @@ class Reader:
         """Return the facts of every package, sorted by path."""
         packages = [PackageFacts(self._wanted(root)) for root in discover(self.tree)]
         tasks = self._tasks(packages)
+        sources = SourceParse(self.tree, tasks, jobs)
+        sources.start()
+        for package in packages:
+            self._read_package(package)
         count = 0
 
         def done(finished: int) -> None:
@@ -48,13 +52,13 @@ class Reader:
             if progress is not None:
                 progress(count, len(tasks))
 
-        parsed = parse_sources(self.tree, tasks, jobs, done)
+        parsed = sources.finish(done)
         owner = {entry.path: package for package in packages for entry in package.root.files}
         for file in parsed:
             owner[file.path].sources[file.path] = file.facts
             self._count(file.path, file.size, file.diagnostics)
         for package in packages:
-            self._read_package(package)
+            package.ros = _ros(package)
         return packages
 
     def _wanted(self, root: PackageRoot) -> PackageRoot:
@@ -72,7 +76,6 @@ class Reader:
             package.manifest = self.parse(root.manifest, package_xml.parse)
         package.cmake = read_cmake(self, root)
         package.setups = read_setups(self, root)
-        package.ros = _ros(package)
         for entry in root.files:
             self._read_declarative(package, entry.path)
         self._read_named(package)
