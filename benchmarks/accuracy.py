@@ -89,9 +89,7 @@ def _match(row: Row, interfaces: list[Interface]) -> tuple[Interface | None, boo
     fitting = [one for one in interfaces if one.role == row.role]
     exact = [one for one in fitting if same_name(row.name, _names(one))]
     if exact:
-        return max(
-            exact, key=lambda one: bool(row.type and one.type and same_type(row.type, one.type))
-        ), False
+        return max(exact, key=lambda one: bool(row.type and one.type and same_type(row.type, one.type))), False
     loose = [one for one in fitting if covered(row.name, _names(one))]
     return (loose[0], True) if loose else (None, False)
 
@@ -171,9 +169,7 @@ def report(truth: Truth, extraction: Extraction) -> tuple[Score, Score]:
 
 
 def _arguments() -> argparse.Namespace:
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("truth", type=Path, help="a file or the folder benchmarks/truth")
     parser.add_argument("clones", type=Path, help="folder with one work tree per `tree` of the truth files")
     parser.add_argument("--extraction", type=Path, metavar="FILE", help="JSON that ecm-extract wrote before")
@@ -188,19 +184,14 @@ def main() -> None:
     read: dict[str, Extraction] = {}
     for truth in map(load, files):
         if not (options.clones / truth.tree).is_dir():
-            print(
-                f"{truth.node}: skipped, {options.clones / truth.tree} is not there (check out {truth.ref})"
-            )
+            print(f"{truth.node}: skipped, {options.clones / truth.tree} is not there (check out {truth.ref})")
             continue
         if truth.tree not in read:
             read[truth.tree] = extract(options.clones / truth.tree, options.extraction)
         mine = report(truth, read[truth.tree])
         endpoints, parameters = endpoints.plus(mine[0]), parameters.plus(mine[1])
     both = endpoints.plus(parameters)
-    print(
-        "ALL\n"
-        + "\n".join([_line("endpoints", endpoints), _line("parameters", parameters), _line("both", both)])
-    )
+    print("ALL\n" + "\n".join([_line("endpoints", endpoints), _line("parameters", parameters), _line("both", both)]))
     sys.exit(0 if both.documented and min(both.recall, both.precision) >= TARGET else 1)
 
 

@@ -90,9 +90,7 @@ def _site(source: Source, row: Row, start: int, name: int, end: int) -> Site:
     text = source.text
     line = text.count("\n", 0, start) + 1
     shown = text[text.rfind("\n", 0, name) + 1 : (text.find("\n", name) + 1 or len(text) + 1) - 1].strip()
-    return Site(
-        row=row, path=source.path, line=line, end_line=line + text.count("\n", start, end), text=shown
-    )
+    return Site(row=row, path=source.path, line=line, end_line=line + text.count("\n", start, end), text=shown)
 
 
 def _judge_call(row: Row, masked: str, match: re.Match[str]) -> Verdict:

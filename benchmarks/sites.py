@@ -101,18 +101,14 @@ def _print_left_out(excluded: Counter[str], skipped: Counter[str]) -> None:
     print("left out by the oracle:")
     for reason, count in sorted(excluded.items()):
         print(f"  {count:6} {reason}: {EXCLUSIONS[reason]}")
-    print(
-        "files not read: " + (", ".join(f"{count} {why}" for why, count in sorted(skipped.items())) or "none")
-    )
+    print("files not read: " + (", ".join(f"{count} {why}" for why, count in sorted(skipped.items())) or "none"))
 
 
 def missing(result: Result) -> list[str]:
     """Which of found, typed and named a site lacks."""
     if not result.found:
         return ["found"]
-    return [
-        what for what, good in (("typed", result.typed is not False), ("named", result.named)) if not good
-    ]
+    return [what for what, good in (("typed", result.typed is not False), ("named", result.named)) if not good]
 
 
 def _misses(results: list[Result]) -> list[dict[str, Any]]:
@@ -131,15 +127,11 @@ def _misses(results: list[Result]) -> list[dict[str, Any]]:
 
 def _print_misses(results: list[Result]) -> None:
     for miss in _misses(results):
-        print(
-            f"{miss['path']}:{miss['line']}: not {', '.join(miss['lacks'])} [{miss['form']}]: {miss['text']}"
-        )
+        print(f"{miss['path']}:{miss['line']}: not {', '.join(miss['lacks'])} [{miss['form']}]: {miss['text']}")
 
 
 def _arguments() -> argparse.Namespace:
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("repo", type=Path, help="a work tree")
     parser.add_argument("--json", action="store_true", help="print JSON instead of the table")
     parser.add_argument("--misses", action="store_true", help="print every site that lacks something")
@@ -162,11 +154,7 @@ def main() -> None:
     lines = table(results)
     if options.json:
         forms = {form: msgspec.to_builtins(one) for form, one in lines}
-        print(
-            json.dumps(
-                {"repo": options.repo.name, "forms": forms, "excluded": excluded, "misses": _misses(results)}
-            )
-        )
+        print(json.dumps({"repo": options.repo.name, "forms": forms, "excluded": excluded, "misses": _misses(results)}))
     else:
         _print_table(lines)
         _print_left_out(excluded, skipped)

@@ -136,9 +136,7 @@ def verdicts(timing: Timing, peak: peak_memory.Peak) -> list[tuple[str, bool]]:
 
 def _print(timing: Timing, peak: peak_memory.Peak) -> None:
     warm = "no cache" if timing.warm is None else f"{timing.warm:.2f} s"
-    print(
-        f"files: {timing.files} ({timing.megabytes:.1f} MB), of which an extraction reads {timing.files_read}"
-    )
+    print(f"files: {timing.files} ({timing.megabytes:.1f} MB), of which an extraction reads {timing.files_read}")
     print(f"raw parse, one core: all {timing.parse_all:.2f} s, those read {timing.parse_read:.2f} s")
     print(f"extraction: cold {timing.cold:.2f} s, warm {warm}; {os.cpu_count()} cores")
     print(f"cold / raw parse of the files read: {timing.cold / max(timing.parse_read, 1e-9):.2f} x")
@@ -150,9 +148,7 @@ def _print(timing: Timing, peak: peak_memory.Peak) -> None:
 
 def main() -> None:
     """Run the benchmark; status 1 when a figure is not reached."""
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("repo", type=Path, help="a work tree")
     parser.add_argument("--json", action="store_true", help="print JSON instead of text")
     options = parser.parse_args()

@@ -134,9 +134,7 @@ def _key_parts(text: str) -> tuple[str, ...]:
 
 def _text(data: bytes, path: str) -> str:
     if len(data) > MAX_CONFIG_BYTES:
-        raise ConfigError(
-            path, 0, "", f"has more than {MAX_CONFIG_BYTES} bytes; it is a short file of settings"
-        )
+        raise ConfigError(path, 0, "", f"has more than {MAX_CONFIG_BYTES} bytes; it is a short file of settings")
     try:
         return data.decode("utf-8-sig").replace("\r\n", "\n")
     except UnicodeDecodeError as error:

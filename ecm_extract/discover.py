@@ -87,8 +87,7 @@ def _is_test_source(name: str) -> bool:
 def _manifests(entries: Collection[Entry]) -> dict[str, str]:
     """Manifest path by folder; a `manifest.xml` in or below a `package.xml` package is only data."""
     modern, rosbuild = (
-        {_folder(entry.path): entry.path for entry in entries if _name(entry.path) == name}
-        for name in MANIFESTS
+        {_folder(entry.path): entry.path for entry in entries if _name(entry.path) == name} for name in MANIFESTS
     )
     old = {folder: path for folder, path in rosbuild.items() if _owner(path, modern) is None}
     return old | modern

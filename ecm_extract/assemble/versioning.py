@@ -25,9 +25,7 @@ def versioning_of(facts: PackageFacts, entities: bool = False) -> Versioning:
     ranges: dict[str, str] = {}
     for entry in manifest.dependencies:
         if entry.kind not in {"test", "doc"}:
-            ranges.setdefault(
-                entry.name, " ".join(f"{sign}{version}" for sign, version in entry.versions) or "*"
-            )
+            ranges.setdefault(entry.name, " ".join(f"{sign}{version}" for sign, version in entry.versions) or "*")
     evidence = tuple(Evidence(path, entry.line) for entry in manifest.dependencies[:1])
     deprecated = None
     if manifest.deprecated is not None:
@@ -51,11 +49,7 @@ def _of_interface(package: str, path: str, definition: Definition) -> Iterator[E
         prefix = "" if section.name == "message" else f"{section.name}."
         for field in section.fields:
             evidence = (Evidence(path, field.line),)
-            yield Entity(
-                "message_field", package, name, prefix + field.name, evidence, field.type, field.default
-            )
+            yield Entity("message_field", package, name, prefix + field.name, evidence, field.type, field.default)
         for constant in section.constants:
             evidence = (Evidence(path, constant.line),)
-            yield Entity(
-                "constant", package, name, prefix + constant.name, evidence, constant.type, constant.value
-            )
+            yield Entity("constant", package, name, prefix + constant.name, evidence, constant.type, constant.value)

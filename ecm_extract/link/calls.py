@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Container, Iterator
+from collections.abc import Container, Iterable, Iterator
 from typing import NamedTuple
 
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op, Table, Template
@@ -106,28 +106,27 @@ def held_objects(cls: Cls) -> Iterator[Invocation]:
 
 def walk(expr: Expr) -> Iterator[Call]:
     """Yield the calls within an expression, inner ones first."""
+    for part in _parts(expr):
+        yield from walk(part)
     if isinstance(expr, Call):
-        yield from walk(expr.callee)
-        for arg in expr.args:
-            yield from walk(arg)
-        for _, value in expr.keywords:
-            yield from walk(value)
         yield expr
-    elif isinstance(expr, Member):
-        yield from walk(expr.base)
-    elif isinstance(expr, Op):
-        for operand in expr.operands:
-            yield from walk(operand)
-    elif isinstance(expr, Items):
-        for item in expr.items:
-            yield from walk(item)
-    elif isinstance(expr, Table):
-        for key, value in expr.entries:
-            yield from walk(key)
-            yield from walk(value)
-    elif isinstance(expr, Template):
-        for part in expr.parts:
-            yield from walk(part)
+
+
+def _parts(expr: Expr) -> Iterable[Expr]:
+    match expr:
+        case Call():
+            return (expr.callee, *expr.args, *(value for _, value in expr.keywords))
+        case Member():
+            return (expr.base,)
+        case Op():
+            return expr.operands
+        case Items():
+            return expr.items
+        case Table():
+            return (part for entry in expr.entries for part in entry)
+        case Template():
+            return expr.parts
+    return ()
 
 
 def invocation(func: Func, statement: Statement, call: Call) -> Invocation:
@@ -136,18 +135,14 @@ def invocation(func: Func, statement: Statement, call: Call) -> Invocation:
         return _python(func, statement, call)
     callee = call.callee
     if isinstance(callee, Member):
-        return Invocation(
-            func, statement, callee.name, callee.base, call.args, call.keywords, call.types, call.line
-        )
+        return Invocation(func, statement, callee.name, callee.base, call.args, call.keywords, call.types, call.line)
     path = callee.id if isinstance(callee, Name) else ""
     call = _one_node(func, call)
     last = path.rsplit("::", 1)[-1]
     if last in _MAKERS and call.types:
         return _construction(func, statement, call.types[0], call.args, call.line)
     if last == "make_shared" and "::" in path and path not in {"std::make_shared", "boost::make_shared"}:
-        return Invocation(
-            func, statement, path.rsplit("::", 1)[0], None, call.args, (), call.types, call.line, True
-        )
+        return Invocation(func, statement, path.rsplit("::", 1)[0], None, call.args, (), call.types, call.line, True)
     made = statement.kind == "let" and statement.value is call and plain(statement.type) == path
     return Invocation(func, statement, path, None, call.args, call.keywords, call.types, call.line, made)
 
@@ -172,12 +167,8 @@ def _is_interface(func: Func, expr: Expr) -> bool:
     return any(not isinstance(value, Name) and _is_interface(func, value) for value in values)
 
 
-def _construction(
-    func: Func, statement: Statement, written: str, args: tuple[Expr, ...], line: int
-) -> Invocation:
-    return Invocation(
-        func, statement, plain(written), None, args, (), template_arguments(written), line, True
-    )
+def _construction(func: Func, statement: Statement, written: str, args: tuple[Expr, ...], line: int) -> Invocation:
+    return Invocation(func, statement, plain(written), None, args, (), template_arguments(written), line, True)
 
 
 def _python(func: Func, statement: Statement, call: Call) -> Invocation:
@@ -189,9 +180,7 @@ def _python(func: Func, statement: Statement, call: Call) -> Invocation:
             path = ".".join([target or head, *rest])
             return Invocation(func, statement, path, None, call.args, call.keywords, (), call.line)
     if isinstance(call.callee, Member):
-        return Invocation(
-            func, statement, call.callee.name, call.callee.base, call.args, call.keywords, (), call.line
-        )
+        return Invocation(func, statement, call.callee.name, call.callee.base, call.args, call.keywords, (), call.line)
     return Invocation(func, statement, "", None, call.args, call.keywords, (), call.line)
 
 

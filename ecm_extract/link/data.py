@@ -51,9 +51,7 @@ _PYTHON_TYPES = {
     "STRING_ARRAY",
     "BYTE_ARRAY",
 }
-_WRAPPERS = frozenset(
-    {"ParameterValue", "string", "move", "Duration", "double", "int", "float", "bool", "vector"}
-)
+_WRAPPERS = frozenset({"ParameterValue", "string", "move", "Duration", "double", "int", "float", "bool", "vector"})
 UNKNOWN = object()
 
 
@@ -165,11 +163,7 @@ def declared_type(written: str) -> str | None:
 
 def stated_type(expr: Expr | None) -> str | None:
     """Return the type when a default only names one: `rclcpp::PARAMETER_STRING`, `Parameter.Type.STRING`."""
-    if (
-        isinstance(expr, Call)
-        and len(expr.args) == 1
-        and last_name(getattr(expr.callee, "id", "")) == "ParameterValue"
-    ):
+    if isinstance(expr, Call) and len(expr.args) == 1 and last_name(getattr(expr.callee, "id", "")) == "ParameterValue":
         return stated_type(expr.args[0])
     name = last_name(expr.id) if isinstance(expr, Name) else expr.name if isinstance(expr, Member) else ""
     if name in _PYTHON_TYPES and not isinstance(expr, Name):

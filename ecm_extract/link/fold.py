@@ -6,7 +6,7 @@ defaults, functions that return a value. Every result has a confidence; unknown 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Protocol
 
 from ecm_parsers.source.expr import (
@@ -122,8 +122,25 @@ class Folder:
         if expr is None or env.depth > MAX_DEPTH:
             self._cuts += 1
             return (unknown("value"),)
-        handler = _HANDLERS.get(type(expr))
-        return handler(self, expr, env) if handler is not None else (unknown("value"),)
+        return self._by_kind(expr, env)
+
+    def _by_kind(self, expr: Expr, env: Env) -> tuple[Value, ...]:
+        match expr:
+            case Name():
+                return self.name(expr, env)
+            case Member():
+                return self.member(expr, env)
+            case Call():
+                return self.call(expr, env)
+            case Op():
+                return self.op(expr, env)
+            case Template():
+                return joined(self.fold(part, env.before(env.at)) for part in expr.parts)
+            case Text() | Number():
+                return (literal(str(expr.value)),)
+            case Constant():
+                return (literal("" if expr.name == "null" else expr.name),)
+        return (unknown("value"),)
 
     # --- names -----------------------------------------------------------------------------------
 
@@ -174,11 +191,7 @@ class Folder:
         """What functions of the tree write to a local that they get by reference."""
         values: list[Value] = []
         for at, expr, index in self.scope.passed(env.func, name):
-            callee = (
-                self.objects.callee(invocation_of(expr, env.before(at)), env.before(at))
-                if at < env.at
-                else None
-            )
+            callee = self.objects.callee(invocation_of(expr, env.before(at)), env.before(at)) if at < env.at else None
             if callee is None or callee is env.func or index >= len(callee.fact.params):
                 continue
             target = callee.fact.params[index]
@@ -282,9 +295,7 @@ class Folder:
                     inner = self._method_env(definition, cls, env)
                     values += _demoted(self.fold(definition.statement.value, inner))
             for method, at, read, default in self.reads.members(entry, name):
-                values += self.parameter_value(
-                    read, default, self._method_env(Definition(method, at), cls, env)
-                )
+                values += self.parameter_value(read, default, self._method_env(Definition(method, at), cls, env))
             field = entry.fields.get(name)
             if field is not None and field.default is not None:
                 values += _demoted(self.fold(field.default, Env(env.func, depth=env.depth + 1, this=cls)))
@@ -293,9 +304,7 @@ class Folder:
 
     def _method_env(self, definition: Definition, cls: Cls, env: Env) -> Env:
         made = env.made if env.made is not None and env.made.cls is cls else None
-        return Env(
-            definition.func, definition.at, this=cls, made=made or Instance(cls, {}, {}), depth=env.depth + 1
-        )
+        return Env(definition.func, definition.at, this=cls, made=made or Instance(cls, {}, {}), depth=env.depth + 1)
 
     # --- constants and imports ---------------------------------------------------------------------
 
@@ -326,9 +335,7 @@ class Folder:
                 and owner_last in {stem, constant.scope, ""}
                 and owner_last
             ):
-                return _demoted(
-                    self.fold(constant.value, Env(self._file_env(file, env).func, depth=env.depth + 1))
-                )
+                return _demoted(self.fold(constant.value, Env(self._file_env(file, env).func, depth=env.depth + 1)))
         return ()
 
     # --- calls --------------------------------------------------------------------------------------
@@ -356,11 +363,7 @@ class Folder:
         """An rviz property `new XProperty("Topic", "/default", ...)` is read like a parameter with that default."""
         for definition, inner in self.definitions(receiver, env):
             made = definition.statement.value
-            if (
-                isinstance(made, Call)
-                and isinstance(made.callee, Name)
-                and made.callee.id.endswith("Property")
-            ):
+            if isinstance(made, Call) and isinstance(made.callee, Name) and made.callee.id.endswith("Property"):
                 return lowered(self.fold(made.args[1], inner), "default") if len(made.args) > 1 else ()
         return ()
 
@@ -394,9 +397,7 @@ class Folder:
         if callee is None:
             return (node_name(),) if _names_node(call) else (unknown(call.last),)
         returned = [
-            (at, s.value)
-            for at, s in enumerate(callee.fact.body)
-            if s.kind == "return" and s.value is not None
+            (at, s.value) for at, s in enumerate(callee.fact.body) if s.kind == "return" and s.value is not None
         ]
         if not returned or len(returned) > 4:
             return (unknown(call.last),)
@@ -404,8 +405,7 @@ class Folder:
         made = env.made if this is env.this else None
         args = bind(callee, call, env)
         values = [
-            self.fold(value, Env(callee, at, args, this=this, made=made, depth=env.depth + 1))
-            for at, value in returned
+            self.fold(value, Env(callee, at, args, this=this, made=made, depth=env.depth + 1)) for at, value in returned
         ]
         return unique(_demoted(value for group in values for value in group))
 
@@ -414,9 +414,7 @@ class Folder:
         names = self.fold(name, env)
         owner = (env.this or env.func.cls) if env.func is not None else None
         lineage = self.program.ancestry(owner) if owner is not None else ()
-        known = self.reads.default(
-            names[0].text, env.func.file.package, tuple([cls.qualified for cls in lineage])
-        )
+        known = self.reads.default(names[0].text, env.func.file.package, tuple([cls.qualified for cls in lineage]))
         return self._default_value(names[0].text, known, default, env)
 
     def _default_value(
@@ -458,11 +456,7 @@ class Folder:
         items = self.items(expr, env)
         if items is None:
             return (unknown("item"),)
-        if (
-            isinstance(index, Number)
-            and isinstance(index.value, int)
-            and -len(items) <= index.value < len(items)
-        ):
+        if isinstance(index, Number) and isinstance(index.value, int) and -len(items) <= index.value < len(items):
             items = [items[index.value]]
         folded = [value for bound in items for value in self.fold(bound.expr, bound.env.before(bound.env.at))]
         return unique(_demoted(folded)) if folded else (unknown("item"),)
@@ -522,18 +516,6 @@ def _names_node(call: Invocation) -> bool:
     }
 
 
-def _demoted(values: object) -> tuple[Value, ...]:
+def _demoted(values: Iterable[Value]) -> tuple[Value, ...]:
     """What went through a name is folded, not literal."""
-    return lowered(values, "folded")  # type: ignore[arg-type]
-
-
-_HANDLERS: dict[type, Callable[[Folder, Expr, Env], tuple[Value, ...]]] = {
-    Text: lambda folder, expr, env: (literal(expr.value),),  # type: ignore[union-attr]
-    Number: lambda folder, expr, env: (literal(str(expr.value)),),  # type: ignore[union-attr]
-    Constant: lambda folder, expr, env: (literal("" if expr.name == "null" else expr.name),),  # type: ignore[union-attr]
-    Name: Folder.name,  # type: ignore[dict-item]
-    Member: Folder.member,  # type: ignore[dict-item]
-    Call: Folder.call,  # type: ignore[dict-item]
-    Op: Folder.op,  # type: ignore[dict-item]
-    Template: lambda folder, expr, env: joined(folder.fold(part, env.before(env.at)) for part in expr.parts),  # type: ignore[union-attr]
-}
+    return lowered(values, "folded")

@@ -77,24 +77,18 @@ class GeneratedParameters:
         if self._texts is None:
             self._texts = []
             for group in self.program.classes.values():
-                self._texts += [
-                    (cls, cls.file.path, " ".join(f"{f.type}>" for f in cls.fact.fields)) for cls in group
-                ]
+                self._texts += [(cls, cls.file.path, " ".join(f"{f.type}>" for f in cls.fact.fields)) for cls in group]
             for functions in self.program.functions.values():
                 self._texts += [(func.cls or func, func.file.path, _types_in(func)) for func in functions]
         return self._texts
 
     def _units_of(self, files: Sequence[File]) -> list[Unit]:
-        found: list[Cls | Func] = [
-            cls for group in self.program.classes.values() for cls in group if cls.file in files
-        ]
+        found: list[Cls | Func] = [cls for group in self.program.classes.values() for cls in group if cls.file in files]
         return found[:1]
 
     def _servers(self, reconfigure: ReconfigureFile, files: Sequence[File]) -> list[Unit]:
         """Units that hold a `dynamic_reconfigure::Server<pkg::NameConfig>`."""
-        return self._mentioning(
-            (f"{_config_name(reconfigure)}Config>", f"{_config_name(reconfigure)}Config >"), files
-        )
+        return self._mentioning((f"{_config_name(reconfigure)}Config>", f"{_config_name(reconfigure)}Config >"), files)
 
 
 def _types_in(func: Func) -> str:
@@ -112,9 +106,7 @@ def _config_name(reconfigure: ReconfigureFile) -> str:
 
 
 def _library(path: str, namespace: ParameterNamespace) -> tuple[Interface, ...]:
-    return tuple(
-        _parameter(path, entry.name, entry.type, entry.default, entry.line) for entry in namespace.parameters
-    )
+    return tuple(_parameter(path, entry.name, entry.type, entry.default, entry.line) for entry in namespace.parameters)
 
 
 def _reconfigured(path: str, reconfigure: ReconfigureFile) -> tuple[Interface, ...]:

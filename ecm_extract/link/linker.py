@@ -104,9 +104,7 @@ class Linker:
                 for value in self.sites.names(site):
                     self.parameters.declare(value.text, site.root.file.package, (default, site.env))
 
-    def _linked(
-        self, module: Module, found: Mapping[int, list[Interface]], nodes: Mapping[int, str]
-    ) -> LinkedModule:
+    def _linked(self, module: Module, found: Mapping[int, list[Interface]], nodes: Mapping[int, str]) -> LinkedModule:
         return LinkedModule(module, self._node(module, nodes), merged(found.get(id(module), [])))
 
     def _node(self, module: Module, nodes: Mapping[int, str]) -> str | None:
@@ -120,11 +118,7 @@ class Linker:
         unit = site.owner or site.root
         owners = (self.modules.library(unit),) if self._only_offered(site) else self.modules.owners(unit)
         for module in owners:
-            origin = (
-                None
-                if unit is module.cls or unit is module.main or module.kind == "library"
-                else unit.fact.name
-            )
+            origin = None if unit is module.cls or unit is module.main or module.kind == "library" else unit.fact.name
             node = self._node(module, nodes)
             found[id(module)].extend(self._interfaces(site, node, origin))
 
@@ -135,8 +129,7 @@ class Linker:
         values = self.sites.names(site)
         given = {parameter.name for parameter in site.root.fact.params}
         return any(
-            value.open("param") & given and all(not isinstance(part, str) for part in value.parts)
-            for value in values
+            value.open("param") & given and all(not isinstance(part, str) for part in value.parts) for value in values
         )
 
     def _interfaces(self, site: Site, node: str | None, origin: str | None) -> Iterator[Interface]:
@@ -215,11 +208,7 @@ class Linker:
         written = site.call.types[0] if site.form.type == "template:0" and site.call.types else ""
         written = site.env.types.get(written, written)
         out = next(positions(site.form.out, site.call), None)
-        declared = (
-            self._declared(written, site.env)
-            or stated
-            or (type_of_data(data) if data is not UNKNOWN else None)
-        )
+        declared = self._declared(written, site.env) or stated or (type_of_data(data) if data is not UNKNOWN else None)
         return declared or self._out_type(out, site.env) or self._default_type(default, site.env), data
 
     def _bound_stated(self, default: Expr | None, env: Env) -> str | None:
@@ -241,11 +230,7 @@ class Linker:
 
     def _declared(self, written: str, env: Env) -> str | None:
         found = declared_type(plain_type(written))
-        alias = (
-            self.program.alias(plain(written), env.func.file, env.scope)
-            if found is None and written
-            else None
-        )
+        alias = self.program.alias(plain(written), env.func.file, env.scope) if found is None and written else None
         return declared_type(plain_type(alias)) if alias else found
 
     def _out_type(self, out: Expr | None, env: Env) -> str | None:
@@ -253,9 +238,7 @@ class Linker:
         return declared_type(written) if written else None
 
     def _qos(self, site: Site, ros: int | None) -> Qos | None:
-        if site.form.role not in {"publisher", "subscriber"} or (
-            site.form.fixed and site.form.fixed.startswith("/tf")
-        ):
+        if site.form.role not in {"publisher", "subscriber"} or (site.form.fixed and site.form.fixed.startswith("/tf")):
             return None
         expr = next(positions(site.form.qos, site.call), None)
         return self.qos.depth(expr, site.env) if ros == 1 else self.qos.read(expr, site.env)
@@ -303,9 +286,7 @@ def _joined(first: Interface, second: Interface, evidence: tuple[Evidence, ...])
 
 def _files(packages: Iterable[PackageFacts]) -> list[File]:
     return [
-        File(path, package.name, package.ros, facts)
-        for package in packages
-        for path, facts in package.sources.items()
+        File(path, package.name, package.ros, facts) for package in packages for path, facts in package.sources.items()
     ]
 
 

@@ -37,8 +37,4 @@ def _is(name: str, base: str) -> bool:
     if "::" not in base and "." not in base:
         return last_name(name) == base
     separator = "." if "." in base else "::"
-    return (
-        name == base
-        or name.endswith(separator + base)
-        or (base.endswith(separator + name) and separator in name)
-    )
+    return name == base or name.endswith(separator + base) or (base.endswith(separator + name) and separator in name)

@@ -77,9 +77,7 @@ class NodeNames:
         return None
 
     def _initialised(self, call: Invocation) -> str | None:
-        index = next(
-            (at for path, at in _INITS.items() if call.path == path or call.path.endswith("::" + path)), None
-        )
+        index = next((at for path, at in _INITS.items() if call.path == path or call.path.endswith("::" + path)), None)
         if index is None and (is_node_base(call.path) and call.receiver is None):
             index = 0
         if index is None or index >= len(call.args):

@@ -76,9 +76,7 @@ class Objects:
             for definition in self.scope.members(name, entry):
                 value = definition.statement.value
                 if value is not None:
-                    return self.type_of(
-                        value, Env(definition.func, definition.at, this=cls, depth=env.depth + 1)
-                    )
+                    return self.type_of(value, Env(definition.func, definition.at, this=cls, depth=env.depth + 1))
         return ""
 
     def _made_type(self, expr: Call, env: Env) -> str:
@@ -147,9 +145,7 @@ class Objects:
             call = self._base_call(func, parent, env)
             constructor = self.constructor(parent, len(call.args)) if call is not None else None
             if call is not None and constructor is not None:
-                return Instance(
-                    parent, bind(constructor, call, env.before(self._at(func, call))), types, constructor
-                )
+                return Instance(parent, bind(constructor, call, env.before(self._at(func, call))), types, constructor)
         return Instance(parent, {}, types)
 
     def _at(self, func: Func, call: Invocation) -> int:
@@ -159,18 +155,8 @@ class Objects:
         for statement in func.fact.body:
             value = statement.value
             target = statement.target
-            if (
-                statement.kind == "init"
-                and isinstance(target, Name)
-                and last_name(target.id) == parent.fact.name
-            ):
-                args = (
-                    value.args
-                    if isinstance(value, Call) and value.callee == target
-                    else (value,)
-                    if value
-                    else ()
-                )
+            if statement.kind == "init" and isinstance(target, Name) and last_name(target.id) == parent.fact.name:
+                args = value.args if isinstance(value, Call) and value.callee == target else (value,) if value else ()
                 return Invocation(func, statement, target.id, None, args, (), (), statement.line)
             if isinstance(value, Call) and _calls_super(value, parent):
                 args = value.args[1:] if value.args[:1] == (Name("this"),) else value.args
@@ -190,9 +176,7 @@ class Objects:
 
     def callee(self, call: Invocation, env: Env) -> Func | None:
         """Return the function in the tree that a call means, with a body."""
-        scored = [
-            (score(call, func), func) for func in self.program.functions.get(call.last, ()) if func.fact.body
-        ]
+        scored = [(score(call, func), func) for func in self.program.functions.get(call.last, ()) if func.fact.body]
         candidates = [func for fit, func in sorted(scored, key=lambda entry: -entry[0]) if fit != NO]
         if not candidates:
             return None
@@ -207,14 +191,10 @@ class Objects:
         return next((func for owner in owners for func in candidates if func.cls is owner), None)
 
     def _free(self, call: Invocation, candidates: Sequence[Func], env: Env) -> Func | None:
-        free = [
-            f for f in candidates if f.cls is None or call.path.endswith(f"{f.cls.fact.name}::{f.fact.name}")
-        ]
+        free = [f for f in candidates if f.cls is None or call.path.endswith(f"{f.cls.fact.name}::{f.fact.name}")]
         least = 0 if "::" in call.path or "." in call.path else 1
         near = [(self.program.nearness(f.file, env.func.file), f) for f in free]
-        return max(
-            (entry for entry in near if entry[0] >= least), key=lambda entry: entry[0], default=(0, None)
-        )[1]
+        return max((entry for entry in near if entry[0] >= least), key=lambda entry: entry[0], default=(0, None))[1]
 
 
 def _calls_super(call: Call, parent: Cls) -> bool:

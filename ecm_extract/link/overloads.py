@@ -67,13 +67,7 @@ def _fit(arg: Expr, parameter: Parameter, caller: Func, func: Func) -> int:
     if isinstance(arg, Text):
         return _text_fit(last)
     if isinstance(arg, Number) or (isinstance(arg, Constant) and arg.name != "null"):
-        return (
-            2
-            if last in _NUMERIC or last.endswith("_t")
-            else NO
-            if "string" in last or last[:1].isupper()
-            else 0
-        )
+        return 2 if last in _NUMERIC or last.endswith("_t") else NO if "string" in last or last[:1].isupper() else 0
     if isinstance(arg, Lambda):
         return NO if "string" in last or last in _NUMERIC else 0
     if isinstance(arg, Name):
@@ -101,9 +95,7 @@ def _variable_fit(name: str, wanted: str, caller: Func) -> int:
         return 2
     return (
         NO
-        if ("string" in actual) != ("string" in last)
-        and {actual, last} & {"string"}
-        and _plain_type(actual, last)
+        if ("string" in actual) != ("string" in last) and {actual, last} & {"string"} and _plain_type(actual, last)
         else 0
     )
 

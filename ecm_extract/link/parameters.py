@@ -41,9 +41,9 @@ class Parameters:
 
     def _form(self, call: Invocation) -> Form | None:
         for form in self.forms.get(call.last, ()):
-            if form.role == "parameter" and form.language == call.func.file.language and not form.items:
-                if form.match == "method" or call.path.endswith(form.callee):
-                    return form
+            declares = form.role == "parameter" and form.language == call.func.file.language and not form.items
+            if declares and (form.match == "method" or call.path.endswith(form.callee)):
+                return form
         return None
 
     def _wrapped(self, call: Invocation) -> tuple[Expr, Expr | None] | None:
@@ -53,9 +53,7 @@ class Parameters:
             return None
         _, func, name, default = best
         bound = bind(func, call, Env(call.func))
-        return (
-            (bound[name].expr, bound[default].expr if default in bound else None) if name in bound else None
-        )
+        return (bound[name].expr, bound[default].expr if default in bound else None) if name in bound else None
 
     def _fitting(self, call: Invocation) -> list[tuple[Func, str, str]]:
         """A method is called on an object or from its class, a function on nothing."""

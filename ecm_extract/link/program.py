@@ -114,9 +114,7 @@ class Program:
         """Tell whether `file` includes or imports `other` by its path."""
         if file.language == "python":
             module = other.path.removesuffix(".py").replace("/", ".")
-            return any(
-                entry.module and module.endswith(entry.module.lstrip(".")) for entry in file.facts.imports
-            )
+            return any(entry.module and module.endswith(entry.module.lstrip(".")) for entry in file.facts.imports)
         return any(other.path.endswith("/" + entry.module) for entry in file.facts.imports)
 
     def class_named(self, name: str, file: File, scope: str = "") -> Cls | None:
@@ -136,9 +134,7 @@ class Program:
             exact = [cls for cls in candidates if cls.qualified == wanted]
             if exact:
                 return self._nearest(exact, file)
-        loose = [
-            cls for cls in candidates if cls.qualified.endswith("::" + name) and self._visible(cls, file)
-        ]
+        loose = [cls for cls in candidates if cls.qualified.endswith("::" + name) and self._visible(cls, file)]
         found = self._nearest(loose, file)
         return found or self._aliased(name, file, scope)
 
@@ -159,9 +155,7 @@ class Program:
         near = [cls for cls in candidates if module and _module_matches(cls.file.path, module)]
         if near:
             return self._nearest(near, file)
-        return next(
-            (cls for cls in candidates if cls.file.package == file.package and cls.file is not file), None
-        )
+        return next((cls for cls in candidates if cls.file.package == file.package and cls.file is not file), None)
 
     def _aliased(self, name: str, file: File, scope: str) -> Cls | None:
         target = self.alias(name, file, scope)
@@ -177,9 +171,7 @@ class Program:
             return None
         enclosing = set(_enclosing(scope))
         fitting = [(other, alias) for other, alias in entries if self._alias_fits(alias, name, enclosing)]
-        near = [
-            (self.nearness(other, file), alias.scope in enclosing, alias.target) for other, alias in fitting
-        ]
+        near = [(self.nearness(other, file), alias.scope in enclosing, alias.target) for other, alias in fitting]
         near = [entry for entry in near if entry[0] > 0]
         return max(near, key=lambda entry: (entry[1], entry[0]))[2] if near else None
 

@@ -30,11 +30,13 @@ _FLAGS: dict[str, tuple[str, str]] = {
     "keep_all": ("history", "keep_all"),
 }
 _POLICIES = ("reliability", "durability", "history", "liveliness")
+_WORDS = (
+    *("best_effort", "reliable", "transient_local", "volatile", "keep_last", "keep_all"),
+    *("automatic", "manual_by_topic", "best_available"),
+)
 _TIMES = {"deadline": "deadline_ms", "lifespan": "lifespan_ms", "liveliness_lease_duration": "lease_ms"}
 _UNITS = {"s": 1000.0, "ms": 1.0, "us": 0.001, "ns": 1e-6, "min": 60000.0, "h": 3600000.0}
-_WRAPPERS = frozenset(
-    {"QoS", "QoSProfile", "QoSInitialization", "from_rmw", "KeepLast", "KeepAll", "shared_ptr"}
-)
+_WRAPPERS = frozenset({"QoS", "QoSProfile", "QoSInitialization", "from_rmw", "KeepLast", "KeepAll", "shared_ptr"})
 _BASIC = ("reliability", "durability", "history", "depth")
 MAX_DEPTH = 12
 
@@ -201,23 +203,10 @@ class QosReader:
 
 
 def _policy_word(expr: Expr) -> str:
-    """`ReliabilityPolicy.BEST_EFFORT`, `RMW_QOS_POLICY_RELIABILITY_BEST_EFFORT`, `rclcpp::ReliabilityPolicy::BestEffort`."""
+    """The policy that a constant names: `ReliabilityPolicy.BEST_EFFORT`, `rclcpp::ReliabilityPolicy::BestEffort`."""
     text = expr.id if isinstance(expr, Name) else expr.name if isinstance(expr, Member) else ""
     squeezed = last_name(text).replace("_", "").lower()
-    for word in (
-        "best_effort",
-        "reliable",
-        "transient_local",
-        "volatile",
-        "keep_last",
-        "keep_all",
-        "automatic",
-        "manual_by_topic",
-        "best_available",
-    ):
-        if squeezed.endswith(word.replace("_", "")):
-            return word
-    return ""
+    return next((word for word in _WORDS if squeezed.endswith(word.replace("_", ""))), "")
 
 
 def _milliseconds(expr: Expr) -> float | None:

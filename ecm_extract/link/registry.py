@@ -67,9 +67,7 @@ def _components(package: PackageFacts, files: list[File], program: Program, regi
 def _class_of(written: str, files: list[File], program: Program) -> Cls | None:
     name = plain(written)
     for cls in program.classes.get(name.rsplit("::", 1)[-1], ()):
-        if cls.file in files and (
-            cls.qualified == name or cls.qualified.endswith("::" + name) or "::" not in name
-        ):
+        if cls.file in files and (cls.qualified == name or cls.qualified.endswith("::" + name) or "::" not in name):
             return cls
     return None
 
@@ -129,10 +127,7 @@ def _mains(file: File, program: Program, entries: dict[tuple[str, str], str]) ->
     stem = PurePosixPath(file.path).stem
     wanted = {"main", *(attribute for module, attribute in entries if module == stem)}
     found = [
-        func
-        for name in wanted
-        for func in program.functions.get(name, ())
-        if func.file is file and func.cls is None
+        func for name in wanted for func in program.functions.get(name, ()) if func.file is file and func.cls is None
     ]
     if file.language == "python":
         body = [func for func in program.functions.get("<module>", ()) if func.file is file]

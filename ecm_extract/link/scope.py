@@ -140,9 +140,7 @@ class Scope:
             qualifier = name.rsplit("::", 1)[0]
             return (
                 10 + near
-                if scope == qualifier
-                or scope.endswith("::" + qualifier)
-                or (qualifier.endswith(scope) and scope)
+                if scope == qualifier or scope.endswith("::" + qualifier) or (qualifier.endswith(scope) and scope)
                 else 0
             )
         inside = bool(scope) and (env.scope == scope or env.scope.startswith(scope + "::"))
@@ -156,11 +154,7 @@ class Scope:
 
     def _in_ancestry(self, scope: str, env: Env) -> bool:
         cls = env.this or env.func.cls
-        return (
-            bool(scope)
-            and cls is not None
-            and any(entry.qualified == scope for entry in self.program.ancestry(cls))
-        )
+        return bool(scope) and cls is not None and any(entry.qualified == scope for entry in self.program.ancestry(cls))
 
     def module_globals(self, file: File) -> Func | None:
         """Return the module body of a Python file."""

@@ -116,7 +116,8 @@ class Sites:
 
     def _closed(self, site: Site) -> Iterable[Site]:
         """Expand a site over its callers until nothing more is known; without callers it stands as it is."""
-        pending, closed = deque([site]), []
+        pending = deque([site])
+        closed: list[Site] = []
         while pending and len(closed) < MAX_EXPANSIONS:
             current = pending.popleft()
             wider = list(self._wider(current)) if len(current.chain) < MAX_CHAIN else []
@@ -232,9 +233,7 @@ class Sites:
     def _through(self, site: Site, call: Invocation, outer: Env) -> Site:
         """Rebuild the chain of environments from a new outermost call."""
         env = self._enter(call, self._first(site), outer)
-        return Site(
-            site.form, site.call, self._inside(site, env), (call, *site.chain), call.func.cls, call.func
-        )
+        return Site(site.form, site.call, self._inside(site, env), (call, *site.chain), call.func.cls, call.func)
 
     def _first(self, site: Site) -> Invocation:
         return site.chain[0] if site.chain else site.call
@@ -261,8 +260,8 @@ class Sites:
             and link.receiver in {None, Name("this")}
         )
         this = env.this if same else func.cls
-        made = env.made if same else Instance(func.cls, {}, {})
-        return Env(func, at, args, types, this, made)
+        inner = env.made if same else Instance(func.cls, {}, {})
+        return Env(func, at, args, types, this, inner)
 
     def _template(self, func: Func, link: Invocation, env: Env, args: object) -> dict[str, str]:
         types = dict(zip(func.fact.template, link.types, strict=False))
@@ -290,11 +289,7 @@ class Sites:
             root = Env(site.root, at, {}, types, derived, made)
             yield Site(site.form, site.call, self._inside(site, root), site.chain, derived, site.root)
         for call in self.calls.get(cls.fact.name, ()):
-            if (
-                call.func.cls is not cls
-                and self._makes(call, cls)
-                and not any(call is link for link in site.chain)
-            ):
+            if call.func.cls is not cls and self._makes(call, cls) and not any(call is link for link in site.chain):
                 yield self._made_at(site, cls, call, at)
 
     def _made_at(self, site: Site, cls: Cls, call: Invocation, at: int) -> Site:
@@ -304,9 +299,7 @@ class Sites:
         types = self._class_types(cls, call, outer)
         own = args if site.root.is_constructor and site.root.cls is cls else {}
         root = Env(site.root, at, own, types, cls, Instance(cls, args, types, constructor))
-        return Site(
-            site.form, site.call, self._inside(site, root), (call, *site.chain), call.func.cls, call.func
-        )
+        return Site(site.form, site.call, self._inside(site, root), (call, *site.chain), call.func.cls, call.func)
 
     def _makes(self, call: Invocation, cls: Cls) -> bool:
         if last_name(call.path) != cls.fact.name or call.receiver is not None:
@@ -336,6 +329,4 @@ class Sites:
 def _default_constructible(cls: Cls) -> bool:
     """Tell whether a class can be made without arguments: no constructor at all, or one that needs none."""
     makers = [func for func in cls.methods if func.is_constructor]
-    return not makers or any(
-        all(entry.default is not None for entry in maker.fact.params) for maker in makers
-    )
+    return not makers or any(all(entry.default is not None for entry in maker.fact.params) for maker in makers)

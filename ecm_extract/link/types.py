@@ -11,7 +11,7 @@ from ecm_parsers.source.expr import Call, Expr, Lambda, Member, Name, Op, Text
 from ecm_extract.link.calls import Invocation, dotted_name, pointee, template_arguments
 from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
-from ecm_extract.link.program import plain, snake
+from ecm_extract.link.program import Func, plain, snake
 
 _KINDS = ("msg", "srv", "action")
 _ROLE_KIND: dict[Role, str] = {
@@ -22,9 +22,7 @@ _ROLE_KIND: dict[Role, str] = {
     "action_server": "action",
     "action_client": "action",
 }
-_SUFFIX = re.compile(
-    r"(?:::)?(?:Const)?(?:Shared|Unique)?(?:Const)?Ptr$|::(?:Request|Response|Goal|Result|Feedback)$"
-)
+_SUFFIX = re.compile(r"(?:::)?(?:Const)?(?:Shared|Unique)?(?:Const)?Ptr$|::(?:Request|Response|Goal|Result|Feedback)$")
 _EVENT = re.compile(r"^(?:const\s+)?(?:ros::)?(?:Message|Service)Event\s*<(.*)>\s*&?$")
 _ACTION_PART = re.compile(r"Action$")
 
@@ -59,16 +57,10 @@ class Types:
 
     def _position(self, kind: str, index: str, call: Invocation, env: Env, role: Role) -> TypeFound:
         if kind == "template":
-            return (
-                self.written(call.types[int(index)], env, role)
-                if int(index) < len(call.types)
-                else UNKNOWN_TYPE
-            )
+            return self.written(call.types[int(index)], env, role) if int(index) < len(call.types) else UNKNOWN_TYPE
         if kind == "receiver":
             types = (
-                template_arguments(pointee(self.folder.objects.type_of(call.receiver, env)))
-                if call.receiver
-                else ()
+                template_arguments(pointee(self.folder.objects.type_of(call.receiver, env))) if call.receiver else ()
             )
             return self.written(types[int(index)], env, role) if int(index) < len(types) else UNKNOWN_TYPE
         arg = dict(call.keywords).get(index) if kind == "kw" else _argument(call, int(index))
@@ -134,9 +126,7 @@ class Types:
         if bare in template:
             return TypeFound(None, frozenset({bare}))
         alias = (
-            self.program.alias(bare, env.func.file, self._scope(env))
-            if "::" not in bare or _not_ros(bare)
-            else None
+            self.program.alias(bare, env.func.file, self._scope(env)) if "::" not in bare or _not_ros(bare) else None
         )
         if alias is not None and _bare(alias) != bare:
             return self.written(alias, env, role, depth + 1)
@@ -207,19 +197,15 @@ class Types:
                 return self._callback(value, env.before(definition.at), role, service)
         return UNKNOWN_TYPE
 
-    def _named(self, name: str, env: Env) -> list[object]:
+    def _named(self, name: str, env: Env) -> list[Func]:
         last = name.rsplit("::", 1)[-1]
         candidates = self.program.functions.get(last, [])
         own = env.this or env.func.cls
-        owner = (
-            self.program.class_named(name.rsplit("::", 1)[0], env.func.file, env.scope)
-            if "::" in name
-            else own
-        )
+        owner = self.program.class_named(name.rsplit("::", 1)[0], env.func.file, env.scope) if "::" in name else own
         lineage = self.program.ancestry(owner) if owner is not None else ()
         methods = [func for func in candidates if func.cls in lineage]
         near = [func for func in candidates if func.file is env.func.file]
-        return [*methods, *near]  # type: ignore[list-item]
+        return [*methods, *near]
 
 
 def _bare(text: str) -> str:

@@ -59,10 +59,7 @@ def settled(value: Value) -> Value:
     if not any(isinstance(part, Hole) and part.default is not None for part in value.parts):
         return value
     parts = tuple(
-        [
-            part.default if isinstance(part, Hole) and part.default is not None else part
-            for part in value.parts
-        ]
+        [part.default if isinstance(part, Hole) and part.default is not None else part for part in value.parts]
     )
     rest = any(isinstance(part, Hole) for part in parts)
     return Value(parts, "pattern" if rest else "default")

@@ -107,11 +107,7 @@ class Reader:
 
     def _plugin_files(self, package: PackageFacts) -> set[str]:
         listed = {entry.path for entry in package.root.files}
-        named = {
-            _beside(at, entry.path)
-            for at, file in package.cmake.items()
-            for entry in file.plugin_descriptions
-        }
+        named = {_beside(at, entry.path) for at, file in package.cmake.items() for entry in file.plugin_descriptions}
         root = f"{package.root.path}/" if package.root.path else ""
         if package.manifest is not None:
             named |= {root + entry.path.lstrip("/") for entry in package.manifest.plugins}

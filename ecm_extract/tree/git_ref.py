@@ -26,9 +26,7 @@ class GitTree(ListedTree):
         repository: public name of the repository.
     """
 
-    def __init__(
-        self, repo: GitRepo, tree_id: str, *, label: str, commit: str, repository: str | None
-    ) -> None:
+    def __init__(self, repo: GitRepo, tree_id: str, *, label: str, commit: str, repository: str | None) -> None:
         super().__init__(label, commit, repository)
         self._repo = repo
         self._tree_id = tree_id

@@ -132,9 +132,7 @@ def _view(repo: GitRepo) -> Iterator[Path]:
             yield view
     except OSError as error:
         message = f"Cannot look into the repository {repo.name}: {error.strerror}."
-        raise TreeError(
-            message, "Check its permissions and that the temporary folder is writable."
-        ) from error
+        raise TreeError(message, "Check its permissions and that the temporary folder is writable.") from error
 
 
 def _fill_view(repo: GitRepo, view: Path) -> None:
@@ -166,15 +164,11 @@ def _config_text(repo: GitRepo) -> str:
 
 
 @contextmanager
-def _started(
-    view: Path, common_dir: Path, args: tuple[str, ...], stderr: int
-) -> Iterator[subprocess.Popen[bytes]]:
+def _started(view: Path, common_dir: Path, args: tuple[str, ...], stderr: int) -> Iterator[subprocess.Popen[bytes]]:
     pipe = subprocess.PIPE
     environment = _environment(view, common_dir)
     try:
-        process = subprocess.Popen(
-            ["git", *args], stdin=pipe, stdout=pipe, stderr=stderr, env=environment, cwd=view
-        )
+        process = subprocess.Popen(["git", *args], stdin=pipe, stdout=pipe, stderr=stderr, env=environment, cwd=view)
     except FileNotFoundError:
         message = "Git is not installed."
         raise GitError(message, "Install git, or extract from a folder.") from None

@@ -98,9 +98,7 @@ def too_large(path: str, size: int) -> TreeReadError:
     """The error for a file above the bound on what is parsed."""
     shown = printable(path)
     message = f"{shown} has {size} bytes, more than the {MAX_FILE_BYTES} that are read for parsing."
-    return TreeReadError(
-        shown, "too-large", message, "Split it, or exclude it in ecm.toml ([extract] exclude)."
-    )
+    return TreeReadError(shown, "too-large", message, "Split it, or exclude it in ecm.toml ([extract] exclude).")
 
 
 def too_many(label: str) -> TreeError:

@@ -79,9 +79,7 @@ def _split(text: str) -> tuple[Path, str | None]:
             return folder, text[at + 1 :] if at < len(text) else None
         at = text.rfind("@", 0, at)
     is_file = Path(text).is_file()
-    message = (
-        f"{printable(text)} is a file, not a folder." if is_file else f"There is no folder {printable(text)}."
-    )
+    message = f"{printable(text)} is a file, not a folder." if is_file else f"There is no folder {printable(text)}."
     raise TreeError(message, "Give the folder of a package or workspace, or DIR@REF.")
 
 

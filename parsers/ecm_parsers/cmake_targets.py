@@ -25,9 +25,7 @@ _LIBRARY_WORDS = frozenset(
     | {"NO_TARGET_LINK_LIBRARIES", "THIN_LTO", "NO_EXTRAS", "OPT_SIZE", "LTO"}
 )
 _SKIPPED = frozenset({"IMPORTED", "ALIAS"})
-_VISIBILITY = frozenset(
-    {"PUBLIC", "PRIVATE", "INTERFACE", "LINK_PUBLIC", "LINK_PRIVATE", "LINK_INTERFACE_LIBRARIES"}
-)
+_VISIBILITY = frozenset({"PUBLIC", "PRIVATE", "INTERFACE", "LINK_PUBLIC", "LINK_PRIVATE", "LINK_INTERFACE_LIBRARIES"})
 _LINK_WORDS = _VISIBILITY | {"SYSTEM", "debug", "optimized", "general"}
 _BUILDERS: dict[str, TargetKind] = {
     "add_executable": "executable",
@@ -41,9 +39,7 @@ _BUILDERS: dict[str, TargetKind] = {
     "nanobind_add_module": "library",
 }
 _SOURCE_WORDS = _VISIBILITY | {"FILE_SET", "BASE_DIRS", "FILES", "HEADERS", "TYPE"}
-_LINKERS = frozenset(
-    {"target_link_libraries", "ament_target_dependencies", "ament_auto_target_link_libraries"}
-)
+_LINKERS = frozenset({"target_link_libraries", "ament_target_dependencies", "ament_auto_target_link_libraries"})
 _TEST = re.compile(r"\w*add_(\w*_)?(gtest|gmock|rostest|nosetests|pytest|test|google_benchmark)\w*")
 _TEST_KEYWORDS = frozenset(
     {

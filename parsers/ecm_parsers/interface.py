@@ -80,9 +80,7 @@ def _read_sections(text: str, shape: Shape, diagnostics: list[Diagnostic]) -> tu
         else:
             parts[-1].append((number, line))
     if len(parts) < len(names):
-        message = (
-            f"A .{shape} needs {len(names) - 1} `---` lines, this has {len(parts) - 1}. Add the missing."
-        )
+        message = f"A .{shape} needs {len(names) - 1} `---` lines, this has {len(parts) - 1}. Add the missing."
         diagnostics.append(Diagnostic("error", "interface-separators", 0, message))
         parts.extend([] for _ in range(len(names) - len(parts)))
     return tuple(_read_section(name, lines, diagnostics) for name, lines in zip(names, parts, strict=False))

@@ -79,9 +79,7 @@ def _ros2_action(name: str, definition: Definition) -> dict[str, Section]:
         _section(f"{_GOAL_ID}\n{name}_Goal goal"),
         _section("bool accepted\nbuiltin_interfaces/Time stamp"),
     )
-    get_result = _service(
-        f"{name}_GetResult", _section(_GOAL_ID), _section(f"int8 status\n{name}_Result result")
-    )
+    get_result = _service(f"{name}_GetResult", _section(_GOAL_ID), _section(f"int8 status\n{name}_Result result"))
     parts = ("goal", "result", "feedback")
     written = {f"{name}_{part.capitalize()}": definition.section(part) for part in parts}
     feedback = {f"{name}_FeedbackMessage": _section(f"{_GOAL_ID}\n{name}_Feedback feedback")}

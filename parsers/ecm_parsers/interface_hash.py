@@ -41,9 +41,7 @@ _SCALARS = (
 _SCALAR_IDS: Mapping[str, int] = MappingProxyType(dict(_SCALARS))
 _NESTED_ID = 1
 _STRING_TO_BOUNDED = 4
-_ARRAY_OFFSETS: Mapping[str, int] = MappingProxyType(
-    {"none": 0, "fixed": 48, "bounded": 96, "unbounded": 144}
-)
+_ARRAY_OFFSETS: Mapping[str, int] = MappingProxyType({"none": 0, "fixed": 48, "bounded": 96, "unbounded": 144})
 _FILLER = Field("structure_needs_at_least_one_member", "uint8", "uint8", None, 0)
 
 

@@ -177,6 +177,4 @@ def _check(manifest: Manifest) -> Iterator[Diagnostic]:
             yield Diagnostic("error", "package-bad-condition", line, message)
     for item in manifest.dependencies:
         if not item.name:
-            yield Diagnostic(
-                "error", "package-empty-depend", item.line, "A dependency has no name. Remove it."
-            )
+            yield Diagnostic("error", "package-empty-depend", item.line, "A dependency has no name. Remove it.")

@@ -67,9 +67,7 @@ def parse_parameter_library(data: bytes) -> Parsed[tuple[ParameterNamespace, ...
     return Parsed(tuple(namespaces), tuple(diagnostics))
 
 
-def _read(
-    group: Entry, prefix: str, found: list[ParameterDeclaration], diagnostics: list[Diagnostic]
-) -> None:
+def _read(group: Entry, prefix: str, found: list[ParameterDeclaration], diagnostics: list[Diagnostic]) -> None:
     """Collect the declarations below `group`."""
     if not isinstance(group.value, Mapping):
         message = f"'{group.key[:80]}' is neither a parameter (it has no 'type') nor a group; it is skipped."

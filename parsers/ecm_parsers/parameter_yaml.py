@@ -93,9 +93,7 @@ def _has_marker(node: Node, depth: int = 0) -> bool:
     return any(entry.key == MARKER or _has_marker(entry.value, depth + 1) for entry in node.entries)
 
 
-def _read_nodes(
-    namespace: Mapping, path: str, sets: list[ParameterSet], diagnostics: list[Diagnostic]
-) -> None:
+def _read_nodes(namespace: Mapping, path: str, sets: list[ParameterSet], diagnostics: list[Diagnostic]) -> None:
     """Walk namespaces and nodes down to their parameters."""
     for entry in namespace.entries:
         if entry.key == MARKER:
@@ -105,9 +103,7 @@ def _read_nodes(
         elif _has_marker(entry.value) and isinstance(entry.value, Mapping):
             _read_nodes(entry.value, f"{path}/{entry.key.strip('/')}", sets, diagnostics)
         elif not _is_empty_node(entry):
-            message = (
-                f"'{entry.key[:80]}' is outside any '{MARKER}' and sets nothing in ROS 2. Nest it below one."
-            )
+            message = f"'{entry.key[:80]}' is outside any '{MARKER}' and sets nothing in ROS 2. Nest it below one."
             diagnostics.append(Diagnostic("info", "params-outside-node", entry.line, message))
 
 

@@ -146,9 +146,7 @@ class _Builder:
             self._report("error", "yaml-syntax", mark.line + 1 if mark else line, problem)
         except (yaml.YAMLError, UnicodeError, ValueError) as error:
             problem = str(error).splitlines()[0] if str(error) else "unreadable"
-            self._report(
-                "error", "yaml-syntax", line, f"Invalid YAML: {problem[:200]}. The rest is not read."
-            )
+            self._report("error", "yaml-syntax", line, f"Invalid YAML: {problem[:200]}. The rest is not read.")
         except _LimitError as error:
             self._report("error", "yaml-limit", line, f"{error}. What follows this line is not read.")
         self._close_all()
@@ -204,9 +202,7 @@ class _Builder:
         """Return the node that an alias repeats, as long as the expanded tree stays small."""
         built = self._anchors.get(anchor)
         if built is None:
-            self._report(
-                "warning", "yaml-unknown-alias", line, f"Alias *{anchor} has no anchor; read as null."
-            )
+            self._report("warning", "yaml-unknown-alias", line, f"Alias *{anchor} has no anchor; read as null.")
             return _Built(Scalar(None, line, ""))
         self._nodes += built.size
         if self._nodes > MAX_NODES or len(self._stack) + built.height > MAX_DEPTH:
@@ -234,9 +230,7 @@ class _Builder:
             key = nodes[position]
             value = nodes[position + 1] if position + 1 < len(nodes) else Scalar(None, key.line, "")
             if not isinstance(key, Scalar):
-                self._report(
-                    "warning", "yaml-complex-key", key.line, "A key that is a collection is skipped."
-                )
+                self._report("warning", "yaml-complex-key", key.line, "A key that is a collection is skipped.")
             elif key.text == "<<":
                 merged.extend(_mappings(value))
             else:
@@ -254,9 +248,7 @@ class _Builder:
         lines: dict[str, int] = {}
         for entry in entries:
             if entry.key in lines:
-                message = (
-                    f"Key '{entry.key[:80]}' repeats line {lines[entry.key]}. Merge the two or remove one."
-                )
+                message = f"Key '{entry.key[:80]}' repeats line {lines[entry.key]}. Merge the two or remove one."
                 self._report("warning", "yaml-duplicate-key", entry.line, message)
             lines[entry.key] = entry.line
         return lines

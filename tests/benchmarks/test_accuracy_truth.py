@@ -22,9 +22,7 @@ TRUTH = Path(__file__).parents[2] / "benchmarks" / "truth"
         ("rate", ("/node/frame_rate", "frame_rate"), False),
     ],
 )
-def test_names_are_compared_below_any_namespace(
-    documented: str, names: tuple[str, ...], expected: bool
-) -> None:
+def test_names_are_compared_below_any_namespace(documented: str, names: tuple[str, ...], expected: bool) -> None:
     """A document names a topic or parameter without the node that holds it."""
     assert same_name(documented, names) is expected
 

@@ -125,9 +125,7 @@ def _package(root: Path) -> None:
     (root / "src").mkdir()
     (root / "test").mkdir()
     (root / "package.xml").write_text("<depend>rclcpp</depend>")
-    (root / "src" / "a.cpp").write_text(
-        '\np = create_publisher<A>("a", 1);\nq = create_publisher<A>(b, 1);\n'
-    )
+    (root / "src" / "a.cpp").write_text('\np = create_publisher<A>("a", 1);\nq = create_publisher<A>(b, 1);\n')
     (root / "test" / "a.cpp").write_text('create_publisher<A>("a", 1);')
 
 

@@ -75,9 +75,7 @@ def test_every_command_has_help() -> None:
         assert command.get_short_help_str()
 
 
-@pytest.mark.parametrize(
-    "arguments", [["--no-such-option"], ["extract"], [".", "--format", "xml"], ["."] * 2]
-)
+@pytest.mark.parametrize("arguments", [["--no-such-option"], ["extract"], [".", "--format", "xml"], ["."] * 2])
 def test_a_wrong_command_line_is_two(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     """Exit status 2, one line of error, one of hint, nothing on standard output."""
     assert run(arguments) == 2

@@ -133,9 +133,7 @@ def test_the_default_folder_may_not_be_a_link(core: Core, tmp_path: Path) -> Non
     assert run(["robot", "-o", "ecm-manifests"]) == 0
 
 
-def test_a_tree_that_is_not_there_is_told(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_tree_that_is_not_there_is_told(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     """The path is named."""
     module = types.ModuleType("ecm_extract.extraction")
     module.extract = None  # type: ignore[attr-defined]

@@ -22,9 +22,7 @@ def _codes(tree: Tree) -> list[str]:
 
 def test_packages_and_their_files(tmp_path: Path) -> None:
     """A file belongs to its innermost package; a file outside any belongs to none."""
-    tree = _tree(
-        tmp_path, "README.md", "a/package.xml", "a/src/x.cpp", "a/in/package.xml", "a/in/y.py", "ab/z"
-    )
+    tree = _tree(tmp_path, "README.md", "a/package.xml", "a/src/x.cpp", "a/in/package.xml", "a/in/y.py", "ab/z")
     assert _packages(tree) == {
         "a": ["a/package.xml", "a/src/x.cpp"],
         "a/in": ["a/in/package.xml", "a/in/y.py"],
@@ -42,9 +40,7 @@ def test_package_at_the_root(tmp_path: Path) -> None:
 @pytest.mark.parametrize("marker", ["COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE"])
 def test_ignored_folders(tmp_path: Path, marker: str) -> None:
     """A marked folder is left out with all below it, and said once with its size."""
-    tree = _tree(
-        tmp_path, "a/package.xml", f"b/{marker}", "b/package.xml", f"b/c/{marker}", "b/c/package.xml"
-    )
+    tree = _tree(tmp_path, "a/package.xml", f"b/{marker}", "b/package.xml", f"b/c/{marker}", "b/c/package.xml")
     assert _packages(tree) == {"a": ["a/package.xml"]}
     discover(tree)
     assert [(d.severity, d.code, d.path) for d in tree.diagnostics] == [("info", "ignored-folder", "b")]

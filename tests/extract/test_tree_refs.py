@@ -77,9 +77,7 @@ def test_merge_base(tmp_path: Path) -> None:
     assert merge_base(repo, "main", "island") is None
 
 
-@pytest.mark.parametrize(
-    "name", ["HEAD", "main", "demo", "1.11.0-rc1", "HEAD~0", "refs/heads/main", "HEAD@{0}"]
-)
+@pytest.mark.parametrize("name", ["HEAD", "main", "demo", "1.11.0-rc1", "HEAD~0", "refs/heads/main", "HEAD@{0}"])
 def test_resolve(tmp_path: Path, name: str) -> None:
     """Every usual way to write a commit resolves to its id, an abbreviation too."""
     ids = _history(tmp_path)

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
-
 from ecm_checker.contract import Contract, Interface
+
 from ecm_extract.extraction import extract
 from ecm_extract.extraction_model import Options
 from ecm_extract.tree import open_tree

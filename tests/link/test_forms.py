@@ -142,7 +142,9 @@ def test_a_method_of_the_same_name_elsewhere_is_no_form(workspace: Any, wrap: st
 
 def test_rows_of_ecm_toml_are_forms(workspace: Any) -> None:
     """A project's own wrapper without source in the tree is read by a row of its ecm.toml."""
-    row = '[[form]]\ncallee = "open_topic"\nrole = "publisher"\nmatch = "function"\nname = "arg:0"\ntype = "template:0"\n'
+    row = (
+        '[[form]]\ncallee = "open_topic"\nrole = "publisher"\nmatch = "function"\nname = "arg:0"\ntype = "template:0"\n'
+    )
     workspace.package({"src/demo.cpp": CPP2.format(body='open_topic<std_msgs::msg::String>("own");')})
     (workspace.root / "ecm.toml").write_text(row)
     assert workspace.only("publisher").name == "/own"

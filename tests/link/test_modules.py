@@ -55,9 +55,7 @@ def test_python_entry_points_and_scripts_are_modules(workspace: Any) -> None:
     node = "import rclpy\nfrom std_msgs.msg import String\ndef main():\n    node = rclpy.create_node('n')\n    node.create_publisher(String, 'a', 1)\n"
     setup = "from setuptools import setup\nsetup(name='pkg', entry_points={'console_scripts': ['talk = pkg.talker:main']})\n"
     script = "#!/usr/bin/env python3\nimport rclpy\nfrom std_msgs.msg import String\nnode = rclpy.create_node('s')\nnode.create_publisher(String, 'b', 1)\n"
-    workspace.package(
-        {"pkg/talker.py": node, "pkg/__init__.py": "", "setup.py": setup, "scripts/say": script}
-    )
+    workspace.package({"pkg/talker.py": node, "pkg/__init__.py": "", "setup.py": setup, "scripts/say": script})
     (workspace.root / "pkg/scripts/say").chmod(0o755)
     assert kinds(workspace) == {"ecm.pkg.talk": "script", "ecm.pkg.say": "script"}
 

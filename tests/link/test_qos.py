@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-
 from ecm_checker.contract import Qos
 
 CPP = 'class D : public rclcpp::Node {{ D() : Node("d") {{ {setup} create_publisher<std_msgs::msg::String>("a", {qos}); }} }};'
@@ -94,7 +93,5 @@ def test_deadline_and_lease_are_milliseconds(workspace: Any) -> None:
 
 def test_ros1_has_a_queue_size_only(workspace: Any) -> None:
     """No DDS policy is invented for ROS 1."""
-    text = (
-        'int main(int c, char ** v) { ros::NodeHandle nh; auto p = nh.advertise<std_msgs::String>("a", 7); }'
-    )
+    text = 'int main(int c, char ** v) { ros::NodeHandle nh; auto p = nh.advertise<std_msgs::String>("a", 7); }'
     assert workspace.package({"src/m.cpp": text}, ros=1).only("publisher").qos == Qos(depth=7)

@@ -114,9 +114,7 @@ PYTHON_ROWS = [
 ]
 
 
-@pytest.mark.parametrize(
-    ("setup", "name", "expected", "confidence"), PYTHON_ROWS, ids=[row[1] for row in PYTHON_ROWS]
-)
+@pytest.mark.parametrize(("setup", "name", "expected", "confidence"), PYTHON_ROWS, ids=[row[1] for row in PYTHON_ROWS])
 def test_python_name_folds(workspace: Any, setup: str, name: str, expected: str, confidence: str) -> None:
     """The same folding holds in Python, across imports of the package."""
     files = {

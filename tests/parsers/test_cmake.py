@@ -101,9 +101,7 @@ def test_what_builds_nothing(text: str) -> None:
 
 def test_links() -> None:
     """Links of both kinds are collected without their visibility."""
-    text = (
-        "add_library(n a.cpp)\ntarget_link_libraries(n PUBLIC x::x PRIVATE y)\nament_target_dependencies(n z)"
-    )
+    text = "add_library(n a.cpp)\ntarget_link_libraries(n PUBLIC x::x PRIVATE y)\nament_target_dependencies(n z)"
     assert target(text).links == ("x::x", "y", "z")
 
 
@@ -226,9 +224,7 @@ catkin_python_setup()
 
 def test_subdirectories_inherit_variables() -> None:
     """A subdirectory's file sees the project, with source folders relative to itself."""
-    outer = read(
-        "project(p)\nset(S ${PROJECT_SOURCE_DIR}/src/a.cpp)\nadd_subdirectory(test/unit)\ninclude(x.cmake)\n"
-    )
+    outer = read("project(p)\nset(S ${PROJECT_SOURCE_DIR}/src/a.cpp)\nadd_subdirectory(test/unit)\ninclude(x.cmake)\n")
     assert [(s.path, s.is_include) for s in outer.subdirectories] == [("test/unit", False), ("x.cmake", True)]
     inner = b"add_executable(${PROJECT_NAME}_t ${S} ${PROJECT_SOURCE_DIR}/b.cpp c.cpp)"
     (found,) = parse_cmake(inner, variables_below(outer, "test/unit")).facts.targets
@@ -239,12 +235,7 @@ def test_subdirectories_inherit_variables() -> None:
     "data",
     [
         b"set(a x x)\n" + b"set(a ${a} ${a})\n" * 5000,
-        b"set(l "
-        + b"x " * 2000
-        + b")\n"
-        + b"foreach(i ${l})\n" * 5
-        + b"message(${i})\n"
-        + b"endforeach()\n" * 5,
+        b"set(l " + b"x " * 2000 + b")\n" + b"foreach(i ${l})\n" * 5 + b"message(${i})\n" + b"endforeach()\n" * 5,
         b"function(f)\n" + b"f()\n" * 20 + b"endfunction()\nf()\n",
         b"if(A)\n" * 5000,
         b"add_library(" * 100_000,

@@ -45,9 +45,7 @@ def test_parameters() -> None:
 def test_imported_parameters_are_reported() -> None:
     """A function of another module that adds parameters is named and diagnosed."""
     parsed = parse_dynamic_reconfigure(CFG)
-    assert [(i.module, i.name, i.line) for i in parsed.facts.included] == [
-        ("local_planner.limits", "add_limits", 8)
-    ]
+    assert [(i.module, i.name, i.line) for i in parsed.facts.included] == [("local_planner.limits", "add_limits", 8)]
     assert ("cfg-imported-parameters", 8) in [(d.code, d.line) for d in parsed.diagnostics]
 
 

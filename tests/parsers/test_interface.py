@@ -168,9 +168,7 @@ def test_large_files_are_bounded(line: bytes) -> None:
 
 
 @settings(max_examples=50, deadline=None)
-@given(
-    st.text(alphabet="int8 string<=[]'\"#=-x\n\t@/", max_size=120), st.sampled_from(["msg", "srv", "action"])
-)
+@given(st.text(alphabet="int8 string<=[]'\"#=-x\n\t@/", max_size=120), st.sampled_from(["msg", "srv", "action"]))
 def test_never_raises(text: str, shape: Shape) -> None:
     """Any text gives a definition whose facts carry lines of that text."""
     parsed = parse(text.encode(), shape)

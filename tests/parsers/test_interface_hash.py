@@ -10,9 +10,7 @@ from ecm_parsers.interface_hash import MAX_DEPTH, Hashed, md5, rihs01
 from rosbags.typesys import Stores, get_typestore
 from rosbags.typesys.store import Typestore
 
-SERVICE_EVENT = (
-    "uint8 event_type\nbuiltin_interfaces/Time stamp\nchar[16] client_gid\nint64 sequence_number\n"
-)
+SERVICE_EVENT = "uint8 event_type\nbuiltin_interfaces/Time stamp\nchar[16] client_gid\nint64 sequence_number\n"
 
 
 def read(text: str, shape: Shape = "msg") -> Definition:

@@ -81,9 +81,7 @@ def test_format_3() -> None:
 
 def test_format_1() -> None:
     """Without a format it is format 1, whose `run_depend` is kept as such."""
-    parsed = parse(
-        f"<package>{HEAD}<run_depend>a</run_depend><build_depend>b</build_depend></package>".encode()
-    )
+    parsed = parse(f"<package>{HEAD}<run_depend>a</run_depend><build_depend>b</build_depend></package>".encode())
     assert parsed.facts.format == 1
     assert [(item.name, item.kind) for item in parsed.facts.dependencies] == [("a", "run"), ("b", "build")]
 
@@ -134,9 +132,7 @@ def test_problems(text: str, code: str, line: int) -> None:
 
 
 @settings(max_examples=50, deadline=None)
-@given(
-    st.lists(st.sampled_from(["<name>", "</name>", "<export>", "<depend ", "x", ">", "condition='(' ", "/>"]))
-)
+@given(st.lists(st.sampled_from(["<name>", "</name>", "<export>", "<depend ", "x", ">", "condition='(' ", "/>"])))
 def test_never_raises(parts: list[str]) -> None:
     """Any broken manifest still gives a manifest."""
     assert isinstance(parse(f"<package>{''.join(parts)}</package>".encode()).facts, Manifest)

@@ -42,9 +42,7 @@ def test_name_defaults_to_type() -> None:
     assert parsed.facts[0].lookup_name == "a::B"
 
 
-@pytest.mark.parametrize(
-    ("written", "malformed"), [("a::B&lt;c::D, int&gt;", False), ("a::B<c::D, int>", True)]
-)
+@pytest.mark.parametrize(("written", "malformed"), [("a::B&lt;c::D, int&gt;", False), ("a::B<c::D, int>", True)])
 def test_templates(written: str, malformed: bool) -> None:
     """Template arguments are read escaped, and unescaped as tinyxml does, with a diagnostic."""
     text = f'<library path="l"><class name="n" type="{written}" base_class_type="{written}"/></library>'

@@ -60,9 +60,7 @@ def test_setup_py() -> None:
 
 def test_catkin_setup_of_python_2() -> None:
     """catkin's generate_distutils_setup counts, and Python 2 text is read."""
-    text = (
-        b"print 'x'\nd = generate_distutils_setup(packages=['a', u'b'], package_dir={'': 'x'})\nsetup(**d)\n"
-    )
+    text = b"print 'x'\nd = generate_distutils_setup(packages=['a', u'b'], package_dir={'': 'x'})\nsetup(**d)\n"
     facts = parse_setup_py(text).facts
     assert (facts.packages, facts.package_dir) == (("a", "b"), {"": "x"})
 

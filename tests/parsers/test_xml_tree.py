@@ -105,9 +105,7 @@ def test_many_roots() -> None:
     assert tree.diagnostics == ()
 
 
-@pytest.mark.parametrize(
-    "part", [b"<a", b'<a "', b"<![CDATA[", b"<!--", b"<?", b"\n", b"<a/>", b"</a>", b"&a;"]
-)
+@pytest.mark.parametrize("part", [b"<a", b'<a "', b"<![CDATA[", b"<!--", b"<?", b"\n", b"<a/>", b"</a>", b"&a;"])
 def test_hostile_repetition_ends_soon(part: bytes) -> None:
     """No repeated fragment makes reading more than linear."""
     started = time.perf_counter()

@@ -77,9 +77,7 @@ def test_duplicate_keys_are_reported_with_both_lines() -> None:
 
 def test_object_tags_stay_plain() -> None:
     """No tag makes an object; the value is kept and the tag reported."""
-    parsed = parse_yaml(
-        b"a: !!python/object/apply:os.system ['ls']\nb: !angle 1.0\nc: !degrees 90\nd: !!str 1\n"
-    )
+    parsed = parse_yaml(b"a: !!python/object/apply:os.system ['ls']\nb: !angle 1.0\nc: !degrees 90\nd: !!str 1\n")
     assert plain(parsed.facts[0]) == {"a": ["ls"], "b": "1.0", "c": 90, "d": "1"}
     assert codes(parsed) == ["yaml-unknown-tag", "yaml-unknown-tag"]
     degrees = parsed.facts[0].get("c") if isinstance(parsed.facts[0], Mapping) else None

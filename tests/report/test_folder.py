@@ -29,8 +29,7 @@ def test_no_name_escapes_the_folder(tmp_path: Path, name: str) -> None:
     everything = [path for path in tmp_path.rglob("*") if path.is_file()]
     assert sorted(everything) == sorted(written)
     assert all(
-        path.resolve().is_relative_to(out.resolve()) and len(path.relative_to(out).parts) == 2
-        for path in written
+        path.resolve().is_relative_to(out.resolve()) and len(path.relative_to(out).parts) == 2 for path in written
     )
 
 

@@ -176,9 +176,7 @@ class BodyReader:
             if written is None or child.child_by_field_name("declarator") is not None:
                 return
             args.append(Name(self.expr.name(written)))
-        made = Call(
-            Name(self.expr.name(kind)), tuple(args), (), self.expr.template_arguments(kind), _line(kind)
-        )
+        made = Call(Name(self.expr.name(kind)), tuple(args), (), self.expr.template_arguments(kind), _line(kind))
         self._add("let", declarator, made, Name(self.expr.text(named)), self.expr.type_text(kind))
 
     def _initial(self, kind: Node, value: Node | None) -> Expr | None:
@@ -277,9 +275,7 @@ def declared_name(reader: ExprReader, node: Node) -> str:
     while node.type not in _NAMES:
         inner = node.child_by_field_name("declarator")
         if inner is None and node.named_children:
-            inner = next(
-                (c for c in node.named_children if c.type in _NAMES or c.type.endswith("declarator")), None
-            )
+            inner = next((c for c in node.named_children if c.type in _NAMES or c.type.endswith("declarator")), None)
         if inner is None:
             return ""
         node = inner

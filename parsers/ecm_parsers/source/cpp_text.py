@@ -8,9 +8,7 @@ expression, `= {}` as default argument, `#if` inside an expression.
 import re
 from collections.abc import Callable
 
-_EXPORT_WORD = re.compile(
-    rb"\b[A-Z][A-Z0-9_]*_(?:PUBLIC|EXPORT|LOCAL|API|IMPORT|HIDDEN|DEPRECATED)\b(?!\s*\()"
-)
+_EXPORT_WORD = re.compile(rb"\b[A-Z][A-Z0-9_]*_(?:PUBLIC|EXPORT|LOCAL|API|IMPORT|HIDDEN|DEPRECATED)\b(?!\s*\()")
 _MACRO_LINE = re.compile(
     rb"(?<=[;{}:\n])([ \t]*)([A-Z][A-Z0-9_]{3,}(?:\([^;{}]{0,400}?\))?)(?=[ \t]*\r?\n[ \t\r\n]*[^\s,).&|+*/?:<=\[-])"
 )
@@ -18,9 +16,7 @@ _TYPENAME = re.compile(rb"(?<=[(,=<{ \t])typename(?=\s+[\w:]+(?:<[^;(){}]*>)?::)
 _EMPTY_BRACES = re.compile(rb"=\s*\{\}(?=\s*[,)])")
 _DIRECTIVE = re.compile(rb"^[ \t]*#[ \t]*(?:if|ifdef|ifndef|elif|else|endif)\b[^\n]*", re.MULTILINE)
 _DEFINE_LINE = re.compile(rb"^[ \t]*#[^\n]*(?:\\\n[^\n]*)*", re.MULTILINE)
-_REGISTRATION = re.compile(
-    rb"^[ \t]*([A-Z][A-Z0-9_]*(?:REGISTER|EXPORT|DECLARE)[A-Z0-9_]*)\s*\(", re.MULTILINE
-)
+_REGISTRATION = re.compile(rb"^[ \t]*([A-Z][A-Z0-9_]*(?:REGISTER|EXPORT|DECLARE)[A-Z0-9_]*)\s*\(", re.MULTILINE)
 
 
 def _blank(match: re.Match[bytes]) -> bytes:

@@ -15,38 +15,38 @@ class _Node(msgspec.Struct, frozen=True, array_like=True, tag=True, gc=False):
     """Base of all expressions; the tag is the class name."""
 
 
-class Text(_Node):
+class Text(_Node, frozen=True):
     """A string literal, unescaped."""
 
     value: str
 
 
-class Number(_Node):
+class Number(_Node, frozen=True):
     """A numeric literal."""
 
     value: int | float
 
 
-class Constant(_Node):
+class Constant(_Node, frozen=True):
     """`true`, `false` or `null`, whatever the language calls them."""
 
     name: str
 
 
-class Name(_Node):
+class Name(_Node, frozen=True):
     """An identifier; C++ qualification is kept with `::`, template arguments are dropped."""
 
     id: str
 
 
-class Member(_Node):
+class Member(_Node, frozen=True):
     """`base.name` or `base->name`."""
 
     base: Expr
     name: str
 
 
-class Call(_Node):
+class Call(_Node, frozen=True):
     """A call or an object construction (`T(x)`, `T{x}`, `new T(x)`).
 
     Attributes:
@@ -64,43 +64,41 @@ class Call(_Node):
     line: int = 0
 
 
-class Op(_Node):
+class Op(_Node, frozen=True):
     """An operator over its operands: `+`, `%`, `/`, `|`, `!`, `&` (address of), `?:`, `[]`, `==` ..."""
 
     op: str
     operands: tuple[Expr, ...]
 
 
-class Items(_Node):
+class Items(_Node, frozen=True):
     """A list, tuple, set or braced initialiser."""
 
     items: tuple[Expr, ...]
 
 
-class Table(_Node):
+class Table(_Node, frozen=True):
     """A Python dict display; a `**spread` has key `Constant("null")`."""
 
     entries: tuple[tuple[Expr, Expr], ...]
 
 
-class Template(_Node):
+class Template(_Node, frozen=True):
     """A Python f-string: its literal and computed parts in order."""
 
     parts: tuple[Expr, ...]
 
 
-class Lambda(_Node):
+class Lambda(_Node, frozen=True):
     """An anonymous function; its statements are those of the enclosing function, its parameter types are kept."""
 
     param_types: tuple[str, ...]
 
 
-class Opaque(_Node):
+class Opaque(_Node, frozen=True):
     """Source text that means nothing to the linker, cut at 80 characters."""
 
     text: str
 
 
-Expr: TypeAlias = (
-    Text | Number | Constant | Name | Member | Call | Op | Items | Table | Template | Lambda | Opaque
-)
+Expr: TypeAlias = Text | Number | Constant | Name | Member | Call | Op | Items | Table | Template | Lambda | Opaque

@@ -19,7 +19,7 @@ class _Fact(msgspec.Struct, frozen=True, array_like=True, gc=False):
     """Base of all source facts."""
 
 
-class Statement(_Fact):
+class Statement(_Fact, frozen=True):
     """One step of a body that can carry a value or a call.
 
     Attributes:
@@ -40,7 +40,7 @@ class Statement(_Fact):
     depth: int = 0
 
 
-class Parameter(_Fact):
+class Parameter(_Fact, frozen=True):
     """A parameter of a function, with its type as written."""
 
     name: str
@@ -48,7 +48,7 @@ class Parameter(_Fact):
     default: Expr | None = None
 
 
-class Function(_Fact):
+class Function(_Fact, frozen=True):
     """A function or method, declared or defined; a Python module body is the function `<module>`.
 
     Attributes:
@@ -76,7 +76,7 @@ class Function(_Fact):
     decorators: tuple[str, ...] = ()
 
 
-class Field(_Fact):
+class Field(_Fact, frozen=True):
     """A data member of a class; for Python a class attribute or what `__init__` sets on self with an annotation."""
 
     name: str
@@ -86,7 +86,7 @@ class Field(_Fact):
     traits: tuple[str, ...] = ()
 
 
-class Class(_Fact):
+class Class(_Fact, frozen=True):
     """A class or struct with its bases as written (template arguments kept)."""
 
     name: str
@@ -99,7 +99,7 @@ class Class(_Fact):
     traits: tuple[str, ...] = ()
 
 
-class Constant(_Fact):
+class Constant(_Fact, frozen=True):
     """A named value outside functions: namespace constant, static member, `#define`, enum value, module global."""
 
     name: str
@@ -110,7 +110,7 @@ class Constant(_Fact):
     traits: tuple[str, ...] = ()
 
 
-class Alias(_Fact):
+class Alias(_Fact, frozen=True):
     """`using A = B`, `typedef B A`, `namespace A = B`."""
 
     name: str
@@ -119,7 +119,7 @@ class Alias(_Fact):
     line: int
 
 
-class Import(_Fact):
+class Import(_Fact, frozen=True):
     """An include (`module` is the path, `name` empty) or a Python import.
 
     Python `import a.b as c` -> module `a.b`, name empty, alias `c`; `from a import b as c` -> module `a`, name `b`,
@@ -132,7 +132,7 @@ class Import(_Fact):
     line: int
 
 
-class Macro(_Fact):
+class Macro(_Fact, frozen=True):
     """A macro used like a declaration, e.g. `PLUGINLIB_EXPORT_CLASS(a::B, c::D)`; arguments as written."""
 
     name: str
@@ -140,7 +140,7 @@ class Macro(_Fact):
     line: int
 
 
-class SourceFile(_Fact):
+class SourceFile(_Fact, frozen=True):
     """All facts of one source file."""
 
     language: Literal["cpp", "python"]

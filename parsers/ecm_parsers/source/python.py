@@ -34,9 +34,7 @@ def parse_python(data: bytes) -> Parsed[SourceFile]:
         `python-too-deep` at the first statement or expression that is nested too deeply to be read.
     """
     if len(data) > MAX_BYTES:
-        message = (
-            f"The file has more than {MAX_BYTES} bytes and was not read. Split it, or exclude generated code."
-        )
+        message = f"The file has more than {MAX_BYTES} bytes and was not read. Split it, or exclude generated code."
         return _unread("python-too-large", message)
     data = data.removeprefix(_BOM)
     root = _syntax(data)

@@ -57,9 +57,7 @@ def test_mutated_source_is_read(data: st.DataObject) -> None:
 def test_rest_of_a_broken_file_is_read() -> None:
     """A line that does not parse costs one diagnostic, not the file."""
     parsed = parse_python(b"x = 1\ndef f(:\n    pass\nrospy.Publisher('t')\n")
-    assert [(one.severity, one.code, one.line) for one in parsed.diagnostics] == [
-        ("info", "python-syntax", 2)
-    ]
+    assert [(one.severity, one.code, one.line) for one in parsed.diagnostics] == [("info", "python-syntax", 2)]
     calls = [one.value for function in parsed.facts.functions for one in function.body if one.kind == "do"]
     assert Call(Member(Name("rospy"), "Publisher"), (Text("t"),), line=4) in calls
 

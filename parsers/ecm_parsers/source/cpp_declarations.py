@@ -1,0 +1,315 @@
+"""Declarations of a C++ file: namespaces, classes, functions, constants, aliases, includes."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ecm_parsers.source.cpp_body import BodyReader, declared_name, parameters
+from ecm_parsers.source.cpp_declarators import (
+    GROUPS,
+    first_value,
+    flat_members,
+    function_declarator,
+    function_traits,
+    leading_words,
+    lines_of,
+    split_name,
+)
+from ecm_parsers.source.cpp_expr import ExprReader
+from ecm_parsers.source.cpp_parser import parser
+from ecm_parsers.source.expr import Expr, Items
+from ecm_parsers.source.facts import Alias, Class, Constant, Field, Function, Import, Macro, SourceFile
+
+if TYPE_CHECKING:
+    from tree_sitter import Node
+
+MAX_NESTING = 60
+_CLASSES = frozenset({"class_specifier", "struct_specifier", "union_specifier"})
+
+
+class Place:
+    """Where a declaration stands: scope, access, template parameters, anonymous namespace."""
+
+    __slots__ = ("access", "anonymous", "scope", "template")
+
+    def __init__(
+        self, scope: str = "", access: str = "", anonymous: bool = False, template: tuple[str, ...] = ()
+    ) -> None:
+        self.scope = scope
+        self.access = access
+        self.anonymous = anonymous
+        self.template = template
+
+    def inside(self, name: str, access: str = "") -> Place:
+        """Return the place within a namespace of that name."""
+        scope = f"{self.scope}::{name}" if self.scope and name else self.scope or name
+        return Place(scope, access, self.anonymous or not name)
+
+    def traits(self) -> tuple[str, ...]:
+        """Return what the place makes of its declarations: hidden access, anonymous namespace."""
+        hidden = (self.access,) if self.access in {"private", "protected"} else ()
+        return (*hidden, "anonymous") if self.anonymous else hidden
+
+
+class DeclarationReader:
+    """Collects the declarations of one file."""
+
+    def __init__(self, data: bytes) -> None:
+        self.data = data
+        self.expr = ExprReader(data, lambda body: None)
+        self.imports: list[Import] = []
+        self.usings: list[str] = []
+        self.aliases: list[Alias] = []
+        self.classes: list[Class] = []
+        self.functions: list[Function] = []
+        self.constants: list[Constant] = []
+        self._nesting = 0
+
+    def facts(self, macros: tuple[Macro, ...]) -> SourceFile:
+        """Return everything read, as the facts of one file."""
+        return SourceFile(
+            "cpp",
+            tuple(self.imports),
+            tuple(self.usings),
+            tuple(self.aliases),
+            tuple(self.classes),
+            tuple(self.functions),
+            tuple(self.constants),
+            macros,
+        )
+
+    def read(self, node: Node, place: Place) -> None:
+        """Read one declaration, or a group of them."""
+        if self._nesting >= MAX_NESTING:
+            return
+        self._nesting += 1
+        kind = node.type
+        if kind in GROUPS:
+            for child in node.named_children:
+                self.read(child, place)
+        else:
+            handler = _DECLARATIONS.get(kind)
+            if handler is not None:
+                handler(self, node, place)
+        self._nesting -= 1
+
+    def namespace(self, node: Node, place: Place) -> None:
+        """A namespace, anonymous ones included."""
+        name, body = node.child_by_field_name("name"), node.child_by_field_name("body")
+        if body is not None:
+            self.read(body, place.inside(self.expr.text(name).replace(" ", "") if name is not None else ""))
+
+    def template(self, node: Node, place: Place) -> None:
+        """A template: its parameters go to what it declares."""
+        listed = node.child_by_field_name("parameters")
+        names = tuple([self._template_name(child) for child in listed.named_children]) if listed is not None else ()
+        for child in node.named_children:
+            if child.type != "template_parameter_list":
+                self.read(child, Place(place.scope, place.access, place.anonymous, names))
+
+    def _template_name(self, node: Node) -> str:
+        words = self.expr.text(node).split("=")[0].replace("...", " ").split()
+        return words[-1] if words else ""
+
+    def classes_of(self, node: Node, place: Place) -> None:
+        """A class or struct with its members."""
+        name, body = node.child_by_field_name("name"), node.child_by_field_name("body")
+        if body is None:
+            return
+        own = self.expr.name(name) if name is not None else ""
+        inner = Place(f"{place.scope}::{own}" if place.scope else own, "", place.anonymous)
+        access = "private" if node.type == "class_specifier" else ""
+        fields = self._members(body, inner, access)
+        bases = next((child for child in node.named_children if child.type == "base_class_clause"), None)
+        listed = self._bases(bases) if bases is not None else ()
+        self.classes.append(
+            Class(own, place.scope, listed, *lines_of(node), tuple(fields), place.template, place.traits())
+        )
+
+    def _bases(self, node: Node) -> tuple[str, ...]:
+        return tuple([self.expr.type_text(c) for c in node.named_children if c.type not in _NOT_BASES])
+
+    def _members(self, body: Node, place: Place, access: str) -> list[Field]:
+        fields: list[Field] = []
+        place.access = access
+        for child in flat_members(body):
+            if child.type == "access_specifier":
+                place.access = self.expr.text(child).split()[0]
+            elif child.type == "field_declaration":
+                fields.extend(self._field(child, place))
+            else:
+                self.read(child, place)
+        return fields
+
+    def _field(self, node: Node, place: Place) -> list[Field]:
+        kind = node.child_by_field_name("type")
+        if kind is not None and (kind.type in _CLASSES or kind.type == "enum_specifier"):
+            self.read(kind, Place(place.scope, place.access, place.anonymous))
+        words = leading_words(self.expr, node)
+        fields = []
+        for declarator in node.children_by_field_name("declarator"):
+            function = function_declarator(declarator)
+            if function is not None:
+                self._function(node, function, place, words)
+                continue
+            default = node.child_by_field_name("default_value")
+            value = self._initial(default, kind)
+            name = declared_name(self.expr, declarator)
+            written = self._declared_type(kind, declarator)
+            traits = (
+                *place.traits(),
+                *(word for word in words if word in {"static", "constexpr", "const", "mutable"}),
+            )
+            if "static" in traits or "constexpr" in traits:
+                self.constants.append(Constant(name, place.scope, value, lines_of(node)[0], written, traits))
+            fields.append(Field(name, written, lines_of(declarator)[0], value, traits))
+        return fields
+
+    def _declared_type(self, kind: Node | None, declarator: Node) -> str:
+        mark = "*" if declarator.type == "pointer_declarator" else ""
+        return (self.expr.type_text(kind) if kind is not None else "") + mark
+
+    def _initial(self, node: Node | None, kind: Node | None) -> Expr | None:
+        if node is None:
+            return None
+        if node.type in {"initializer_list", "argument_list"}:
+            args = self.expr.arguments(node)
+            return args[0] if len(args) == 1 else Items(args) if args else None
+        return self.expr.read(node)
+
+    def function(self, node: Node, place: Place) -> None:
+        """A function definition."""
+        declarator = node.child_by_field_name("declarator")
+        function = function_declarator(declarator) if declarator is not None else None
+        if function is not None:
+            self._function(node, function, place, leading_words(self.expr, node))
+
+    def _function(self, node: Node, declarator: Node, place: Place, words: tuple[str, ...]) -> None:
+        named = declarator.child_by_field_name("declarator")
+        if named is None:
+            return
+        scope, name = split_name(declared_name(self.expr, named), place.scope)
+        kind, body = node.child_by_field_name("type"), node.child_by_field_name("body")
+        read = BodyReader(self.data, f"{scope}::{name}" if scope else name)
+        for child in node.named_children:
+            if child.type == "field_initializer_list":
+                read.initializers(child)
+        if body is not None:
+            read.read(body)
+        params = parameters(self.expr, declarator.child_by_field_name("parameters"))
+        traits = (*place.traits(), *function_traits(self.expr, node, declarator, words, body is None))
+        returns = self.expr.type_text(kind) if kind is not None else ""
+        decorators = tuple([self.expr.text(c) for c in node.named_children if c.type == "attribute_declaration"])
+        self.functions.append(
+            Function(
+                name,
+                scope,
+                params,
+                returns,
+                *lines_of(node),
+                tuple(read.statements),
+                place.template,
+                traits,
+                decorators,
+            )
+        )
+        self.functions.extend(read.functions)
+
+    def declaration(self, node: Node, place: Place) -> None:
+        """Variables, and functions without a body."""
+        kind = node.child_by_field_name("type")
+        if kind is not None and kind.type in _CLASSES | {"enum_specifier"}:
+            self.read(kind, place)
+        words = leading_words(self.expr, node)
+        for declarator in node.children_by_field_name("declarator"):
+            function = function_declarator(declarator)
+            if function is not None:
+                self._function(node, function, place, words)
+                continue
+            bound = declarator.child_by_field_name("declarator") or declarator
+            scope, name = split_name(declared_name(self.expr, bound), place.scope)
+            value = self._initial(declarator.child_by_field_name("value"), kind)
+            written = self._declared_type(kind, bound)
+            self.constants.append(Constant(name, scope, value, lines_of(node)[0], written, (*place.traits(), *words)))
+
+    def alias(self, node: Node, place: Place) -> None:
+        """`using A = B`."""
+        name, kind = node.child_by_field_name("name"), node.child_by_field_name("type")
+        if name is not None and kind is not None:
+            self.aliases.append(Alias(self.expr.text(name), place.scope, self.expr.type_text(kind), lines_of(node)[0]))
+
+    def typedef(self, node: Node, place: Place) -> None:
+        """`typedef B A`."""
+        kind = node.child_by_field_name("type")
+        if kind is not None and kind.type in _CLASSES | {"enum_specifier"}:
+            self.read(kind, place)
+        for declarator in node.children_by_field_name("declarator"):
+            if kind is not None and declarator.type == "type_identifier":
+                target = self.expr.type_text(kind)
+                self.aliases.append(Alias(self.expr.text(declarator), place.scope, target, lines_of(node)[0]))
+
+    def namespace_alias(self, node: Node, place: Place) -> None:
+        """`namespace a = b`."""
+        children = node.named_children
+        if len(children) == 2:
+            name, target = (self.expr.text(child) for child in children)
+            self.aliases.append(Alias(name, place.scope, target, lines_of(node)[0]))
+
+    def using(self, node: Node, place: Place) -> None:
+        """`using namespace a` and `using a::B`."""
+        for child in node.named_children:
+            name = self.expr.name(child)
+            if "namespace" in self.expr.text(node).split():
+                self.usings.append(name)
+            elif "::" in name:
+                self.aliases.append(Alias(name.rsplit("::", 1)[1], place.scope, name, lines_of(node)[0]))
+
+    def include(self, node: Node, place: Place) -> None:
+        """`#include`."""
+        path = node.child_by_field_name("path")
+        if path is not None:
+            self.imports.append(Import(self.expr.text(path).strip('<>"'), "", "", lines_of(node)[0]))
+
+    def define(self, node: Node, place: Place) -> None:
+        """`#define` of a value."""
+        name, value = node.child_by_field_name("name"), node.child_by_field_name("value")
+        if name is None or value is None:
+            return
+        text = self.data[value.start_byte : value.end_byte].strip()
+        tree = parser().parse(b"auto x = " + text + b";") if len(text) < 200 else None
+        found = first_value(tree.root_node) if tree is not None else None
+        if found is not None:
+            read = ExprReader(b"auto x = " + text + b";", lambda body: None).read(found)
+            self.constants.append(Constant(self.expr.text(name), "", read, lines_of(node)[0], "", ("define",)))
+
+    def enum(self, node: Node, place: Place) -> None:
+        """An enum: each value is a constant."""
+        name, body = node.child_by_field_name("name"), node.child_by_field_name("body")
+        if body is None:
+            return
+        own = self.expr.name(name) if name is not None else ""
+        scope = "::".join(part for part in (place.scope, own) if part)
+        for child in body.named_children:
+            label, value = child.child_by_field_name("name"), child.child_by_field_name("value")
+            if child.type == "enumerator" and label is not None:
+                read = self.expr.read(value) if value is not None else None
+                traits = (*place.traits(), "enum")
+                self.constants.append(Constant(self.expr.text(label), scope, read, lines_of(child)[0], own, traits))
+
+
+_DECLARATIONS = {
+    "namespace_definition": DeclarationReader.namespace,
+    "template_declaration": DeclarationReader.template,
+    "class_specifier": DeclarationReader.classes_of,
+    "struct_specifier": DeclarationReader.classes_of,
+    "function_definition": DeclarationReader.function,
+    "declaration": DeclarationReader.declaration,
+    "alias_declaration": DeclarationReader.alias,
+    "type_definition": DeclarationReader.typedef,
+    "namespace_alias_definition": DeclarationReader.namespace_alias,
+    "using_declaration": DeclarationReader.using,
+    "preproc_include": DeclarationReader.include,
+    "preproc_def": DeclarationReader.define,
+    "enum_specifier": DeclarationReader.enum,
+}
+_NOT_BASES = frozenset({"access_specifier", "virtual", "comment"})

@@ -1,0 +1,50 @@
+"""The C++ grammar, and the reading of a text that costs least errors."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import TYPE_CHECKING
+
+import tree_sitter_cpp
+from tree_sitter import Language, Parser
+
+from ecm_parsers.source import cpp_text
+
+if TYPE_CHECKING:
+    from tree_sitter import Node, Tree
+
+
+@cache
+def parser() -> Parser:
+    """Return the parser, made once per process."""
+    return Parser(Language(tree_sitter_cpp.language()))
+
+
+def parse_tree(data: bytes) -> tuple[Tree, bytes]:
+    """Parse as it is; on errors without macros, and then without conditionals, whichever reads more.
+
+    A missing `;` after a macro spoils nothing, so only real errors are worth a second parse.
+    """
+    tree = parser().parse(data)
+    if first_error(tree.root_node) is None:
+        return tree, data
+    rewritten = cpp_text.without_macros(data)
+    if rewritten != data:
+        tree, data = parser().parse(rewritten), rewritten
+    if b"#if" in data and first_error(tree.root_node) is not None:
+        flat = cpp_text.without_conditionals(data)
+        other = parser().parse(flat)
+        if first_error(other.root_node) is None:
+            return other, flat
+    return tree, data
+
+
+def first_error(root: Node) -> Node | None:
+    """Return the first ERROR node; nodes that the parser only missed do not count."""
+    pending = [root] if root.has_error else []
+    while pending:
+        node = pending.pop()
+        if node.type == "ERROR":
+            return node
+        pending.extend(child for child in reversed(node.children) if child.has_error)
+    return None
