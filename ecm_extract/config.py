@@ -9,6 +9,7 @@ from typing import Any, Literal, get_args
 import msgspec
 
 from ecm_extract.errors import ConfigError
+from ecm_extract.link.forms import Form
 from ecm_extract.tree import printable
 
 FILE_NAME = "ecm.toml"
@@ -40,14 +41,14 @@ class Config(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     Attributes:
         extract: what is read.
-        forms: rows `[[form]]` for wrappers of the project, as written; the linker checks their columns.
+        forms: rows `[[form]]` for wrappers of the project, tried before the bundled ones.
         severity: level by rule id, `off` to silence it.
         promise: who must not break: the layers that the project guards (DESIGN §6); empty for all.
         externals: names that others provide, so never reported as unresolved: packages, topics, frames.
     """
 
     extract: Extract = Extract()
-    forms: tuple[dict[str, Any], ...] = msgspec.field(default=(), name="form")
+    forms: tuple[Form, ...] = msgspec.field(default=(), name="form")
     severity: dict[str, Level] = {}
     promise: tuple[Promise, ...] = ()
     externals: tuple[str, ...] = ()

@@ -18,9 +18,7 @@ def make_package(name: str, *modules: Contract, path: str = ".") -> PackageContr
     return PackageContracts(name, "1.2.0", path, 2, modules)
 
 
-def make_extraction(
-    *packages: PackageContracts, diagnostics: tuple[LocatedDiagnostic, ...] = ()
-) -> Extraction:
+def make_extraction(*packages: PackageContracts, diagnostics: tuple[LocatedDiagnostic, ...] = ()) -> Extraction:
     return Extraction("robot", "0123456789abcdef", packages, diagnostics, 1.25, Counts(12, 34_000))
 
 

@@ -37,9 +37,7 @@ def test_manual_has_every_command_and_option() -> None:
         command = app.get_command(context, name)
         assert command is not None
         assert f"## {name}" in page
-        options = [
-            option for each in command.params if isinstance(each, click.Option) for option in each.opts
-        ]
+        options = [option for each in command.params if isinstance(each, click.Option) for option in each.opts]
         assert not [option for option in options if option not in page]
 
 

@@ -6,15 +6,18 @@ Rows live in `forms/<framework>.toml`; users add rows in `ecm.toml`. A position 
 
 from __future__ import annotations
 
+import re
 import tomllib
 from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from importlib import resources
-from typing import Any, Literal
+from typing import Literal
 
 import msgspec
 from ecm_checker.contract import Role
+
+_POSITION = re.compile(r"(?:arg|text|template|callback|service_callback|receiver|variable):\d+|kw:\w+")
 
 Match = Literal["method", "function", "construct"]
 
@@ -35,9 +38,6 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         fixed: the name, when the form implies it.
         items: position of a list of (name, default) pairs, for calls that declare many.
         min_args: fewer positional arguments are another function.
-        profile: QoS preset when none is given.
-        typed: type's kind when the source writes only package and name (`msg`, `srv`, `action`).
-        latch: position of the ROS 1 latch flag.
         frame: positions of frames, for transforms.
     """
 
@@ -56,10 +56,14 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     fixed: str = ""
     items: str = ""
     min_args: int = 0
-    profile: str = ""
-    latch: str = ""
     frame: str = ""
-    suffix: str = ""
+
+    def __post_init__(self) -> None:
+        """Refuse positions that mean nothing, so that a misspelt one is an error and not a form without effect."""
+        for column in (self.name, self.type, self.qos, self.default, self.out, self.items, self.node, self.frame):
+            if column and not _is_position(column):
+                message = f"'{column}' is no position: write arg:N, kw:NAME, text:N, template:N or callback:N"
+                raise ValueError(message)
 
     @property
     def last(self) -> str:
@@ -82,13 +86,13 @@ def _rows(text: str) -> list[Form]:
     return msgspec.convert(tomllib.loads(text)["form"], list[Form])
 
 
-def form_table(extra: Iterable[dict[str, Any]] = ()) -> FormTable:
-    """Return all rows by the last part of their callee, the user's first.
-
-    Raises:
-        msgspec.ValidationError: a user's row has an unknown key or a wrong value.
-    """
+def form_table(extra: Iterable[Form] = ()) -> FormTable:
+    """Return all rows by the last part of their callee, the user's first."""
     table: dict[str, list[Form]] = defaultdict(list)
-    for form in (*msgspec.convert(list(extra), list[Form]), *bundled_forms()):
+    for form in (*extra, *bundled_forms()):
         table[form.last].append(form)
     return table
+
+
+def _is_position(column: str) -> bool:
+    return "/" in column or all(_POSITION.fullmatch(part) for part in column.split("|"))

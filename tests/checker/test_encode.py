@@ -163,9 +163,7 @@ interfaces = st.builds(
 )
 contracts = st.builds(
     Contract,
-    ecm=st.builds(
-        Identity, names, names, names, st.none() | names, st.just(Source(None, None, ".")), st.just(1)
-    ),
+    ecm=st.builds(Identity, names, names, names, st.none() | names, st.just(Source(None, None, ".")), st.just(1)),
     signature=st.builds(Signature, st.lists(interfaces, max_size=2).map(tuple), values),
     behavior=st.builds(Behavior, values, values),
     versioning=st.builds(

@@ -25,9 +25,7 @@ def test_every_field_of_the_model_has_a_row() -> None:
     """A field without a row would never be explained nor be found missing."""
     contract = make_contract()
     sections = ("signature", "behavior", "resources", "permissions", "recovery", "versioning")
-    fields = {
-        f"{section}.{field}" for section in sections for field in getattr(contract, section).__struct_fields__
-    }
+    fields = {f"{section}.{field}" for section in sections for field in getattr(contract, section).__struct_fields__}
     lists = {"signature.interfaces", "versioning.entities", "versioning.uses"}
     assert fields - lists == {row.path for row in FIELDS if not row.path.startswith("ecm.")}
 

@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 
 from ecm_extract.config import MAX_CONFIG_BYTES, Config, Extract, load_config, locate, parse_config
 from ecm_extract.errors import ConfigError
+from ecm_extract.link.forms import Form
 
 FULL = b"""
 promise = ["wire", "graph"]
@@ -17,18 +18,20 @@ include_tests = true
 [severity]
 RES001 = "off"
 [[form]]
-framework = "rclcpp"
 callee = "make_publisher"
+role = "publisher"
+name = "arg:0"
 [[form]]
+callee = "read_setting"
 role = "parameter"
 """
 
 
 def test_all_keys() -> None:
-    """Every key is read; the columns of a form are passed on as written."""
+    """Every key is read; rows of forms are checked like the bundled ones."""
     assert parse_config(FULL) == Config(
         extract=Extract(exclude=("third_party/**",), include_tests=True),
-        forms=({"framework": "rclcpp", "callee": "make_publisher"}, {"role": "parameter"}),
+        forms=(Form("make_publisher", "publisher", name="arg:0"), Form("read_setting", "parameter")),
         severity={"RES001": "off"},
         promise=("wire", "graph"),
         externals=("/clock",),
@@ -52,7 +55,9 @@ def test_defaults(data: bytes) -> None:
         ('# comment\npromise = [\n"wire",\n"peace"]', 2, "promise"),
         ('externals = "x"', 1, "externals"),
         ("\nform = 3", 2, "form"),
-        ("[[form]]\na = 1\n[nonsense]\nb = 2", 3, "nonsense"),
+        ("[extract]\ninclude_tests = true\n[nonsense]\nb = 2", 3, "nonsense"),
+        ("[[form]]\ncallee = 'f'\nrole = 'publisher'\n[[form]]\ncallee = 'g'\nrole = 'nobody'", 6, "form.role"),
+        ("[[form]]\ncallee = 'f'\nrole = 'publisher'\nname = 'first'", 1, "form"),
         ("extract = 1", 1, "extract"),
         ("[extract]\nexclude = [\n", 3, ""),
         ("a = 1\na = 2", 1, ""),
