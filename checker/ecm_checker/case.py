@@ -1,0 +1,139 @@
+"""What rules look at: the modules of one question, matched by name, with the profiles they are asked about.
+
+Matching goes through indexes by name and claim, never over all pairs. Everything derived is made when a rule first
+asks for it.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterator, Sequence
+from functools import cached_property
+from itertools import pairwise
+from typing import Final
+
+import msgspec
+
+from ecm_checker import frames
+from ecm_checker.contract import Interface, Role
+from ecm_checker.profiles import NO_PROFILES, Call, Profiles
+from ecm_checker.view import View
+
+_TOPIC: Final[tuple[Role, Role]] = ("publisher", "subscriber")
+_SERVICE: Final[tuple[Role, Role]] = ("service_server", "service_client")
+_ACTION: Final[tuple[Role, Role]] = ("action_server", "action_client")
+
+
+class Wire(msgspec.Struct, frozen=True):
+    """A name that one module offers and another one uses.
+
+    Several endpoints of one module under one name are alternatives that it chooses from when it runs.
+    """
+
+    name: str
+    giver: View
+    offered: tuple[Interface, ...]
+    taker: View
+    wanted: tuple[Interface, ...]
+
+
+class Case:
+    """One question to the rules.
+
+    Attributes:
+        modules: those that are asked about.
+        ordered: whether each hands over to the next one.
+        together: whether they are known to run together; else errors between modules are only likely.
+        profiles: of robot, governance and installation.
+        previous: the older version of the module in an upgrade.
+        dependents: modules that use the older version; None when not known.
+        call: what the caller of an invocation brings.
+    """
+
+    def __init__(
+        self,
+        modules: Sequence[View],
+        profiles: Profiles = NO_PROFILES,
+        *,
+        ordered: bool = False,
+        together: bool = True,
+        previous: View | None = None,
+        dependents: tuple[View, ...] | None = None,
+        call: Call | None = None,
+    ) -> None:
+        self.modules = tuple(modules)
+        self.profiles = profiles
+        self.ordered = ordered
+        self.together = together
+        self.previous = previous
+        self.dependents = dependents
+        self.call = call
+
+    @cached_property
+    def adjacent(self) -> tuple[tuple[View, View], ...]:
+        """Pairs of modules of which the first hands over to the second."""
+        return tuple(pairwise(self.modules)) if self.ordered else ()
+
+    @cached_property
+    def topics(self) -> tuple[Wire, ...]:
+        """Publisher and subscriber of one topic."""
+        return tuple(self._wires(_TOPIC))
+
+    @cached_property
+    def services(self) -> tuple[Wire, ...]:
+        """Server and client of one service."""
+        return tuple(self._wires(_SERVICE))
+
+    @cached_property
+    def actions(self) -> tuple[Wire, ...]:
+        """Server and client of one action."""
+        return tuple(self._wires(_ACTION))
+
+    @cached_property
+    def claims(self) -> dict[str, tuple[View, ...]]:
+        """Exclusive resource -> modules that claim it."""
+        found: defaultdict[str, list[View]] = defaultdict(list)
+        for module in self.modules:
+            for lock in module.locks or ():
+                found[lock].append(module)
+        return {lock: tuple(holders) for lock, holders in found.items()}
+
+    @cached_property
+    def frame_groups(self) -> dict[str, str]:
+        """Frame -> the transform tree that it is in, see `frames.groups`."""
+        robot = self.profiles.embodiment
+        found = list(robot.transforms) if robot is not None else []
+        for module in self.modules:
+            for entry in module.contract.signature.interfaces:
+                ends = frames.ends(entry.frame) if entry.role == "tf_broadcast" else None
+                if ends is not None:
+                    found.append(ends)
+        return frames.groups(found)
+
+    def connected(self, one: str, two: str) -> bool:
+        """Whether two canonical frames are the same or a registered transform connects them."""
+        if one == two:
+            return True
+        tree = self.frame_groups.get(one)
+        return tree is not None and tree == self.frame_groups.get(two)
+
+    def by_name(self, role: Role) -> dict[str, tuple[View, ...]]:
+        """Name -> modules that have an endpoint of a role under it."""
+        found: defaultdict[str, list[View]] = defaultdict(list)
+        for module in self.modules:
+            for name in module.endpoints(role):
+                found[name].append(module)
+        return {name: tuple(owners) for name, owners in found.items()}
+
+    def _wires(self, roles: tuple[Role, Role]) -> Iterator[Wire]:
+        givers = [(module, module.by_role[roles[0]]) for module in self.modules if roles[0] in module.by_role]
+        takers = [(module, module.by_role[roles[1]]) for module in self.modules if roles[1] in module.by_role]
+        if not givers or not takers:
+            return
+        offers: defaultdict[str, list[tuple[View, tuple[Interface, ...]]]] = defaultdict(list)
+        for giver, named in givers:
+            for name, offered in named.items():
+                offers[name].append((giver, offered))
+        for taker, named in takers:
+            for name in named.keys() & offers.keys():
+                yield from (Wire(name, giver, offered, taker, named[name]) for giver, offered in offers[name])

@@ -1,0 +1,94 @@
+"""What the signature of a new version lacks or has more than the one before."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Final
+
+import msgspec
+
+from ecm_checker.contract import Evidence, Interface, Role
+from ecm_checker.endpoint_types import types
+from ecm_checker.terms import Field
+from ecm_checker.view import View
+
+_ENDPOINTS: Final[tuple[Role, ...]] = (
+    "publisher",
+    "subscriber",
+    "service_server",
+    "action_server",
+    "parameter",
+)
+_OFFERS: Final[tuple[Role, ...]] = ("publisher", "service_server", "action_server")
+
+
+class Lost(msgspec.Struct, frozen=True):
+    """Something that users of the old version may miss.
+
+    Attributes:
+        kind: role of an endpoint, `input` or `output`.
+        old: its name in the old version; empty for an input that is new.
+        new: its name, or its type, in the new version; empty when it is gone.
+        text: what happened.
+        evidence: lines of the old version, then of the new one.
+    """
+
+    kind: str
+    old: str
+    new: str
+    text: str
+    evidence: tuple[Evidence, ...] = ()
+
+
+def lost(old: View, new: View) -> Iterator[Lost]:
+    """What the new version does not have in the form of the old one."""
+    for role in _ENDPOINTS:
+        for name, before in old.endpoints(role).items():
+            yield from _endpoint(role, name, before, new.endpoints(role).get(name, ()))
+    yield from _fields("output", old.outputs, new.outputs)
+    yield from _fields("input", old.inputs, new.inputs)
+    before_names = {field.name for field in old.inputs or ()}
+    for field in new.inputs or ():
+        if old.inputs is not None and field.name not in before_names and not field.optional:
+            yield Lost("input", "", field.name, f"input {field.name!r} is now required")
+
+
+def gained(old: View, new: View) -> Iterator[tuple[str, str]]:
+    """Kind and name of what only the new version offers."""
+    for role in _OFFERS:
+        for name in new.endpoints(role).keys() - old.endpoints(role).keys():
+            yield role, name
+    before = {field.name for field in old.outputs or ()}
+    if old.outputs is not None:
+        yield from (("output", field.name) for field in new.outputs or () if field.name not in before)
+
+
+def _endpoint(role: Role, name: str, before: Sequence[Interface], after: Sequence[Interface]) -> Iterator[Lost]:
+    evidence = _lines((*before, *after))
+    if not after:
+        yield Lost(role, name, "", f"{role} {name} is gone", evidence)
+        return
+    old, new = types(before), types(after)
+    if old and new and not old <= new:
+        text = f"{role} {name} changed its type from {'|'.join(sorted(old))} to {'|'.join(sorted(new))}"
+        yield Lost(role, name, "|".join(sorted(new)), text, evidence)
+
+
+def _fields(kind: str, before: tuple[Field, ...] | None, after: tuple[Field, ...] | None) -> Iterator[Lost]:
+    now = {field.name: field for field in after or ()}
+    for field in before or ():
+        found = now.get(field.name)
+        if found is None and kind == "output":
+            yield Lost(kind, field.name, "", f"{kind} {field.name!r} is gone")
+        elif found is not None and _form(found) != _form(field):
+            yield Lost(kind, field.name, field.name, f"{kind} {field.name!r} changed its type, unit or frame")
+        elif found is not None and kind == "input" and field.optional and not found.optional:
+            yield Lost(kind, field.name, field.name, f"{kind} {field.name!r} is no longer optional")
+
+
+def _form(field: Field) -> tuple[str | None, str | None, str | None]:
+    return field.type, field.unit, field.frame
+
+
+def _lines(endpoints: Iterable[Interface]) -> tuple[Evidence, ...]:
+    return tuple(entry.evidence[0] for entry in endpoints if entry.evidence)

@@ -1,0 +1,34 @@
+"""Types on both sides of a name of the ROS graph."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from ecm_checker.case import Wire
+from ecm_checker.contract import Interface
+from ecm_checker.finding import Entity, Finding
+from ecm_checker.qos import certainty_of, sources
+from ecm_checker.rule import Rule
+
+
+def types(endpoints: Iterable[Interface]) -> set[str] | None:
+    """Types that are known; None when one of them is not, as then nothing can be excluded."""
+    found = {entry.type for entry in endpoints}
+    return None if None in found else {kind for kind in found if kind is not None and "{" not in kind}
+
+
+def mismatches(rule: Rule, wires: Iterable[Wire], kind: str, verbs: tuple[str, str]) -> Iterator[Finding]:
+    """Findings of a rule for wires whose sides have no type in common."""
+    for wire in wires:
+        offered, wanted = types(wire.offered), types(wire.wanted)
+        if not offered or not wanted or not offered.isdisjoint(wanted):
+            continue
+        gives, takes = "|".join(sorted(offered)), "|".join(sorted(wanted))
+        text = f"{kind} {wire.name}: {wire.giver.id} {verbs[0]} {gives}, {wire.taker.id} {verbs[1]} {takes}"
+        yield rule.finding(
+            text,
+            Entity(kind, wire.name, f"{gives} {takes}"),
+            (wire.giver, wire.taker),
+            sources(wire),
+            certainty=certainty_of(wire),
+        )

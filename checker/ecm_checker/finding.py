@@ -1,0 +1,78 @@
+"""A finding: what a rule says of contracts, in the wire format that every command shares."""
+
+from __future__ import annotations
+
+import hashlib
+from typing import Final, Literal
+
+import msgspec
+
+from ecm_checker.contract import Evidence
+
+Dimension = Literal["signature", "behavior", "resources", "permissions", "recovery", "versioning"]
+Severity = Literal["error", "warning", "info"]
+Certainty = Literal["proved", "likely", "unknown"]
+Who = Literal["wire", "graph", "qos", "config", "source", "safety"]
+
+DIMENSIONS: Final[tuple[Dimension, ...]] = (
+    "signature",
+    "behavior",
+    "resources",
+    "permissions",
+    "recovery",
+    "versioning",
+)
+SEVERITIES: Final[tuple[Severity, ...]] = ("error", "warning", "info")
+
+
+class Finding(msgspec.Struct, frozen=True, kw_only=True):
+    """One conflict, doubt or hint.
+
+    Attributes:
+        rule: id such as `RES001`.
+        name: of the rule, for people.
+        dimension: of the contract that it concerns.
+        severity: an `error` is always proved; what is only likely is at most a `warning`.
+        message: what is so, and what the robot does when it is ignored.
+        resolution: what to do about it.
+        subjects: module ids, the one that comes first in the composition or the alphabet first.
+        evidence: lines of all sides.
+        fingerprint: same for the same cause, wherever it moves and however it is worded.
+        who: what breaks.
+        certainty: `unknown` when a field that the decision needs is undeclared.
+    """
+
+    rule: str
+    name: str
+    dimension: Dimension
+    severity: Severity
+    message: str
+    resolution: str
+    subjects: tuple[str, ...]
+    evidence: tuple[Evidence, ...]
+    fingerprint: str
+    who: Who
+    certainty: Certainty
+
+
+class Entity(msgspec.Struct, frozen=True):
+    """What a finding is about; it makes the fingerprint.
+
+    Attributes:
+        kind: `topic`, `claim`, `sensor`, ...
+        old: its name, or the name on the offering side.
+        new: the name on the other side; empty when there is one name only.
+    """
+
+    kind: str
+    old: str
+    new: str = ""
+
+
+def fingerprint(rule: str, entity: Entity, packages: tuple[str, ...]) -> str:
+    """16 hexadecimal digits over rule, kind of entity, packages, old and new name.
+
+    Neither path, line nor wording is in it, so that a moved line keeps its exceptions.
+    """
+    text = "\0".join((rule, entity.kind, *packages, "", entity.old, entity.new))
+    return hashlib.sha256(text.encode("utf-8", "replace")).hexdigest()[:16]

@@ -1,0 +1,1 @@
+"""The operations: may this be installed, invoked, composed, chained, upgraded, run as one system?"""

@@ -1,0 +1,116 @@
+"""What DDS policies an endpoint has, and whether an offer meets a request.
+
+Source: ROS 2 documentation, "Quality of Service settings"; unset policies have the default of rclcpp and rclpy.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Final, NamedTuple
+
+from ecm_checker.case import Case, Wire
+from ecm_checker.contract import Evidence, Interface
+from ecm_checker.finding import Certainty, Entity, Finding
+from ecm_checker.rule import Rule
+
+_DEFAULTS: Final = {"reliability": "reliable", "durability": "volatile", "liveliness": "automatic"}
+# These adapt to the other side, or to the middleware: nothing can be said.
+_OPEN: Final = frozenset({"best_available", "system_default", "unknown"})
+_LEVELS: Final = {
+    "best_effort": 0,
+    "reliable": 1,
+    "volatile": 0,
+    "transient_local": 1,
+    "transient": 2,
+    "persistent": 3,
+    "automatic": 0,
+    "manual_by_node": 1,
+    "manual_by_topic": 1,
+}
+
+
+class Setting(NamedTuple):
+    """A policy of an endpoint; `sure` when source or a person sets it."""
+
+    value: str | float | None
+    sure: bool
+
+
+Fits = Callable[[Setting, Setting], bool]
+
+
+def setting(endpoint: Interface, policy: str) -> Setting:
+    """The value of a policy: as set, else the default."""
+    qos = endpoint.qos
+    value = getattr(qos, policy) if qos is not None else None
+    if value is None:
+        return Setting(_DEFAULTS.get(policy), False)
+    return Setting(value, qos is not None and policy not in qos.defaulted)
+
+
+def level_fits(offered: Setting, wanted: Setting) -> bool:
+    """Whether a policy of levels (reliability, durability, liveliness) is at least what is asked for."""
+    if offered.value in _OPEN or wanted.value in _OPEN:
+        return True
+    return _LEVELS.get(str(offered.value), 9) >= _LEVELS.get(str(wanted.value), 0)
+
+
+def duration_fits(offered: Setting, wanted: Setting) -> bool:
+    """Whether a duration (deadline, lease) is at most what is asked for; None is infinite."""
+    if not isinstance(wanted.value, int | float):
+        return True
+    return isinstance(offered.value, int | float) and offered.value <= wanted.value
+
+
+def mismatches(case: Case, rule: Rule, policy: str, fits: Fits) -> Iterator[Finding]:
+    """Findings of a rule for wires of which no alternative of the offer meets any of the request."""
+    for wire in case.topics:
+        if wire.giver.contract.ecm.ros == 1 or wire.taker.contract.ecm.ros == 1:
+            continue
+        found = _misfit(wire, policy, fits)
+        if found is not None:
+            yield _finding(rule, wire, policy, found)
+
+
+def sources(wire: Wire) -> tuple[Evidence, ...]:
+    """The declaring lines of both sides."""
+    endpoints = (*wire.offered, *wire.wanted)
+    return tuple(endpoint.evidence[0] for endpoint in endpoints if endpoint.evidence)
+
+
+def certainty_of(wire: Wire) -> Certainty:
+    """A name that is the default of a parameter may be another one on the robot."""
+    exact = all(entry.confidence in {"literal", "folded"} for entry in (*wire.offered, *wire.wanted))
+    return "proved" if exact and wire.giver is not wire.taker else "likely"
+
+
+class _Misfit(NamedTuple):
+    offered: Setting
+    wanted: Setting
+
+
+def _misfit(wire: Wire, policy: str, fits: Fits) -> _Misfit | None:
+    first = None
+    for offer in wire.offered:
+        for want in wire.wanted:
+            offered, wanted = setting(offer, policy), setting(want, policy)
+            if fits(offered, wanted):
+                return None
+            first = first or _Misfit(offered, wanted)
+    return first
+
+
+def _finding(rule: Rule, wire: Wire, policy: str, misfit: _Misfit) -> Finding:
+    sure = misfit.offered.sure and misfit.wanted.sure
+    text = (
+        f"{wire.name}: {wire.giver.id} offers {policy} {_shown(misfit.offered)}, "
+        f"{wire.taker.id} asks for {_shown(misfit.wanted)}"
+    )
+    certainty = certainty_of(wire) if sure else "likely"
+    entity = Entity("qos", wire.name, policy)
+    return rule.finding(text, entity, (wire.giver, wire.taker), sources(wire), certainty=certainty)
+
+
+def _shown(found: Setting) -> str:
+    text = f"{found.value:g} ms" if isinstance(found.value, int | float) else str(found.value or "infinite")
+    return text if found.sure else f"{text} (default)"

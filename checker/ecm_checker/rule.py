@@ -1,0 +1,111 @@
+"""A rule: what it is called, which sub-checks of the operations it is part of, and how it makes a finding."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from typing import Final, Literal
+
+import msgspec
+
+from ecm_checker.case import Case
+from ecm_checker.contract import Evidence
+from ecm_checker.finding import Certainty, Dimension, Entity, Finding, Severity, Who, fingerprint
+from ecm_checker.view import View
+
+SubCheck = Literal[
+    "DepSat",
+    "ResSat",
+    "PermSat",
+    "Complete",
+    "LockSafe",
+    "InputSat",
+    "PreSat",
+    "AllocSat",
+    "FailureSat",
+    "SigMatch",
+    "BehMatch",
+    "ResJointSat",
+    "PermChainSafe",
+    "RecMatch",
+    "GlobalSafe",
+    "DepPreserve",
+    "PermDeltaSafe",
+    "ResDeltaSafe",
+    "RecDeltaSafe",
+]
+Tier = Literal["schema", "qos", "semver"]
+
+_WORST_WITHOUT_PROOF: Final[Severity] = "warning"
+
+
+class Rule(msgspec.Struct, frozen=True, kw_only=True):
+    """What a rule file declares.
+
+    Attributes:
+        id: `SIG001`; the name of its file in lower case.
+        name: for people, snake case.
+        dimension: of the contract.
+        severity: of a finding that is proved.
+        who: what breaks.
+        part_of: sub-checks of the paper's operators that it belongs to.
+        consequence: what the robot does when it is ignored.
+        resolution: what to do.
+        tier: simplest baseline that has this rule too; None for our own.
+    """
+
+    id: str
+    name: str
+    dimension: Dimension
+    severity: Severity
+    who: Who
+    part_of: tuple[SubCheck, ...]
+    consequence: str
+    resolution: str
+    tier: Tier | None = None
+
+    def finding(
+        self,
+        text: str,
+        entity: Entity,
+        subjects: Iterable[View],
+        evidence: Iterable[Evidence] = (),
+        *,
+        certainty: Certainty = "proved",
+        severity: Severity | None = None,
+    ) -> Finding:
+        """A finding of this rule.
+
+        Args:
+            text: what is so, naming both sides.
+            entity: what it is about.
+            subjects: modules concerned.
+            evidence: lines of all sides.
+            certainty: what is not proved is at most a warning.
+            severity: where it differs from that of the rule.
+        """
+        modules = tuple(subjects)
+        packages = tuple(dict.fromkeys(module.package for module in modules))
+        level = severity or self.severity
+        return Finding(
+            rule=self.id,
+            name=self.name,
+            dimension=self.dimension,
+            severity=_WORST_WITHOUT_PROOF if level == "error" and certainty != "proved" else level,
+            message=f"{text}: {self.consequence}" if self.consequence else text,
+            resolution=self.resolution,
+            subjects=tuple(dict.fromkeys(module.id for module in modules)),
+            evidence=tuple(evidence),
+            fingerprint=fingerprint(self.id, entity, packages),
+            who=self.who,
+            certainty=certainty,
+        )
+
+
+Check = Callable[[Case], Iterator[Finding]]
+
+
+class Entry(msgspec.Struct, frozen=True):
+    """A rule of the catalogue with the function that checks it."""
+
+    rule: Rule
+    check: Check

@@ -1,0 +1,27 @@
+"""A module moves in a way or a place that the policy does not grant."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ecm_checker.case import Case
+from ecm_checker.finding import Finding
+from ecm_checker.grants import denied_findings, scopes, silent_findings
+from ecm_checker.rule import Rule
+
+RULE = Rule(
+    id="PERM001",
+    name="motion_not_permitted",
+    dimension="permissions",
+    severity="error",
+    who="safety",
+    part_of=("PermSat", "PermChainSafe"),
+    consequence="the robot moves where it must not, or governance stops it in the middle of a task",
+    resolution="have the scope granted, or choose a module that does without it",
+)
+
+
+def check(case: Case) -> Iterator[Finding]:
+    """What modules ask for against what the policy grants."""
+    yield from denied_findings(case, RULE, "physical", scopes)
+    yield from silent_findings(case, RULE, "physical")

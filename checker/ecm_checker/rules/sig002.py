@@ -1,0 +1,27 @@
+"""Two modules use one service with different types."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ecm_checker.case import Case
+from ecm_checker.endpoint_types import mismatches
+from ecm_checker.finding import Finding
+from ecm_checker.rule import Rule
+
+RULE = Rule(
+    id="SIG002",
+    name="service_type_mismatch",
+    dimension="signature",
+    severity="error",
+    who="wire",
+    part_of=("SigMatch",),
+    tier="schema",
+    consequence="the client waits for a service that never becomes available",
+    resolution="give both sides one type, or put a module between them that converts",
+)
+
+
+def check(case: Case) -> Iterator[Finding]:
+    """Types of every service that two modules share."""
+    return mismatches(RULE, case.services, "service", ("serves", "calls"))

@@ -1,0 +1,33 @@
+"""A client calls a name that nothing serves, while something of almost that name is served."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ecm_checker.case import Case
+from ecm_checker.contract import Role
+from ecm_checker.finding import Finding
+from ecm_checker.near_miss import near_misses
+from ecm_checker.rule import Rule
+
+RULE = Rule(
+    id="SIG004",
+    name="client_without_server",
+    dimension="signature",
+    severity="warning",
+    who="graph",
+    part_of=("SigMatch",),
+    consequence="the client waits for a server that never becomes available",
+    resolution="use one name on both sides, or remap it in the launch file",
+)
+
+_ROLES: tuple[tuple[Role, Role], ...] = (
+    ("service_server", "service_client"),
+    ("action_server", "action_client"),
+)
+
+
+def check(case: Case) -> Iterator[Finding]:
+    """Clients of services and actions without a server."""
+    for server, client in _ROLES:
+        yield from near_misses(case, RULE, server, client)

@@ -1,0 +1,57 @@
+"""A new version no longer offers what others use, or asks for more input."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ecm_checker.case import Case
+from ecm_checker.contract import Role
+from ecm_checker.delta import Lost, lost
+from ecm_checker.finding import Entity, Finding
+from ecm_checker.rule import Rule
+from ecm_checker.view import View
+
+RULE = Rule(
+    id="SIG010",
+    name="signature_broken",
+    dimension="signature",
+    severity="error",
+    who="graph",
+    part_of=("DepPreserve",),
+    tier="schema",
+    consequence="who uses it waits for ever or is refused",
+    resolution="keep the old name or field for one release cycle, or move its users first",
+)
+
+_USED_BY: dict[str, Role] = {
+    "publisher": "subscriber",
+    "subscriber": "publisher",
+    "service_server": "service_client",
+    "action_server": "action_client",
+}
+
+
+def check(case: Case) -> Iterator[Finding]:
+    """Endpoints, inputs and outputs of the old version that the new one does not have in that form."""
+    old = case.previous
+    if old is None:
+        return
+    for new in case.modules:
+        for each in lost(old, new):
+            yield from _finding(case, new, each)
+
+
+def _finding(case: Case, new: View, each: Lost) -> Iterator[Finding]:
+    entity = Entity(each.kind, each.old, each.new)
+    if case.dependents is None or each.kind not in _USED_BY:
+        text = f"{new.id}: {each.text}"
+        known = case.dependents is not None
+        yield RULE.finding(text, entity, (new,), each.evidence, certainty="likely" if known else "unknown")
+        return
+    users = [user for user in case.dependents if each.old in user.endpoints(_USED_BY[each.kind])]
+    if users:
+        text = f"{new.id}: {each.text}; used by {', '.join(user.id for user in users)}"
+        yield RULE.finding(text, entity, (new, *users), each.evidence)
+    else:
+        text = f"{new.id}: {each.text}; none of its known users uses it"
+        yield RULE.finding(text, entity, (new,), each.evidence, severity="info")
