@@ -41,7 +41,7 @@ _CASTS = frozenset(
     }
 )
 _ESCAPES = {"n": "\n", "t": "\t", "r": "\r", "0": "\0", "\\": "\\", '"': '"', "'": "'"}
-_DIGITS = re.compile(r"^[\d'.]+(?:[eE][+-]?\d+)?")
+_DIGITS = re.compile(r"^-?[\d'.]+(?:[eE][+-]?\d+)?")
 
 
 class ExprReader:

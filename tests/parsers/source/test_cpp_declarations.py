@@ -1,0 +1,174 @@
+"""Declarations of C++: classes, functions, constants, aliases, macros, and code a compiler would refuse."""
+
+from __future__ import annotations
+
+import msgspec
+import pytest
+from ecm_parsers.source.cpp import MAX_BYTES, parse_cpp
+from ecm_parsers.source.expr import Items, Number, Text
+from ecm_parsers.source.facts import Alias, Import, SourceFile
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+HEADER = b"""#include <rclcpp/rclcpp.hpp>
+#include "own/names.hpp"
+#define TOPIC "odom"
+#define CALL(x) something(x)
+using namespace std::placeholders;
+using sensor_msgs::msg::Imu;
+namespace a::b {
+namespace { int hidden = 1; }
+enum class Mode { OFF = 0, ON };
+typedef message_filters::Policy<A, B> Policy;
+using Twist = geometry_msgs::msg::Twist;
+static constexpr char NAME[] = "name";
+template<typename T, class U = int>
+class Node : public rclcpp::Node, private Helper<T>
+{
+public:
+  explicit Node(const std::string & name = "n", int * count = nullptr);
+  virtual ~Node() = default;
+  [[deprecated("use start")]] void run() const;
+  virtual int must() = 0;
+  std::vector<std::string> list_{"x", "y"};
+protected:
+  static constexpr double RATE = 2.5;
+  void start() override { go(); }
+private:
+  std::shared_ptr<Thing> thing_;
+};
+}
+template<typename T> void a::b::Node<T>::run() const { step(); }
+const std::string a::b::Node::TOPIC_NAME = "t";
+PLUGINLIB_EXPORT_CLASS(a::b::Node<int>, base::Base)
+"""
+
+
+@pytest.fixture(scope="module")
+def facts() -> SourceFile:
+    return parse_cpp(HEADER).facts
+
+
+def test_includes_and_usings(facts: SourceFile) -> None:
+    """Includes keep their path, `using namespace` its namespace."""
+    assert facts.imports == (Import("rclcpp/rclcpp.hpp", "", "", 1), Import("own/names.hpp", "", "", 2))
+    assert facts.usings == ("std::placeholders",)
+
+
+def test_aliases(facts: SourceFile) -> None:
+    """`using`, `typedef` and using-declarations stand for another name in their scope."""
+    assert facts.aliases == (
+        Alias("Imu", "", "sensor_msgs::msg::Imu", 6),
+        Alias("Policy", "a::b", "message_filters::Policy<A, B>", 10),
+        Alias("Twist", "a::b", "geometry_msgs::msg::Twist", 11),
+    )
+
+
+def test_class_with_bases_fields_and_template(facts: SourceFile) -> None:
+    """A class has its bases as written, its fields with access and initial values."""
+    (node,) = facts.classes
+    assert (node.name, node.scope, node.bases, node.template) == (
+        "Node", "a::b", ("rclcpp::Node", "Helper<T>"), ("T", "U"),
+    )  # fmt: skip
+    fields = {field.name: field for field in node.fields}
+    assert fields["list_"].default == Items((Text("x"), Text("y")))
+    assert (fields["thing_"].type, fields["thing_"].traits) == ("std::shared_ptr<Thing>", ("private",))
+    assert fields["RATE"].traits == ("protected", "static", "constexpr")
+
+
+def test_functions_with_traits_and_scope(facts: SourceFile) -> None:
+    """Declarations and definitions are told apart, also when a definition stands outside its class."""
+    found = {(f.name, f.scope): f.traits for f in facts.functions}
+    assert found["Node", "a::b::Node"] == ("declaration",)
+    assert found["must", "a::b::Node"] == ("virtual", "pure", "declaration")
+    assert found["start", "a::b::Node"] == ("protected", "override")
+    runs = [f for f in facts.functions if f.name == "run"]
+    assert [("declaration" in f.traits, "deprecated" in f.traits, len(f.body)) for f in runs] == [
+        (True, True, 0),
+        (False, False, 1),
+    ]
+
+
+def test_parameters_keep_types_and_defaults(facts: SourceFile) -> None:
+    """A parameter's type is as written, references and pointers included."""
+    maker = next(f for f in facts.functions if f.name == "Node")
+    assert [(p.name, p.type) for p in maker.params] == [("name", "const std::string &"), ("count", "int *")]
+    assert maker.params[0].default == Text("n")
+
+
+def test_constants_of_every_kind(facts: SourceFile) -> None:
+    """Macros with a value, namespace constants, static members, enum values and out-of-class definitions."""
+    found = {(c.scope, c.name): c.value for c in facts.constants}
+    assert found["", "TOPIC"] == Text("odom")
+    assert found["a::b", "NAME"] == Text("name")
+    assert found["a::b::Node", "RATE"] == Number(2.5)
+    assert found["a::b::Mode", "OFF"] == Number(0)
+    assert found["a::b::Node", "TOPIC_NAME"] == Text("t")
+    assert "anonymous" in next(c.traits for c in facts.constants if c.name == "hidden")
+    assert ("", "CALL") not in found
+
+
+def test_registration_macros(facts: SourceFile) -> None:
+    """A registration macro is found without a semicolon, its arguments split at the top level."""
+    assert [(m.name, m.args, m.line) for m in facts.macros] == [
+        ("PLUGINLIB_EXPORT_CLASS", ("a::b::Node<int>", "base::Base"), 31)
+    ]
+
+
+DAMAGE = [b"{", b"}", b"(", b"<", b'"', b"#if 1\n", b"\x00", b"\xff", b"template<"]
+ODD = [
+    b"class PKG_PUBLIC Widget : public Base { public: Widget(); EIGEN_MAKE_ALIGNED_OPERATOR_NEW\n void go(); };",
+    b"class Widget : public Base {\n Q_OBJECT\n public: Widget(); void go(); };",
+    b"struct Widget : Base { Widget(const M & m = {}); void go(typename T::Goal g = typename T::Goal()); };",
+    b"class Widget : public Base { public:\n#if A\n void go(int);\n#else\n void go();\n#endif\n};",
+    b'extern "C" { class Widget : public Base { void go(); }; }',
+]
+
+
+@pytest.mark.parametrize("text", ODD, ids=range(len(ODD)))
+def test_macro_laden_code_is_read(text: bytes) -> None:
+    """Export words, macro lines, `typename` in expressions and conditionals do not hide a class or its methods."""
+    facts = parse_cpp(text).facts
+    assert [(cls.name, cls.bases) for cls in facts.classes] == [("Widget", ("Base",))]
+    assert "go" in {function.name for function in facts.functions}
+
+
+def test_a_broken_file_gives_what_can_be_read() -> None:
+    """A syntax error costs its surroundings only, and says its line."""
+    parsed = parse_cpp(b"void good() { call(1); }\nvoid bad( { ] ;\n}}}\nint x = 1;\nvoid also() { call(2); }\n")
+    assert "good" in {function.name for function in parsed.facts.functions}
+    assert [d.code for d in parsed.diagnostics] == ["cpp-syntax"]
+
+
+def test_too_large_files_are_not_read() -> None:
+    """A generated file above the bound is a diagnostic."""
+    parsed = parse_cpp(b" " * (MAX_BYTES + 1))
+    assert [d.code for d in parsed.diagnostics] == ["cpp-too-large"]
+
+
+def test_facts_survive_the_wire(facts: SourceFile) -> None:
+    """What a worker sends is what the linker gets."""
+    assert msgspec.msgpack.decode(msgspec.msgpack.encode(facts), type=SourceFile) == facts
+
+
+@pytest.mark.parametrize("text", [b"{" * 10_000, b"namespace a {" * 3000, b"if(x){" * 5000, b"f(" * 10_000])
+def test_deep_nesting_ends(text: bytes) -> None:
+    """Nesting without end neither raises nor hangs."""
+    assert parse_cpp(b"void g() {" + text).facts.language == "cpp"
+
+
+@settings(max_examples=50, deadline=None)
+@given(st.binary(max_size=400))
+def test_no_bytes_raise(data: bytes) -> None:
+    """Any bytes give facts."""
+    assert parse_cpp(data).facts.language == "cpp"
+
+
+@settings(max_examples=50, deadline=None)
+@given(
+    st.integers(0, len(HEADER)),
+    st.sampled_from([b"{", b"}", b"(", b"<", b'"', b"#if 1\n", b"\x00", b"\xff", b"template<"]),
+)
+def test_no_damage_raises(at: int, inserted: bytes) -> None:
+    """A real-looking file damaged anywhere still gives facts."""
+    assert parse_cpp(HEADER[:at] + inserted + HEADER[at:]).facts.language == "cpp"
