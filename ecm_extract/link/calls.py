@@ -76,7 +76,7 @@ def invocations(func: Func, wanted: Container[str] | None = None) -> Iterator[In
             for call in walk(statement.value):
                 if wanted is None or _last_of(call) in wanted:
                     yield invocation(func, statement, call)
-        elif statement.kind == "let" and statement.type[:1].isalpha() and statement.type != "auto":
+        elif statement.kind == "let" and by_value(statement.type):
             yield _construction(func, statement, statement.type, (), statement.line)
         implied = _implied(func, statement)
         if implied is not None:
@@ -99,7 +99,7 @@ def held_objects(cls: Cls) -> Iterator[Invocation]:
     if not cls.methods or cls.file.language != "cpp":
         return
     for field in cls.fact.fields:
-        if field.type[:1].isalpha() and pointee(field.type) == field.type and "*" not in field.type:
+        if by_value(field.type):
             statement = Statement("let", field.line, None, Name(field.name), field.type)
             yield _construction(cls.methods[0], statement, field.type, (), field.line)
 
@@ -199,12 +199,18 @@ def _implied(func: Func, statement: Statement) -> Invocation | None:
     if statement.kind != "init" or func.cls is None or not isinstance(statement.target, Name):
         return None
     field = func.cls.fields.get(statement.target.id)
-    if field is None:
+    if field is None or not by_value(field.type):
         return None
     value = statement.value
     same = isinstance(value, Call) and value.callee == statement.target
     args = value.args if same and isinstance(value, Call) else (value,) if value is not None else ()
     return _construction(func, statement, pointee(field.type), args, statement.line)
+
+
+def by_value(written: str) -> bool:
+    """Tell whether a variable of a type is an object itself, not a pointer or reference to one."""
+    text = written.removeprefix("const ")
+    return text[:1].isalpha() and text != "auto" and not text.endswith(("*", "&")) and pointee(text) == text
 
 
 def pointee(written: str) -> str:

@@ -102,7 +102,7 @@ class Modules:
         if not self.references.sites.derived(cls):
             return not cls.fact.template
         return any(
-            self.references.sites._makes(call, cls) for call in self.references.sites.calls.get(cls.fact.name, ())
+            self.references.sites.makes(call, cls) for call in self.references.sites.calls.get(cls.fact.name, ())
         )
 
     def owners(self, unit: Unit) -> tuple[Module, ...]:

@@ -53,7 +53,7 @@ class NodeNames:
         """The name that the places that make the class agree on."""
         names = set()
         for call in self.sites.calls.get(cls.fact.name, ()):
-            if self.sites._makes(call, cls) and call.func.cls is not cls:
+            if self.sites.makes(call, cls) and call.func.cls is not cls:
                 constructor = self.folder.objects.constructor(cls, len(call.args))
                 if (
                     constructor is None

@@ -1,4 +1,7 @@
-"""Who mentions whom: from a class or function to the classes and functions that use it."""
+"""Who uses whom: from a class or function to the classes and functions that make, hold or call it.
+
+Who makes an object has what it declares; who only keeps a pointer to it got it from somebody who has.
+"""
 
 from __future__ import annotations
 
@@ -6,6 +9,7 @@ import re
 from collections import defaultdict
 from collections.abc import Iterator
 
+from ecm_extract.link.calls import by_value
 from ecm_extract.link.program import Cls, File, Func
 from ecm_extract.link.sites import Sites
 
@@ -20,6 +24,7 @@ class References:
         self.sites = sites
         self.program = sites.program
         self._mentions: dict[str, dict[int, tuple[Unit, File, str]]] = defaultdict(dict)
+        self._holders: dict[str, dict[int, tuple[Unit, File, str]]] = defaultdict(dict)
         for group in self.program.classes.values():
             for cls in group:
                 for field in cls.fact.fields:
@@ -36,9 +41,12 @@ class References:
                 self._mention(statement.type, unit, func.file, scope)
 
     def _mention(self, text: str, unit: Unit, file: File, scope: str) -> None:
+        held = by_value(text)
         for word in _WORD.findall(text):
             if word in self.program.classes:
                 self._mentions[word][id(unit)] = (unit, file, scope)
+                if held:
+                    self._holders[word][id(unit)] = (unit, file, scope)
 
     def users(self, unit: Unit) -> Iterator[Unit]:
         """Yield the units that derive from, hold, make or call a unit."""
@@ -48,18 +56,23 @@ class References:
             yield from self._callers(unit)
 
     def _class_users(self, cls: Cls) -> Iterator[Unit]:
-        yield from self.sites.derived(cls)
-        for unit, file, scope in self._mentions.get(cls.fact.name, {}).values():
-            if unit is not cls and self.program.class_named(cls.fact.name, file, scope) in {cls, None}:
-                yield unit
-        for call in self.sites.calls.get(cls.fact.name, ()):
-            if self.sites._makes(call, cls):
-                yield call.func.cls or call.func
+        found = [*self.sites.derived(cls), *self._makers(cls), *self._mentioning(cls, self._holders)]
+        yield from found or self._mentioning(cls, self._mentions)
         for method in cls.methods:
             if "static" in method.fact.traits:
                 yield from self._callers(method)
 
+    def _makers(self, cls: Cls) -> Iterator[Unit]:
+        for call in self.sites.calls.get(cls.fact.name, ()):
+            if self.sites.makes(call, cls):
+                yield call.func.cls or call.func
+
+    def _mentioning(self, cls: Cls, index: dict[str, dict[int, tuple[Unit, File, str]]]) -> Iterator[Unit]:
+        for unit, file, scope in index.get(cls.fact.name, {}).values():
+            if unit is not cls and self.program.class_named(cls.fact.name, file, scope) in {cls, None}:
+                yield unit
+
     def _callers(self, func: Func) -> Iterator[Unit]:
         for call in self.sites.calls.get(func.fact.name, ()):
-            if call.func is not func and self.sites._means(call, func):
+            if call.func is not func and self.sites.means(call, func):
                 yield call.func.cls or call.func

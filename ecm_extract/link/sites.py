@@ -182,12 +182,12 @@ class Sites:
             yield from self._makers(site, site.owner) if site.owner is not None else ()
             return
         for call in self.calls.get(root.fact.name, ()):
-            if call.func is root or any(call is link for link in site.chain) or not self._means(call, root):
+            if call.func is root or any(call is link for link in site.chain) or not self.means(call, root):
                 continue
             outer = self.root_env(call.func, self.position(call))
             yield self._through(site, call, outer)
 
-    def _means(self, call: Invocation, func: Func) -> bool:
+    def means(self, call: Invocation, func: Func) -> bool:
         """Tell whether a call is of this function: the best of those that its arguments and receiver allow."""
         return func in self.targets(call)
 
@@ -251,7 +251,7 @@ class Sites:
         types = self._template(func, link, env, args)
         if func.cls is None:
             return Env(func, at, args, types)
-        if func.is_constructor or self._makes(link, func.cls):
+        if func.is_constructor or self.makes(link, func.cls):
             made = Instance(func.cls, args, self._class_types(func.cls, link, env))
             return Env(func, at, args if func.is_constructor else {}, types, func.cls, made)
         same = (
@@ -289,7 +289,7 @@ class Sites:
             root = Env(site.root, at, {}, types, derived, made)
             yield Site(site.form, site.call, self._inside(site, root), site.chain, derived, site.root)
         for call in self.calls.get(cls.fact.name, ()):
-            if call.func.cls is not cls and self._makes(call, cls) and not any(call is link for link in site.chain):
+            if call.func.cls is not cls and self.makes(call, cls) and not any(call is link for link in site.chain):
                 yield self._made_at(site, cls, call, at)
 
     def _made_at(self, site: Site, cls: Cls, call: Invocation, at: int) -> Site:
@@ -301,7 +301,8 @@ class Sites:
         root = Env(site.root, at, own, types, cls, Instance(cls, args, types, constructor))
         return Site(site.form, site.call, self._inside(site, root), (call, *site.chain), call.func.cls, call.func)
 
-    def _makes(self, call: Invocation, cls: Cls) -> bool:
+    def makes(self, call: Invocation, cls: Cls) -> bool:
+        """Tell whether a call makes an object of a class."""
         if last_name(call.path) != cls.fact.name or call.receiver is not None:
             return False
         if not call.args and not call.keywords and not _default_constructible(cls):

@@ -27,6 +27,7 @@ _BRANCHES = frozenset(
     {"if_statement", "for_statement", "while_statement", "do_statement", "switch_statement"}
     | {"try_statement", "catch_clause", "for_range_loop"}
 )
+_MARKS = {"pointer_declarator": " *", "reference_declarator": " &"}
 _LOGGING = ("RCLCPP_", "ROS_", "RCUTILS_", "ASSERT_", "EXPECT_")
 
 
@@ -160,7 +161,8 @@ class BodyReader:
         read = self._initial(kind, value)
         if kind.type == "primitive_type" and read is not None and not _keeps_number(read):
             read = None
-        self._add("let", declarator, read, Name(name), self.expr.type_text(kind))
+        mark = _MARKS.get(bound.type, "")
+        self._add("let", declarator, read, Name(name), self.expr.type_text(kind) + mark)
 
     def _constructed(self, kind: Node, declarator: Node) -> None:
         """`Listener listener(buffer);` reads as a function declaration; in a body it makes an object."""

@@ -1,0 +1,119 @@
+"""From paths and profiles to the report of an operation."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Final
+
+import msgspec
+from ecm_checker.case import Case
+from ecm_checker.contract import Contract
+from ecm_checker.finding import Dimension
+from ecm_checker.operations.chain import chain
+from ecm_checker.operations.compose import compose
+from ecm_checker.operations.engine import examine, ready, report
+from ecm_checker.operations.invoke import invoke
+from ecm_checker.operations.system import system
+from ecm_checker.outcome import Report
+from ecm_checker.profiles import Call, Embodiment, Policy, Profiles, Runtime
+
+from ecm_extract.check_inputs import contracts
+from ecm_extract.errors import InputError
+
+
+class Given(msgspec.Struct, frozen=True):
+    """Profiles that the user gave."""
+
+    embodiment: Embodiment | None = None
+    policy: Policy | None = None
+    runtime: Runtime | None = None
+    call: Call | None = None
+
+    @property
+    def profiles(self) -> Profiles:
+        """Those that every operation takes."""
+        return Profiles(self.embodiment, self.policy, self.runtime)
+
+
+Dimensions = tuple[Dimension, ...]
+_Groups = Sequence[tuple[Contract, ...]]
+
+
+def decide(operation: str, paths: Sequence[str], given: Given, dimensions: Dimensions, together: bool) -> Report:
+    """The report of an operation over what paths name.
+
+    Args:
+        operation: its name.
+        paths: see `check_inputs.contracts`.
+        given: profiles.
+        dimensions: those to consult.
+        together: whether the modules of a system are known to run together.
+
+    Raises:
+        InputError: paths or profiles do not fit the operation.
+    """
+    groups = [contracts(path) for path in paths]
+    if operation == "system":
+        return system(_flat(groups), given.profiles, dimensions, together=together)
+    return _DECISIONS[operation](groups, given, dimensions)
+
+
+def _flat(groups: _Groups) -> list[Contract]:
+    return [contract for group in groups for contract in group]
+
+
+def _exactly(count: int, found: list[Contract], what: str) -> list[Contract]:
+    if len(found) != count:
+        message = f"{what} takes {count} module(s), the paths name {len(found)}"
+        raise InputError(message, "name single manifests (*.ecm.yaml)")
+    return found
+
+
+def _compose(groups: _Groups, given: Given, dimensions: Dimensions) -> Report:
+    first, second = _exactly(2, _flat(groups), "compose")
+    return compose(first, second, given.profiles, dimensions)
+
+
+def _chain(groups: _Groups, given: Given, dimensions: Dimensions) -> Report:
+    return chain(_flat(groups), given.profiles, dimensions)
+
+
+def _install(groups: _Groups, given: Given, dimensions: Dimensions) -> Report:
+    """Each module by itself; the report is on all of them."""
+    found = []
+    for contract in _flat(groups):
+        found += examine("install", Case((ready(contract),), given.profiles), dimensions)
+    return report("install", found, given.profiles, dimensions)
+
+
+def _invoke(groups: _Groups, given: Given, dimensions: Dimensions) -> Report:
+    (module,) = _exactly(1, _flat(groups), "invoke")
+    return invoke(module, given.call or Call(), given.profiles, dimensions)
+
+
+def _upgrade(groups: _Groups, given: Given, dimensions: Dimensions) -> Report:
+    """Modules of the old and the new side by their id; what follows are modules that use the old side."""
+    if len(groups) < 2:
+        message = "upgrade takes OLD NEW"
+        raise InputError(message, "name two manifests, folders or trees")
+    old = {contract.ecm.module_id: ready(contract) for contract in groups[0]}
+    users = tuple(ready(contract) for contract in _flat(groups[2:])) if len(groups) > 2 else None
+    found = []
+    for contract in groups[1]:
+        previous = old.get(contract.ecm.module_id)
+        if previous is not None:
+            case = Case((ready(contract),), given.profiles, previous=previous, dependents=users)
+            found += examine("upgrade", case, dimensions)
+    if old.keys().isdisjoint(contract.ecm.module_id for contract in groups[1]):
+        message = "no module is on both sides"
+        raise InputError(message, "modules are paired by their module_id")
+    return report("upgrade", found, given.profiles, dimensions)
+
+
+_DECISIONS: Final[Mapping[str, Callable[[_Groups, Given, Dimensions], Report]]] = {
+    "compose": _compose,
+    "chain": _chain,
+    "install": _install,
+    "invoke": _invoke,
+    "upgrade": _upgrade,
+}

@@ -1,0 +1,113 @@
+"""Contracts and profiles of a check: manifests, folders of manifests, extract documents, or source trees."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, Final, TypeVar
+
+import msgspec
+from ecm_checker.contract import Contract
+from ecm_checker.encode import decode
+from ecm_parsers.yaml_tree import parse_yaml, plain
+
+from ecm_extract.errors import InputError
+
+MANIFEST_SUFFIX: Final = ".ecm.yaml"
+MAX_BYTES: Final = 200_000_000
+
+_YAML: Final = frozenset({".yaml", ".yml"})
+_Profile = TypeVar("_Profile", bound=msgspec.Struct)
+
+
+def contracts(path: str) -> tuple[Contract, ...]:
+    """Contracts that a path names.
+
+    Args:
+        path: a manifest, an extract document (`.json`), a folder with manifests below it, or else a source tree
+            or `DIR@REF`, which is then extracted.
+
+    Raises:
+        InputError: nothing is there, or it holds no contract.
+    """
+    place = Path(path)
+    if place.is_file():
+        return tuple(_of_file(place))
+    manifests = sorted(found for found in place.rglob(f"*{MANIFEST_SUFFIX}") if found.is_file())
+    if manifests:
+        return tuple(contract for file in manifests for contract in _of_file(file))
+    return _extracted(path)
+
+
+def profile(path: str | None, kind: type[_Profile]) -> _Profile | None:
+    """A profile from a YAML or JSON file; None without a path.
+
+    Raises:
+        InputError: the file cannot be read, or does not fit the schema; the message names the key.
+    """
+    if path is None:
+        return None
+    documents = list(_documents(Path(path)))
+    try:
+        return msgspec.convert(documents[0] if documents else {}, kind)
+    except msgspec.ValidationError as error:
+        message = f"{path}: {error}"
+        raise InputError(message, f"fields of this profile: {', '.join(kind.__struct_fields__)}") from error
+
+
+def _of_file(path: Path) -> Iterator[Contract]:
+    for document in _documents(path):
+        for module in _modules(document):
+            try:
+                yield decode(module)
+            except msgspec.ValidationError as error:
+                message = f"{path}: {error}"
+                raise InputError(message, "a manifest is what `ecm-extract PATH` writes") from error
+
+
+def _modules(document: Any) -> list[Any]:
+    """Modules of an extract document, or the manifest itself."""
+    if isinstance(document, dict) and isinstance(document.get("packages"), list):
+        packages = [package for package in document["packages"] if isinstance(package, dict)]
+        return [module for package in packages for module in package.get("modules", ())]
+    return [document]
+
+
+def _documents(path: Path) -> Iterator[Any]:
+    try:
+        data = path.read_bytes() if path.stat().st_size <= MAX_BYTES else None
+    except OSError as error:
+        message = f"cannot read {path}: {error.strerror}"
+        raise InputError(message) from error
+    if data is None:
+        message = f"{path} is larger than {MAX_BYTES} bytes"
+        raise InputError(message)
+    if path.suffix.lower() in _YAML:
+        yield from _yaml(path, data)
+        return
+    try:
+        yield msgspec.json.decode(data)
+    except msgspec.DecodeError as error:
+        message = f"{path} is not JSON: {error}"
+        raise InputError(message) from error
+
+
+def _yaml(path: Path, data: bytes) -> Iterator[Any]:
+    parsed = parse_yaml(data)
+    wrong = [each for each in parsed.diagnostics if each.severity == "error"]
+    if wrong:
+        message = f"{path}:{wrong[0].line}: {wrong[0].message}"
+        raise InputError(message)
+    yield from map(plain, parsed.facts)
+
+
+def _extracted(path: str) -> tuple[Contract, ...]:
+    from ecm_extract.extraction import extract
+    from ecm_extract.tree import open_tree
+
+    extraction = extract(open_tree(path, None))
+    found = tuple(module for package in extraction.packages for module in package.modules)
+    if not found:
+        message = f"{path} holds neither manifests nor ROS packages"
+        raise InputError(message, "name a manifest, a folder of manifests, or a folder with a package.xml below it")
+    return found

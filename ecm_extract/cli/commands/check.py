@@ -1,0 +1,154 @@
+"""`ecm-extract check PATH...`: may these modules be installed, invoked, composed, chained, upgraded, run together?"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Final, Literal
+
+import click
+import msgspec
+
+from ecm_extract.errors import InputError
+
+if TYPE_CHECKING:
+    from ecm_checker.outcome import Report
+
+OPERATIONS: Final = ("system", "compose", "chain", "install", "upgrade", "invoke")
+DIMENSIONS: Final = ("signature", "behavior", "resources", "permissions", "recovery", "versioning")
+
+_EPILOG: Final = """\b
+Examples:
+  ecm-extract check src/my_robot                      what of this repository would not run together
+  ecm-extract check contracts --together              these modules do run together
+  ecm-extract check upgrade old.ecm.yaml new.ecm.yaml --embodiment robot.yaml
+  ecm-extract check chain a.ecm.yaml b.ecm.yaml --policy ward.yaml --without recovery
+"""
+
+
+class Request(msgspec.Struct, frozen=True, kw_only=True):
+    """What the user asked for, as on the command line."""
+
+    paths: tuple[str, ...]
+    operation: str
+    embodiment: str | None
+    policy: str | None
+    runtime: str | None
+    call: str | None
+    dimensions: str | None
+    without: tuple[str, ...]
+    together: bool
+    format: Literal["text", "json"]
+    fail_on: Literal["error", "warning", "info", "never"]
+    freeze: bool
+    quiet: bool
+
+
+@click.command(short_help="Decide whether modules can be installed, composed, upgraded.", epilog=_EPILOG)
+@click.argument("paths", nargs=-1)
+@click.option("--operation", type=click.Choice(OPERATIONS), default="system", show_default=True, help="What to decide.")
+@click.option("--embodiment", metavar="FILE", help="What the robot has.")
+@click.option("--policy", metavar="FILE", help="What governance allows.")
+@click.option("--runtime", metavar="FILE", help="What is installed and holds.")
+@click.option("--call", metavar="FILE", help="What the caller brings; for invoke.")
+@click.option("--dimensions", metavar="DIM,...", help="Consult these dimensions only.")
+@click.option("--without", metavar="DIM", multiple=True, help="Do not consult this dimension; may be repeated.")
+@click.option("--together", is_flag=True, help="The modules of a system are known to run together.")
+@click.option("--format", type=click.Choice(["text", "json"]), default="text", show_default=True, help="For whom.")
+@click.option(
+    "--fail-on",
+    type=click.Choice(["error", "warning", "info", "never"]),
+    default="error",
+    show_default=True,
+    help="Least severity that gives exit status 1.",
+)
+@click.option("--freeze", is_flag=True, help="Pin the content hash of this checker and exit.")
+@click.option("-q", "--quiet", is_flag=True, help="Print no summary.")
+@click.pass_context
+def command(ctx: click.Context, /, **options: Any) -> None:
+    """Check the contracts that PATHS name; the first word may be the operation.
+
+    A path is a manifest, a folder of manifests, an extract document or a source tree. compose and chain take
+    modules in their order, upgrade takes OLD NEW and then modules that use the old one. Findings go to standard
+    output, the outcome and its conditions to standard error.
+    """
+    request = _request(options)
+    if request.freeze:
+        _freeze()
+        return
+    if not request.paths:
+        message = "name at least one manifest, folder or tree"
+        raise click.UsageError(message, ctx)
+    report = _decide(request)
+    _print(report, request)
+    if _fails(report, request.fail_on):
+        ctx.exit(1)
+
+
+def _request(options: dict[str, Any]) -> Request:
+    paths: tuple[str, ...] = options.pop("paths")
+    if paths and paths[0] in OPERATIONS and not Path(paths[0]).exists():
+        options["operation"], paths = paths[0], paths[1:]
+    return Request(paths=paths, **options)
+
+
+def _decide(request: Request) -> Report:
+    from ecm_extract.check import decide
+
+    return decide(request.operation, request.paths, _profiles(request), _dimensions(request), request.together)
+
+
+def _profiles(request: Request) -> Any:
+    from ecm_checker.profiles import Call, Embodiment, Policy, Runtime
+
+    from ecm_extract.check import Given
+    from ecm_extract.check_inputs import profile
+
+    return Given(
+        profile(request.embodiment, Embodiment),
+        profile(request.policy, Policy),
+        profile(request.runtime, Runtime),
+        profile(request.call, Call),
+    )
+
+
+def _dimensions(request: Request) -> tuple[Any, ...]:
+    wanted = request.dimensions.split(",") if request.dimensions else list(DIMENSIONS)
+    unknown = [name for name in (*wanted, *request.without) if name not in DIMENSIONS]
+    if unknown:
+        message = f"no dimension is called {unknown[0]!r}"
+        raise InputError(message, f"dimensions: {', '.join(DIMENSIONS)}")
+    return tuple(name for name in wanted if name not in request.without)
+
+
+def _print(report: Report, request: Request) -> None:
+    from ecm_extract.report.check_text import report_json, report_text, summary_text
+
+    click.echo(report_json(report) if request.format == "json" else report_text(report), nl=False)
+    if not request.quiet:
+        sys.stdout.flush()
+        click.echo(summary_text(report), err=True, nl=False)
+
+
+def _fails(report: Report, threshold: str) -> bool:
+    from ecm_checker.finding import SEVERITIES
+
+    levels = SEVERITIES[: SEVERITIES.index(threshold) + 1] if threshold in SEVERITIES else ()
+    return any(finding.severity in levels for finding in report.findings)
+
+
+def _freeze() -> None:
+    from importlib import resources
+
+    from ecm_checker.freeze import PINNED_FILE, content_hash
+
+    file = resources.files("ecm_checker") / PINNED_FILE
+    if not isinstance(file, Path):
+        message = "the checker is not installed as files, so nothing can be pinned in it"
+        raise InputError(message)
+    try:
+        file.write_text(content_hash() + "\n", "utf-8")
+    except OSError as error:
+        message = f"cannot write {file}: {error.strerror}"
+        raise InputError(message, "pin it in a checkout of the project") from error
+    click.echo(content_hash())
