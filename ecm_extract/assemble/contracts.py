@@ -10,6 +10,7 @@ from ecm_checker.contract import Contract, Identity, Signature, Source
 from ecm_checker.fields import missing_fields
 
 from ecm_extract.assemble.behavior import behavior_of
+from ecm_extract.assemble.definitions import Definitions
 from ecm_extract.assemble.versioning import versioning_of
 from ecm_extract.extraction_model import PackageContracts
 from ecm_extract.link.linker import LinkedModule
@@ -24,14 +25,15 @@ def assemble(
     by_package: dict[str, list[LinkedModule]] = defaultdict(list)
     for entry in linked:
         by_package[entry.module.package].append(entry)
-    return tuple(_package(tree, facts, by_package[facts.name]) for facts in packages)
+    definitions = Definitions(packages)
+    return tuple(_package(tree, facts, by_package[facts.name], definitions) for facts in packages)
 
 
-def _package(tree: Tree, facts: PackageFacts, linked: list[LinkedModule]) -> PackageContracts:
+def _package(tree: Tree, facts: PackageFacts, linked: list[LinkedModule], definitions: Definitions) -> PackageContracts:
     version = facts.manifest.version if facts.manifest is not None else None
     contracts = [_contract(tree, facts, entry) for entry in linked]
     if facts.interfaces or not contracts:
-        contracts.append(_package_contract(tree, facts))
+        contracts.append(_package_contract(tree, facts, definitions))
     ros = facts.ros if facts.ros in {1, 2} else None
     modules = tuple(sorted(_distinct(contracts), key=lambda contract: contract.ecm.module_id))
     return PackageContracts(facts.name, version, facts.root.path or ".", ros, modules)  # type: ignore[arg-type]
@@ -49,12 +51,12 @@ def _contract(tree: Tree, facts: PackageFacts, entry: LinkedModule) -> Contract:
     return msgspec.structs.replace(contract, missing=missing_fields(contract))
 
 
-def _package_contract(tree: Tree, facts: PackageFacts) -> Contract:
+def _package_contract(tree: Tree, facts: PackageFacts, definitions: Definitions) -> Contract:
     """The contract of what a package offers as a whole: its interface files, or a library without endpoints."""
     kind = "interface" if facts.interfaces else "library"
     path = facts.root.manifest or facts.root.path
     identity = _identity(tree, facts, "interfaces" if facts.interfaces else facts.name, kind, path)
-    contract = Contract(ecm=identity, versioning=versioning_of(facts, entities=True))
+    contract = Contract(ecm=identity, versioning=versioning_of(facts, definitions))
     return msgspec.structs.replace(contract, missing=missing_fields(contract))
 
 

@@ -8,19 +8,21 @@ from pathlib import PurePosixPath
 from ecm_checker.contract import Entity, Evidence, Value, Versioning
 from ecm_parsers.interface_facts import Definition
 
+from ecm_extract.assemble.definitions import Definitions
 from ecm_extract.read.facts import PackageFacts
 
 
-def versioning_of(facts: PackageFacts, entities: bool = False) -> Versioning:
+def versioning_of(facts: PackageFacts, definitions: Definitions | None = None) -> Versioning:
     """Return the versioning section of a module of a package.
 
     Args:
         facts: of the package.
-        entities: also list what its interface files declare.
+        definitions: given, what its interface files declare is listed too, messages with their fingerprint.
     """
     manifest = facts.manifest
+    entities = tuple(_entities(facts, definitions)) if definitions is not None else ()
     if manifest is None or facts.root.manifest is None:
-        return Versioning(entities=tuple(_entities(facts)) if entities else ())
+        return Versioning(entities=entities)
     path = facts.root.manifest
     ranges: dict[str, str] = {}
     for entry in manifest.dependencies:
@@ -33,18 +35,19 @@ def versioning_of(facts: PackageFacts, entities: bool = False) -> Versioning:
     return Versioning(
         dependencies=Value(ranges, "inferred", "literal", evidence),
         deprecated=deprecated,
-        entities=tuple(_entities(facts)) if entities else (),
+        entities=entities,
     )
 
 
-def _entities(facts: PackageFacts) -> Iterator[Entity]:
+def _entities(facts: PackageFacts, definitions: Definitions) -> Iterator[Entity]:
     for path, definition in sorted(facts.interfaces.items()):
-        yield from _of_interface(facts.name, path, definition)
+        name = f"{facts.name}/{definition.shape}/{PurePosixPath(path).stem}"
+        fingerprint = definitions.fingerprint(name, definition, facts.ros).value
+        yield Entity("message", facts.name, "", name, (Evidence(path, 1),), fingerprint)
+        yield from _of_interface(facts.name, name, path, definition)
 
 
-def _of_interface(package: str, path: str, definition: Definition) -> Iterator[Entity]:
-    name = f"{package}/{definition.shape}/{PurePosixPath(path).stem}"
-    yield Entity("message", package, "", name, (Evidence(path, 1),))
+def _of_interface(package: str, name: str, path: str, definition: Definition) -> Iterator[Entity]:
     for section in definition.sections:
         prefix = "" if section.name == "message" else f"{section.name}."
         for field in section.fields:

@@ -1,0 +1,37 @@
+"""All public entities of a tree."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Sequence
+
+from ecm_extract.entities.cpp import cpp_entities
+from ecm_extract.entities.endpoints import endpoint_entities
+from ecm_extract.entities.interfaces import interface_entities
+from ecm_extract.entities.model import Key, PublicEntity
+from ecm_extract.entities.packaging import packaging_entities
+from ecm_extract.entities.python import python_entities
+from ecm_extract.link.linker import LinkedModule
+from ecm_extract.read.facts import PackageFacts
+
+
+def public_entities(
+    packages: Sequence[PackageFacts], linked: Iterable[LinkedModule]
+) -> dict[Key, PublicEntity]:
+    """Return the entities of all packages by key; of two with one key the first by path and line stays."""
+    modules: dict[str, list[LinkedModule]] = defaultdict(list)
+    for entry in linked:
+        modules[entry.module.package].append(entry)
+    found: dict[Key, PublicEntity] = {}
+    for facts in packages:
+        for entity in sorted(_of_package(facts, modules[facts.name]), key=lambda e: (e.path, e.line)):
+            found.setdefault(entity.key, entity)
+    return found
+
+
+def _of_package(facts: PackageFacts, modules: list[LinkedModule]) -> Iterator[PublicEntity]:
+    yield from packaging_entities(facts)
+    yield from interface_entities(facts)
+    yield from endpoint_entities(facts, modules)
+    yield from cpp_entities(facts)
+    yield from python_entities(facts)

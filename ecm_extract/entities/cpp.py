@@ -1,0 +1,132 @@
+"""Classes, methods, functions, members and constants of public C++ headers."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Iterator
+
+from ecm_parsers.source.expr import Number, Text
+from ecm_parsers.source.expr import Constant as Literal
+from ecm_parsers.source.facts import Class, Constant, Function, SourceFile
+
+from ecm_extract.entities.model import PublicEntity
+from ecm_extract.entities.public_files import HIDDEN, public_headers
+from ecm_extract.entities.signatures import form_of, normal_type
+from ecm_extract.link.program import plain
+from ecm_extract.read.facts import PackageFacts
+
+_CLOSED = frozenset({"private", "anonymous", "deleted"})
+
+
+def cpp_entities(facts: PackageFacts) -> Iterator[PublicEntity]:
+    """Yield the public symbols of the headers of a package."""
+    for path in public_headers(facts):
+        source = facts.sources.get(path)
+        if source is not None:
+            yield from _Header(facts.name, path, source).entities()
+
+
+class _Header:
+    """One header with what is needed to name its symbols."""
+
+    def __init__(self, package: str, path: str, source: SourceFile) -> None:
+        self.package = package
+        self.path = path
+        self.source = source
+        self.closed = {
+            qualified(entry) for entry in source.classes if not _CLOSED.isdisjoint(entry.traits)
+        }
+        self.classes = {qualified(entry) for entry in source.classes}
+        self.bodies = {f"{entry.scope}::{entry.name}".lstrip(":") for entry in source.functions}
+
+    def entities(self) -> Iterator[PublicEntity]:
+        for entry in self.source.classes:
+            if self._is_open(qualified(entry), entry.traits):
+                yield from self._class(entry)
+        yield from self._functions()
+        for constant in self.source.constants:
+            if self._is_open(f"{constant.scope}::{constant.name}", constant.traits):
+                yield from self._constant(constant)
+
+    def _is_open(self, name: str, traits: Iterable[str]) -> bool:
+        parts = name.split("::")
+        enclosing = {"::".join(parts[:count]) for count in range(1, len(parts) + 1)}
+        return (
+            _CLOSED.isdisjoint(traits)
+            and HIDDEN.isdisjoint(parts)
+            and self.closed.isdisjoint(enclosing)
+            and not any(part.startswith("_") for part in parts)
+        )
+
+    def _class(self, entry: Class) -> Iterator[PublicEntity]:
+        name = qualified(entry)
+        yield PublicEntity(
+            kind="class",
+            package=self.package,
+            owner="",
+            name=name,
+            bases=tuple(plain(base) for base in entry.bases),
+            deprecated="marked deprecated" if "deprecated" in entry.traits else None,
+            path=self.path,
+            line=entry.line,
+        )
+        for field in entry.fields:
+            if {"private", "protected", "static"}.isdisjoint(field.traits) and not field.name.startswith("_"):
+                yield PublicEntity(
+                    kind="member",
+                    package=self.package,
+                    owner=name,
+                    name=field.name,
+                    type=normal_type(field.type),
+                    path=self.path,
+                    line=field.line,
+                )
+
+    def _functions(self) -> Iterator[PublicEntity]:
+        groups: dict[tuple[str, str], list[Function]] = defaultdict(list)
+        for entry in self.source.functions:
+            local = entry.scope in self.bodies and entry.scope not in self.classes
+            if entry.name.startswith(("~", "operator")) or local or "<" in entry.name or not entry.name:
+                continue
+            if self._is_open(f"{entry.scope}::{entry.name}".lstrip(":"), entry.traits):
+                groups[entry.scope, entry.name].append(entry)
+        for (scope, name), functions in groups.items():
+            yield self._function(scope, name, functions)
+
+    def _function(self, scope: str, name: str, functions: list[Function]) -> PublicEntity:
+        forms = {(form.types, form.returns): form for form in reversed([form_of(each) for each in functions])}
+        is_method = scope in self.classes
+        outdated = all(form.deprecated for form in forms.values())
+        return PublicEntity(
+            kind="method" if is_method else "function",
+            package=self.package,
+            owner=scope if is_method else "",
+            name=name if is_method else f"{scope}::{name}".lstrip(":"),
+            forms=tuple(sorted(forms.values(), key=lambda form: (form.types, form.returns))),
+            deprecated="marked deprecated" if outdated else None,
+            path=self.path,
+            line=functions[0].line,
+        )
+
+    def _constant(self, entry: Constant) -> Iterator[PublicEntity]:
+        guard = "define" in entry.traits and (entry.value is None or entry.name.endswith(("_H", "_HPP", "_H_", "_HPP_")))
+        if guard:
+            return
+        value = entry.value.value if isinstance(entry.value, Number | Text) else None
+        if isinstance(entry.value, Literal):
+            value = {"true": True, "false": False}.get(entry.value.name)
+        yield PublicEntity(
+            kind="constant",
+            package=self.package,
+            owner=entry.scope,
+            name=entry.name,
+            type=normal_type(entry.type) or None,
+            default=value,
+            path=self.path,
+            line=entry.line,
+        )
+
+
+def qualified(entry: Class) -> str:
+    """Return the name of a class with its namespaces."""
+    return f"{entry.scope}::{entry.name}" if entry.scope else entry.name

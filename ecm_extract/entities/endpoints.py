@@ -1,0 +1,74 @@
+"""Topics, services, actions, parameters and frames that modules offer."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+
+from ecm_checker.contract import Interface
+
+from ecm_extract.entities.deprecations import deprecated_names
+from ecm_extract.entities.model import PublicEntity
+from ecm_extract.link.linker import LinkedModule
+from ecm_extract.read.facts import PackageFacts
+
+_KINDS = {
+    "publisher": "topic",
+    "subscriber": "topic",
+    "service_server": "service",
+    "action_server": "action",
+    "parameter": "parameter",
+}
+_FACETS = {"publisher": "published", "subscriber": "subscribed"}
+_HOLE = re.compile(r"\{[^{}]*\}")
+HOLE = "<*>"
+
+
+def endpoint_entities(facts: PackageFacts, modules: Iterable[LinkedModule]) -> Iterator[PublicEntity]:
+    """Yield what the modules of a package offer; an endpoint that several of them share is given once."""
+    deprecated = deprecated_names(facts)
+    seen: set[tuple[str, str, str, str, int]] = set()
+    for module in modules:
+        for entry in module.interfaces:
+            found = _entity(facts, module, entry, deprecated)
+            if found is None:
+                continue
+            mark = (found.kind, found.facet, found.name, found.path, found.line)
+            if mark not in seen:
+                seen.add(mark)
+                yield found
+
+
+def _entity(
+    facts: PackageFacts, module: LinkedModule, entry: Interface, deprecated: Mapping[str, str]
+) -> PublicEntity | None:
+    kind = _KINDS.get(entry.role)
+    name = comparable_name(entry)
+    if kind is None or not re.search(r"\w", name.replace(HOLE, "")):
+        return None
+    at = entry.evidence[0]
+    bare = name.lstrip("~/")
+    return PublicEntity(
+        kind=kind,
+        package=facts.name,
+        owner=module.module.name,
+        name=name,
+        facet=_FACETS.get(entry.role, ""),
+        type=entry.type,
+        default=entry.default,
+        qos=entry.qos,
+        ros=facts.ros,
+        deprecated=deprecated.get(bare) or deprecated.get(name),
+        path=at.path,
+        line=at.line,
+    )
+
+
+def comparable_name(entry: Interface) -> str:
+    """Return a name that survives a change of idiom: private names keep `~`, computed parts are `<*>`."""
+    name = entry.name
+    if entry.raw_name.startswith("~") and entry.role != "parameter":
+        name = "~/" + entry.raw_name[1:].lstrip("/")
+    elif entry.raw_name.startswith("~"):
+        name = entry.raw_name[1:].lstrip("/") if entry.name.startswith("/") else entry.name
+    return _HOLE.sub(HOLE, name)

@@ -1,0 +1,79 @@
+"""What an entity is: one public name of a package, in a form that two releases can be compared by."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+from ecm_checker.contract import Qos
+
+Key = tuple[str, str, str, str, str]
+
+
+class Form(msgspec.Struct, frozen=True):
+    """One overload of a function or method.
+
+    Attributes:
+        types: of its parameters, without qualification, names, marks of by-value `const` and white space.
+        required: how many parameters have no default.
+        returns: return type in the same writing; empty where none is stated (Python, constructors).
+        names: of the parameters; they count in Python only, where callers may name them.
+        virtual: whether a consumer may override it.
+        deprecated: whether it is marked so.
+        line: 1-based.
+    """
+
+    types: tuple[str, ...]
+    required: int
+    returns: str = ""
+    names: tuple[str, ...] = ()
+    virtual: bool = False
+    deprecated: bool = False
+    line: int = 0
+
+    @property
+    def text(self) -> str:
+        """The form as people write it."""
+        shown = self.types if any(self.types) or not self.names else self.names
+        arguments = ", ".join(
+            item if index < self.required else f"{item} = ..." for index, item in enumerate(shown)
+        )
+        return f"({arguments}) -> {self.returns}" if self.returns else f"({arguments})"
+
+
+class PublicEntity(msgspec.Struct, frozen=True, kw_only=True):
+    """One public name.
+
+    Attributes:
+        kind: of DESIGN §6. package: that releases it.
+        owner: module, class, message or file that has it; empty for what the package itself has.
+        name: own name; computed parts are `<*>`.
+        facet: what tells apart entities of one name: the direction of an endpoint.
+        type: message type, parameter type, field type, or base class of a plugin.
+        default: of a parameter, constant or launch argument, as data.
+        forms: of a function or method.
+        bases: of a class, qualified as far as the tree shows.
+        qos: of a topic. ros: 1, 2 or None.
+        deprecated: what its own source says about its end; None when it is not deprecated.
+        path, line: where it is declared.
+    """
+
+    kind: str
+    package: str
+    owner: str
+    name: str
+    path: str
+    line: int
+    facet: str = ""
+    type: str | None = None
+    default: Any = None
+    forms: tuple[Form, ...] = ()
+    bases: tuple[str, ...] = ()
+    qos: Qos | None = None
+    ros: int | None = None
+    deprecated: str | None = None
+
+    @property
+    def key(self) -> Key:
+        """What makes it the same entity in another release."""
+        return self.kind, self.package, self.owner, self.name, self.facet

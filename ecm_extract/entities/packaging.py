@@ -1,0 +1,103 @@
+"""What a package as a whole offers: itself, executables, libraries, plugins, public headers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ecm_extract.entities.model import PublicEntity
+from ecm_extract.entities.public_files import public_headers
+from ecm_extract.read.facts import PackageFacts
+
+
+def packaging_entities(facts: PackageFacts) -> Iterator[PublicEntity]:
+    """Yield the entities that build files and descriptions name."""
+    yield from _package(facts)
+    yield from _targets(facts)
+    yield from _scripts(facts)
+    yield from _plugins(facts)
+    for path, include in public_headers(facts).items():
+        yield PublicEntity(kind="file", package=facts.name, owner="", name=include, path=path, line=1)
+
+
+def _package(facts: PackageFacts) -> Iterator[PublicEntity]:
+    if facts.root.manifest is not None:
+        manifest = facts.manifest
+        yield PublicEntity(
+            kind="package",
+            package=facts.name,
+            owner="",
+            name=facts.name,
+            deprecated=manifest.deprecated if manifest is not None else None,
+            path=facts.root.manifest,
+            line=manifest.line if manifest is not None else 1,
+        )
+
+
+def _targets(facts: PackageFacts) -> Iterator[PublicEntity]:
+    for path, file in facts.cmake.items():
+        installed = {item for entry in file.installs if entry.kind == "targets" for item in entry.items}
+        for target in file.targets:
+            if target.kind not in {"executable", "library"} or target.is_test or "$" in target.name:
+                continue
+            if target.name in installed:
+                yield PublicEntity(
+                    kind=target.kind,
+                    package=facts.name,
+                    owner="",
+                    name=target.name,
+                    path=path,
+                    line=target.line,
+                )
+        for component in file.components:
+            if component.executable:
+                yield PublicEntity(
+                    kind="executable",
+                    package=facts.name,
+                    owner="",
+                    name=component.executable,
+                    path=path,
+                    line=component.line,
+                )
+            yield PublicEntity(
+                kind="plugin",
+                package=facts.name,
+                owner="",
+                name=component.plugin_class,
+                type="rclcpp_components",
+                path=path,
+                line=component.line,
+            )
+
+
+def _scripts(facts: PackageFacts) -> Iterator[PublicEntity]:
+    names: dict[str, tuple[str, int]] = {}
+    for path, file in facts.cmake.items():
+        for entry in file.installs:
+            if entry.kind == "programs":
+                for item in entry.items:
+                    names.setdefault(item.rsplit("/", 1)[-1], (path, entry.line))
+    for path, setup in facts.setups.items():
+        for point in setup.entry_points:
+            if point.group == "console_scripts":
+                names.setdefault(point.name, (path, point.line))
+        for script in setup.scripts:
+            names.setdefault(script.rsplit("/", 1)[-1], (path, 1))
+    for name, (path, line) in names.items():
+        if "$" not in name and "*" not in name:
+            yield PublicEntity(
+                kind="executable", package=facts.name, owner="", name=name, path=path, line=line
+            )
+
+
+def _plugins(facts: PackageFacts) -> Iterator[PublicEntity]:
+    for path, classes in facts.plugins.items():
+        for entry in classes:
+            yield PublicEntity(
+                kind="plugin",
+                package=facts.name,
+                owner="",
+                name=entry.lookup_name,
+                type=entry.base_class_type,
+                path=path,
+                line=entry.line,
+            )

@@ -1,0 +1,94 @@
+"""Which source files of a package others can see: installed headers and importable Python modules."""
+
+from __future__ import annotations
+
+from pathlib import PurePosixPath
+
+from ecm_extract.read.facts import PackageFacts
+
+_HEADERS = frozenset({".h", ".hh", ".hpp", ".hxx", ".ipp", ".tpp"})
+HIDDEN = frozenset({"detail", "details", "internal", "impl", "_internal", "private", "anonymous"})
+
+
+def public_headers(facts: PackageFacts) -> dict[str, str]:
+    """Return the path of each public header with what a consumer writes in its `#include`.
+
+    Public is what lies below the package's `include/`, or what the build files install.
+    """
+    installed = _installed_headers(facts)
+    found: dict[str, str] = {}
+    for entry in facts.root.files:
+        path = PurePosixPath(entry.path)
+        if path.suffix.lower() not in _HEADERS or not HIDDEN.isdisjoint(path.parts):
+            continue
+        include = _below_include(inside(entry.path, facts.root.path))
+        if include is not None:
+            found[entry.path] = include
+        elif entry.path in installed:
+            found[entry.path] = f"{facts.name}/{path.name}"
+    return found
+
+
+def _below_include(path: str) -> str | None:
+    """`include/a/b.hpp` -> `a/b.hpp`; a doubled package folder (`include/a/a/b.hpp`) is dropped once."""
+    parts = PurePosixPath(path).parts
+    if "include" not in parts[:-1]:
+        return None
+    rest = parts[parts.index("include") + 1 :]
+    if len(rest) > 2 and rest[0] == rest[1]:
+        rest = rest[1:]
+    return "/".join(rest)
+
+
+def _installed_headers(facts: PackageFacts) -> set[str]:
+    listed = {entry.path for entry in facts.root.files}
+    found = set()
+    for path, file in facts.cmake.items():
+        folder = str(PurePosixPath(path).parent)
+        prefix = "" if folder == "." else f"{folder}/"
+        for entry in file.installs:
+            if entry.kind == "files" and "include" in entry.destination.lower():
+                found |= {prefix + item for item in entry.items} & listed
+    return found
+
+
+def python_modules(facts: PackageFacts) -> dict[str, str]:
+    """Return the path of each importable module with its dotted name; names with an underscore are private."""
+    roots = _import_roots(facts)
+    found = {}
+    for path, source in facts.sources.items():
+        if source.language != "python" or not path.endswith(".py"):
+            continue
+        below = inside(path, facts.root.path)
+        root = next((root for root in roots if below.startswith(root)), None)
+        if root is None:
+            continue
+        dotted = below.removeprefix(root).removesuffix(".py").replace("/", ".").removesuffix(".__init__")
+        if not any(part.startswith("_") for part in dotted.split(".")):
+            found[path] = dotted
+    return found
+
+
+def _import_roots(facts: PackageFacts) -> list[str]:
+    """Folders that import packages lie in: `` or `src/`; a package of the own name is always importable."""
+    stated = any(setup.packages for setup in facts.setups.values())
+    stated = stated or any(file.python_packages for file in facts.cmake.values())
+    if not stated:
+        return []
+    prefixes = {folder.strip("./") for setup in facts.setups.values() for folder in setup.package_dir.values()}
+    roots = [f"{folder}/" if folder else "" for folder in sorted(prefixes, reverse=True)]
+    packages = {
+        "/".join(PurePosixPath(inside(path, facts.root.path)).parts[:-1])
+        for path in facts.sources
+        if path.endswith("/__init__.py")
+    }
+    found = []
+    for root in [*roots, "src/", ""]:
+        tops = {name.removeprefix(root).split("/")[0] for name in packages if name.startswith(root)}
+        found += [f"{root}{top}/" for top in tops if top and top not in {"src", "test", "tests"}]
+    return [entry.rsplit("/", 2)[0] + "/" if "/" in entry.rstrip("/") else "" for entry in found]
+
+
+def inside(path: str, root: str) -> str:
+    """Return a path relative to the folder of its package."""
+    return path.removeprefix(f"{root}/") if root else path

@@ -1,0 +1,71 @@
+"""Classes, methods, functions and constants of importable Python modules."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ecm_parsers.source.expr import Number, Text
+from ecm_parsers.source.facts import Function, SourceFile
+
+from ecm_extract.entities.model import PublicEntity
+from ecm_extract.entities.public_files import python_modules
+from ecm_extract.entities.signatures import form_of
+from ecm_extract.read.facts import PackageFacts
+
+
+def python_entities(facts: PackageFacts) -> Iterator[PublicEntity]:
+    """Yield what can be imported from a package; a name with a leading underscore is private."""
+    for path, dotted in python_modules(facts).items():
+        source = facts.sources[path]
+        yield PublicEntity(kind="file", package=facts.name, owner="", name=dotted, path=path, line=1)
+        yield from _symbols(facts.name, path, dotted, source)
+
+
+def _symbols(package: str, path: str, dotted: str, source: SourceFile) -> Iterator[PublicEntity]:
+    classes = {f"{entry.scope}::{entry.name}".lstrip(":") for entry in source.classes}
+    for entry in source.classes:
+        if not entry.scope and not entry.name.startswith("_"):
+            name = f"{dotted}.{entry.name}"
+            yield PublicEntity(
+                kind="class", package=package, owner="", name=name, bases=entry.bases, path=path, line=entry.line
+            )
+    for function in source.functions:
+        if not _is_private(function):
+            yield from _function(package, path, dotted, function, classes)
+    for constant in source.constants:
+        if not constant.scope and not constant.name.startswith("_") and constant.name.isupper():
+            value = constant.value.value if isinstance(constant.value, Number | Text) else None
+            yield PublicEntity(
+                kind="constant",
+                package=package,
+                owner=dotted,
+                name=constant.name,
+                default=value,
+                path=path,
+                line=constant.line,
+            )
+
+
+def _is_private(function: Function) -> bool:
+    parts = [*function.scope.split("::"), function.name]
+    own = function.name == "__init__"
+    return any(part.startswith(("_", "<")) for part in parts if not (own and part == "__init__"))
+
+
+def _function(
+    package: str, path: str, dotted: str, function: Function, classes: set[str]
+) -> Iterator[PublicEntity]:
+    is_method = function.scope in classes
+    if function.scope and not is_method:
+        return
+    form = form_of(function, virtual=False)
+    yield PublicEntity(
+        kind="method" if is_method else "function",
+        package=package,
+        owner=f"{dotted}.{function.scope.replace('::', '.')}" if is_method else "",
+        name=function.name if is_method else f"{dotted}.{function.name}",
+        forms=(form,),
+        deprecated="marked deprecated" if form.deprecated else None,
+        path=path,
+        line=function.line,
+    )

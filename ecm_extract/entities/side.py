@@ -1,0 +1,105 @@
+"""One side of a comparison: a tree read down to its public entities."""
+
+from __future__ import annotations
+
+import gc
+from dataclasses import dataclass, field
+
+from ecm_parsers.interface_facts import Definition
+from ecm_parsers.source.facts import SourceFile
+
+from ecm_extract.entities.collect import public_entities
+from ecm_extract.entities.interfaces import interface_name
+from ecm_extract.entities.model import Key, PublicEntity
+from ecm_extract.entities.shared_reader import SharedReader
+from ecm_extract.extraction_model import Options
+from ecm_extract.link.forms import form_table
+from ecm_extract.link.linker import LinkedModule, Linker
+from ecm_extract.link.program import Program
+from ecm_extract.read.facts import PackageFacts
+from ecm_extract.settings import config_of
+from ecm_extract.tree import Tree
+
+
+@dataclass(frozen=True, slots=True)
+class PackageInfo:
+    """What a verdict needs of a package."""
+
+    name: str
+    version: str | None
+    path: str
+    manifest: str | None
+    ros: int | None
+
+
+@dataclass(slots=True)
+class Side:
+    """A tree with its public entities.
+
+    Attributes:
+        tree: where it was read.
+        packages: by name. entities: by key. interfaces: definition by `package/msg|srv|action/Name`.
+        blobs: blob id of each file by path, where known.
+    """
+
+    tree: Tree
+    packages: dict[str, PackageInfo] = field(default_factory=dict)
+    entities: dict[Key, PublicEntity] = field(default_factory=dict)
+    interfaces: dict[str, Definition] = field(default_factory=dict)
+    blobs: dict[str, str] = field(default_factory=dict)
+
+
+@dataclass(slots=True)
+class Workspace:
+    """A tree linked: what uses are read off, dropped as soon as they are."""
+
+    tree: Tree
+    packages: list[PackageFacts]
+    linked: list[LinkedModule]
+    program: Program
+
+
+def read_workspace(tree: Tree, options: Options, parsed: dict[str, SourceFile]) -> Workspace:
+    """Read and link a tree.
+
+    Args:
+        tree: to read.
+        options: of the extraction.
+        parsed: facts by blob id; what is in it is not parsed again, what is parsed is added.
+    """
+    config = config_of(tree, options)
+    enabled = gc.isenabled()
+    gc.disable()
+    try:
+        reader = SharedReader(tree, options.include_tests or config.extract.include_tests, config.extract.exclude)
+        reader.parsed = parsed
+        packages = reader.read(options.jobs, options.progress)
+        linker = Linker(packages, form_table(config.forms))
+        return Workspace(tree, packages, linker.link(), linker.program)
+    finally:
+        if enabled:
+            gc.enable()
+
+
+def side_of(workspace: Workspace) -> Side:
+    """Return the public entities of a linked tree."""
+    return Side(
+        tree=workspace.tree,
+        packages={facts.name: _info(facts) for facts in workspace.packages},
+        entities=public_entities(workspace.packages, workspace.linked),
+        interfaces=_interfaces(workspace.packages),
+        blobs={entry.path: entry.identity for entry in workspace.tree.files() if entry.identity},
+    )
+
+
+def _info(facts: PackageFacts) -> PackageInfo:
+    version = facts.manifest.version if facts.manifest is not None else None
+    return PackageInfo(facts.name, version, facts.root.path, facts.root.manifest, facts.ros)
+
+
+def _interfaces(packages: list[PackageFacts]) -> dict[str, Definition]:
+    return {
+        interface_name(facts.name, path, definition): definition
+        for facts in packages
+        for path, definition in facts.interfaces.items()
+    }

@@ -1,0 +1,53 @@
+"""C++ and Python parameter lists in one comparable writing."""
+
+from __future__ import annotations
+
+import re
+
+from ecm_parsers.source.facts import Function
+
+from ecm_extract.entities.model import Form
+
+_QUALIFIER = re.compile(r"(?<![\w:])(?:\w+::)+")
+_SPACE = re.compile(r"\s*([<>,&*()\[\]])\s*")
+_IGNORED = re.compile(r"\b(?:typename|struct|class|inline|static|virtual|explicit|constexpr|friend)\s+")
+_ATTRIBUTE = re.compile(r"\[\[.*?\]\]|\b[A-Z][A-Z0-9_]*_(?:PUBLIC|EXPORT|API|LOCAL|DEPRECATED)\b")
+_POINTERS = (
+    (re.compile(r"(?:shared_ptr|std_shared_ptr)<const (\w+)>"), r"\1ConstSharedPtr"),
+    (re.compile(r"shared_ptr<(\w+)>"), r"\1SharedPtr"),
+    (re.compile(r"unique_ptr<(\w+)>"), r"\1UniquePtr"),
+)
+_NESTED = re.compile(r"\b(\w+)::(Const)?(SharedPtr|ConstPtr|UniquePtr|WeakPtr|Ptr)\b")
+
+
+def normal_type(written: str) -> str:
+    """Return a type without namespaces, attributes, by-value `const` and white space that means nothing.
+
+    `const std::vector<int> &` and `std::vector<int> const&` give the same text; so do `T::SharedPtr` and
+    `std::shared_ptr<T>`, which are one type.
+    """
+    text = _IGNORED.sub("", _ATTRIBUTE.sub("", written))
+    text = _NESTED.sub(r"\1\2\3", text)
+    text = _QUALIFIER.sub("", text)
+    text = _SPACE.sub(r"\1", " ".join(text.split()))
+    text = re.sub(r"^([\w<>,]+) const\b", r"const \1", text)
+    for pattern, short in _POINTERS:
+        text = pattern.sub(short, text)
+    if text.startswith("const ") and not text.endswith(("&", "*")):
+        text = text.removeprefix("const ")
+    return text.strip()
+
+
+def form_of(function: Function, virtual: bool = False) -> Form:
+    """Return the comparable form of a function."""
+    params = [entry for entry in function.params if entry.name != "/" and entry.type != "void"]
+    required = sum(entry.default is None and not entry.name.startswith("*") for entry in params)
+    return Form(
+        types=tuple(normal_type(entry.type) for entry in params),
+        required=required,
+        returns=normal_type(function.returns),
+        names=tuple(entry.name for entry in params),
+        virtual=virtual or not {"virtual", "override", "pure"}.isdisjoint(function.traits),
+        deprecated="deprecated" in function.traits or any("eprecat" in text for text in function.decorators),
+        line=function.line,
+    )
