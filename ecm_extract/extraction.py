@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import gc
 import time
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 
 from ecm_extract.assemble.contracts import assemble
 from ecm_extract.config import Config
-from ecm_extract.extraction_model import Counts, Extraction, LocatedDiagnostic, Options, PackageContracts
+from ecm_extract.extraction_model import Counts, Extraction, LocatedDiagnostic, Options
 from ecm_extract.link.forms import form_table
 from ecm_extract.link.linker import Linker
 from ecm_extract.read.reader import Reader
@@ -37,7 +37,7 @@ def extract(tree: Tree, options: Options | None = None) -> Extraction:
         path=tree.label,
         commit=tree.commit,
         packages=contracts,
-        diagnostics=_diagnostics(tree, contracts),
+        diagnostics=_diagnostics(tree),
         elapsed=time.perf_counter() - started,
         counts=Counts(reader.files, reader.bytes),
     )
@@ -55,20 +55,6 @@ def _without_collector() -> Iterator[None]:
             gc.enable()
 
 
-def _diagnostics(tree: Tree, packages: Iterable[PackageContracts]) -> tuple[LocatedDiagnostic, ...]:
-    found = [LocatedDiagnostic(d.severity, d.code, d.path, d.line, d.message) for d in tree.diagnostics]
-    found += [entry for package in packages for entry in _unresolved(package)]
-    return tuple(sorted(set(found), key=lambda entry: (entry.path, entry.line, entry.code, entry.message)))
-
-
-def _unresolved(package: PackageContracts) -> Iterator[LocatedDiagnostic]:
-    """Say which endpoints have a name or type that no artefact shows: an empty answer always has a reason."""
-    for contract in package.modules:
-        for entry in contract.signature.interfaces:
-            at = entry.evidence[0]
-            if entry.confidence == "pattern":
-                message = f"The name of this {entry.role} is known only as '{entry.name}'."
-                yield LocatedDiagnostic("info", "name-pattern", at.path, at.line, message)
-            if entry.type is None and entry.role != "parameter":
-                message = f"The type of {entry.role} '{entry.name}' is not shown by any artefact of the tree."
-                yield LocatedDiagnostic("info", "type-unknown", at.path, at.line, message)
+def _diagnostics(tree: Tree) -> tuple[LocatedDiagnostic, ...]:
+    found = {LocatedDiagnostic(d.severity, d.code, d.path, d.line, d.message) for d in tree.diagnostics}
+    return tuple(sorted(found, key=lambda entry: (entry.path, entry.line, entry.code, entry.message)))
