@@ -127,7 +127,7 @@ def _variable(expr: Name | Member, env: Env, folder: Folder, depth: int) -> Any:
         bound = env.args.get(expr.id)
         if bound is not None:
             return data_of(bound.expr, bound.env, folder, depth + 1)
-    for definition, inner in folder.definitions(expr, env):
+    for definition, inner in folder.lists.definitions(expr, env):
         if definition.statement.kind == "each":
             return UNKNOWN
         return data_of(definition.statement.value, inner, folder, depth + 1)

@@ -11,6 +11,9 @@ from ecm_parsers.source.facts import Statement
 from ecm_extract.link.calls import Invocation, invocation
 from ecm_extract.link.program import Cls, Func
 
+MAX_DEPTH = 24
+"""Nesting of evaluations beyond which a value counts as unknown."""
+
 
 @dataclass(slots=True, eq=False, repr=False)
 class Bound:

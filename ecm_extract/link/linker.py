@@ -188,7 +188,7 @@ class Linker:
             else literal("")
         )
         found: list[tuple[Value, Expr | None]] = []
-        for bound in self.folder.items(listed, site.env) or ():
+        for bound in self.folder.lists.items(listed, site.env) or ():
             if isinstance(bound.expr, Items) and bound.expr.items:
                 default = bound.expr.items[1] if len(bound.expr.items) > 1 else None
                 for value in self.folder.fold(bound.expr.items[0], bound.env):

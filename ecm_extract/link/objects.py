@@ -8,12 +8,11 @@ from collections.abc import Sequence
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
 
 from ecm_extract.link.calls import Invocation, dotted_name, last_name, pointee, template_arguments
-from ecm_extract.link.env import Env, Instance, bind
+from ecm_extract.link.env import MAX_DEPTH, Env, Instance, bind
 from ecm_extract.link.overloads import NO, score
 from ecm_extract.link.program import Cls, Func, Program, plain
 from ecm_extract.link.scope import Scope
 
-MAX_DEPTH = 24
 _POINTER_SUFFIX = re.compile(r"(?:Const)?(?:Shared|Unique|Weak)?Ptr$")
 _ITSELF = frozenset({"lock", "get", "shared_from_this", "value", "release"})
 

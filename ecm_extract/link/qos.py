@@ -153,7 +153,7 @@ class QosReader:
             if bound is not None:
                 return self._policies(bound.expr, bound.env, level + 1)
         policies: dict[str, Any] = {}
-        for definition, inner in self.folder.definitions(expr, env):
+        for definition, inner in self.folder.lists.definitions(expr, env):
             if definition.statement.value is not None:
                 policies = self._policies(definition.statement.value, inner, level + 1)
                 policies |= self._mutations(name, definition.func.fact.body[definition.at :], inner)

@@ -89,6 +89,11 @@ def lowered(values: Iterable[Value], to: Confidence) -> tuple[Value, ...]:
     return tuple([Value(value.parts, weaker(value.confidence, to)) for value in values])
 
 
+def demoted(values: Iterable[Value]) -> tuple[Value, ...]:
+    """The same values read through a name: folded, not literal."""
+    return lowered(values, "folded")
+
+
 def joined(groups: Iterable[tuple[Value, ...]]) -> tuple[Value, ...]:
     """Concatenate: every combination of one alternative of each group, bounded."""
     results: list[Value] = [Value((), "folded")]

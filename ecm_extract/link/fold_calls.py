@@ -1,0 +1,168 @@
+"""Calls that give a value: formats, parameter reads, functions with a return value."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from ecm_parsers.source.expr import (
+    Call,
+    Expr,
+    Name,
+    Text,
+)
+
+from ecm_extract.link import formats
+from ecm_extract.link.calls import Invocation
+from ecm_extract.link.env import Env, bind, invocation_of
+from ecm_extract.link.values import (
+    Value,
+    demoted,
+    joined,
+    literal,
+    lowered,
+    node_name,
+    unique,
+    unknown,
+)
+
+if TYPE_CHECKING:
+    from ecm_extract.link.fold import Folder
+
+_SAME = frozenset(
+    {
+        "std::string",
+        "string",
+        "str",
+        "std::move",
+        "String",
+        "QString",
+        "std::to_string",
+        "rclcpp::ParameterValue",
+    }
+)
+_READS = frozenset(
+    {
+        "as_string",
+        "get_value",
+        "value",
+        "str",
+        "c_str",
+        "string",
+        "string_value",
+        "get_parameter_value",
+        "strip",
+    }
+    | {
+        "toStdString",
+        "data",
+        "as_string_array",
+        "encode",
+        "rstrip",
+        "lstrip",
+        "lower",
+        "get",
+        "to_string",
+        "string_array_value",
+    }
+)
+_STREAMS = frozenset({"stringstream", "ostringstream"})
+_PROPERTY_READS = frozenset({"getStdString", "getTopicStd", "getString"})
+
+
+class CallFolder:
+    """Folds calls."""
+
+    def __init__(self, folder: Folder) -> None:
+        self.folder = folder
+
+    def call(self, expr: Call, env: Env) -> tuple[Value, ...]:
+        """String constructions, formats, parameter reads and functions that return a value."""
+        call = invocation_of(expr, env)
+        if call.path in _SAME or call.last in _STREAMS:
+            return self.folder.fold(call.args[0], env.before(env.at)) if call.args else (literal(""),)
+        read = self.folder.reads.read(call)
+        if read is not None:
+            return self.parameter_value(*read, env.before(env.at))
+        if call.last == "join" and isinstance(call.receiver, Text) and call.args:
+            return self._joined(call.receiver.value, call.args[0], env.before(env.at))
+        formatted = formats.formatted(call)
+        if formatted is not None:
+            return joined(self.folded_parts(formatted, env))
+        if call.receiver is not None and call.last in _PROPERTY_READS:
+            return self._property(call.receiver, env) or (unknown(call.last),)
+        if call.receiver is not None and call.last in _READS:
+            return self.folder.fold(call.receiver, env.before(env.at))
+        return self.folder.guarded(f"{call.path}()", env, lambda: self._returns(call, env))
+
+    def _property(self, receiver: Expr, env: Env) -> tuple[Value, ...]:
+        """An rviz property `new XProperty("Topic", "/default", ...)` is read like a parameter with that default."""
+        for definition, inner in self.folder.lists.definitions(receiver, env):
+            made = definition.statement.value
+            if isinstance(made, Call) and isinstance(made.callee, Name) and made.callee.id.endswith("Property"):
+                return lowered(self.folder.fold(made.args[1], inner), "default") if len(made.args) > 1 else ()
+        return ()
+
+    def _joined(self, separator: str, expr: Expr, env: Env) -> tuple[Value, ...]:
+        groups: list[tuple[Value, ...]] = []
+        for bound in self.folder.lists.flat(expr, env):
+            if groups:
+                groups.append((literal(separator),))
+            groups.append(self.folder.fold(bound.expr, bound.env.before(bound.env.at)))
+        return joined(groups)
+
+    def folded_parts(self, parts: Sequence[Expr | str], env: Env) -> list[tuple[Value, ...]]:
+        """Return the values of the pieces of a format, in order."""
+        inner = env.before(env.at)
+        return [(literal(part),) if isinstance(part, str) else self.folder.fold(part, inner) for part in parts]
+
+    def _returns(self, call: Invocation, env: Env) -> tuple[Value, ...]:
+        callee = self.folder.objects.callee(call, env)
+        if callee is None:
+            return (node_name(),) if _names_node(call) else (unknown(call.last),)
+        returned = [
+            (at, s.value) for at, s in enumerate(callee.fact.body) if s.kind == "return" and s.value is not None
+        ]
+        if not returned or len(returned) > 4:
+            return (unknown(call.last),)
+        this = env.this if call.receiver in {None, Name("this")} and callee.cls is not None else callee.cls
+        made = env.made if this is env.this else None
+        args = bind(callee, call, env)
+        values = [
+            self.folder.fold(value, Env(callee, at, args, this=this, made=made, depth=env.depth + 1))
+            for at, value in returned
+        ]
+        return unique(demoted(value for group in values for value in group))
+
+    def parameter_value(self, name: Expr, default: Expr | None, env: Env) -> tuple[Value, ...]:
+        """Return the value of a ROS parameter: its default where the call or a declaration has one."""
+        names = self.folder.fold(name, env)
+        owner = (env.this or env.func.cls) if env.func is not None else None
+        lineage = self.folder.program.ancestry(owner) if owner is not None else ()
+        known = self.folder.reads.default(
+            names[0].text, env.func.file.package, tuple([cls.qualified for cls in lineage])
+        )
+        return self.default_value(names[0].text, known, default, env)
+
+    def default_value(
+        self, name: str, known: tuple[Expr, Env] | str | None, default: Expr | None, env: Env
+    ) -> tuple[Value, ...]:
+        """Return the values of a default: of the call, else of the declaration, else a hole with the parameter's name."""
+        values: tuple[Value, ...] = ()
+        if default is not None:
+            values = lowered(self.folder.fold(default, env.before(env.at)), "default")
+        elif isinstance(known, str):
+            values = (Value((known,), "default"),)
+        elif known is not None:
+            values = lowered(self.folder.fold(known[0], known[1].before(known[1].at)), "default")
+        if values and (values[0].text or len(values) > 1):
+            return values
+        return (unknown(name.rsplit("/", 1)[-1].rsplit(".", 1)[-1].strip("~{}")),)
+
+
+def _names_node(call: Invocation) -> bool:
+    """`get_name()` of a node and its ROS 1 counterparts; in-tree functions of that name were tried before."""
+    return call.last in {"get_name", "get_fully_qualified_name"} or call.path in {
+        "ros::this_node::getName",
+        "rospy.get_name",
+    }

@@ -1,0 +1,104 @@
+"""Lists: their elements, and the assignments behind a variable."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ecm_parsers.source.expr import (
+    Call,
+    Expr,
+    Items,
+    Member,
+    Name,
+    Number,
+    Op,
+    Table,
+)
+
+from ecm_extract.link.env import MAX_DEPTH, Bound, Env
+from ecm_extract.link.scope import Definition
+from ecm_extract.link.values import (
+    Value,
+    demoted,
+    unique,
+    unknown,
+)
+
+if TYPE_CHECKING:
+    from ecm_extract.link.fold import Folder
+
+
+class ListFolder:
+    """Takes lists apart."""
+
+    def __init__(self, folder: Folder) -> None:
+        self.folder = folder
+
+    def elements(self, expr: Expr | None, env: Env, index: Expr | None = None) -> tuple[Value, ...]:
+        """Return the values that the elements of a list, or one of them, can have."""
+        items = self.items(expr, env)
+        if items is None:
+            return (unknown("item"),)
+        if isinstance(index, Number) and isinstance(index.value, int) and -len(items) <= index.value < len(items):
+            items = [items[index.value]]
+        folded = [value for bound in items for value in self.folder.fold(bound.expr, bound.env.before(bound.env.at))]
+        return unique(demoted(folded)) if folded else (unknown("item"),)
+
+    def items(self, expr: Expr | None, env: Env) -> list[Bound] | None:
+        """Return the elements of a list that an expression is, None when the tree does not show them."""
+        if env.depth > MAX_DEPTH or expr is None:
+            return None
+        if isinstance(expr, Items):
+            return [Bound(item, env) for item in expr.items]
+        if isinstance(expr, Table):
+            return [Bound(value, env) for _, value in expr.entries]
+        if isinstance(expr, Call) and len(expr.args) == 1 and isinstance(expr.args[0], Items):
+            return self.items(expr.args[0], env)
+        if isinstance(expr, Call) and isinstance(expr.callee, Name) and "vector" in expr.callee.id:
+            return [Bound(item, env) for item in expr.args]
+        if isinstance(expr, Name) and expr.id in env.args:
+            return self.items(env.args[expr.id].expr, env.args[expr.id].env.before(env.args[expr.id].env.at))
+        for definition, inner in self.definitions(expr, env):
+            value = definition.statement.value
+            found = self.items(value, inner) if definition.statement.kind != "each" else None
+            if found is not None:
+                return found
+        constant = self.folder.scope.constant(expr.id, env) if isinstance(expr, Name) else None
+        return self.items(constant[0], env.before(env.at)) if constant is not None else None
+
+    def flat(self, expr: Expr, env: Env) -> list[Bound]:
+        """Return the elements of a sequence with spread and concatenated ones in place."""
+        if env.depth > MAX_DEPTH:
+            return [Bound(expr, env)]
+        if isinstance(expr, Items):
+            return [bound for item in expr.items for bound in self.flat(item, env.before(env.at))]
+        if isinstance(expr, Op) and expr.op == "+":
+            return [bound for operand in expr.operands for bound in self.flat(operand, env.before(env.at))]
+        if isinstance(expr, Name) and expr.id in env.args:
+            given = env.args[expr.id]
+            return self.flat(given.expr, given.env.before(given.env.at))
+        return [Bound(expr, env)]
+
+    def definitions(self, expr: Expr, env: Env) -> list[tuple[Definition, Env]]:
+        """Return the assignments of a variable or of a member of `this`, with where each is evaluated."""
+        name = (
+            expr.id
+            if isinstance(expr, Name)
+            else expr.name
+            if isinstance(expr, Member) and expr.base == Name("this")
+            else ""
+        )
+        if not name:
+            return []
+        if isinstance(expr, Name):
+            local = self.folder.scope.local(name, env)
+            if local:
+                return [(definition, env.before(definition.at)) for definition in local]
+        cls = env.this or env.func.cls
+        found = []
+        for entry in self.folder.program.ancestry(cls) if cls is not None else ():
+            for definition in self.folder.scope.members(name, entry):
+                if not self.folder.objects.runs(definition.func, env.made):
+                    continue
+                found.append((definition, Env(definition.func, definition.at, this=cls, depth=env.depth + 1)))
+        return found

@@ -1,0 +1,133 @@
+"""Members: what the methods of a class give its data members, and fields of other objects."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ecm_parsers.source.expr import (
+    Expr,
+    Member,
+    Name,
+)
+
+from ecm_extract.link.calls import dotted_name
+from ecm_extract.link.env import Env, Instance
+from ecm_extract.link.program import Cls
+from ecm_extract.link.scope import Definition
+from ecm_extract.link.values import (
+    MAX_ALTERNATIVES,
+    Value,
+    demoted,
+    unique,
+    unknown,
+)
+
+if TYPE_CHECKING:
+    from ecm_extract.link.fold import Folder
+
+_READS = frozenset(
+    {
+        "as_string",
+        "get_value",
+        "value",
+        "str",
+        "c_str",
+        "string",
+        "string_value",
+        "get_parameter_value",
+        "strip",
+    }
+    | {
+        "toStdString",
+        "data",
+        "as_string_array",
+        "encode",
+        "rstrip",
+        "lstrip",
+        "lower",
+        "get",
+        "to_string",
+        "string_array_value",
+    }
+)
+
+
+class MemberFolder:
+    """Folds `object.member`."""
+
+    def __init__(self, folder: Folder) -> None:
+        self.folder = folder
+        self._known: dict[tuple[int, str], tuple[Value, ...]] = {}
+
+    def forget(self) -> None:
+        """Drop remembered members, since more of the parameters is known now."""
+        self._known.clear()
+
+    def member(self, expr: Member, env: Env) -> tuple[Value, ...]:
+        """`this->x`, `params_.x`, `module.CONSTANT`, `object.field`."""
+        if expr.base == Name("this"):
+            cls = env.this or env.func.cls
+            found = self.member_value(expr.name, cls, env) if cls is not None else ()
+            return found or (unknown(expr.name),)
+        if expr.name in _READS:
+            return self.folder.fold(expr.base, env.before(env.at))
+        dotted = dotted_name(expr)
+        found = self.folder.names.imported(dotted, env) if dotted and env.func.file.language == "python" else ()
+        return found or self._field(expr, env) or (unknown(expr.name),)
+
+    def _field(self, expr: Member, env: Env) -> tuple[Value, ...]:
+        default = self._library_parameter(expr, env)
+        if default is not None:
+            return default
+        cls = self.folder.objects.class_of(expr.base, env)
+        if cls is None:
+            return ()
+        return self.member_value(expr.name, cls, Env(env.func, env.at, depth=env.depth + 1, this=cls))
+
+    def _library_parameter(self, expr: Member, env: Env) -> tuple[Value, ...] | None:
+        """`params_.a.b` of generate_parameter_library: the default of parameter `a.b`."""
+        path: list[str] = []
+        node: Expr = expr
+        while isinstance(node, Member) and node.base != Name("this"):
+            path.insert(0, node.name)
+            node = node.base
+        root = node.id if isinstance(node, Name) else node.name if isinstance(node, Member) else ""
+        if "param" not in root.lower() and not self.folder.scope.declared_type(root, env).endswith("Params"):
+            return None
+        name = ".".join(path)
+        known = self.folder.reads.default(name, env.func.file.package)
+        return self.folder.calls.default_value(name, known, None, env) if known is not None else None
+
+    def member_value(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
+        """Return the values that the methods of a class and its bases give one of its data members."""
+        anyone = env.made is None or env.made.cls is not cls or not (env.made.args or env.made.types)
+        known = self._known.get((id(cls), name)) if anyone else None
+        if known is not None:
+            return known
+        cuts = self.folder.cuts
+        label = f"{cls.qualified}.{name}"
+        values = self.folder.guarded(label, Env(env.func), lambda: self._member_value(name, cls, env))
+        if anyone and cuts == self.folder.cuts:
+            self._known[id(cls), name] = values
+        return values
+
+    def _member_value(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
+        values: list[Value] = []
+        for entry in self.folder.program.ancestry(cls):
+            for definition in self.folder.scope.members(name, entry):
+                if len(values) < MAX_ALTERNATIVES and self.folder.objects.runs(definition.func, env.made):
+                    inner = self._method_env(definition, cls, env)
+                    values += demoted(self.folder.fold(definition.statement.value, inner))
+            for method, at, read, default in self.folder.reads.members(entry, name):
+                values += self.folder.calls.parameter_value(
+                    read, default, self._method_env(Definition(method, at), cls, env)
+                )
+            field = entry.fields.get(name)
+            if field is not None and field.default is not None:
+                values += demoted(self.folder.fold(field.default, Env(env.func, depth=env.depth + 1, this=cls)))
+        filled = [value for value in values if value.text]
+        return unique(filled or values) if values else ()
+
+    def _method_env(self, definition: Definition, cls: Cls, env: Env) -> Env:
+        made = env.made if env.made is not None and env.made.cls is cls else None
+        return Env(definition.func, definition.at, this=cls, made=made or Instance(cls, {}, {}), depth=env.depth + 1)

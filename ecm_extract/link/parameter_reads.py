@@ -1,0 +1,33 @@
+"""What folding asks about ROS parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Protocol
+
+from ecm_parsers.source.expr import (
+    Expr,
+)
+
+from ecm_extract.link.calls import Invocation
+from ecm_extract.link.env import Env
+from ecm_extract.link.program import Cls, Func
+
+
+class ParameterReads(Protocol):
+    """What the linker knows of parameters: which call reads one, and the defaults that were declared."""
+
+    def read(self, call: Invocation) -> tuple[Expr, Expr | None] | None:
+        """Return (name, default) when a call gives the value of a parameter."""
+
+    def written(self, func: Func, target: str) -> list[tuple[int, Expr, Expr | None]]:
+        """Return (statement, name, default) of the calls of a function that write a parameter to a variable."""
+
+    def forget(self) -> None:
+        """Drop what was remembered, since more is known now."""
+
+    def members(self, cls: Cls, target: str) -> list[tuple[Func, int, Expr, Expr | None]]:
+        """Return (method, statement, name, default) of the calls of a class that write a parameter to a member."""
+
+    def default(self, name: str, package: str, owners: Sequence[str] = ()) -> tuple[Expr, Env] | str | None:
+        """Return the declared default of a parameter."""
