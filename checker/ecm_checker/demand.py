@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from typing import Any
+from typing import Any, Final
 
 import msgspec
 
@@ -13,9 +13,11 @@ from ecm_checker.fields import required_fields
 from ecm_checker.finding import Certainty, Entity, Finding
 from ecm_checker.profiles import Embodiment
 from ecm_checker.rule import Rule
-from ecm_checker.terms import Spec, normal_keys, spec
+from ecm_checker.terms import Spec, spec
 from ecm_checker.units import number
 from ecm_checker.view import View
+
+_REQUIRED: Final = frozenset(required_fields())
 
 
 class Unmet(msgspec.Struct, frozen=True):
@@ -44,7 +46,7 @@ def unmet_findings(case: Case, rule: Rule, field: str, unmet: UnmetBy) -> Iterat
         return
     section_field = f"resources.{field}"
     silent = []
-    if section_field in required_fields():
+    if section_field in _REQUIRED:
         silent = [module for module in case.modules if module.runs and getattr(module, field) is None]
     for module in case.modules:
         evidence: tuple[Evidence, ...] | None = None
@@ -80,9 +82,8 @@ def compute(module: View, robot: Embodiment) -> Iterator[Unmet]:
     if robot.compute is None:
         yield from (Unmet("compute", key, "the profile does not say", "unknown") for key in wanted)
         return
-    has = normal_keys(robot.compute)
     for key, item in wanted.items():
-        text = _lacks(key, item, has)
+        text = _lacks(key, item, robot.compute)
         if text is not None:
             yield Unmet("compute", key if item is True else f"{key} {item}", text)
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from ecm_checker.case import Wire
 from ecm_checker.contract import Interface
 from ecm_checker.finding import Entity, Finding
-from ecm_checker.qos import certainty_of, sources
+from ecm_checker.qos import certainty_of, is_named, sources
 from ecm_checker.rule import Rule
 
 
@@ -31,4 +31,6 @@ def mismatches(rule: Rule, wires: Iterable[Wire], kind: str, verbs: tuple[str, s
             (wire.giver, wire.taker),
             sources(wire),
             certainty=certainty_of(wire),
+            # A name that is the default of a parameter is often set, and then the two never were one topic.
+            severity=None if is_named(wire) else "info",
         )

@@ -12,7 +12,6 @@ from ecm_checker.demand import undeclared
 from ecm_checker.finding import Certainty, Entity, Finding
 from ecm_checker.profiles import Policy
 from ecm_checker.rule import Rule
-from ecm_checker.terms import normal_keys
 from ecm_checker.units import number
 from ecm_checker.view import View
 
@@ -60,7 +59,7 @@ def scopes(module: View, policy: Policy) -> Iterator[Denied]:
 def contact(module: View, policy: Policy) -> Iterator[Denied]:
     """Nearness to people that is not granted, or nearer than granted (metres)."""
     wanted = {key: item for key, item in _physical(module).items() if key in HUMAN}
-    granted = normal_keys(policy.physical or {})
+    granted = policy.physical or {}
     for key, item in wanted.items():
         asked, least = number(item), number(granted.get(key))
         if asked is not None and least is not None and asked < least:
@@ -71,7 +70,7 @@ def contact(module: View, policy: Policy) -> Iterator[Denied]:
 
 def limits(module: View, policy: Policy) -> Iterator[Denied]:
     """Forces and speeds above the limit of the policy."""
-    granted = normal_keys(policy.physical or {})
+    granted = policy.physical or {}
     for key, item in _physical(module).items():
         asked = number(item)
         if asked is None or key in HUMAN:
@@ -137,7 +136,7 @@ def _physical(module: View) -> dict[str, Any]:
 
 
 def _not_granted(wanted: Mapping[str, Any], policy: Policy) -> Iterator[Denied]:
-    granted = None if policy.physical is None else normal_keys(policy.physical)
+    granted = policy.physical
     for key in wanted:
         if granted is None:
             yield Denied("physical", key, "the policy does not say", "unknown")

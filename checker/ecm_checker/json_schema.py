@@ -11,19 +11,23 @@ from typing import Any, Final
 
 import msgspec
 
-from ecm_checker import wire
+from ecm_checker import profiles, wire
 
 _DIALECT: Final = "https://json-schema.org/draft/2020-12/schema"
 _DOCUMENTS: Final[dict[str, tuple[type[msgspec.Struct], str, str]]] = {
     "manifest": (wire.Manifest, wire.MANIFEST_SCHEMA, "ECM contract of one module"),
     "extract": (wire.Extract, wire.EXTRACT_SCHEMA, "What ecm-extract read off one source tree"),
+    "embodiment": (profiles.Embodiment, "ecm-extract/embodiment/1", "What a robot has"),
+    "policy": (profiles.Policy, "ecm-extract/policy/1", "What governance allows"),
+    "runtime": (profiles.Runtime, "ecm-extract/runtime/1", "What is installed and holds"),
+    "call": (profiles.Call, "ecm-extract/call/1", "What a caller brings"),
 }
 
 NAMES: Final = tuple(_DOCUMENTS)
 
 
 def generate(name: str) -> dict[str, Any]:
-    """JSON Schema of a document (`manifest` or `extract`), made from the model."""
+    """JSON Schema of a document (one of `NAMES`), made from the model."""
     model, number, title = _DOCUMENTS[name]
     head = {"$schema": _DIALECT, "$id": f"urn:{number.replace('/', ':')}", "title": title}
     return {**head, **msgspec.json.schema(model)}

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Iterable, Iterator
-from typing import Final, Literal
+from collections.abc import Iterable
+from functools import lru_cache
+from typing import Final, Literal, NamedTuple
 
 Nearness = Literal["spelling", "typo", "namespace"]
 
@@ -16,63 +17,74 @@ _LONGEST: Final = 120
 
 
 def is_known(name: str) -> bool:
-    """Whether no part of a name is computed while the robot runs; a pattern (`{hole}`) matches nothing."""
-    return "{" not in name and bool(name.strip("/"))
+    """Whether a name is the same for everybody.
+
+    A pattern (`{hole}`) is computed while the robot runs, and `~` stands for the name of a node that is not known:
+    neither matches anything.
+    """
+    return "{" not in name and "~" not in name and bool(name.strip("/"))
 
 
 class NearNames:
     """Finds names that are written almost like another one, without comparing all pairs."""
 
     def __init__(self, names: Iterable[str]) -> None:
-        self._by_spelling: defaultdict[str, list[str]] = defaultdict(list)
+        self._by_spelling: dict[str, str] = {}
+        self._by_last: dict[str, str] = {}
         self._by_deletion: defaultdict[str, list[str]] = defaultdict(list)
-        self._by_last: defaultdict[str, list[str]] = defaultdict(list)
-        for name in sorted(set(names)):
-            if len(name) > _LONGEST:
-                continue
-            self._by_spelling[_spelling(name)].append(name)
-            self._by_last[_last(name)].append(name)
-            for shorter in _deletions(name):
+        for name in sorted(names):
+            keys = _keys(name)
+            self._by_spelling.setdefault(keys.spelling, name)
+            self._by_last.setdefault(keys.last, name)
+            for shorter in keys.deletions:
                 self._by_deletion[shorter].append(name)
 
     def near(self, name: str) -> tuple[str, Nearness] | None:
-        """The nearest other name and how it differs: spelling (`_`, case), a typo, or the namespace only."""
-        if len(name) > _LONGEST:
-            return None
-        graded: tuple[tuple[Nearness, Iterable[str]], ...] = (
-            ("spelling", self._by_spelling.get(_spelling(name), ())),
-            ("typo", self._typos(name)),
-            ("namespace", self._by_last.get(_last(name), ())),
-        )
-        for nearness, names in graded:
-            for other in names:
-                if other != name:
-                    return other, nearness
-        return None
+        """The nearest of the names and how it differs: spelling (`_`, case), a typo, or the namespace only.
 
-    def _typos(self, name: str) -> Iterator[str]:
-        for shorter in _deletions(name):
+        Args:
+            name: none of the names themselves.
+        """
+        keys = _keys(name)
+        other = self._by_spelling.get(keys.spelling)
+        if other is not None:
+            return other, "spelling"
+        for shorter in keys.deletions:
             for other in self._by_deletion.get(shorter, ()):
                 if _is_typo(name, other):
-                    yield other
+                    return other, "typo"
+        other = self._by_last.get(keys.last)
+        return (other, "namespace") if other is not None else None
 
 
-def _spelling(name: str) -> str:
-    return _MARKS.sub("", name).lower()
+def near_keys(names: Iterable[str]) -> frozenset[str]:
+    """Keys such that two sets of names without a common one hold no near names."""
+    return frozenset(key for name in names for key in (_keys(name).spelling, _keys(name).last, *_keys(name).deletions))
 
 
-def _last(name: str) -> str:
-    return name.rstrip("/").rpartition("/")[2]
+class _Keys(NamedTuple):
+    """What near names have in common: their letters, their last part, or the rest when a letter is left out."""
+
+    spelling: str
+    last: str
+    deletions: tuple[str, ...]
 
 
-def _deletions(name: str) -> Iterator[str]:
-    """The name and all that lack one character of its last part: two of them meet where names differ by one."""
-    if len(_last(name)) < _SHORTEST_TYPO:
-        return
-    yield name
-    start = len(name.rstrip("/")) - len(_last(name))
-    for at in range(start, len(name)):
-        yield name[:at] + name[at + 1 :]
+@lru_cache(maxsize=65_536)
+def _keys(name: str) -> _Keys:
+    bare = name.rstrip("/")
+    last = bare.rpartition("/")[2]
+    return _Keys(_MARKS.sub("", name).lower(), last, _deletions(bare, len(bare) - len(last)))
+
+
+def _deletions(name: str, start: int) -> tuple[str, ...]:
+    """The name and all that lack one character of its last part: two of them meet where names differ by one.
+
+    Digits stay: numbered names are meant to differ.
+    """
+    if not _SHORTEST_TYPO <= len(name) - start <= _LONGEST:
+        return ()
+    return (name, *(name[:at] + name[at + 1 :] for at in range(start, len(name)) if not name[at].isdigit()))
 
 
 def _is_typo(one: str, two: str) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 from ecm_checker.case import Case
 from ecm_checker.contract import Evidence, Role
@@ -13,6 +13,8 @@ from ecm_checker.names import NearNames, Nearness
 from ecm_checker.rule import Rule
 from ecm_checker.view import View
 
+_FEW: Final = 3
+
 
 def near_misses(case: Case, rule: Rule, giver: Role, taker: Role) -> Iterator[Finding]:
     """Findings of a rule for each name that is only used.
@@ -20,12 +22,15 @@ def near_misses(case: Case, rule: Rule, giver: Role, taker: Role) -> Iterator[Fi
     Graded: a warning where the spelling differs, a hint where only the namespace does, as launch files set that.
     A near name of another type is another thing.
     """
+    if len(case.modules) <= _FEW and _far_apart(case, giver, taker):
+        return
     wanted, offered = case.by_name(taker), case.by_name(giver)
     alone = sorted(wanted.keys() - offered.keys())
     unused = offered.keys() - wanted.keys()
     if not alone or not unused:
         return
-    names = NearNames(unused)
+    kinds = {kind for name in alone for kind in _Side(wanted[name], taker, name).types()}
+    names = NearNames(name for name in unused if not kinds.isdisjoint(_Side(offered[name], giver, name).types()))
     for name in alone:
         found = names.near(name)
         if found is None:
@@ -33,6 +38,17 @@ def near_misses(case: Case, rule: Rule, giver: Role, taker: Role) -> Iterator[Fi
         user, offer = _Side(wanted[name], taker, name), _Side(offered[found[0]], giver, found[0])
         if not user.types().isdisjoint(offer.types()):
             yield _finding(rule, user, offer, found[1])
+
+
+def _far_apart(case: Case, giver: Role, taker: Role) -> bool:
+    """Whether no name of one side is near to one of the other: much cheaper than to look for the names."""
+    return all(
+        offer.near_keys[giver].isdisjoint(want.near_keys[taker])
+        for want in case.modules
+        if taker in want.near_keys
+        for offer in case.modules
+        if giver in offer.near_keys
+    )
 
 
 class _Side(NamedTuple):

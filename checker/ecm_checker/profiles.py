@@ -10,6 +10,8 @@ from typing import Any, Final
 
 import msgspec
 
+from ecm_checker.terms import normal_keys
+
 
 class Embodiment(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
     """What the robot has.
@@ -35,6 +37,11 @@ class Embodiment(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_onl
     command_interfaces: tuple[str, ...] | None = None
     transforms: tuple[tuple[str, str], ...] = ()
 
+    def __post_init__(self) -> None:
+        """Read keys as contracts do."""
+        if self.compute is not None:
+            msgspec.structs.force_setattr(self, "compute", normal_keys(self.compute))
+
 
 class Policy(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
     """What governance allows.
@@ -59,6 +66,11 @@ class Policy(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=Tr
     audit: str | None = None
     release_channels: tuple[str, ...] | None = None
     forbidden_together: tuple[tuple[str, ...], ...] = ()
+
+    def __post_init__(self) -> None:
+        """Read keys as contracts do."""
+        if self.physical is not None:
+            msgspec.structs.force_setattr(self, "physical", normal_keys(self.physical))
 
 
 class Runtime(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):

@@ -80,8 +80,12 @@ def sources(wire: Wire) -> tuple[Evidence, ...]:
 
 def certainty_of(wire: Wire) -> Certainty:
     """A name that is the default of a parameter may be another one on the robot."""
-    exact = all(entry.confidence in {"literal", "folded"} for entry in (*wire.offered, *wire.wanted))
-    return "proved" if exact and wire.giver is not wire.taker else "likely"
+    return "proved" if is_named(wire) and wire.giver is not wire.taker else "likely"
+
+
+def is_named(wire: Wire) -> bool:
+    """Whether both sides fix the name, so that it is no mere default of a parameter."""
+    return all(entry.confidence in {"literal", "folded"} for entry in (*wire.offered, *wire.wanted))
 
 
 class _Misfit(NamedTuple):

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
+from functools import lru_cache
 from typing import Any, Final
 
 import msgspec
@@ -101,6 +102,7 @@ def fields(data: object) -> tuple[Field, ...]:
     return tuple(_field(name, item) for name, item in _pairs(data))
 
 
+@lru_cache(maxsize=4096)
 def spec(text: str) -> Spec:
     """Read `force_torque@wrist` or `wrist_rgbd@30Hz`."""
     kind, _, rest = text.partition("@")

@@ -13,12 +13,20 @@ import msgspec
 
 from ecm_checker import terms
 from ecm_checker.contract import Contract, Evidence, Interface, Role, Value
-from ecm_checker.names import is_known
+from ecm_checker.names import is_known, near_keys
 from ecm_checker.predicates import Predicate, parse
 
 Endpoints = Mapping[str, tuple[Interface, ...]]
 
 _KINDS_THAT_DO_NOT_RUN: Final = frozenset({"interface", "library"})
+_MATCHED_BY_NAME: Final[tuple[Role, ...]] = (
+    "publisher",
+    "subscriber",
+    "service_server",
+    "service_client",
+    "action_server",
+    "action_client",
+)
 _NONE: Final[Endpoints] = {}
 
 
@@ -30,6 +38,7 @@ class View(msgspec.Struct, frozen=True, kw_only=True):
     package: str
     runs: bool
     by_role: Mapping[Role, Endpoints]
+    near_keys: Mapping[Role, frozenset[str]]
     inputs: tuple[terms.Field, ...] | None
     outputs: tuple[terms.Field, ...] | None
     preconditions: tuple[Predicate, ...] | None
@@ -77,12 +86,14 @@ def view(contract: Contract) -> View:
     """Make a contract ready for rules."""
     behavior, resources, recovery = contract.behavior, contract.resources, contract.recovery
     signature = contract.signature
+    by_role = _by_role(signature.interfaces)
     return View(
         contract=contract,
         id=contract.ecm.module_id,
         package=contract.ecm.package,
         runs=contract.ecm.kind not in _KINDS_THAT_DO_NOT_RUN,
-        by_role=_by_role(signature.interfaces),
+        by_role=by_role,
+        near_keys={role: near_keys(by_role[role]) for role in _MATCHED_BY_NAME if role in by_role},
         inputs=_fields(signature.input_schema),
         outputs=_fields(signature.output_schema),
         preconditions=_predicates(behavior.preconditions),

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ecm_checker.case import Case
 from ecm_checker.finding import Entity, Finding
-from ecm_checker.predicates import Predicate, settle
+from ecm_checker.predicates import Predicate, implies
 from ecm_checker.rule import Rule
 from ecm_checker.view import View
 
@@ -42,7 +42,7 @@ def _conditions(old: View, new: View) -> Iterator[tuple[str, Entity]]:
 
 
 def _not_implied(known: tuple[Predicate, ...] | None, wanted: tuple[Predicate, ...] | None) -> list[Predicate]:
-    return [each for each in wanted or () if settle(known or (), each) != "implied"]
+    return [each for each in wanted or () if all(implies(one, each) != "implied" for one in known or ())]
 
 
 def _completion(old: View, new: View) -> Iterator[tuple[str, Entity]]:

@@ -8,7 +8,6 @@ from collections.abc import Iterator
 from ecm_checker.case import Case
 from ecm_checker.finding import Entity, Finding
 from ecm_checker.rule import Rule
-from ecm_checker.terms import normal_keys
 from ecm_checker.units import number
 from ecm_checker.view import View
 
@@ -31,7 +30,6 @@ def check(case: Case) -> Iterator[Finding]:
     robot = case.profiles.embodiment
     if robot is None or robot.compute is None or len(case.modules) < 2:
         return
-    has = normal_keys(robot.compute)
     sums: defaultdict[str, float] = defaultdict(float)
     users: defaultdict[str, list[View]] = defaultdict(list)
     for module in case.modules:
@@ -41,7 +39,7 @@ def check(case: Case) -> Iterator[Finding]:
                 sums[key] += amount
                 users[key].append(module)
     for key, total in sums.items():
-        limit = number(has.get(key))
+        limit = number(robot.compute.get(key))
         if limit is not None and total > limit and len(users[key]) > 1:
             evidence = [line for each in users[key] for line in each.evidence("resources.compute")]
             text = f"together they need {total:g} {key}, the robot has {limit:g}"
