@@ -2,11 +2,22 @@
 
 from __future__ import annotations
 
+import gc
+import os
 import sys
 
 
 def main() -> None:
-    """Run `ecm-extract` with the arguments of the process and leave with its exit status."""
+    """Run `ecm-extract` with the arguments of the process and leave with its exit status.
+
+    The process ends with the run: nothing is gained by collecting garbage in between, or by taking a million
+    records apart before the memory goes back anyway (0.2 s on a large repository).
+    """
     from ecm_extract.cli.run import run
 
-    sys.exit(run(sys.argv[1:]))
+    gc.disable()
+    status = run(sys.argv[1:])
+    for stream in (sys.stdout, sys.stderr):
+        if not stream.closed:
+            stream.flush()
+    os._exit(status)

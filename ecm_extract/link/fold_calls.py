@@ -147,7 +147,7 @@ class CallFolder:
     def default_value(
         self, name: str, known: tuple[Expr, Env] | str | None, default: Expr | None, env: Env
     ) -> tuple[Value, ...]:
-        """Return the values of a default: of the call, else of the declaration, else a hole with the parameter's name."""
+        """Return the values of a default: of the call, else of the declaration, else a hole."""
         values: tuple[Value, ...] = ()
         if default is not None:
             values = lowered(self.folder.fold(default, env.before(env.at)), "default")
