@@ -136,4 +136,12 @@ class Case:
                 offers[name].append((giver, offered))
         for taker, named in takers:
             for name in named.keys() & offers.keys():
-                yield from (Wire(name, giver, offered, taker, named[name]) for giver, offered in offers[name])
+                for giver, offered in offers[name]:
+                    if _same_ros(giver, taker):
+                        yield Wire(name, giver, offered, taker, named[name])
+
+
+def _same_ros(one: View, two: View) -> bool:
+    """ROS 1 and ROS 2 do not meet; None is not known."""
+    versions = {one.contract.ecm.ros, two.contract.ecm.ros}
+    return not versions >= {1, 2}

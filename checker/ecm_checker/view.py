@@ -39,6 +39,7 @@ class View(msgspec.Struct, frozen=True, kw_only=True):
     runs: bool
     by_role: Mapping[Role, Endpoints]
     near_keys: Mapping[Role, frozenset[str]]
+    unmatched: tuple[Interface, ...]
     inputs: tuple[terms.Field, ...] | None
     outputs: tuple[terms.Field, ...] | None
     preconditions: tuple[Predicate, ...] | None
@@ -94,6 +95,7 @@ def view(contract: Contract) -> View:
         runs=contract.ecm.kind not in _KINDS_THAT_DO_NOT_RUN,
         by_role=by_role,
         near_keys={role: near_keys(by_role[role]) for role in _MATCHED_BY_NAME if role in by_role},
+        unmatched=tuple(entry for entry in signature.interfaces if not _is_matched(entry)),
         inputs=_fields(signature.input_schema),
         outputs=_fields(signature.output_schema),
         preconditions=_predicates(behavior.preconditions),
@@ -133,9 +135,13 @@ def _permissions(contract: Contract) -> dict[str, Any]:
 def _by_role(interfaces: Iterable[Interface]) -> dict[Role, Endpoints]:
     found: defaultdict[Role, defaultdict[str, list[Interface]]] = defaultdict(lambda: defaultdict(list))
     for entry in interfaces:
-        if is_known(entry.name) and entry.confidence != "pattern":
+        if _is_matched(entry):
             found[entry.role][entry.name].append(entry)
     return {role: {name: tuple(entries) for name, entries in by_name.items()} for role, by_name in found.items()}
+
+
+def _is_matched(entry: Interface) -> bool:
+    return is_known(entry.name) and entry.confidence != "pattern"
 
 
 def _fields(value: Value | None) -> tuple[terms.Field, ...] | None:

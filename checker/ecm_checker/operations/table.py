@@ -49,6 +49,7 @@ OPERATIONS: Final[Mapping[Name, Operation]] = {
 NEEDS: Final[Mapping[SubCheck, Profile]] = {
     "DepSat": "runtime",
     "LockSafe": "runtime",
+    "AllocSat": "runtime",
     "ResSat": "embodiment",
     "ResJointSat": "embodiment",
     "PermSat": "policy",
