@@ -14,7 +14,7 @@ IGNORE_MARKERS = ("COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE")
 """Files that hide their folder from the build tool of the same name."""
 
 TEST_FOLDERS = frozenset({"test", "tests", "unit_tests", "integration_tests", "gtest"})
-TEST_PACKAGE_SUFFIXES = ("_tests", "_testsuite", "_test_suite")
+TEST_PACKAGE_SUFFIXES = ("_tests", "_testsuite", "_test_suite", "_test_common", "_test_utils")
 TEST_FILES = frozenset({"conftest.py"})
 TEST_EXTENSIONS = (".test", ".test.xml")
 """Of rostest, the ROS 1 test launcher."""

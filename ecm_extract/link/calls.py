@@ -159,10 +159,12 @@ def _one_node(func: Func, call: Call) -> Call:
 
 def _is_interface(func: Func, expr: Expr) -> bool:
     if isinstance(expr, Call) and isinstance(expr.callee, Member | Name):
-        name = expr.callee.name if isinstance(expr.callee, Member) else expr.callee.id
+        name = last_name(expr.callee.name if isinstance(expr.callee, Member) else expr.callee.id)
         return name.startswith("get_node_") and name.endswith("_interface")
     if not isinstance(expr, Name) or not expr.id.strip("_").endswith(_INTERFACE_NAMES):
         return False
+    if any(parameter.name == expr.id and "Interface" in parameter.type for parameter in func.fact.params):
+        return True
     values = [s.value for s in func.fact.body if s.target == expr and s.kind == "let" and s.value is not None]
     return any(not isinstance(value, Name) and _is_interface(func, value) for value in values)
 

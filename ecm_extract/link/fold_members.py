@@ -18,6 +18,7 @@ from ecm_extract.link.values import (
     MAX_ALTERNATIVES,
     Value,
     demoted,
+    lowered,
     unique,
     unknown,
 )
@@ -73,7 +74,14 @@ class MemberFolder:
             return self.folder.fold(expr.base, env.before(env.at))
         dotted = dotted_name(expr)
         found = self.folder.names.imported(dotted, env) if dotted and env.func.file.language == "python" else ()
-        return found or self._field(expr, env) or (unknown(expr.name),)
+        return found or self._field(expr, env) or self._option(expr, env) or (unknown(expr.name),)
+
+    def _option(self, expr: Member, env: Env) -> tuple[Value, ...]:
+        """`args.name` of argparse: the option's default."""
+        if env.func.file.language != "python" or not isinstance(expr.base, Name):
+            return ()
+        default = self.folder.scope.option(expr.name, env.func.file)
+        return lowered(self.folder.fold(default, env.before(env.at)), "default") if default is not None else ()
 
     def _field(self, expr: Member, env: Env) -> tuple[Value, ...]:
         default = self._library_parameter(expr, env)

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Iterator
 from typing import NamedTuple
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name
+from ecm_parsers.source.expr import Call, Expr, Member, Name, Text
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.link.calls import walk
@@ -31,6 +32,7 @@ class Scope:
     def __init__(self, program: Program) -> None:
         self.program = program
         self._locals: dict[int, dict[str, list[int]]] = {}
+        self._options: dict[tuple[int, str], Expr] | None = None
         self._passed: dict[int, dict[str, list[tuple[int, Call, int]]]] = {}
         self._members: dict[int, dict[str, list[Definition]]] = {}
 
@@ -156,6 +158,16 @@ class Scope:
         cls = env.this or env.func.cls
         return bool(scope) and cls is not None and any(entry.qualified == scope for entry in self.program.ancestry(cls))
 
+    def option(self, name: str, file: File) -> Expr | None:
+        """Return the default of a command line option that a Python file adds with `add_argument`."""
+        if self._options is None:
+            self._options = {}
+            for functions in self.program.functions.values():
+                for func in functions:
+                    if func.file.language == "python":
+                        self._options |= {(id(func.file), key): value for key, value in _options(func)}
+        return self._options.get((id(file), name))
+
     def module_globals(self, file: File) -> Func | None:
         """Return the module body of a Python file."""
         return next((f for f in self.program.functions.get("<module>", ()) if f.file is file), None)
@@ -172,6 +184,20 @@ def _member_target(statement: Statement, params: set[str]) -> str:
     ):
         return target.id
     return ""
+
+
+def _options(func: Func) -> Iterator[tuple[str, Expr]]:
+    for statement in func.fact.body:
+        for call in walk(statement.value) if statement.value is not None else ():
+            if isinstance(call.callee, Member) and call.callee.name == "add_argument":
+                keywords = dict(call.keywords)
+                dest = keywords.get("dest") or next((arg for arg in call.args if _is_long(arg)), None)
+                if isinstance(dest, Text) and "default" in keywords:
+                    yield dest.value.lstrip("-").replace("-", "_"), keywords["default"]
+
+
+def _is_long(arg: Expr) -> bool:
+    return isinstance(arg, Text) and (arg.value.startswith("--") or not arg.value.startswith("-"))
 
 
 def _depth_at(body: tuple[Statement, ...], at: int) -> int:

@@ -130,3 +130,27 @@ def test_values_that_define_each_other_end(workspace: Any) -> None:
     """Members that are set from each other give a pattern, not an endless search."""
     text = 'class D : public rclcpp::Node { D() : Node("d") { a_ = b_; b_ = a_; create_client<std_srvs::srv::Empty>(a_); } std::string a_, b_; };'
     assert workspace.package({"src/d.cpp": text}).only("service_client").confidence == "pattern"
+
+
+def test_options_of_a_script_have_their_defaults(workspace: Any) -> None:
+    """A name given on the command line is known by the default of its option."""
+    script = """#!/usr/bin/env python
+import argparse
+import rospy
+from std_msgs.msg import String
+parser = argparse.ArgumentParser()
+parser.add_argument('-n', '--robot-ns', default='/robot')
+args = parser.parse_args()
+pub = rospy.Publisher(args.robot_ns + '/state', String, queue_size=1)
+"""
+    entry = workspace.package({"scripts/s.py": script}, ros=1).only("publisher")
+    assert (entry.name, entry.confidence) == ("/robot/state", "default")
+
+
+def test_parameters_read_into_an_unnamed_struct_are_typed(workspace: Any) -> None:
+    """The member that receives a parameter tells its type, also in a struct without a name."""
+    text = """
+class D { struct { int packets; std::string model; } config_;
+  void read() { ros::NodeHandle nh("~"); nh.getParam("packets", config_.packets); nh.getParam("model", config_.model); } };"""
+    found = {(entry.raw_name, entry.type) for entry in workspace.package({"src/d.cpp": text}, ros=1).interfaces()}
+    assert found == {("~packets", "integer"), ("~model", "string")}

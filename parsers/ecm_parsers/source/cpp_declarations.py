@@ -112,11 +112,11 @@ class DeclarationReader:
         return words[-1] if words else ""
 
     def classes_of(self, node: Node, place: Place) -> None:
-        """A class or struct with its members."""
+        """A class or struct with its members; one without a name is called like what it declares."""
         name, body = node.child_by_field_name("name"), node.child_by_field_name("body")
         if body is None:
             return
-        own = self.expr.name(name) if name is not None else ""
+        own = self.expr.name(name) if name is not None else self._declared_of(node)
         inner = Place(f"{place.scope}::{own}" if place.scope else own, "", place.anonymous)
         access = "private" if node.type == "class_specifier" else ""
         fields = self._members(body, inner, access)
@@ -125,6 +125,12 @@ class DeclarationReader:
         self.classes.append(
             Class(own, place.scope, listed, *lines_of(node), tuple(fields), place.template, place.traits())
         )
+
+    def _declared_of(self, node: Node) -> str:
+        """The variable, member or typedef whose type an unnamed struct is."""
+        declaration = node.parent
+        declarator = declaration.child_by_field_name("declarator") if declaration is not None else None
+        return declared_name(self.expr, declarator) if declarator is not None else ""
 
     def _bases(self, node: Node) -> tuple[str, ...]:
         return tuple([self.expr.type_text(c) for c in node.named_children if c.type not in _NOT_BASES])
@@ -166,6 +172,9 @@ class DeclarationReader:
         return fields
 
     def _declared_type(self, kind: Node | None, declarator: Node) -> str:
+        if kind is not None and kind.type in _CLASSES and kind.child_by_field_name("body") is not None:
+            named = kind.child_by_field_name("name")
+            return self.expr.name(named) if named is not None else declared_name(self.expr, declarator)
         mark = "*" if declarator.type == "pointer_declarator" else ""
         return (self.expr.type_text(kind) if kind is not None else "") + mark
 
