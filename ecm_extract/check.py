@@ -97,16 +97,15 @@ def _upgrade(groups: _Groups, given: Given, dimensions: Dimensions) -> Report:
         message = "upgrade takes OLD NEW"
         raise InputError(message, "name two manifests, folders or trees")
     old = {contract.ecm.module_id: ready(contract) for contract in groups[0]}
+    new = {contract.ecm.module_id: ready(contract) for contract in groups[1]}
     users = tuple(ready(contract) for contract in _flat(groups[2:])) if len(groups) > 2 else None
-    found = []
-    for contract in groups[1]:
-        previous = old.get(contract.ecm.module_id)
-        if previous is not None:
-            case = Case((ready(contract),), given.profiles, previous=previous, dependents=users)
-            found += examine("upgrade", case, dimensions)
-    if old.keys().isdisjoint(contract.ecm.module_id for contract in groups[1]):
+    if old.keys().isdisjoint(new):
         message = "no module is on both sides"
         raise InputError(message, "modules are paired by their module_id")
+    found = []
+    for name, previous in old.items():
+        case = Case([new[name]] if name in new else [], given.profiles, previous=previous, dependents=users)
+        found += examine("upgrade", case, dimensions)
     return report("upgrade", found, given.profiles, dimensions)
 
 

@@ -68,8 +68,8 @@ def _of_file(path: Path) -> Iterator[Contract]:
 def _modules(document: Any) -> list[Any]:
     """Modules of an extract document, or the manifest itself."""
     if isinstance(document, dict) and isinstance(document.get("packages"), list):
-        packages = [package for package in document["packages"] if isinstance(package, dict)]
-        return [module for package in packages for module in package.get("modules", ())]
+        found = [package.get("modules") for package in document["packages"] if isinstance(package, dict)]
+        return [module for modules in found if isinstance(modules, list) for module in modules]
     return [document]
 
 
@@ -87,7 +87,7 @@ def _documents(path: Path) -> Iterator[Any]:
         return
     try:
         yield msgspec.json.decode(data)
-    except msgspec.DecodeError as error:
+    except (msgspec.DecodeError, RecursionError) as error:
         message = f"{path} is not JSON: {error}"
         raise InputError(message) from error
 

@@ -26,6 +26,7 @@ _ALIASES: Final[Mapping[str, str]] = {
     "control_hz": "ctrl_hz",
 }
 _RETRY_NAME: Final = re.compile(r"(?:retry_)?(once|twice|never|none|no_retry|forever|unlimited)")
+_LONGEST: Final = 200
 _RETRY_COUNTS: Final = {"once": 1.0, "twice": 2.0, "never": 0.0, "none": 0.0, "no_retry": 0.0}
 
 
@@ -124,12 +125,12 @@ def retry(value: Value | None) -> Retry | None:
         return None
     if isinstance(value.value, str):
         named = _RETRY_NAME.fullmatch(value.value)
-        return Retry(_RETRY_COUNTS.get(named[1], float("inf"))) if named else Retry(1.0, value.value)
+        return Retry(_RETRY_COUNTS.get(named[1], float("inf"))) if named else Retry(1.0, value.value[:_LONGEST])
     if isinstance(value.value, int | float):
         return Retry(float(value.value))
     found = dict(_pairs(value.value))
     count = number(found.get("max", found.get("count", 1)))
-    return Retry(float("inf") if count is None else count, str(found.get("strategy", "")))
+    return Retry(float("inf") if count is None else count, str(found.get("strategy", ""))[:_LONGEST])
 
 
 def escalations(value: Value | None) -> tuple[Escalation, ...] | None:
