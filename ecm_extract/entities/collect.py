@@ -15,9 +15,7 @@ from ecm_extract.link.linker import LinkedModule
 from ecm_extract.read.facts import PackageFacts
 
 
-def public_entities(
-    packages: Sequence[PackageFacts], linked: Iterable[LinkedModule]
-) -> dict[Key, PublicEntity]:
+def public_entities(packages: Sequence[PackageFacts], linked: Iterable[LinkedModule]) -> dict[Key, PublicEntity]:
     """Return the entities of all packages by key; of two with one key the first by path and line stays."""
     modules: dict[str, list[LinkedModule]] = defaultdict(list)
     for entry in linked:

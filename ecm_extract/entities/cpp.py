@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable, Iterator
 
-from ecm_parsers.source.expr import Number, Text
 from ecm_parsers.source.expr import Constant as Literal
+from ecm_parsers.source.expr import Number, Text
 from ecm_parsers.source.facts import Class, Constant, Function, SourceFile
 
 from ecm_extract.entities.model import PublicEntity
@@ -33,15 +33,13 @@ class _Header:
         self.package = package
         self.path = path
         self.source = source
-        self.closed = {
-            qualified(entry) for entry in source.classes if not _CLOSED.isdisjoint(entry.traits)
-        }
-        self.classes = {qualified(entry) for entry in source.classes}
+        self.closed = {qualified(entry) for entry in source.classes if not _CLOSED.isdisjoint(entry.traits)}
+        self.classes = {qualified(entry) for entry in source.classes if entry.name}
         self.bodies = {f"{entry.scope}::{entry.name}".lstrip(":") for entry in source.functions}
 
     def entities(self) -> Iterator[PublicEntity]:
         for entry in self.source.classes:
-            if self._is_open(qualified(entry), entry.traits):
+            if entry.name and self._is_open(qualified(entry), entry.traits):
                 yield from self._class(entry)
         yield from self._functions()
         for constant in self.source.constants:
@@ -109,7 +107,9 @@ class _Header:
         )
 
     def _constant(self, entry: Constant) -> Iterator[PublicEntity]:
-        guard = "define" in entry.traits and (entry.value is None or entry.name.endswith(("_H", "_HPP", "_H_", "_HPP_")))
+        guard = "define" in entry.traits and (
+            entry.value is None or entry.name.endswith(("_H", "_HPP", "_H_", "_HPP_"))
+        )
         if guard:
             return
         value = entry.value.value if isinstance(entry.value, Number | Text) else None

@@ -18,7 +18,7 @@ class Form(msgspec.Struct, frozen=True):
         required: how many parameters have no default.
         returns: return type in the same writing; empty where none is stated (Python, constructors).
         names: of the parameters; they count in Python only, where callers may name them.
-        virtual: whether a consumer may override it.
+        virtual: whether a consumer may override it. pure: whether a consumer must.
         deprecated: whether it is marked so.
         line: 1-based.
     """
@@ -28,6 +28,7 @@ class Form(msgspec.Struct, frozen=True):
     returns: str = ""
     names: tuple[str, ...] = ()
     virtual: bool = False
+    pure: bool = False
     deprecated: bool = False
     line: int = 0
 
@@ -35,9 +36,7 @@ class Form(msgspec.Struct, frozen=True):
     def text(self) -> str:
         """The form as people write it."""
         shown = self.types if any(self.types) or not self.names else self.names
-        arguments = ", ".join(
-            item if index < self.required else f"{item} = ..." for index, item in enumerate(shown)
-        )
+        arguments = ", ".join(item if index < self.required else f"{item} = ..." for index, item in enumerate(shown))
         return f"({arguments}) -> {self.returns}" if self.returns else f"({arguments})"
 
 

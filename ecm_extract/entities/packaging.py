@@ -71,22 +71,26 @@ def _targets(facts: PackageFacts) -> Iterator[PublicEntity]:
 
 def _scripts(facts: PackageFacts) -> Iterator[PublicEntity]:
     names: dict[str, tuple[str, int]] = {}
+    for name, path, line in [*_cmake_programs(facts), *_setup_programs(facts)]:
+        names.setdefault(name.rsplit("/", 1)[-1], (path, line))
+    for name, (path, line) in names.items():
+        if "$" not in name and "*" not in name:
+            yield PublicEntity(kind="executable", package=facts.name, owner="", name=name, path=path, line=line)
+
+
+def _cmake_programs(facts: PackageFacts) -> Iterator[tuple[str, str, int]]:
     for path, file in facts.cmake.items():
         for entry in file.installs:
             if entry.kind == "programs":
-                for item in entry.items:
-                    names.setdefault(item.rsplit("/", 1)[-1], (path, entry.line))
+                yield from ((item, path, entry.line) for item in entry.items)
+
+
+def _setup_programs(facts: PackageFacts) -> Iterator[tuple[str, str, int]]:
     for path, setup in facts.setups.items():
         for point in setup.entry_points:
             if point.group == "console_scripts":
-                names.setdefault(point.name, (path, point.line))
-        for script in setup.scripts:
-            names.setdefault(script.rsplit("/", 1)[-1], (path, 1))
-    for name, (path, line) in names.items():
-        if "$" not in name and "*" not in name:
-            yield PublicEntity(
-                kind="executable", package=facts.name, owner="", name=name, path=path, line=line
-            )
+                yield point.name, path, point.line
+        yield from ((script, path, 1) for script in setup.scripts)
 
 
 def _plugins(facts: PackageFacts) -> Iterator[PublicEntity]:

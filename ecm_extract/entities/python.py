@@ -33,7 +33,7 @@ def _symbols(package: str, path: str, dotted: str, source: SourceFile) -> Iterat
         if not _is_private(function):
             yield from _function(package, path, dotted, function, classes)
     for constant in source.constants:
-        if not constant.scope and not constant.name.startswith("_") and constant.name.isupper():
+        if not constant.scope and not constant.name.startswith("_"):
             value = constant.value.value if isinstance(constant.value, Number | Text) else None
             yield PublicEntity(
                 kind="constant",
@@ -52,9 +52,7 @@ def _is_private(function: Function) -> bool:
     return any(part.startswith(("_", "<")) for part in parts if not (own and part == "__init__"))
 
 
-def _function(
-    package: str, path: str, dotted: str, function: Function, classes: set[str]
-) -> Iterator[PublicEntity]:
+def _function(package: str, path: str, dotted: str, function: Function, classes: set[str]) -> Iterator[PublicEntity]:
     is_method = function.scope in classes
     if function.scope and not is_method:
         return

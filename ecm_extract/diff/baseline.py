@@ -1,0 +1,56 @@
+"""Which two trees are compared, and why the old one was chosen."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from ecm_extract.diff.model import RefInfo
+from ecm_extract.errors import RefError
+from ecm_extract.tree import Tree, newest_release, open_ref, open_tree
+from ecm_extract.tree.git_repo import GitRepo, find_repo
+from ecm_extract.tree.open import open_repo
+
+WORK_TREE = "."
+
+
+def open_side(spec: str, repo: Path) -> Tree:
+    """Open a folder, `DIR@REF`, or a ref of the repository; `.` is its work tree, or HEAD of a bare one.
+
+    Raises:
+        TreeError: neither a folder nor a ref.
+    """
+    if spec == WORK_TREE:
+        return open_tree(repo)
+    if _is_folder(spec):
+        return open_tree(spec)
+    return open_ref(repo, spec)
+
+
+def _is_folder(spec: str) -> bool:
+    head = spec.split("@", 1)[0]
+    return (Path(spec).is_dir() or (bool(head) and Path(head).is_dir())) and "/" in spec
+
+
+def default_baseline(new: str, repo: Path) -> tuple[str, str]:
+    """Return the newest release that is reachable from the new side, and why it was chosen.
+
+    Raises:
+        RefError: there is no release tag behind the new side.
+    """
+    git = open_repo(repo)
+    at = "HEAD" if new == WORK_TREE else new
+    tag = newest_release(git, at.partition(":")[0])
+    if tag is None:
+        message = f"no release tag is reachable from {at}"
+        raise RefError(message, "name the old side, or get the tags with `git fetch --tags origin`")
+    return tag.name, f"newest release tag reachable from {at}"
+
+
+def describe(spec: str, tree: Tree, why: str) -> RefInfo:
+    """Return how a side is written in a report."""
+    return RefInfo(spec, tree.commit, why)
+
+
+def repository_of(repo: Path) -> GitRepo | None:
+    """Return the repository around a folder; None outside any."""
+    return find_repo(repo)

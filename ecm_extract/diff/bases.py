@@ -1,0 +1,58 @@
+"""Which class offers a member: its own, else the nearest base class in the tree."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Mapping, Sequence
+
+from ecm_extract.entities.model import Key, PublicEntity
+
+MAX_DEPTH = 20
+
+
+class Bases:
+    """Class hierarchy of one side, looked up by qualified name."""
+
+    def __init__(self, entities: Mapping[Key, PublicEntity]) -> None:
+        self._classes: dict[str, list[PublicEntity]] = defaultdict(list)
+        self._members: dict[tuple[str, str, str], PublicEntity] = {}
+        for entity in entities.values():
+            if entity.kind == "class":
+                self._classes[entity.name].append(entity)
+            elif entity.kind in {"method", "member"}:
+                self._members[entity.kind, entity.owner, entity.name] = entity
+
+    def named(self, name: str) -> Sequence[PublicEntity]:
+        """Return the classes of a qualified name."""
+        return self._classes.get(name, ())
+
+    def provider(self, cls: str, kind: str, name: str) -> PublicEntity | None:
+        """Return the member that a class inherits under a name, from its base classes only."""
+        for base in self.ancestry(cls)[1:]:
+            found = self._members.get((kind, base, name))
+            if found is not None:
+                return found
+        return None
+
+    def ancestry(self, cls: str) -> list[str]:
+        """Return a class and its bases in the tree, nearest first."""
+        ordered = [cls]
+        for name in ordered:
+            if len(ordered) > MAX_DEPTH:
+                break
+            for entity in self._classes.get(name, ()):
+                ordered += [
+                    found
+                    for base in entity.bases
+                    if (found := self.resolve(base, name)) is not None and found not in ordered
+                ]
+        return ordered
+
+    def resolve(self, base: str, scope: str) -> str | None:
+        """Return the qualified name that a base as written means inside a scope."""
+        parts = scope.split("::")[:-1]
+        for count in range(len(parts), -1, -1):
+            name = "::".join([*parts[:count], base])
+            if name in self._classes:
+                return name
+        return None

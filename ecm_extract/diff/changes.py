@@ -1,0 +1,128 @@
+"""Pairs -> changes: the records of the wire format, one cause each."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+import msgspec
+from ecm_checker.contract import Evidence
+from ecm_checker.release import Change
+
+from ecm_extract.diff.effects import EFFECTS, Difference, added_breaks
+from ecm_extract.diff.model import Located, Pair
+from ecm_extract.diff.wire import nested_changes, wire_note
+from ecm_extract.entities.model import PublicEntity
+from ecm_extract.entities.side import Side
+
+Names = set[tuple[str, str, str, str]]
+_ON_WIRE = frozenset({"message_field", "message", "constant"})
+_REASONS = {
+    "topic": "gone; a peer of it waits for ever, without an error",
+    "service": "gone; a client waits for ever, or its call fails",
+    "action": "gone; a client waits for ever for the server",
+    "parameter": "no longer declared; a value set for it is ignored, mostly without an error",
+    "message": "gone; code and bags that use it fail",
+    "message_field": "gone; readers and writers of it fail, the layout changes",
+    "constant": "gone; code that names it fails",
+    "plugin": "gone; loading it by this name fails at run time",
+    "executable": "gone; launch files that start it fail",
+    "file": "gone; code that includes or imports it fails",
+}
+
+
+def changes_of(pairs: Iterable[Pair], old: Side, new: Side) -> list[Located]:
+    """Return all changes, most breaking first within each package."""
+    listed = list(pairs)
+    gone = {pair.old.key[:4] for pair in listed if pair.old is not None and pair.new is None}
+    fresh = {pair.new.key[:4] for pair in listed if pair.new is not None and pair.old is None}
+    found = [located for pair in listed for located in _of_pair(pair, gone, fresh)]
+    found += [_nested(pair, path) for pair, path in nested_changes(listed, old, new)]
+    told = [_with_wire(located, old, new) for located in found]
+    return sorted(told, key=_order)
+
+
+def _order(located: Located) -> tuple[str, bool, str, str, str, str]:
+    change = located.change
+    name = change.old or change.new or ""
+    return change.package, not change.breaking, change.kind, change.owner, name, change.change
+
+
+def _of_pair(pair: Pair, gone: Names, fresh: Names) -> Iterator[Located]:
+    if pair.old is not None and pair.new is not None:
+        for effect in EFFECTS:
+            for difference in effect(pair.old, pair.new, pair):
+                yield Located(_record(pair, difference), pair)
+    elif pair.old is not None and not _is_covered(pair.old, gone):
+        yield Located(_record(pair, _removal(pair.old)), pair)
+    elif pair.new is not None and not _is_covered(pair.new, fresh):
+        why = added_breaks(pair.new)
+        yield Located(_record(pair, Difference("added", why is not None, why or "new")), pair)
+
+
+def _is_covered(entity: PublicEntity, containers: Names) -> bool:
+    """Whether the whole that holds an entity came or went too: one cause, one change."""
+    package = ("package", entity.package, "", entity.package)
+    owners = {("class", entity.package, "", entity.owner), ("message", entity.package, "", entity.owner)}
+    return (entity.kind != "package" and package in containers) or not owners.isdisjoint(containers)
+
+
+def _removal(entity: PublicEntity) -> Difference:
+    reason = _REASONS.get(entity.kind, "gone; code that uses it no longer builds")
+    if entity.deprecated:
+        reason = f"{reason}; it was deprecated: {entity.deprecated[:200]}"
+    return Difference("removed", True, reason)
+
+
+def _record(pair: Pair, difference: Difference) -> Change:
+    entity = pair.new or pair.old
+    before = pair.old or entity
+    assert entity is not None
+    assert before is not None
+    return Change(
+        kind=difference.kind or before.kind,
+        change=difference.change,
+        package=before.package,
+        owner=before.owner,
+        old=difference.old or _name(pair.old, difference, pair),
+        new=difference.new or _name(pair.new, difference, pair),
+        breaking=difference.breaking,
+        dimension=difference.dimension,  # type: ignore[arg-type]
+        confidence=pair.confidence,
+        reason=difference.reason,
+        evidence_old=Evidence(pair.old.path, pair.old.line) if pair.old is not None else None,
+        evidence_new=Evidence(pair.new.path, pair.new.line) if pair.new is not None else None,
+    )
+
+
+def _name(entity: PublicEntity | None, difference: Difference, pair: Pair) -> str | None:
+    """The name; of what moved with its new place, since the name alone says nothing."""
+    if entity is None:
+        return None
+    if difference.change != "moved" or pair.old is None or pair.new is None or pair.old.name != pair.new.name:
+        return entity.name
+    place = entity.owner if pair.old.owner != pair.new.owner else ""
+    if pair.old.package != pair.new.package and not place:
+        place = entity.package
+    return f"{place}: {entity.name}" if place else entity.name
+
+
+def _nested(pair: Pair, path: str) -> Located:
+    reason = f"its text is the same, the layout of {path} is not: rebuild both sides"
+    return Located(_record(pair, Difference("signature_changed", True, reason, "signature")), pair)
+
+
+def _with_wire(located: Located, old: Side, new: Side) -> Located:
+    """Add to a change of an interface what its users see at run time."""
+    change, pair = located.change, located.pair
+    kinds = {"message_field"} if change.change in {"removed", "added"} else _ON_WIRE
+    if change.kind not in kinds:
+        return located
+    entity = pair.old or pair.new
+    after = pair.new or pair.old
+    if entity is None or after is None or not change.breaking:
+        return located
+    before_name = entity.name if entity.kind == "message" else entity.owner
+    after_name = after.name if after.kind == "message" else after.owner
+    note = wire_note(before_name, old, new, after_name)
+    reason = f"{change.reason}. {note}" if note else change.reason
+    return Located(msgspec.structs.replace(change, reason=reason), pair)

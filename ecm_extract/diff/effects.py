@@ -1,0 +1,172 @@
+"""What a change does, to whom, and whether it breaks: one function per way in which a pair can differ.
+
+Each takes a pair and yields the differences that it knows; `changes.py` makes records of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Final
+
+import msgspec
+from ecm_checker.release import ChangeWord
+
+from ecm_extract.diff.model import Pair
+from ecm_extract.diff.similarity import words
+from ecm_extract.entities.endpoints import HOLE
+from ecm_extract.entities.model import Form, PublicEntity
+
+_RELIABILITY: Final = ("best_effort", "reliable")
+_DURABILITY: Final = ("volatile", "transient_local")
+_ENDPOINTS: Final = frozenset({"topic", "service", "action"})
+_RECOVERY: Final = frozenset({"retry", "retries", "recovery", "fallback", "watchdog", "timeout"})
+_RESOURCE: Final = frozenset({"thread", "threads", "gpu", "memory", "cpu"})
+_POLICY: Final = frozenset({"vel", "velocity", "accel", "acceleration", "force", "effort", "torque", "jerk"})
+
+
+class Difference(msgspec.Struct, frozen=True):
+    """One way in which a pair differs; `old` and `new` replace the names where a value is what changed."""
+
+    change: ChangeWord
+    breaking: bool
+    reason: str
+    dimension: str = "versioning"
+    kind: str = ""
+    old: str | None = None
+    new: str | None = None
+
+
+Effect = Callable[[PublicEntity, PublicEntity, Pair], Iterator[Difference]]
+
+
+def renamed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[Difference]:
+    """Gone under the old name."""
+    if pair.how == "renamed":
+        yield Difference("renamed", True, pair.reason)
+
+
+def moved(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[Difference]:
+    """The name is the same, its place is not; a graph name is where it was as long as it is absolute."""
+    if pair.how != "moved":
+        return
+    harmless = (
+        old.kind in _ENDPOINTS and not old.name.startswith("~") and old.package == new.package
+    ) or old.name.startswith(HOLE)
+    yield Difference("moved", not harmless, pair.reason)
+
+
+def type_changed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[Difference]:
+    """Message type of an endpoint, type of a parameter, field, member or constant, base class of a plugin."""
+    if old.type is None or new.type is None or old.type == new.type or old.kind in {"message", "class"}:
+        return
+    if old.kind == "constant" and old.default == new.default:
+        return
+    if old.kind == "plugin" and _tail(old.type) == _tail(new.type):
+        return
+    reason = f"type {old.type} became {new.type}"
+    widened = old.kind == "parameter" and (old.type, new.type) == ("integer", "double")
+    yield Difference("type_changed", True, reason + (" and YAML integers are refused" if widened else ""))
+
+
+def default_changed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[Difference]:
+    """Another value where nobody states one; of a message constant, another meaning of the same number."""
+    if old.default == new.default or old.kind not in {"parameter", "constant", "message_field", "launch_argument"}:
+        return
+    if old.default is None or new.default is None:
+        return
+    in_message = old.kind == "constant" and "/" in old.owner
+    dimension = _dimension(old.name)
+    reason = f"default {old.default!r} became {new.default!r}"
+    if in_message:
+        reason = f"value {old.default!r} became {new.default!r}: both sides run, each means another thing"
+    yield Difference("default_changed", in_message, reason, dimension)
+
+
+def _dimension(name: str) -> str:
+    found = words(name)
+    for dimension, marks in (("recovery", _RECOVERY), ("resources", _RESOURCE), ("permissions", _POLICY)):
+        if found & marks:
+            return dimension
+    return "behavior"
+
+
+def qos_changed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[Difference]:
+    """A publisher that offers less, or a subscriber that asks for more, no longer matches its peers."""
+    if old.qos is None or new.qos is None or old.ros != 2 or new.ros != 2:
+        return
+    for policy, order in (("reliability", _RELIABILITY), ("durability", _DURABILITY)):
+        before, after = getattr(old.qos, policy), getattr(new.qos, policy)
+        if before == after or before not in order or after not in order:
+            continue
+        weaker = order.index(after) < order.index(before)
+        breaking = weaker if old.facet == "published" else not weaker
+        reason = f"{policy} of the {old.facet} topic: {before} became {after}"
+        yield Difference(
+            "type_changed",
+            breaking,
+            reason,
+            "behavior",
+            "qos",
+            f"{old.name} {policy}={before}",
+            f"{new.name} {policy}={after}",
+        )
+
+
+def deprecated(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[Difference]:
+    """The old name still works and its end is announced."""
+    if new.deprecated and not old.deprecated:
+        yield Difference("deprecated", False, new.deprecated[:300])
+
+
+def signature_changed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[Difference]:
+    """A call or an override that was right no longer is; an overload that went takes its users with it."""
+    if not old.forms or not new.forms:
+        return
+    lost = [form for form in old.forms if not any(accepts(other, form) for other in new.forms)]
+    if lost:
+        shown_old = " | ".join(form.text for form in lost)
+        shown_new = " | ".join(form.text for form in new.forms)
+        yield Difference("signature_changed", True, f"{shown_old} became {shown_new}"[:400])
+        return
+    outdated = [form for form in new.forms if form.deprecated]
+    before = {form.types for form in old.forms if form.deprecated}
+    fresh = [form for form in outdated if form.types not in before]
+    if fresh and not new.deprecated:
+        others = " | ".join(form.text for form in new.forms if not form.deprecated)
+        yield Difference("deprecated", False, f"{fresh[0].text} is marked deprecated; use {others}"[:400])
+
+
+def accepts(new: Form, old: Form) -> bool:
+    """Whether code written for the old form is right with the new one."""
+    count = len(old.types)
+    if old.virtual and new.virtual:
+        return new.types == old.types and new.returns == old.returns
+    if new.required > old.required or len(new.types) < count or new.returns != old.returns:
+        return False
+    if any(new.types[:count]) or any(old.types):
+        return new.types[:count] == old.types
+    return new.names[:count] == old.names
+
+
+EFFECTS: Final[tuple[Effect, ...]] = (
+    renamed,
+    moved,
+    type_changed,
+    default_changed,
+    qos_changed,
+    signature_changed,
+    deprecated,
+)
+
+
+def added_breaks(entity: PublicEntity) -> str | None:
+    """Return why an addition breaks somebody; None when it does not."""
+    if entity.kind == "message_field":
+        return "a new field changes the layout: old and new sides of this type do not talk, bags need migration"
+    if entity.kind == "method" and any(form.pure for form in entity.forms):
+        return "a new pure virtual method: classes that derive from it no longer build"
+    return None
+
+
+def _tail(name: str) -> str:
+    return name.rsplit("::", 1)[-1]

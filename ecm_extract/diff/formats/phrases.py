@@ -1,0 +1,68 @@
+"""How a change is put in words, the same in every format for people."""
+
+from __future__ import annotations
+
+from ecm_checker.release import Change
+
+from ecm_extract.report.terminal import one_line
+
+_RANK = {"removed": 0, "renamed": 1, "moved": 2, "type_changed": 3, "signature_changed": 4}
+_KINDS = (
+    "package",
+    "message",
+    "message_field",
+    "topic",
+    "service",
+    "action",
+    "qos",
+    "parameter",
+    "plugin",
+    "executable",
+    "launch_file",
+    "launch_argument",
+    "frame",
+)
+
+
+def by_package(changes: tuple[Change, ...]) -> list[tuple[str, list[Change]]]:
+    """Group changes by package, the package with most breaking changes first, most breaking first within."""
+    groups: dict[str, list[Change]] = {}
+    for change in changes:
+        groups.setdefault(change.package, []).append(change)
+    for members in groups.values():
+        members.sort(key=weight)
+    return sorted(groups.items(), key=lambda item: (-sum(change.breaking for change in item[1]), item[0]))
+
+
+def weight(change: Change) -> tuple[bool, int, int, str, str]:
+    """Order of changes: breaking first, then what reaches most people, then what is gone."""
+    kind = _KINDS.index(change.kind) if change.kind in _KINDS else len(_KINDS)
+    return not change.breaking, kind, _RANK.get(change.change, 9), change.owner, change.old or change.new or ""
+
+
+def subject(change: Change) -> str:
+    """`parameter a -> b`, with the owner."""
+    kind = change.kind.replace("_", " ")
+    owner = f"{change.owner}: " if change.owner else ""
+    old, new = change.old, change.new
+    if old and new and old != new:
+        return one_line(f"{kind} {owner}{old} -> {new}", 300)
+    return one_line(f"{kind} {owner}{old or new}", 300)
+
+
+def place(change: Change) -> str:
+    """Where the change can be seen: the new line, else the line at the old ref."""
+    if change.evidence_new is not None:
+        return one_line(f"{change.evidence_new.path}:{change.evidence_new.line}")
+    if change.evidence_old is not None:
+        return one_line(f"{change.evidence_old.path}:{change.evidence_old.line} (old)")
+    return ""
+
+
+def instead(change: Change) -> str:
+    """What a user writes instead."""
+    if change.change in {"renamed", "moved"} and change.new:
+        return f"use `{one_line(change.new)}`"
+    if change.change == "removed":
+        return "remove it"
+    return one_line(change.reason, 300)

@@ -1,0 +1,73 @@
+"""What people wrote about the changes: commit messages and changelog entries between two refs."""
+
+from __future__ import annotations
+
+import re
+from functools import cached_property
+from pathlib import Path
+
+from ecm_extract.diff.similarity import last_part
+from ecm_extract.entities.side import Side
+from ecm_extract.errors import EcmError
+from ecm_extract.tree.git_repo import find_repo
+
+_WORD = re.compile(r"[A-Za-z_]\w{3,}")
+_CHANGELOG = re.compile(r"(?:^|/)(?:CHANGELOG|changelog|migration)[\w.-]*\.(?:rst|md)$")
+MAX_BYTES = 4_000_000
+MAX_FILES = 200
+
+
+class History:
+    """Sentences about the changes, looked up by name."""
+
+    def __init__(self, old: Side, new: Side, repo_folder: Path | None) -> None:
+        self._old, self._new, self._folder = old, new, repo_folder
+
+    @cached_property
+    def _lines(self) -> list[str]:
+        return [*self._messages(), *self._changelogs()]
+
+    @cached_property
+    def _index(self) -> dict[str, set[int]]:
+        found: dict[str, set[int]] = {}
+        for number, line in enumerate(self._lines):
+            for word in _WORD.findall(line):
+                found.setdefault(word, set()).add(number)
+        return found
+
+    def mentions(self, *names: str) -> str | None:
+        """Return a sentence that names all of these, None when nobody wrote one."""
+        words = [_WORD.findall(last_part(name)) for name in names]
+        if not all(words):
+            return None
+        hits = [self._index.get(word, set()) for group in words for word in group]
+        common = set.intersection(*hits) if hits else set()
+        return self._lines[min(common)] if common else None
+
+    def _messages(self) -> list[str]:
+        repo = find_repo(self._folder) if self._folder is not None else None
+        if repo is None or not self._old.tree.commit or not self._new.tree.commit:
+            return []
+        between = (self._new.tree.commit, f"^{self._old.tree.commit}")
+        try:
+            _, out = repo.run("rev-list", "--max-count=3000", "--format=%B", "--no-commit-header", *between)
+        except EcmError:
+            return []
+        return _sentences(out[:MAX_BYTES])
+
+    def _changelogs(self) -> list[str]:
+        paths = [path for path in self._new.blobs if _CHANGELOG.search(path)]
+        changed = [path for path in paths if self._new.blobs[path] != self._old.blobs.get(path)][:MAX_FILES]
+        before = {
+            path: set(_sentences(data))
+            for path, data in self._old.tree.read_many([path for path in changed if path in self._old.blobs])
+        }
+        found = []
+        for path, data in self._new.tree.read_many(changed):
+            found += [line for line in _sentences(data) if line not in before.get(path, set())]
+        return found
+
+
+def _sentences(data: bytes) -> list[str]:
+    lines = (line.strip(" \t*-") for line in data[:MAX_BYTES].decode("utf-8", "replace").splitlines())
+    return [line for line in lines if len(line) > 8]

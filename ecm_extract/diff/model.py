@@ -1,0 +1,73 @@
+"""Pairs of entities, and what a comparison gives."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import msgspec
+from ecm_checker.finding import Finding
+from ecm_checker.release import Change, Verdict
+
+from ecm_extract.entities.model import PublicEntity
+
+How = Literal["same", "moved", "renamed"]
+
+
+class Pair(msgspec.Struct, frozen=True):
+    """An entity before and after.
+
+    Attributes:
+        old: None when it was added. new: None when it was removed.
+        how: why the two are one.
+        confidence: 0 to 1. reason: for people, empty for the same key.
+    """
+
+    old: PublicEntity | None
+    new: PublicEntity | None
+    how: How = "same"
+    confidence: float = 1.0
+    reason: str = ""
+
+
+class Located(msgspec.Struct, frozen=True):
+    """A change with the entities that it is about, which consumers' uses are matched to."""
+
+    change: Change
+    pair: Pair
+
+
+class RefInfo(msgspec.Struct, frozen=True):
+    """One side as the user named it, and its commit; `why` tells how a default was chosen."""
+
+    ref: str
+    commit: str | None
+    why: str = ""
+
+
+class PackageVerdict(msgspec.Struct, frozen=True):
+    """The verdict on one package, with its versions."""
+
+    package: str
+    old_version: str | None
+    new_version: str | None
+    verdict: Verdict
+
+
+class Comparison(msgspec.Struct, frozen=True):
+    """Everything that `diff` says.
+
+    Attributes:
+        repo: name of the repository. old, new: the sides.
+        changes: most breaking first, grouped by package.
+        findings: VER001, one per cause.
+        verdict: of the repository. packages: of each package that changed.
+        computed: how many names of endpoints are computed, so that no change of them can be seen.
+    """
+
+    repo: str
+    old: RefInfo
+    new: RefInfo
+    changes: tuple[Change, ...]
+    findings: tuple[Finding, ...]
+    verdict: Verdict
+    packages: tuple[PackageVerdict, ...] = ()

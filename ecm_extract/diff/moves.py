@@ -1,0 +1,93 @@
+"""The same name under another owner, package, namespace or file."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+
+from ecm_extract.diff.model import Pair
+from ecm_extract.diff.similarity import name_similarity, shape_equal
+from ecm_extract.entities.endpoints import HOLE
+from ecm_extract.entities.model import PublicEntity
+
+_NEVER = frozenset({"message_field", "member", "method", "package", "library"})
+_ENDPOINTS = frozenset({"topic", "service", "action", "parameter"})
+
+
+def best_home(
+    entity: PublicEntity,
+    homes: Sequence[PublicEntity],
+    files: Mapping[str, str],
+    same_module: Callable[[PublicEntity, PublicEntity], bool],
+) -> Pair | None:
+    """Return the pair with the likeliest new home of an entity; None when no home is likely.
+
+    Args:
+        entity: gone under its key.
+        homes: new entities of its kind and name.
+        files: new path of each file that moved.
+        same_module: whether the module that had it still exists.
+    """
+    if entity.kind in _NEVER:
+        return None
+    likely = [home for home in homes if _is_likely(entity, home, files)]
+    if not likely:
+        return None
+    best = max(likely, key=lambda home: _nearness(entity, home, files))
+    if _is_unmoved(entity, best, files, same_module):
+        return Pair(entity, best)
+    if entity.kind == "file" and entity.name == best.name and entity.package == best.package:
+        return Pair(entity, best)
+    confidence = 0.97 if _same_file(entity, best, files) else 0.9 if len(likely) == 1 else 0.75
+    return Pair(entity, best, "moved", confidence, _reason(entity, best, files))
+
+
+def _is_unmoved(
+    old: PublicEntity,
+    new: PublicEntity,
+    files: Mapping[str, str],
+    same_module: Callable[[PublicEntity, PublicEntity], bool],
+) -> bool:
+    """Whether only our view of the owner changed: the declaration stands where it stood."""
+    if old.kind not in _ENDPOINTS or old.package != new.package or not _same_file(old, new, files):
+        return False
+    return same_module(old, new) or old.name.startswith(HOLE) or old.kind != "parameter"
+
+
+def _is_likely(old: PublicEntity, new: PublicEntity, files: Mapping[str, str]) -> bool:
+    if _same_file(old, new, files):
+        return True
+    if old.kind in _ENDPOINTS:
+        return old.package == new.package and shape_equal(old, new) >= 0.5 and not old.name.startswith(HOLE)
+    if old.kind == "file":
+        return old.package == new.package or old.name == new.name
+    if old.kind == "constant":
+        return old.default == new.default and old.type == new.type and old.package == new.package
+    if old.kind in {"function", "class"}:
+        return shape_equal(old, new) > 0 and name_similarity(old.name, new.name) > 0.5
+    return True
+
+
+def _nearness(old: PublicEntity, new: PublicEntity, files: Mapping[str, str]) -> tuple[float, ...]:
+    return (
+        float(_same_file(old, new, files)),
+        float(old.package == new.package),
+        shape_equal(old, new),
+        name_similarity(old.owner + old.name, new.owner + new.name),
+    )
+
+
+def _same_file(old: PublicEntity, new: PublicEntity, files: Mapping[str, str]) -> bool:
+    return files.get(old.path, old.path) == new.path
+
+
+def _reason(old: PublicEntity, new: PublicEntity, files: Mapping[str, str]) -> str:
+    same_file = _same_file(old, new, files)
+    if old.package != new.package:
+        how = f"the same name, now in package {new.package}"
+    elif old.owner != new.owner:
+        how = f"the same name, now of {new.owner or new.package}"
+    else:
+        how = "the same name in another place"
+    if not same_file:
+        return how
+    return f"{how}; git sees its file move" if old.path in files else f"{how}, in the same file"

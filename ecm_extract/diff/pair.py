@@ -1,0 +1,163 @@
+"""Which old entity is which new one: same key, moved, renamed, else removed and added.
+
+Containers (packages, messages, classes) are paired first; the members of a container follow it, so that one
+rename is one change.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from ecm_extract.diff.assignment import assign
+from ecm_extract.diff.bases import Bases
+from ecm_extract.diff.history import History
+from ecm_extract.diff.model import Pair
+from ecm_extract.diff.moves import best_home
+from ecm_extract.diff.scores import score
+from ecm_extract.diff.successors import stated_successor
+from ecm_extract.entities.model import Key, PublicEntity
+
+CONTAINERS = ("package", "message", "class")
+_FOLLOWING = frozenset({"message_field", "member", "method", "constant"})
+_IN_MODULES = frozenset({"topic", "service", "action", "parameter"})
+
+
+@dataclass(slots=True)
+class Evidence:
+    """What helps to decide beside the entities: files that moved, what people wrote."""
+
+    files: Mapping[str, str] = field(default_factory=dict)
+    history: History | None = None
+
+
+class Pairing:
+    """The state of one pairing; `pairs` holds the decisions so far."""
+
+    def __init__(self, old: Mapping[Key, PublicEntity], new: Mapping[Key, PublicEntity], evidence: Evidence) -> None:
+        self.all_old, self.all_new, self.evidence = old, new, evidence
+        self.old = {key: entity for key, entity in old.items() if key not in new}
+        self.new = {key: entity for key, entity in new.items() if key not in old}
+        self.pairs = [Pair(old[key], new[key]) for key in old if key in new]
+        self.owners: dict[str, str] = {}
+        self.packages: dict[str, str] = {}
+        self.bases = Bases(new)
+        self._modules = {(key[0], key[1], key[2]) for key in new if key[0] in _IN_MODULES}
+
+    def run(self) -> list[Pair]:
+        """Return the pairs, then what is left as removed and added."""
+        for kind in CONTAINERS:
+            self._moved({kind})
+            self._renamed({kind})
+            self._learn(kind)
+        self._follow()
+        kinds = {key[0] for key in self.old} - set(CONTAINERS)
+        self._inherited()
+        self._moved(kinds)
+        self._successors()
+        self._renamed(kinds)
+        removed = [Pair(entity, None) for entity in self.old.values()]
+        return [*self.pairs, *removed, *(Pair(None, entity) for entity in self.new.values())]
+
+    def take(self, pair: Pair) -> None:
+        """Decide on a pair."""
+        self.pairs.append(pair)
+        if pair.old is not None:
+            self.old.pop(pair.old.key, None)
+        if pair.new is not None:
+            self.new.pop(pair.new.key, None)
+
+    def _learn(self, kind: str) -> None:
+        for pair in self.pairs:
+            if pair.old is None or pair.new is None or pair.old.kind != kind or pair.how == "same":
+                continue
+            names = self.packages if kind == "package" else self.owners
+            names[pair.old.name] = pair.new.name
+
+    def _follow(self) -> None:
+        """Members of a container that moved or was renamed are the same members."""
+        for key, entity in list(self.old.items()):
+            kind, package, owner, name, facet = key
+            if kind in _FOLLOWING and owner in self.owners:
+                home = self.owners[owner]
+                wanted = {(kind, other, home, name, facet) for other in (package, home.split("/")[0])}
+                wanted |= {(kind, found.package, home, name, facet) for found in self.bases.named(home)}
+                target = next((self.new[key] for key in wanted if key in self.new), None)
+                if target is not None:
+                    self.take(Pair(entity, target))
+
+    def _inherited(self) -> None:
+        """A method that is now in a base class of its class is still there."""
+        for entity in list(self.old.values()):
+            if entity.kind in {"method", "member"}:
+                home = self.bases.provider(self.owners.get(entity.owner, entity.owner), entity.kind, entity.name)
+                if home is not None:
+                    self.old.pop(entity.key)
+                    self.pairs.append(Pair(entity, home))
+
+    def _moved(self, kinds: set[str]) -> None:
+        index: dict[tuple[str, str, str], list[PublicEntity]] = defaultdict(list)
+        for entity in self.new.values():
+            if entity.kind in kinds:
+                index[_move_key(entity)].append(entity)
+        for entity in list(self.old.values()):
+            if entity.kind not in kinds:
+                continue
+            homes = [other for other in index.get(_move_key(entity), ()) if other.key in self.new]
+            found = best_home(entity, homes, self.evidence.files, self._same_module)
+            if found is not None:
+                self.take(found)
+
+    def _same_module(self, old: PublicEntity, new: PublicEntity) -> bool:
+        """Whether the module that had it still exists: then its new owner is only another view of one file."""
+        return old.package == new.package and (old.kind, old.package, old.owner) in self._modules
+
+    def _successors(self) -> None:
+        """What an old name's own deprecation names as its successor is the new name, though both lived side by side."""
+        for entity in list(self.old.values()):
+            found = stated_successor(entity, self.all_new)
+            if found is not None:
+                self.old.pop(entity.key)
+                self.new.pop(found.key, None)
+                reason = f"its deprecation at the old ref names the successor: {entity.deprecated}"
+                self.pairs.append(Pair(entity, found, "renamed", 0.95, reason[:300]))
+
+    def _renamed(self, kinds: set[str]) -> None:
+        groups: dict[object, tuple[list[PublicEntity], list[PublicEntity]]] = defaultdict(lambda: ([], []))
+        for side, entities in enumerate((self.old, self.new)):
+            for entity in entities.values():
+                if entity.kind in kinds:
+                    groups[self._neighbourhood(entity, old=side == 0)][side].append(entity)
+        for before, after in groups.values():
+            self._assign(before, after)
+
+    def _neighbourhood(self, entity: PublicEntity, old: bool) -> object:
+        package = self.packages.get(entity.package, entity.package) if old else entity.package
+        owner = self.owners.get(entity.owner, entity.owner) if old else entity.owner
+        if entity.kind in _FOLLOWING:
+            return entity.kind, package, owner, entity.facet
+        return entity.kind, package if entity.kind != "package" else "", entity.facet
+
+    def _assign(self, before: list[PublicEntity], after: list[PublicEntity]) -> None:
+        if not before or not after:
+            return
+        scores: dict[tuple[int, int], float] = {}
+        reasons: dict[tuple[int, int], str] = {}
+        for row, old in enumerate(before):
+            for column, new in enumerate(after):
+                found = score(old, new, self.evidence.files, self.evidence.history)
+                if found is not None:
+                    scores[row, column], reasons[row, column] = found
+        for row, column in assign(scores):
+            confidence = round(min(0.99, scores[row, column]), 2)
+            self.take(Pair(before[row], after[column], "renamed", confidence, reasons[row, column]))
+
+
+def _move_key(entity: PublicEntity) -> tuple[str, str, str]:
+    name = entity.name
+    if entity.kind in {"class", "function", "plugin"}:
+        name = name.replace("::", ".").replace("/", ".").rsplit(".", 1)[-1]
+    elif entity.kind in {"message", "file"}:
+        name = name.rsplit("/", 1)[-1]
+    return entity.kind, entity.facet, name

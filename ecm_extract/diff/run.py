@@ -1,0 +1,81 @@
+"""One comparison from two trees to its result."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import msgspec
+from ecm_parsers.source.facts import SourceFile
+
+from ecm_extract.diff.changes import changes_of
+from ecm_extract.diff.git_renames import renamed_files
+from ecm_extract.diff.history import History
+from ecm_extract.diff.model import Comparison, Located, RefInfo
+from ecm_extract.diff.pair import Evidence, Pairing
+from ecm_extract.diff.verdict import package_verdicts, repository_verdict
+from ecm_extract.entities.side import Side, read_workspace, side_of
+from ecm_extract.extraction_model import Options
+from ecm_extract.tree import Tree
+from ecm_extract.uses.collect import uses_of
+from ecm_extract.uses.findings import findings_of
+from ecm_extract.uses.index import ChangeIndex
+
+
+class Request(msgspec.Struct, frozen=True):
+    """What is compared.
+
+    Attributes:
+        old, new: the trees. repo: folder of the repository, for renames and history; None without one.
+        name: of the repository. infos: how the two sides are written.
+        consumers: trees whose uses are matched; the new side is always one of them.
+        packages: only these; empty for all.
+        options: of the extraction.
+    """
+
+    old: Tree
+    new: Tree
+    repo: Path | None
+    name: str
+    infos: tuple[RefInfo, RefInfo]
+    consumers: tuple[Tree, ...] = ()
+    packages: tuple[str, ...] = ()
+    options: Options = Options()
+
+
+def compare(request: Request) -> Comparison:
+    """Read both sides, pair their entities and match the uses of consumers.
+
+    Raises:
+        TreeError: a tree cannot be listed.
+        ConfigError: an `ecm.toml` is wrong.
+    """
+    parsed: dict[str, SourceFile] = {}
+    old = side_of(read_workspace(request.old, request.options, parsed))
+    workspace = read_workspace(request.new, request.options, parsed)
+    new = side_of(workspace)
+    located = _changes(request, old, new)
+    index = ChangeIndex(located, old, new)
+    uses = list(uses_of(workspace, index))
+    del workspace
+    for tree in request.consumers:
+        uses += uses_of(read_workspace(tree, request.options, parsed), index)
+    findings = findings_of(uses)
+    changes = tuple(entry.change for entry in located)
+    return Comparison(
+        repo=request.name,
+        old=request.infos[0],
+        new=request.infos[1],
+        changes=changes,
+        findings=findings,
+        verdict=repository_verdict(changes, old, new),
+        packages=package_verdicts(changes, old, new),
+    )
+
+
+def _changes(request: Request, old: Side, new: Side) -> list[Located]:
+    files = renamed_files(old, new, request.repo)
+    pairs = Pairing(old.entities, new.entities, Evidence(files, History(old, new, request.repo))).run()
+    located = changes_of(pairs, old, new)
+    if not request.packages:
+        return located
+    return [entry for entry in located if entry.change.package in request.packages]

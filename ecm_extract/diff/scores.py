@@ -1,0 +1,56 @@
+"""How surely a name that is gone lives on under one that is new."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from ecm_extract.diff.history import History
+from ecm_extract.diff.similarity import SEPARATOR, may_be_alike, name_similarity, shape_equal
+from ecm_extract.entities.model import PublicEntity
+
+_THRESHOLD = 0.62
+_LEAST_NAME = 0.42
+_NAME, _SHAPE, _PLACE = 0.5, 0.25, 0.25
+_WRITTEN = 0.12
+_SURE_NAME = 0.85
+
+
+def score(
+    old: PublicEntity, new: PublicEntity, files: Mapping[str, str], history: History | None
+) -> tuple[float, str] | None:
+    """Return a confidence from 0 to 1 with its reason; None when the two are not alike enough."""
+    place, where = _place(old, new, files)
+    if not may_be_alike(old, new) and place < 1:
+        return None
+    name = name_similarity(old.name, new.name)
+    shape = shape_equal(old, new)
+    total = _NAME * name + _SHAPE * shape + _PLACE * place
+    if shape == 0 and (name < _SURE_NAME or _parts(old) != _parts(new)):
+        return None
+    if name < _LEAST_NAME or total + _WRITTEN < _THRESHOLD:
+        return None
+    written = history.mentions(old.name, new.name) if history is not None else None
+    if written:
+        total += _WRITTEN
+    if total < _THRESHOLD:
+        return None
+    return total, _reason(name, shape, where, written)
+
+
+def _parts(entity: PublicEntity) -> int:
+    return len(SEPARATOR.split(entity.name))
+
+
+def _place(old: PublicEntity, new: PublicEntity, files: Mapping[str, str]) -> tuple[float, str]:
+    if files.get(old.path, old.path) == new.path:
+        return 1.0, "in the same file" if old.path == new.path else "git sees its file move"
+    if old.owner and old.owner == new.owner:
+        return 1.0, f"of the same {'class' if '::' in old.owner else 'owner'}"
+    return 0.5, "in the same package"
+
+
+def _reason(name: float, shape: float, where: str, written: str | None) -> str:
+    alike = f"names alike to {name:.0%}"
+    kind = "same type or signature" if shape == 1 else "type or signature changed" if shape == 0 else "no type"
+    text = f"gone and new {where}; {alike}; {kind}"
+    return f"{text}; history says: {written[:160]}" if written else text

@@ -1,0 +1,51 @@
+"""How alike two names are, by their words and letters."""
+
+from __future__ import annotations
+
+import re
+from difflib import SequenceMatcher
+
+from ecm_extract.entities.model import PublicEntity
+
+_WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
+SEPARATOR = re.compile(r"::|[/.]")
+_LAST_EQUAL = 0.6
+
+
+def words(name: str) -> frozenset[str]:
+    """`getGlobalFrame_id` -> {get, global, frame, id}."""
+    return frozenset(word.lower() for word in _WORD.findall(name))
+
+
+def last_part(name: str) -> str:
+    """The last part of a name with `/`, `.` or `::`."""
+    return SEPARATOR.split(name)[-1]
+
+
+def name_similarity(old: str, new: str) -> float:
+    """Return 0 for nothing in common to 1 for the same name."""
+    if old == new:
+        return 1.0
+    first, second = words(old), words(new)
+    shared = 2 * len(first & second) / max(1, len(first) + len(second))
+    letters = SequenceMatcher(None, old.lower(), new.lower(), autojunk=False).ratio()
+    tail = last_part(old)
+    same_tail = _LAST_EQUAL if tail == last_part(new) and len(tail) > 1 and tail.strip("<*>") else 0.0
+    return max((shared + letters) / 2, letters if letters > 0.85 else 0.0, same_tail)
+
+
+def may_be_alike(old: PublicEntity, new: PublicEntity) -> bool:
+    """A cheap test before the letters are compared: a shared word, or the same beginning."""
+    if words(old.name) & words(new.name):
+        return True
+    return last_part(old.name)[:4].lower() == last_part(new.name)[:4].lower()
+
+
+def shape_equal(old: PublicEntity, new: PublicEntity) -> float:
+    """1 for the same type or signature, 0 for another, a half where neither tells."""
+    if old.forms or new.forms:
+        mine, other = {form.types for form in old.forms}, {form.types for form in new.forms}
+        return 1.0 if mine & other else 0.0
+    if old.type is None and new.type is None:
+        return 0.5
+    return float(old.type == new.type)

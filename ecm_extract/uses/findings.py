@@ -1,0 +1,120 @@
+"""VER001 `field_break`: a consumer names what a release took away; one finding per cause, with all its readers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Final
+
+from ecm_checker.contract import Evidence
+from ecm_checker.finding import Certainty, Entity, Finding, Severity, Who, fingerprint
+from ecm_checker.release import Change
+
+from ecm_extract.diff.model import Located
+from ecm_extract.uses.model import Use
+
+RULE: Final = "VER001"
+NAME: Final = "field_break"
+_WHO: Final[dict[str, Who]] = {
+    "message": "wire",
+    "message_field": "wire",
+    "topic": "graph",
+    "service": "graph",
+    "action": "graph",
+    "frame": "graph",
+    "qos": "qos",
+    "parameter": "config",
+    "launch_file": "config",
+    "launch_argument": "config",
+    "executable": "config",
+}
+_IGNORED: Final = {
+    "topic": "no error is shown: the peer waits for ever",
+    "service": "no error is shown until the call: the client waits for ever",
+    "action": "no error is shown: the client waits for ever for the server",
+    "parameter": "no error is shown: the value is ignored and the default runs",
+    "plugin": "the loader throws when the robot starts",
+    "message": "the import or include fails",
+    "message_field": "the access fails when the line runs, or the build fails",
+}
+
+
+def findings_of(uses: Iterable[Use]) -> tuple[Finding, ...]:
+    """Return one finding for each change that somebody uses."""
+    grouped: dict[int, tuple[Located, list[Use]]] = {}
+    for use in uses:
+        grouped.setdefault(id(use.located), (use.located, []))[1].append(use)
+    found = [_finding(located, readers) for located, readers in grouped.values()]
+    return tuple(sorted(found, key=lambda entry: (_rank(entry.severity), entry.message, entry.fingerprint)))
+
+
+def _rank(severity: Severity) -> int:
+    return ("error", "warning", "info").index(severity)
+
+
+def _finding(located: Located, uses: list[Use]) -> Finding:
+    change = located.change
+    readers = sorted(set(uses), key=lambda use: (use.path, use.line, use.what))
+    certainty: Certainty = "proved" if any(use.certainty == "proved" for use in readers) else "likely"
+    name = change.old or ""
+    packages = (change.package,)
+    return Finding(
+        rule=RULE,
+        name=NAME,
+        dimension="versioning",
+        severity=_severity(change, readers, certainty),
+        message=_message(change, readers),
+        resolution=_resolution(change),
+        subjects=_subjects(change, readers),
+        evidence=_evidence(located, readers),
+        fingerprint=fingerprint(RULE, Entity(change.kind, name, change.new or ""), packages),
+        who=_WHO.get(change.kind, "source"),
+        certainty=certainty,
+    )
+
+
+def _severity(change: Change, readers: list[Use], certainty: Certainty) -> Severity:
+    if change.change == "deprecated":
+        return "info"
+    if certainty != "proved" or all(use.remapped for use in readers) or change.confidence < 0.5:
+        return "warning"
+    return "error"
+
+
+def _message(change: Change, readers: list[Use]) -> str:
+    kind = change.kind.replace("_", " ")
+    of = f" of {change.owner}" if change.owner else ""
+    count = f", and {len(readers) - 1} more" if len(readers) > 1 else ""
+    first = f"{readers[0].path}:{readers[0].line} {readers[0].what}{count}"
+    ignored = _IGNORED.get(change.kind, "the build or the import fails")
+    if change.change == "deprecated":
+        return f"{kind} {change.old}{of} in {change.package} is deprecated: {first}. It still works in this release."
+    happened = {
+        "removed": "is gone",
+        "renamed": f"is now {change.new}",
+        "moved": f"is now {change.new}",
+        "type_changed": f"has another type: {change.reason}",
+        "signature_changed": f"has another signature: {change.reason}",
+    }.get(change.change, f"changed: {change.reason}")
+    return f"{kind} {change.old}{of} in {change.package} {happened}: {first}. If ignored, {ignored}."
+
+
+def _resolution(change: Change) -> str:
+    if change.change in {"renamed", "moved"} and change.new:
+        return f"write {change.new} instead of {change.old}"
+    if change.change in {"signature_changed", "type_changed"}:
+        return f"follow the new form: {change.reason}"
+    if change.change == "deprecated":
+        return f"move to what its deprecation names: {change.reason}"
+    return f"stop using {change.old}; {change.reason}"
+
+
+def _subjects(change: Change, readers: list[Use]) -> tuple[str, ...]:
+    provider = f"ecm.{change.package}.{change.owner}" if change.owner else f"ecm.{change.package}"
+    return (provider, *sorted({f"ecm.{use.package}" for use in readers}))
+
+
+def _evidence(located: Located, readers: list[Use]) -> tuple[Evidence, ...]:
+    lines = [Evidence(use.path, use.line, commit=use.commit) for use in readers]
+    change = located.change
+    lines += [entry for entry in (change.evidence_old, change.evidence_new) if entry is not None]
+    return tuple(dict.fromkeys(lines))

@@ -1,0 +1,51 @@
+"""Changes that can break somebody, by kind."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Sequence
+
+from ecm_extract.diff.model import Located
+from ecm_extract.entities.model import Key, PublicEntity
+from ecm_extract.entities.side import Side
+
+GONE = frozenset({"removed", "renamed", "moved"})
+
+
+class ChangeIndex:
+    """What the matchers look up.
+
+    Attributes:
+        old, new: the two sides.
+    """
+
+    def __init__(self, located: Iterable[Located], old: Side, new: Side) -> None:
+        self.old, self.new = old, new
+        self._by_kind: dict[str, list[Located]] = defaultdict(list)
+        self._by_name: dict[tuple[str, str], list[Located]] = defaultdict(list)
+        for entry in located:
+            entity = entry.pair.old
+            if entity is None or not (entry.change.breaking or entry.change.change == "deprecated"):
+                continue
+            self._by_kind[entry.change.kind].append(entry)
+            self._by_name[entity.kind, entity.name].append(entry)
+
+    def of_kind(self, kind: str) -> Sequence[Located]:
+        """Return the changes of a kind of entity."""
+        return self._by_kind.get(kind, ())
+
+    def named(self, kind: str, name: str) -> Sequence[Located]:
+        """Return the changes of an entity by its old name."""
+        return self._by_name.get((kind, name), ())
+
+    def is_empty(self) -> bool:
+        """Whether nothing can break."""
+        return not self._by_kind
+
+    def offered(self, kind: str, facet: str) -> Iterable[PublicEntity]:
+        """Return what the new side offers of a kind and facet."""
+        return (entity for entity in self.new.entities.values() if (entity.kind, entity.facet) == (kind, facet))
+
+    def lives(self, key: Key) -> bool:
+        """Whether an entity is still there under its old key."""
+        return key in self.new.entities

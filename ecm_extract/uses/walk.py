@@ -1,0 +1,40 @@
+"""All expressions of a statement, outermost first."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ecm_parsers.source.expr import Call, Expr
+from ecm_parsers.source.facts import Statement
+
+from ecm_extract.entities.deprecations import children
+
+MAX_NODES = 5_000
+
+
+def expressions(statement: Statement) -> Iterator[tuple[Expr, int]]:
+    """Yield each expression with its line: of the innermost call around it, else of the statement."""
+    starts = [entry for entry in (statement.target, statement.value) if entry is not None]
+    pending: list[tuple[Expr, int]] = [(entry, statement.line) for entry in reversed(starts)]
+    for _ in range(MAX_NODES):
+        if not pending:
+            return
+        expr, line = pending.pop()
+        if isinstance(expr, Call) and expr.line:
+            line = expr.line
+        yield expr, line
+        pending += [(child, line) for child in reversed(children(expr))]
+
+
+def dotted(expr: Expr) -> str | None:
+    """Return `a.b.c` of names and members; None of anything else."""
+    parts: list[str] = []
+    while True:
+        name = getattr(expr, "name", None)
+        base = getattr(expr, "base", None)
+        if base is None:
+            break
+        parts.append(str(name))
+        expr = base
+    head = getattr(expr, "id", None)
+    return ".".join([str(head), *reversed(parts)]) if head is not None else None
