@@ -36,7 +36,8 @@ def _signature(old: View, new: View) -> Iterator[Change]:
         word: ChangeWord = "type_changed" if each.old and each.new else "removed" if each.old else "added"
         name = each.old or None
         after = None if word == "removed" else each.old or each.new
-        yield _change(new, _KINDS.get(each.kind, each.kind), word, (name, after), True, "signature")
+        sure = "{" not in each.old
+        yield _change(new, _KINDS.get(each.kind, each.kind), word, (name, after), sure, "signature")
     for kind, name in gained(old, new):
         yield _change(new, _KINDS.get(kind, kind), "added", (None, name), False, "signature")
 

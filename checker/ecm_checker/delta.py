@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Final
 
@@ -19,6 +21,7 @@ _ENDPOINTS: Final[tuple[Role, ...]] = (
     "action_server",
     "parameter",
 )
+_HOLE: Final = re.compile(r"\{[^{}]*\}")
 _OFFERS: Final[tuple[Role, ...]] = ("publisher", "service_server", "action_server")
 
 
@@ -42,9 +45,10 @@ class Lost(msgspec.Struct, frozen=True):
 
 def lost(old: View, new: View) -> Iterator[Lost]:
     """What the new version does not have in the form of the old one."""
+    was, now = _endpoints(old), _endpoints(new)
     for role in _ENDPOINTS:
-        for name, before in old.endpoints(role).items():
-            yield from _endpoint(role, name, before, new.endpoints(role).get(name, ()))
+        for name, before in was[role].items():
+            yield from _endpoint(role, name, before, now[role].get(name, ()))
     yield from _fields("output", old.outputs, new.outputs)
     yield from _fields("input", old.inputs, new.inputs)
     before_names = {field.name for field in old.inputs or ()}
@@ -55,12 +59,23 @@ def lost(old: View, new: View) -> Iterator[Lost]:
 
 def gained(old: View, new: View) -> Iterator[tuple[str, str]]:
     """Kind and name of what only the new version offers."""
+    was, now = _endpoints(old), _endpoints(new)
     for role in _OFFERS:
-        for name in new.endpoints(role).keys() - old.endpoints(role).keys():
-            yield role, name
+        yield from ((role, name) for name in now[role] if name not in was[role])
     before = {field.name for field in old.outputs or ()}
     if old.outputs is not None:
         yield from (("output", field.name) for field in new.outputs or () if field.name not in before)
+
+
+def _endpoints(module: View) -> defaultdict[Role, dict[str, list[Interface]]]:
+    """All endpoints by role and name: of one module, private and computed names can be compared too.
+
+    What a computed part is called in source does not matter.
+    """
+    found: defaultdict[Role, dict[str, list[Interface]]] = defaultdict(dict)
+    for entry in module.contract.signature.interfaces:
+        found[entry.role].setdefault(_HOLE.sub("{}", entry.name), []).append(entry)
+    return found
 
 
 def _endpoint(role: Role, name: str, before: Sequence[Interface], after: Sequence[Interface]) -> Iterator[Lost]:

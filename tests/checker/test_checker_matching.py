@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import msgspec
 import pytest
 from ecm_checker import frames
 from ecm_checker.contract import (
@@ -19,6 +20,7 @@ from ecm_checker.contract import (
 from ecm_checker.finding import Finding
 from ecm_checker.names import NearNames, is_known
 from ecm_checker.operations.system import system
+from ecm_checker.operations.upgrade import upgrade
 from ecm_checker.terms import escalations, fields, rates, retry, spec
 from ecm_checker.units import Quantity, quantity
 from hypothesis import given, settings
@@ -122,6 +124,21 @@ def test_type_of_a_topic_whose_name_is_a_parameter_says_little() -> None:
     assert said(module("a", endpoint("publisher", BEST)), named) == [("SIG001", "info")]
     unknown = module("b", endpoint("subscriber", BEST, kind=None))
     assert said(module("a", endpoint("publisher", BEST)), unknown) == [("SIG012", "warning")]
+
+
+def test_upgrade_compares_private_names_and_lists_computed_ones() -> None:
+    """Within one module `~` is the same node; what a hole is called in source does not matter."""
+    private = msgspec.structs.replace(endpoint("publisher", None), name="~/state")
+    computed = msgspec.structs.replace(endpoint("publisher", None, "pattern"), name="/{joint}/state")
+    renamed = msgspec.structs.replace(computed, name="/{name}/state")
+    new = module("a", renamed)
+    assert not upgrade(module("a", computed), new).findings
+    old = module("a", private, computed)
+    assert [(each.rule, each.severity) for each in upgrade(old, module("a")).findings] == [
+        ("SIG010", "warning"),
+        ("VER003", "warning"),
+        ("SIG010", "info"),
+    ]
 
 
 def test_frames() -> None:

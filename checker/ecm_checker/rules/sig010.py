@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from ecm_checker.case import Case
 from ecm_checker.contract import Role
 from ecm_checker.delta import Lost, lost
-from ecm_checker.finding import Entity, Finding
+from ecm_checker.finding import Certainty, Entity, Finding, Severity
+from ecm_checker.names import is_known
 from ecm_checker.rule import Rule
 from ecm_checker.view import View
 
@@ -43,10 +44,12 @@ def check(case: Case) -> Iterator[Finding]:
 
 def _finding(case: Case, new: View, each: Lost) -> Iterator[Finding]:
     entity = Entity(each.kind, each.old, each.new)
-    if case.dependents is None or each.kind not in _USED_BY:
+    if case.dependents is None or each.kind not in _USED_BY or not is_known(each.old):
+        certainty: Certainty = "unknown" if case.dependents is None else "likely"
+        # A computed name stands for names that the new version may well have.
+        severity: Severity = "info" if "{" in each.old else "warning"
         text = f"{new.id}: {each.text}"
-        known = case.dependents is not None
-        yield RULE.finding(text, entity, (new,), each.evidence, certainty="likely" if known else "unknown")
+        yield RULE.finding(text, entity, (new,), each.evidence, certainty=certainty, severity=severity)
         return
     users = [user for user in case.dependents if each.old in user.endpoints(_USED_BY[each.kind])]
     if users:
