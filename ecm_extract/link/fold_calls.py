@@ -41,31 +41,6 @@ _SAME = frozenset(
         "rclcpp::ParameterValue",
     }
 )
-_READS = frozenset(
-    {
-        "as_string",
-        "get_value",
-        "value",
-        "str",
-        "c_str",
-        "string",
-        "string_value",
-        "get_parameter_value",
-        "strip",
-    }
-    | {
-        "toStdString",
-        "data",
-        "as_string_array",
-        "encode",
-        "rstrip",
-        "lstrip",
-        "lower",
-        "get",
-        "to_string",
-        "string_array_value",
-    }
-)
 _STREAMS = frozenset({"stringstream", "ostringstream"})
 _PROPERTY_READS = frozenset({"getStdString", "getTopicStd", "getString"})
 
@@ -91,7 +66,7 @@ class CallFolder:
             return joined(self.folded_parts(formatted, env))
         if call.receiver is not None and call.last in _PROPERTY_READS:
             return self._property(call.receiver, env) or (unknown(call.last),)
-        if call.receiver is not None and call.last in _READS:
+        if call.receiver is not None and call.last in formats.VALUE_READS:
             return self.folder.fold(call.receiver, env.before(env.at))
         return self.folder.guarded(f"{call.path}()", env, lambda: self._returns(call, env))
 

@@ -12,6 +12,7 @@ from ecm_parsers.source.expr import (
 
 from ecm_extract.link.calls import dotted_name
 from ecm_extract.link.env import Env, Instance
+from ecm_extract.link.formats import VALUE_READS
 from ecm_extract.link.program import Cls
 from ecm_extract.link.scope import Definition
 from ecm_extract.link.values import (
@@ -25,32 +26,6 @@ from ecm_extract.link.values import (
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
-
-_READS = frozenset(
-    {
-        "as_string",
-        "get_value",
-        "value",
-        "str",
-        "c_str",
-        "string",
-        "string_value",
-        "get_parameter_value",
-        "strip",
-    }
-    | {
-        "toStdString",
-        "data",
-        "as_string_array",
-        "encode",
-        "rstrip",
-        "lstrip",
-        "lower",
-        "get",
-        "to_string",
-        "string_array_value",
-    }
-)
 
 
 class MemberFolder:
@@ -70,7 +45,7 @@ class MemberFolder:
             cls = env.this or env.func.cls
             found = self.member_value(expr.name, cls, env) if cls is not None else ()
             return found or (unknown(expr.name),)
-        if expr.name in _READS:
+        if expr.name in VALUE_READS:
             return self.folder.fold(expr.base, env.before(env.at))
         dotted = dotted_name(expr)
         found = self.folder.names.imported(dotted, env) if dotted and env.func.file.language == "python" else ()

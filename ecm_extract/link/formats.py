@@ -9,6 +9,12 @@ from ecm_parsers.source.expr import Expr, Items, Name, Text
 
 from ecm_extract.link.calls import Invocation
 
+VALUE_READS = frozenset(
+    {"as_string", "as_string_array", "get_parameter_value", "get_value", "string_array_value", "string_value", "value"}
+    | {"c_str", "data", "encode", "get", "str", "string", "toStdString", "to_string"}
+    | {"lower", "lstrip", "rstrip", "strip"}
+)
+"""Members and methods that give the text of what they are called on."""
 _PERCENT = re.compile(r"%(?:\((\w+)\))?[-+ #0-9.]*l?[sdifurgx]")
 _BRACES = re.compile(r"\{([^{}:!]*)(?:[:!][^{}]*)?\}")
 

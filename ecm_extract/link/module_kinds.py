@@ -10,8 +10,6 @@ from importlib import resources
 from ecm_extract.link.calls import last_name
 from ecm_extract.link.program import Cls, Program
 
-NODE_KINDS = frozenset({"node", "nodelet"})
-
 
 @cache
 def _bases() -> Mapping[str, tuple[str, ...]]:

@@ -168,10 +168,6 @@ class Scope:
                         self._options |= {(id(func.file), key): value for key, value in _options(func)}
         return self._options.get((id(file), name))
 
-    def module_globals(self, file: File) -> Func | None:
-        """Return the module body of a Python file."""
-        return next((f for f in self.program.functions.get("<module>", ()) if f.file is file), None)
-
 
 def _member_target(statement: Statement, params: set[str]) -> str:
     target = statement.target
