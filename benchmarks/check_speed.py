@@ -71,7 +71,11 @@ def module(number: int) -> Contract:
             compute=Value({"cpu_cores": 1}, "declared"),
             exclusive_locks=Value([f"joint{number}/position"], "declared"),
         ),
-        Permissions(physical=Value({"motion": True}, "declared"), data=Value(["read:map"], "declared")),
+        Permissions(
+            physical=Value({"motion": True}, "declared"),
+            data=Value(["read:map"], "declared"),
+            network=Value(False, "declared"),
+        ),
         Recovery(
             failure_modes=Value({"lost": "degraded"}, "declared"),
             rollback_state=Value("home", "declared"),

@@ -62,7 +62,9 @@ def undeclared(rule: Rule, field: str, silent: Iterable[View]) -> Iterator[Findi
     modules = tuple(silent)
     if modules:
         names = ", ".join(module.id for module in modules[:3]) + (" ..." if len(modules) > 3 else "")
-        text = f"{field} is undeclared by {len(modules)} module(s) ({names}), so this cannot be decided"
+        text = (
+            f"{field} is undeclared by {len(modules)} module(s) ({names}), so this cannot be decided; if it is not met"
+        )
         yield rule.finding(text, Entity("undeclared", field), modules, certainty="unknown", severity="warning")
 
 

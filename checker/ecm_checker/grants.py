@@ -41,11 +41,13 @@ def denied_findings(case: Case, rule: Rule, field: str, denied: DeniedBy) -> Ite
             text = f"{module.id} asks for {each.name}: {each.text}"
             evidence = module.evidence(f"permissions.{field}")
             yield rule.finding(text, Entity(each.kind, each.name), (module,), evidence, certainty=each.certainty)
+    if denied not in _PART_OF_A_FIELD:
+        yield from _silent_findings(case, rule, field, policy)
 
 
-def silent_findings(case: Case, rule: Rule, field: str) -> Iterator[Finding]:
-    """One finding for all modules that do not say what they must be allowed to do."""
-    if case.profiles.policy is not None:
+def _silent_findings(case: Case, rule: Rule, field: str, policy: Policy) -> Iterator[Finding]:
+    """One finding for all modules that do not say what they must be allowed, where the policy restricts it."""
+    if field in _DECIDED and getattr(policy, field) not in (None, True):
         silent = [module for module in case.modules if module.runs and getattr(module, field) is None]
         yield from undeclared(rule, f"permissions.{field}", silent)
 
@@ -150,3 +152,8 @@ def _listed(kind: str, wanted: tuple[str, ...], granted: tuple[str, ...] | None)
             yield Denied(kind, name, "the policy does not say", "unknown")
         elif name not in granted and f"{name.partition(':')[0]}:*" not in granted:
             yield Denied(kind, name, "the policy does not grant it")
+
+
+# An audit that is not declared asks for none; nearness and limits are undeclared together with the scopes.
+_DECIDED: Final = frozenset({"physical", "network", "data", "operational"})
+_PART_OF_A_FIELD: Final = (contact, limits)

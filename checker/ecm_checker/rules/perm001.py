@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ecm_checker.case import Case
 from ecm_checker.finding import Finding
-from ecm_checker.grants import denied_findings, scopes, silent_findings
+from ecm_checker.grants import denied_findings, scopes
 from ecm_checker.rule import Rule
 
 RULE = Rule(
@@ -23,5 +23,4 @@ RULE = Rule(
 
 def check(case: Case) -> Iterator[Finding]:
     """What modules ask for against what the policy grants."""
-    yield from denied_findings(case, RULE, "physical", scopes)
-    yield from silent_findings(case, RULE, "physical")
+    return denied_findings(case, RULE, "physical", scopes)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ecm_checker.case import Case
+from ecm_checker.demand import undeclared
 from ecm_checker.finding import Entity, Finding
 from ecm_checker.rule import Rule
 
@@ -27,9 +28,8 @@ def check(case: Case) -> Iterator[Finding]:
         return
     for module in case.modules:
         channel = module.contract.ecm.release_channel
-        if channel is None:
-            text = f"the release channel of {module.id} is undeclared"
-            yield RULE.finding(text, Entity("channel", ""), (module,), certainty="unknown")
-        elif channel not in policy.release_channels:
+        if channel is not None and channel not in policy.release_channels:
             text = f"{module.id} is {channel}, allowed are {', '.join(policy.release_channels)}"
             yield RULE.finding(text, Entity("channel", channel), (module,))
+    silent = [module for module in case.modules if module.runs and module.contract.ecm.release_channel is None]
+    yield from undeclared(RULE, "ecm.release_channel", silent)
