@@ -8,6 +8,7 @@ import msgspec
 from ecm_checker.contract import Evidence
 from ecm_checker.release import Change
 
+from ecm_extract.diff.causes import one_cause
 from ecm_extract.diff.effects import EFFECTS, Difference, added_breaks
 from ecm_extract.diff.model import Located, Pair
 from ecm_extract.diff.wire import nested_changes, wire_note
@@ -38,7 +39,7 @@ def changes_of(pairs: Iterable[Pair], old: Side, new: Side) -> list[Located]:
     found = [located for pair in listed for located in _of_pair(pair, gone, fresh)]
     found += [_nested(pair, path) for pair, path in nested_changes(listed, old, new)]
     told = [_with_wire(located, old, new) for located in found]
-    return sorted(told, key=_order)
+    return sorted(one_cause(told, new), key=_order)
 
 
 def _order(located: Located) -> tuple[str, bool, str, str, str, str]:

@@ -9,7 +9,7 @@ from ecm_extract.diff.similarity import name_similarity, shape_equal
 from ecm_extract.entities.endpoints import HOLE
 from ecm_extract.entities.model import PublicEntity
 
-_NEVER = frozenset({"message_field", "member", "method", "package", "library"})
+_NEVER = frozenset({"member", "method", "package", "library"})
 _ENDPOINTS = frozenset({"topic", "service", "action", "parameter"})
 
 
@@ -60,6 +60,8 @@ def _is_likely(old: PublicEntity, new: PublicEntity, files: Mapping[str, str]) -
         return old.package == new.package and shape_equal(old, new) >= 0.5 and not old.name.startswith(HOLE)
     if old.kind == "file":
         return old.package == new.package or old.name == new.name
+    if old.kind == "message_field":
+        return old.owner == new.owner and old.type == new.type
     if old.kind == "constant":
         return old.default == new.default and old.type == new.type and old.package == new.package
     if old.kind in {"function", "class"}:
@@ -71,6 +73,7 @@ def _nearness(old: PublicEntity, new: PublicEntity, files: Mapping[str, str]) ->
     return (
         float(_same_file(old, new, files)),
         float(old.package == new.package),
+        float(old.owner == new.owner),
         shape_equal(old, new),
         name_similarity(old.owner + old.name, new.owner + new.name),
     )
@@ -86,6 +89,8 @@ def _reason(old: PublicEntity, new: PublicEntity, files: Mapping[str, str]) -> s
         how = f"the same name, now in package {new.package}"
     elif old.owner != new.owner:
         how = f"the same name, now of {new.owner or new.package}"
+    elif old.facet != new.facet:
+        how = f"the same name, now in the {new.facet}"
     else:
         how = "the same name in another place"
     if not same_file:

@@ -160,4 +160,6 @@ def _move_key(entity: PublicEntity) -> tuple[str, str, str]:
         name = name.replace("::", ".").replace("/", ".").rsplit(".", 1)[-1]
     elif entity.kind in {"message", "file"}:
         name = name.rsplit("/", 1)[-1]
+    elif entity.kind in {"message_field", "constant"}:
+        return entity.kind, "", name.rsplit(".", 1)[-1]
     return entity.kind, entity.facet, name

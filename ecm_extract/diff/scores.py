@@ -5,7 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from ecm_extract.diff.history import History
-from ecm_extract.diff.similarity import SEPARATOR, may_be_alike, name_similarity, shape_equal
+from ecm_extract.diff.similarity import (
+    SEPARATOR,
+    last_part,
+    may_be_alike,
+    name_similarity,
+    shape_equal,
+    words,
+)
 from ecm_extract.entities.model import PublicEntity
 
 _THRESHOLD = 0.62
@@ -25,7 +32,7 @@ def score(
     name = name_similarity(old.name, new.name)
     shape = shape_equal(old, new)
     total = _NAME * name + _SHAPE * shape + _PLACE * place
-    if shape == 0 and (name < _SURE_NAME or _parts(old) != _parts(new)):
+    if _is_other_structure(old, new) or (shape == 0 and (name < _SURE_NAME or _parts(old) != _parts(new))):
         return None
     if name < _LEAST_NAME or total + _WRITTEN < _THRESHOLD:
         return None
@@ -35,6 +42,14 @@ def score(
     if total < _THRESHOLD:
         return None
     return total, _reason(name, shape, where, written)
+
+
+def _is_other_structure(old: PublicEntity, new: PublicEntity) -> bool:
+    """Whether names of unlike nesting differ in more than where the separators stand: `a.b_c` is no `a_b_cs`."""
+    if _parts(old) == _parts(new) or last_part(old.name) == last_part(new.name):
+        return False
+    before, after = words(old.name), words(new.name)
+    return not (before <= after or after <= before)
 
 
 def _parts(entity: PublicEntity) -> int:

@@ -13,23 +13,26 @@ from ecm_extract.entities.packaging import packaging_entities
 from ecm_extract.entities.python import python_entities
 from ecm_extract.link.linker import LinkedModule
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.tree import Tree
 
 
-def public_entities(packages: Sequence[PackageFacts], linked: Iterable[LinkedModule]) -> dict[Key, PublicEntity]:
+def public_entities(
+    tree: Tree, packages: Sequence[PackageFacts], linked: Iterable[LinkedModule]
+) -> dict[Key, PublicEntity]:
     """Return the entities of all packages by key; of two with one key the first by path and line stays."""
     modules: dict[str, list[LinkedModule]] = defaultdict(list)
     for entry in linked:
         modules[entry.module.package].append(entry)
     found: dict[Key, PublicEntity] = {}
     for facts in packages:
-        for entity in sorted(_of_package(facts, modules[facts.name]), key=lambda e: (e.path, e.line)):
+        for entity in sorted(_of_package(tree, facts, modules[facts.name]), key=lambda e: (e.path, e.line)):
             found.setdefault(entity.key, entity)
     return found
 
 
-def _of_package(facts: PackageFacts, modules: list[LinkedModule]) -> Iterator[PublicEntity]:
+def _of_package(tree: Tree, facts: PackageFacts, modules: list[LinkedModule]) -> Iterator[PublicEntity]:
     yield from packaging_entities(facts)
     yield from interface_entities(facts)
-    yield from endpoint_entities(facts, modules)
+    yield from endpoint_entities(tree, facts, modules)
     yield from cpp_entities(facts)
     yield from python_entities(facts)

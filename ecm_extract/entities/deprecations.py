@@ -1,78 +1,54 @@
-"""What source text says about the end of a name: warnings that quote it beside the word `deprecated`."""
+"""What source text says about the end of a name: texts that quote it beside the word `deprecated`.
+
+Log calls are not among the facts of a source file, so the files that declare endpoints are searched as they stand.
+"""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator
 
-from ecm_parsers.source.expr import Call, Expr, Items, Op, Table, Template, Text
-from ecm_parsers.source.facts import SourceFile
+from ecm_extract.tree import Tree
 
-from ecm_extract.read.facts import PackageFacts
-
-_WORD = re.compile(r"[\w./~-]+")
+_LITERAL = rb"\"(?:[^\"\\\n]|\\.){0,400}\"|'(?:[^'\\\n]|\\.){0,400}'"
+_TEXTS = re.compile(rb"(?:%s)(?:\s{1,200}(?:%s)){0,12}" % (_LITERAL, _LITERAL))
+_PIECE = re.compile(_LITERAL)
 _MARK = re.compile(r"deprecat", re.IGNORECASE)
-_OLD = re.compile(r"(.{0,200}?)deprecat(.{0,200})", re.IGNORECASE | re.DOTALL)
+_OLD = re.compile(r"(.{0,200})\bdeprecat\w*(.{0,200})", re.IGNORECASE | re.DOTALL)
 _INSTEAD = re.compile(r"\b(?:use|replaced by|in favou?r of|instead)\b", re.IGNORECASE)
-MAX_DEPTH = 40
+_QUOTED = re.compile(r"[\"'`]([\w./~-]+)[\"'`]")
+_WORD = re.compile(r"[\w./~-]+")
 
 
-def deprecated_names(facts: PackageFacts) -> Mapping[str, str]:
-    """Return names that warnings of a package call deprecated, with the warning.
-
-    Words before `deprecated` are the old name; so are words right after it, up to `use` or `instead`.
-    """
+def deprecated_names(tree: Tree, paths: Iterable[str]) -> dict[str, str]:
+    """Return the names that texts of these files call deprecated, with the text."""
     found: dict[str, str] = {}
-    for source in facts.sources.values():
-        for text in _warnings(source):
-            for word in _old_names(text):
-                found.setdefault(word, " ".join(text.split()))
+    for _, data in tree.read_many(sorted(set(paths))):
+        if b"eprecat" in data:
+            for text in warnings_in(data):
+                for word in old_names(text):
+                    found.setdefault(word, " ".join(text.split()))
     return found
 
 
-def _old_names(text: str) -> Iterator[str]:
+def warnings_in(data: bytes) -> Iterator[str]:
+    """Yield the string literals of a source that speak of deprecation; adjacent literals are one text."""
+    for match in _TEXTS.finditer(data):
+        if b"eprecat" in match[0]:
+            pieces = [piece[0][1:-1] for piece in _PIECE.finditer(match[0])]
+            yield re.sub(r"\\(.)", r"\1", b"".join(pieces).decode("utf-8", "replace"))
+
+
+def old_names(text: str) -> Iterator[str]:
+    """Yield the names that a text calls deprecated: those before the word, and after it up to `use` or `instead`.
+
+    Where names are quoted only those count, else words with an underscore or a dot inside.
+    """
     match = _OLD.search(text)
     if match is None:
         return
     before, after = match.groups()
-    parts = [before, _INSTEAD.split(after)[0]]
-    quoted = [word for part in parts for word in re.findall(r"[\"'`]([\w./~-]+)[\"'`]", part)]
-    words = quoted or [word for part in parts for word in _WORD.findall(part)]
-    yield from (word.strip(".") for word in words if "_" in word or "." in word.strip(".") or quoted)
-
-
-def _warnings(source: SourceFile) -> Iterator[str]:
-    for function in source.functions:
-        for statement in function.body:
-            if statement.value is not None:
-                yield from (text for text in texts(statement.value) if _MARK.search(text))
-
-
-def texts(expr: Expr, depth: int = 0) -> Iterator[str]:
-    """Yield the string literals of an expression, outermost first; adjacent parts of a sum are one text."""
-    if depth > MAX_DEPTH:
-        return
-    if isinstance(expr, Text):
-        yield expr.value
-    elif isinstance(expr, Op) and expr.op in {"+", "<<"}:
-        parts = [text for operand in expr.operands for text in texts(operand, depth + 1)]
-        yield "".join(parts)
-    else:
-        for part in children(expr):
-            yield from texts(part, depth + 1)
-
-
-def children(expr: Expr) -> tuple[Expr, ...]:
-    """Return the direct parts of an expression."""
-    if isinstance(expr, Call):
-        return (expr.callee, *expr.args, *(value for _, value in expr.keywords))
-    if isinstance(expr, Op):
-        return expr.operands
-    if isinstance(expr, Items):
-        return expr.items
-    if isinstance(expr, Template):
-        return expr.parts
-    if isinstance(expr, Table):
-        return tuple(part for entry in expr.entries for part in entry)
-    base = getattr(expr, "base", None)
-    return (base,) if base is not None else ()
+    parts = (before, _INSTEAD.split(after)[0])
+    quoted = [word for part in parts for word in _QUOTED.findall(part)]
+    words = [word.strip(".") for part in parts for word in _WORD.findall(part)]
+    yield from quoted or [word for word in words if re.search(r"\w[._]\w", word)]

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
+import msgspec
 from ecm_checker.contract import Interface
 
 from ecm_extract.entities.deprecations import deprecated_names
 from ecm_extract.entities.model import PublicEntity
+from ecm_extract.entities.reconfigure import server_namespaces
 from ecm_extract.link.linker import LinkedModule
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.tree import Tree
 
 _KINDS = {
     "publisher": "topic",
@@ -24,15 +27,19 @@ _HOLE = re.compile(r"\{[^{}]*\}")
 HOLE = "<*>"
 
 
-def endpoint_entities(facts: PackageFacts, modules: Iterable[LinkedModule]) -> Iterator[PublicEntity]:
+def endpoint_entities(tree: Tree, facts: PackageFacts, modules: Sequence[LinkedModule]) -> Iterator[PublicEntity]:
     """Yield what the modules of a package offer; an endpoint that several of them share is given once."""
-    deprecated = deprecated_names(facts)
+    paths = {at.path for module in modules for entry in module.interfaces for at in entry.evidence[:1]}
+    deprecated = deprecated_names(tree, paths & set(facts.sources))
+    namespaces = server_namespaces(facts)
     seen: set[tuple[str, str, str, str, int]] = set()
     for module in modules:
         for entry in module.interfaces:
             found = _entity(facts, module, entry, deprecated)
             if found is None:
                 continue
+            if found.path.endswith(".cfg"):
+                found = _below(found, namespaces.get(found.path, "~"))
             mark = (found.kind, found.facet, found.name, found.path, found.line)
             if mark not in seen:
                 seen.add(mark)
@@ -62,6 +69,12 @@ def _entity(
         path=at.path,
         line=at.line,
     )
+
+
+def _below(entity: PublicEntity, namespace: str) -> PublicEntity:
+    """A parameter of `dynamic_reconfigure` with the namespace of its server."""
+    name = "/".join(part.strip("/") for part in (namespace, entity.name.lstrip("~/")))
+    return msgspec.structs.replace(entity, name=name)
 
 
 def comparable_name(entry: Interface) -> str:

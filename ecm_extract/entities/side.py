@@ -86,7 +86,7 @@ def side_of(workspace: Workspace) -> Side:
     return Side(
         tree=workspace.tree,
         packages={facts.name: _info(facts) for facts in workspace.packages},
-        entities=public_entities(workspace.packages, workspace.linked),
+        entities=public_entities(workspace.tree, workspace.packages, workspace.linked),
         interfaces=_interfaces(workspace.packages),
         blobs={entry.path: entry.identity for entry in workspace.tree.files() if entry.identity},
     )

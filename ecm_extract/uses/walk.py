@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ecm_parsers.source.expr import Call, Expr
+from ecm_parsers.source.expr import Call, Expr, Items, Op, Table, Template
 from ecm_parsers.source.facts import Statement
-
-from ecm_extract.entities.deprecations import children
 
 MAX_NODES = 5_000
 
@@ -38,3 +36,19 @@ def dotted(expr: Expr) -> str | None:
         expr = base
     head = getattr(expr, "id", None)
     return ".".join([str(head), *reversed(parts)]) if head is not None else None
+
+
+def children(expr: Expr) -> tuple[Expr, ...]:
+    """Return the direct parts of an expression."""
+    if isinstance(expr, Call):
+        return (expr.callee, *expr.args, *(value for _, value in expr.keywords))
+    if isinstance(expr, Op):
+        return expr.operands
+    if isinstance(expr, Items):
+        return expr.items
+    if isinstance(expr, Template):
+        return expr.parts
+    if isinstance(expr, Table):
+        return tuple(part for entry in expr.entries for part in entry)
+    base = getattr(expr, "base", None)
+    return (base,) if base is not None else ()

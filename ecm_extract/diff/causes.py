@@ -1,0 +1,75 @@
+"""One cause, one change: what several modules share is told once, with what lives on beside it."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable
+from typing import Final
+
+import msgspec
+
+from ecm_extract.diff.model import Located
+from ecm_extract.diff.similarity import last_part
+from ecm_extract.entities.model import PublicEntity
+from ecm_extract.entities.side import Side
+
+_SHARED: Final = frozenset({"topic", "service", "action", "parameter", "qos"})
+_MAX_NAMED: Final = 4
+_TELLING: Final = 12
+Homes = dict[tuple[str, str, str], list[PublicEntity]]
+
+
+def one_cause(found: Iterable[Located], new: Side) -> list[Located]:
+    """Join changes of one line that reach several modules; hint at the same name elsewhere in its owner."""
+    homes: Homes = defaultdict(list)
+    for entity in new.entities.values():
+        if entity.kind in _SHARED:
+            homes[entity.kind, entity.facet, last_part(entity.name)].append(entity)
+    groups: dict[object, list[Located]] = {}
+    for number, located in enumerate(found):
+        groups.setdefault(_cause(located) or number, []).append(located)
+    return [_hinted(_joined(group), homes) for group in groups.values()]
+
+
+def _cause(located: Located) -> object:
+    """What makes two changes one: kind, what happened, the end of the name, the lines."""
+    change = located.change
+    if change.kind not in _SHARED:
+        return None
+    name = (change.old or change.new or "").rsplit("/", 1)[-1]
+    return change.kind, change.change, name, change.evidence_old, change.evidence_new
+
+
+def _joined(group: list[Located]) -> Located:
+    first = min(group, key=lambda entry: (_is_foreign(entry), entry.change.package, entry.change.owner))
+    others = sorted({entry.change.owner for entry in group} - {first.change.owner})
+    if not others:
+        return first
+    listed = ", ".join(others[:_MAX_NAMED]) + (" and more" if len(others) > _MAX_NAMED else "")
+    change = msgspec.structs.replace(first.change, reason=f"{first.change.reason} (also of {listed})")
+    return Located(change, first.pair)
+
+
+def _is_foreign(located: Located) -> bool:
+    """Whether the line stands outside the folder that is named after the package."""
+    at = located.change.evidence_new or located.change.evidence_old
+    return at is None or located.change.package not in at.path.split("/")
+
+
+def _hinted(located: Located, homes: Homes) -> Located:
+    change, entity = located.change, located.pair.old
+    if change.change != "removed" or entity is None or entity.kind not in _SHARED:
+        return located
+    alike = homes.get((entity.kind, entity.facet, last_part(entity.name)), ())
+    found = next((other for other in alike if _is_beside(entity, other)), None)
+    if found is None:
+        return located
+    reason = f"{change.reason}; {found.name} of {found.owner} remains"
+    return Located(msgspec.structs.replace(change, reason=reason), located.pair)
+
+
+def _is_beside(old: PublicEntity, other: PublicEntity) -> bool:
+    """Whether an entity is of the same owner, or declared in the same folders; a short name says nothing."""
+    if (old.package, old.owner) == (other.package, other.owner):
+        return True
+    return old.path.split("/")[:3] == other.path.split("/")[:3] and len(last_part(old.name)) >= _TELLING
