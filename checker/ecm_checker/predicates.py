@@ -104,8 +104,10 @@ def _compare_words(known: Predicate, wanted: Predicate) -> Verdict:
     same = known.value == wanted.value
     if isinstance(known.value, bool):
         return "implied" if same else "contradicted"
+    if same and known.op == wanted.op:
+        return "implied"
     if known.op == wanted.op == "==":
-        return "implied" if same else "contradicted"
+        return "contradicted"
     if known.op == "==" and wanted.op == "!=":
         return "contradicted" if same else "implied"
     if known.op == "!=":

@@ -52,6 +52,8 @@ def test_forms(text: str, expected: Predicate) -> None:
         ("c != 3", "c == 3", "contradicted"),
         ("mode == auto", "mode == manual", "contradicted"),
         ("mode != manual", "mode != manual", "implied"),
+        ("force <= safe_force", "force <= safe_force", "implied"),
+        ("force <= safe_force", "force <= other", "unknown"),
         ("open", "not open", "contradicted"),
         ("open", "closed", "unknown"),
     ],
