@@ -40,9 +40,7 @@ FIELDS: Final = (
     FieldRow("behavior.postconditions", "postconditions", True, "what holds after it succeeded"),
     FieldRow("behavior.invariants", "invariants", False, "what holds throughout"),
     FieldRow("behavior.assumptions", "", False, "what it takes for granted of the world"),
-    FieldRow(
-        "behavior.completion_semantics", "handoff_semantics", True, "what 'done' means to the next module"
-    ),
+    FieldRow("behavior.completion_semantics", "handoff_semantics", True, "what 'done' means to the next module"),
     FieldRow("behavior.rates", "", False, "how often it acts, in hertz"),
     FieldRow("behavior.qos", "", False, "delivery policies, per endpoint"),
     FieldRow("resources.sensors", "sensors", True, "sensors that it reads"),
@@ -50,12 +48,8 @@ FIELDS: Final = (
     FieldRow("resources.compute", "compute", True, "processor, GPU and memory that it needs"),
     FieldRow("resources.timing", "", False, "control period and latency bounds"),
     FieldRow("resources.communication", "", False, "bandwidth, transports, shared memory"),
-    FieldRow(
-        "resources.exclusive_locks", "exclusive_locks", False, "what only one module may hold at a time"
-    ),
-    FieldRow(
-        "permissions.physical", "physical_perms", True, "motion, zones and forces that it must be allowed"
-    ),
+    FieldRow("resources.exclusive_locks", "exclusive_locks", False, "what only one module may hold at a time"),
+    FieldRow("permissions.physical", "physical_perms", True, "motion, zones and forces that it must be allowed"),
     FieldRow("permissions.data", "data_perms", False, "data that it must be allowed to read or write"),
     FieldRow("permissions.network", "", False, "hosts and services that it talks to"),
     FieldRow("permissions.operational", "", False, "irreversible or safety-critical acts"),

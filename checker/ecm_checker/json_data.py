@@ -51,11 +51,7 @@ def record_data(record: msgspec.Struct, depth: int = 0) -> dict[str, Any]:
     """Plain JSON data of a record, see `json_data`."""
     omitted = _omitted(type(record))
     pairs = ((name, getattr(record, name)) for name in record.__struct_fields__)
-    return {
-        name: json_data(item, depth + 1)
-        for name, item in pairs
-        if name not in omitted or item != omitted[name]
-    }
+    return {name: json_data(item, depth + 1) for name, item in pairs if name not in omitted or item != omitted[name]}
 
 
 def _text(value: str) -> str:

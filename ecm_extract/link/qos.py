@@ -103,14 +103,36 @@ class QosReader:
         callee = expr.callee
         if isinstance(callee, Member) and not (dotted_name(callee) and env.func.file.language == "python"):
             base = self._policies(callee.base, env, level + 1)
-            return {**base, **self._setter(callee.name, expr, env, level)}
+            return {**base, **self._setter(callee.name, expr, env)}
         name = last_name(dotted_name(callee) or (callee.id if isinstance(callee, Name) else ""))
         found = presets().get(name)
         if found is not None:
             return {**found[1], "profile": found[0]}
+        own = self._own_class(expr, env, level)
+        if own is not None:
+            return own
         if name in _WRAPPERS or name.endswith("QoS"):
             return self._profile(name, expr, env, level)
         return self._function(expr, env, level)
+
+    def _own_class(self, expr: Call, env: Env, level: int) -> dict[str, Any] | None:
+        """A profile class of the tree: what its constructor hands to its base, then what it sets on itself."""
+        call = invocation_of(expr, env)
+        cls = self.folder.program.class_named(call.path, env.func.file, env.scope)
+        maker = self.folder.objects.constructor(cls, len(call.args)) if cls is not None else None
+        if cls is None or maker is None:
+            return None
+        policies: dict[str, Any] = {}
+        for at, statement in enumerate(maker.fact.body):
+            inner = Env(maker, at, bind(maker, call, env), this=cls, depth=env.depth + 1)
+            if statement.kind == "init" and statement.value is not None:
+                policies |= self._policies(statement.value, inner, level + 1)
+            elif statement.kind == "do" and isinstance(statement.value, Call):
+                policies |= self._chain(statement.value, inner) or self._implicit(statement.value, inner)
+        return policies
+
+    def _implicit(self, expr: Call, env: Env) -> dict[str, Any]:
+        return self._setter(expr.callee.id, expr, env) if isinstance(expr.callee, Name) else {}
 
     def _profile(self, name: str, expr: Call, env: Env, level: int) -> dict[str, Any]:
         policies: dict[str, Any] = {}
@@ -125,7 +147,7 @@ class QosReader:
             policies.update(self._assignment(key, value, env))
         return policies
 
-    def _setter(self, name: str, expr: Call, env: Env, level: int) -> dict[str, Any]:
+    def _setter(self, name: str, expr: Call, env: Env) -> dict[str, Any]:
         if name == "keep_last" and expr.args:
             depth = self._number(expr.args[0], env)
             return {"history": "keep_last"} | ({"depth": depth} if depth is not None else {})
@@ -180,7 +202,7 @@ class QosReader:
     def _chain(self, expr: Expr, env: Env) -> dict[str, Any]:
         if not isinstance(expr, Call) or not isinstance(expr.callee, Member):
             return {}
-        return {**self._chain(expr.callee.base, env), **self._setter(expr.callee.name, expr, env, 0)}
+        return {**self._chain(expr.callee.base, env), **self._setter(expr.callee.name, expr, env)}
 
     def _function(self, expr: Call, env: Env, level: int) -> dict[str, Any]:
         call = invocation_of(expr, env)

@@ -9,12 +9,14 @@ import re
 from collections import defaultdict
 from collections.abc import Iterator
 
-from ecm_extract.link.calls import by_value
+from ecm_extract.link.calls import by_value, last_name
 from ecm_extract.link.program import Cls, File, Func
 from ecm_extract.link.sites import Sites
 
 Unit = Cls | Func
-_WORD = re.compile(r"\w+")
+_NAME = re.compile(r"[\w:.]+")
+_Mention = tuple[Unit, str, File, str]
+"""A unit, the name by which it mentions a class, and where that name is looked up: file and scope."""
 
 
 class References:
@@ -23,8 +25,8 @@ class References:
     def __init__(self, sites: Sites) -> None:
         self.sites = sites
         self.program = sites.program
-        self._mentions: dict[str, dict[int, tuple[Unit, File, str]]] = defaultdict(dict)
-        self._holders: dict[str, dict[int, tuple[Unit, File, str]]] = defaultdict(dict)
+        self._mentions: dict[str, list[_Mention]] = defaultdict(list)
+        self._holders: dict[str, list[_Mention]] = defaultdict(list)
         for group in self.program.classes.values():
             for cls in group:
                 for field in cls.fact.fields:
@@ -42,11 +44,12 @@ class References:
 
     def _mention(self, text: str, unit: Unit, file: File, scope: str) -> None:
         held = by_value(text)
-        for word in _WORD.findall(text):
-            if word in self.program.classes:
-                self._mentions[word][id(unit)] = (unit, file, scope)
+        for name in _NAME.findall(text):
+            last = last_name(name)
+            if last in self.program.classes:
+                self._mentions[last].append((unit, name, file, scope))
                 if held:
-                    self._holders[word][id(unit)] = (unit, file, scope)
+                    self._holders[last].append((unit, name, file, scope))
 
     def users(self, unit: Unit) -> Iterator[Unit]:
         """Yield the units that derive from, hold, make or call a unit."""
@@ -67,9 +70,9 @@ class References:
             if self.sites.makes(call, cls):
                 yield call.func.cls or call.func
 
-    def _mentioning(self, cls: Cls, index: dict[str, dict[int, tuple[Unit, File, str]]]) -> Iterator[Unit]:
-        for unit, file, scope in index.get(cls.fact.name, {}).values():
-            if unit is not cls and self.program.class_named(cls.fact.name, file, scope) in {cls, None}:
+    def _mentioning(self, cls: Cls, index: dict[str, list[_Mention]]) -> Iterator[Unit]:
+        for unit, name, file, scope in index.get(cls.fact.name, ()):
+            if unit is not cls and self.program.class_named(name, file, scope) is cls:
                 yield unit
 
     def _callers(self, func: Func) -> Iterator[Unit]:

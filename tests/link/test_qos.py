@@ -95,3 +95,10 @@ def test_ros1_has_a_queue_size_only(workspace: Any) -> None:
     """No DDS policy is invented for ROS 1."""
     text = 'int main(int c, char ** v) { ros::NodeHandle nh; auto p = nh.advertise<std_msgs::String>("a", 7); }'
     assert workspace.package({"src/m.cpp": text}, ros=1).only("publisher").qos == Qos(depth=7)
+
+
+def test_a_profile_class_of_the_tree_is_what_its_constructor_sets(workspace: Any) -> None:
+    """Setters on itself and arguments to the base make the profile."""
+    latched = "class Latched : public rclcpp::QoS { public: explicit Latched(const int & depth = 3) : rclcpp::QoS(depth) { this->reliable(); this->transient_local(); } };"
+    entry = workspace.package({"src/d.cpp": latched + CPP.format(setup="", qos="Latched()")}).only("publisher")
+    assert four(entry.qos) == ("reliable", "transient_local", "keep_last", 3)
