@@ -120,7 +120,7 @@ def deprecated(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[Dif
 
 def signature_changed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[Difference]:
     """A call or an override that was right no longer is; an overload that went takes its users with it."""
-    if not old.forms or not new.forms:
+    if not old.forms or not new.forms or pair.how == "renamed":
         return
     lost = [form for form in old.forms if not any(accepts(other, form) for other in new.forms)]
     if lost:

@@ -16,7 +16,7 @@ from ecm_extract.diff.similarity import (
 from ecm_extract.entities.model import PublicEntity
 
 _THRESHOLD = 0.62
-_LEAST_NAME = 0.42
+_LEAST_NAME = 0.5
 _NAME, _SHAPE, _PLACE = 0.5, 0.25, 0.25
 _WRITTEN = 0.12
 _SURE_NAME = 0.85

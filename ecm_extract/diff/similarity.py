@@ -44,8 +44,9 @@ def may_be_alike(old: PublicEntity, new: PublicEntity) -> bool:
 def shape_equal(old: PublicEntity, new: PublicEntity) -> float:
     """1 for the same type or signature, 0 for another, a half where neither tells."""
     if old.forms or new.forms:
-        mine, other = {form.types for form in old.forms}, {form.types for form in new.forms}
-        return 1.0 if mine & other else 0.0
+        before = {(form.types, form.returns) for form in old.forms}
+        after = {(form.types, form.returns) for form in new.forms}
+        return 1.0 if before & after else 0.0
     if old.type is None and new.type is None:
         return 0.5
     return float(old.type == new.type)

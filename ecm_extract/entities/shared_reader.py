@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any, Final
+
+from ecm_parsers.result import Parsed
 from ecm_parsers.source.facts import SourceFile
 
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.read.parallel import Task
 from ecm_extract.read.reader import Progress, Reader
+
+_DECLARATIVE: Final = (".msg", ".srv", ".action", ".xml", ".cfg", "CMakeLists.txt", "setup.py", "setup.cfg")
 
 
 class SharedReader(Reader):
@@ -32,6 +38,7 @@ class SharedReader(Reader):
         return packages
 
     def _tasks(self, packages: list[PackageFacts]) -> list[Task]:
+        self._fetch(packages)
         identity = {entry.path: entry.identity for package in packages for entry in package.root.files}
         remaining = []
         for task in super()._tasks(packages):
@@ -41,3 +48,19 @@ class SharedReader(Reader):
             else:
                 self._known[task[0]] = facts
         return remaining
+
+    def _fetch(self, packages: list[PackageFacts]) -> None:
+        """Read the small declarative files at once: a process for each costs more than parsing it."""
+        paths = [
+            entry.path for package in packages for entry in package.root.files if entry.path.endswith(_DECLARATIVE)
+        ]
+        self._contents = dict(self.tree.read_many(paths))
+
+    def parse(self, path: str, parser: Callable[[bytes], Parsed[Any]]) -> Any:
+        """Return the facts of one file, None when it cannot be read."""
+        data = self._contents.pop(path, None)
+        if data is None:
+            return super().parse(path, parser)
+        parsed = parser(data)
+        self._count(path, len(data), parsed.diagnostics)
+        return parsed.facts
