@@ -12,6 +12,7 @@ _QUALIFIER = re.compile(r"(?<![\w:])(?:\w+::)+")
 _SPACE = re.compile(r"\s*([<>,&*()\[\]])\s*")
 _IGNORED = re.compile(r"\b(?:typename|struct|class|inline|static|virtual|explicit|constexpr|friend)\s+")
 _ATTRIBUTE = re.compile(r"\[\[.*?\]\]|\b[A-Z][A-Z0-9_]*_(?:PUBLIC|EXPORT|API|LOCAL|DEPRECATED)\b")
+_TRAILING_CONST = re.compile(r"^([\w<>,]*[\w>])(?:(?<=>)| )const(?=[&*]|$)")
 _POINTERS = (
     (re.compile(r"(?:shared_ptr|std_shared_ptr)<const (\w+)>"), r"\1ConstSharedPtr"),
     (re.compile(r"shared_ptr<(\w+)>"), r"\1SharedPtr"),
@@ -30,7 +31,7 @@ def normal_type(written: str) -> str:
     text = _NESTED.sub(r"\1\2\3", text)
     text = _QUALIFIER.sub("", text)
     text = _SPACE.sub(r"\1", " ".join(text.split()))
-    text = re.sub(r"^([\w<>,]+) const\b", r"const \1", text)
+    text = _TRAILING_CONST.sub(r"const \1", text)
     for pattern, short in _POINTERS:
         text = pattern.sub(short, text)
     if text.startswith("const ") and not text.endswith(("&", "*")):

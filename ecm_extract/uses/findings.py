@@ -53,7 +53,8 @@ def _rank(severity: Severity) -> int:
 
 def _finding(located: Located, uses: list[Use]) -> Finding:
     change = located.change
-    readers = sorted(set(uses), key=lambda use: (use.path, use.line, use.what))
+    distinct = {(use.path, use.line, use.what): use for use in uses}
+    readers = [distinct[place] for place in sorted(distinct)]
     certainty: Certainty = "proved" if any(use.certainty == "proved" for use in readers) else "likely"
     name = change.old or ""
     packages = (change.package,)

@@ -10,6 +10,8 @@ from ecm_extract.entities.model import Key, PublicEntity
 from ecm_extract.entities.side import Side
 
 GONE = frozenset({"removed", "renamed", "moved"})
+_SECOND = frozenset({"type_changed", "default_changed", "signature_changed"})
+"""What else changed of a name that is gone: who used the name has that one cause."""
 
 
 class ChangeIndex:
@@ -26,6 +28,8 @@ class ChangeIndex:
         for entry in located:
             entity = entry.pair.old
             if entity is None or not (entry.change.breaking or entry.change.change == "deprecated"):
+                continue
+            if entry.pair.how != "same" and entry.change.change in _SECOND:
                 continue
             self._by_kind[entry.change.kind].append(entry)
             self._by_name[entity.kind, entity.name].append(entry)

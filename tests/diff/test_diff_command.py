@@ -1,0 +1,256 @@
+"""`ecm-extract diff` over real repositories: what changed, who breaks, and who is quiet."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+from diff_repos import git, node, package, release, write
+
+from ecm_extract.cli.run import run
+
+HEADER = """#pragma once
+namespace arm {
+class Driver {
+public:
+  virtual ~Driver() = default;
+  virtual bool start(const Info & info) = 0;
+  void stop();
+private:
+  int state_;
+};
+namespace detail { void hidden(); }
+}
+"""
+NEW_HEADER = HEADER.replace("start(const Info & info)", "start(const Params & params)").replace(
+    "  void stop();\n", "  void stop(bool hard = false);\n"
+)
+
+
+@pytest.fixture
+def repo(tmp_path: Path) -> Path:
+    folder = tmp_path / "arm"
+    release(
+        folder,
+        {
+            "arm/package.xml": package("arm"),
+            "arm/CMakeLists.txt": "project(arm)\nadd_executable(arm src/arm.cpp)\ninstall(TARGETS arm DESTINATION x)\n",
+            "arm/src/arm.cpp": node(
+                'declare_parameter("checker_plugin", "simple");',
+                'declare_parameter("rate", 10.0);',
+                'pub_ = create_publisher<sensor_msgs::msg::JointState>("~/state/joints", 10);',
+                'srv_ = create_service<std_srvs::srv::Trigger>("~/home", cb);',
+            ),
+            "arm/include/arm/driver.hpp": HEADER,
+            "arm_msgs/package.xml": package("arm_msgs"),
+            "arm_msgs/msg/Grip.msg": "float64 force\nbool open\n",
+            "arm_msgs/msg/Plan.msg": "Grip[] grips\n",
+            "arm_msgs/srv/Go.srv": "---\nbool ok\n",
+        },
+        "1.0.0",
+    )
+    release(
+        folder,
+        {
+            "arm/package.xml": package("arm", "1.1.0"),
+            "arm_msgs/package.xml": package("arm_msgs", "1.1.0"),
+            "arm/src/arm.cpp": node(
+                'declare_parameter("checker_plugins", std::vector<std::string>{"simple"});',
+                'declare_parameter("rate", 20.0);',
+                'pub_ = create_publisher<sensor_msgs::msg::JointState>("~/joint_state/raw/joints", 10);',
+            ),
+            "arm/include/arm/driver.hpp": NEW_HEADER,
+            "arm_msgs/msg/Grip.msg": "float64 max_force\nbool open\n",
+            "arm_msgs/srv/Go.srv": None,
+        },
+        "1.1.0",
+    )
+    return folder
+
+
+CONSUMER = {
+    "user/package.xml": package("user"),
+    "user/config/arm.yaml": "arm:\n  ros__parameters:\n    checker_plugin: fine\n    rate: 5.0\n",
+    "user/user/watch.py": (
+        "import rclpy\nfrom rclpy.node import Node\nfrom sensor_msgs.msg import JointState\n"
+        "from arm_msgs.msg import Grip\nfrom arm_msgs.srv import Go\n\n"
+        "class Watch(Node):\n    def __init__(self):\n        super().__init__('watch')\n"
+        "        self.create_subscription(JointState, '/arm/state/joints', self.on_joints, 10)\n\n"
+        "    def grip(self):\n        grip = Grip()\n        grip.force = 3.0\n        return Grip(force=1.0)\n"
+    ),
+    "user/src/my_driver.cpp": (
+        "#include <arm/driver.hpp>\nclass Mine : public arm::Driver {\npublic:\n"
+        "  bool start(const arm::Info & info) override { return true; }\n};\n"
+    ),
+}
+FIXED = {
+    "user/package.xml": package("user"),
+    "user/config/arm.yaml": "arm:\n  ros__parameters:\n    checker_plugins: [fine]\n    rate: 5.0\n",
+    "user/user/watch.py": CONSUMER["user/user/watch.py"]
+    .replace("/arm/state/joints", "/arm/joint_state/raw/joints")
+    .replace("force", "max_force")
+    .replace("from arm_msgs.srv import Go\n", ""),
+    "user/src/my_driver.cpp": CONSUMER["user/src/my_driver.cpp"].replace("arm::Info & info", "arm::Params & params"),
+}
+
+
+def ran(capsys: pytest.CaptureFixture[str], *args: object) -> tuple[int, str, str]:
+    status = run(["diff", *map(str, args)])
+    captured = capsys.readouterr()
+    return status, captured.out, captured.err
+
+
+def document(capsys: pytest.CaptureFixture[str], *args: object) -> dict[str, Any]:
+    found: dict[str, Any] = json.loads(ran(capsys, *args, "--format", "json")[1])
+    return found
+
+
+def test_every_kind_of_change_is_told(repo: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Each difference of the two releases is one change, and nothing else is."""
+    found = document(capsys, "1.0.0", "1.1.0", "--repo", repo)
+    told = {(c["kind"], c["change"], c["old"], c["new"], c["breaking"]) for c in found["changes"]}
+    assert told == {
+        ("parameter", "renamed", "checker_plugin", "checker_plugins", True),
+        ("parameter", "type_changed", "checker_plugin", "checker_plugins", True),
+        ("parameter", "default_changed", "checker_plugin", "checker_plugins", False),
+        ("parameter", "default_changed", "rate", "rate", False),
+        ("topic", "renamed", "~/state/joints", "~/joint_state/raw/joints", True),
+        ("service", "removed", "~/home", None, True),
+        ("method", "signature_changed", "start", "start", True),
+        ("message_field", "renamed", "force", "max_force", True),
+        ("message", "removed", "arm_msgs/srv/Go", None, True),
+        ("message", "signature_changed", "arm_msgs/msg/Plan", "arm_msgs/msg/Plan", True),
+    }
+
+
+def test_the_document_is_the_wire_format(repo: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Other programs read these keys."""
+    found = document(capsys, "1.0.0", "1.1.0", "--repo", repo)
+    assert found["schema"] == "ecm-extract/diff/1"
+    assert found["repo"] == "arm"
+    assert found["old"] == {"ref": "1.0.0", "commit": git(repo, "rev-parse", "1.0.0")}
+    assert set(found["changes"][0]) == {
+        "kind", "change", "package", "owner", "old", "new", "breaking", "dimension", "confidence", "reason",
+        "evidence_old", "evidence_new",
+    }  # fmt: skip
+    verdict = {"compatibility_class": "breaking", "required_bump": "major", "declared_bump": "minor"}
+    assert found["verdict"] == verdict
+
+
+def test_consumers_break_on_their_own_lines(repo: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Each broken use is VER001 at the consumer's line, with the new name in the resolution."""
+    write(tmp_path / "ws", dict(CONSUMER))
+    found = document(capsys, "1.0.0", "1.1.0", "--repo", repo, "--consumer", tmp_path / "ws")
+    places = {(f["evidence"][0]["path"], f["evidence"][0]["line"]) for f in found["findings"]}
+    assert places == {
+        ("user/config/arm.yaml", 3),
+        ("user/user/watch.py", 10),
+        ("user/user/watch.py", 5),
+        ("user/user/watch.py", 14),
+        ("user/src/my_driver.cpp", 4),
+    }
+    assert {f["rule"] for f in found["findings"]} == {"VER001"}
+    parameter = next(f for f in found["findings"] if "yaml" in f["evidence"][0]["path"])
+    assert "checker_plugins" in parameter["resolution"]
+
+
+def test_one_cause_is_one_finding_with_all_readers(
+    repo: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The field that is written and filled by keyword is one finding with two lines."""
+    write(tmp_path / "ws", dict(CONSUMER))
+    found = document(capsys, "1.0.0", "1.1.0", "--repo", repo, "--consumer", tmp_path / "ws")
+    field = [f for f in found["findings"] if "force" in f["message"]]
+    lines = [e["line"] for f in field for e in f["evidence"] if e["path"] == "user/user/watch.py"]
+    assert sorted(lines) == [14, 15]
+    assert len({f["fingerprint"] for f in field}) == 1
+
+
+def test_a_consumer_that_follows_is_quiet(repo: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """New names and the new signature of an overridden method raise nothing."""
+    write(tmp_path / "ws", dict(FIXED))
+    status, _, _ = ran(capsys, "1.0.0", "1.1.0", "--repo", repo, "--consumer", tmp_path / "ws")
+    found = document(capsys, "1.0.0", "1.1.0", "--repo", repo, "--consumer", tmp_path / "ws")
+    assert found["findings"] == []
+    assert status == 0
+
+
+def test_old_scripts_of_the_provider_are_consumers(repo: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A script that the release forgot breaks as well."""
+    script = CONSUMER["user/user/watch.py"].replace("from arm_msgs.srv import Go\n", "")
+    release(repo, {"arm/scripts/watch": "#!/usr/bin/env python3\n" + script}, "1.1.1")
+    found = document(capsys, "1.0.0", "1.1.1", "--repo", repo)
+    assert any(f["evidence"][0]["path"] == "arm/scripts/watch" for f in found["findings"])
+
+
+@pytest.mark.parametrize("ref", ["1.0.0", "1.1.0"])
+def test_a_release_equals_itself(repo: Path, ref: str, capsys: pytest.CaptureFixture[str]) -> None:
+    """Every state compared with itself is empty."""
+    assert document(capsys, ref, ref, "--repo", repo)["changes"] == []
+
+
+def test_the_baseline_is_the_newest_release_behind(repo: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Without OLD it is the newest reachable tag, and standard error says which and why."""
+    status, _, err = ran(capsys, "--repo", repo)
+    assert status == 0
+    commit = git(repo, "rev-parse", "1.0.0")[:12]
+    assert f"baseline: 1.0.0 {commit} (newest release tag reachable from HEAD)" in err
+
+
+def test_folders_are_compared_too(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Neither side has to be in a repository."""
+    for name, field in (("a", "x"), ("b", "y")):
+        write(tmp_path / name, {"package.xml": package("p"), "msg/M.msg": f"float64 {field}\nbool keep\n"})
+    found = document(capsys, tmp_path / "a", tmp_path / "b", "--repo", tmp_path)
+    assert {c["kind"] for c in found["changes"]} == {"message_field"}
+
+
+def test_an_unknown_ref_is_an_input_error(repo: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Status 2, with the line that fetches it, and no traceback."""
+    status, out, err = ran(capsys, "9.9.9", "1.1.0", "--repo", repo)
+    assert (status, out) == (2, "")
+    assert "git fetch" in err
+
+
+@pytest.mark.parametrize(("fail_on", "status"), [("error", 1), ("breaking", 1), ("never", 0)])
+def test_the_status_follows_the_threshold(
+    repo: Path, tmp_path: Path, fail_on: str, status: int, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A person picks what stops a build."""
+    write(tmp_path / "ws", dict(CONSUMER))
+    args = ("1.0.0", "1.1.0", "--repo", repo, "--consumer", tmp_path / "ws", "--fail-on", fail_on)
+    assert ran(capsys, *args)[0] == status
+
+
+def test_a_deprecated_parameter_is_no_break(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A kept old name is `deprecated`; its removal in the next release is a rename to the successor."""
+    folder = tmp_path / "r"
+    warn = 'RCLCPP_WARN(get_logger(), "\\"speed\\" is deprecated, use \\"max_speed\\" instead");'
+    both = ('declare_parameter("speed", 1.0);', 'declare_parameter("max_speed", 1.0);')
+    release(folder, {"package.xml": package("p"), "src/a.cpp": node(both[0])}, "1.0.0")
+    release(folder, {"src/a.cpp": node(*both, warn)}, "1.1.0")
+    release(folder, {"src/a.cpp": node(both[1])}, "2.0.0")
+    first = document(capsys, "1.0.0", "1.1.0", "--repo", folder)["changes"]
+    assert [(c["change"], c["old"]) for c in first if c["old"]] == [("deprecated", "speed")]
+    assert not any(c["breaking"] for c in first)
+    second = document(capsys, "1.1.0", "2.0.0", "--repo", folder)["changes"]
+    assert [(c["change"], c["old"], c["new"]) for c in second] == [("renamed", "speed", "max_speed")]
+
+
+def test_backport_is_one_line(repo: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """REP 2004 in one line."""
+    out = ran(capsys, "1.0.0", "1.1.0", "--repo", repo, "--backport")[1]
+    assert re.fullmatch(r"backport: no, \d+ breaking changes.*\n", out)
+
+
+@pytest.mark.parametrize("form", ["text", "migration", "markdown"])
+def test_reports_for_people(
+    repo: Path, tmp_path: Path, form: str, golden: Any, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """What people read is seen in review."""
+    write(tmp_path / "ws", dict(CONSUMER))
+    args = ("1.0.0", "1.1.0", "--repo", repo, "--consumer", tmp_path / "ws", "--format", form)
+    golden(f"diff_{form}.txt", ran(capsys, *args)[1])

@@ -1,0 +1,111 @@
+"""Which old entity is which new one."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ecm_extract.diff.model import Pair
+from ecm_extract.diff.pair import Evidence, Pairing
+from ecm_extract.entities.model import Form, PublicEntity
+
+
+def entity(kind: str, name: str, owner: str = "node", **more: Any) -> PublicEntity:
+    defaults: dict[str, Any] = {"package": "pkg", "path": "src/node.cpp", "line": 1}
+    return PublicEntity(kind=kind, name=name, owner=owner, **(defaults | more))
+
+
+def paired(old: list[PublicEntity], new: list[PublicEntity], files: dict[str, str] | None = None) -> list[Pair]:
+    before = {entry.key: entry for entry in old}
+    after = {entry.key: entry for entry in new}
+    return Pairing(before, after, Evidence(files or {})).run()
+
+
+def shown(pairs: list[Pair]) -> list[tuple[str | None, str | None, str]]:
+    names = [(pair.old.name if pair.old else None, pair.new.name if pair.new else None, pair.how) for pair in pairs]
+    return sorted(names, key=str)
+
+
+def test_a_plural_is_a_rename_with_a_reason() -> None:
+    """Gone and new, alike, of one owner: renamed, and the reason says why."""
+    pairs = paired(
+        [entity("parameter", "checker_plugin", type="string")],
+        [entity("parameter", "checker_plugins", type="string_array")],
+    )
+    assert shown(pairs) == [("checker_plugin", "checker_plugins", "renamed")]
+    assert pairs[0].reason
+    assert 0.6 < pairs[0].confidence < 1
+
+
+def test_another_nesting_of_other_words_is_no_rename() -> None:
+    """`a.plugin` of an instance is not the list `a_plugins`."""
+    pairs = paired([entity("parameter", "checker.plugin")], [entity("parameter", "checker_plugins")])
+    assert {pair.how for pair in pairs} == {"same"}
+    assert len(pairs) == 2
+
+
+def test_the_same_last_name_and_type_is_a_rename_across_files() -> None:
+    """A topic that moved below another prefix is found by its type and its last name."""
+    message = "sensor_msgs/msg/NavSatFix"
+    pairs = paired(
+        [entity("topic", "~/gps/fix", "gps", type=message, path="src/gps.cpp", facet="published")],
+        [entity("topic", "~/global/raw/fix", "global", type=message, path="src/global.cpp", facet="published")],
+    )
+    assert shown(pairs) == [("~/gps/fix", "~/global/raw/fix", "renamed")]
+
+
+def test_what_existed_before_is_no_new_name() -> None:
+    """A name that both releases have is not what another one was renamed to."""
+    kept = entity("parameter", "max_speeds")
+    pairs = paired([entity("parameter", "max_speed"), kept], [kept])
+    assert (None, None, "renamed") not in [(None, None, pair.how) for pair in pairs]
+
+
+def test_a_deprecation_names_the_successor() -> None:
+    """What the old release told to use instead is the new name, though both lived side by side."""
+    text = '"speed" is deprecated, use "max_speed" instead'
+    new = entity("parameter", "max_speed")
+    pairs = paired([entity("parameter", "speed", deprecated=text), new], [new])
+    assert ("speed", "max_speed", "renamed") in shown(pairs)
+
+
+def test_members_follow_their_message() -> None:
+    """One renamed message is one change, not one for each field."""
+    old = [entity("message", "pkg/msg/Pose", ""), entity("message_field", "x", "pkg/msg/Pose", type="float64")]
+    new = [entity("message", "pkg/msg/Pose3", ""), entity("message_field", "x", "pkg/msg/Pose3", type="float64")]
+    assert shown(paired(old, new)) == [("pkg/msg/Pose", "pkg/msg/Pose3", "renamed"), ("x", "x", "same")]
+
+
+def test_a_method_in_a_base_class_is_still_there() -> None:
+    """Moving a method up the hierarchy breaks nobody who calls or overrides it."""
+    form = Form(types=("int",), required=1)
+    old = [entity("class", "a::B", ""), entity("method", "init", "a::B", forms=(form,))]
+    new = [
+        entity("class", "a::B", "", bases=("Base",)),
+        entity("class", "a::Base", ""),
+        entity("method", "init", "a::Base", forms=(form,)),
+    ]
+    assert ("init", "init", "same") in shown(paired(old, new))
+
+
+def test_another_owner_of_the_same_file_is_the_same_endpoint() -> None:
+    """Which of two modules an endpoint is attributed to does not matter as long as its line stays."""
+    old = [entity("topic", "/scan", "a", facet="published"), entity("topic", "/other", "a", facet="published")]
+    new = [entity("topic", "/scan", "b", facet="published"), entity("topic", "/other", "a", facet="published")]
+    assert {pair.how for pair in paired(old, new)} == {"same"}
+    assert all(pair.old and pair.new for pair in paired(old, new))
+
+
+def test_a_moved_file_carries_its_class() -> None:
+    """A class in another namespace is found through the move that git sees."""
+    pairs = paired(
+        [entity("class", "a::Grid", "", path="include/a/grid.hpp")],
+        [entity("class", "b::Grid", "", path="include/b/grid.hpp")],
+        {"include/a/grid.hpp": "include/b/grid.hpp"},
+    )
+    assert shown(pairs) == [("a::Grid", "b::Grid", "moved")]
+
+
+def test_equal_sides_have_no_difference() -> None:
+    """Every state compared with itself is empty."""
+    same = [entity("parameter", "a"), entity("topic", "/b", facet="published")]
+    assert all(pair.old == pair.new and pair.how == "same" for pair in paired(same, same))

@@ -1,0 +1,64 @@
+"""Signatures in one writing, and when a call or override written for the old one still holds."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from ecm_extract.diff.effects import accepts
+from ecm_extract.entities.model import Form
+from ecm_extract.entities.signatures import normal_type
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        ("const std::vector<int> &", "std::vector<int> const&"),
+        ("rclcpp::Node::SharedPtr", "std::shared_ptr<rclcpp::Node>"),
+        ("const int", "int"),
+        ("hardware_interface::HardwareInfo const &", "const HardwareInfo&"),
+        ("std::unique_ptr< a::B >", "a::B::UniquePtr"),
+    ],
+)
+def test_two_ways_to_write_one_type_are_equal(one: str, other: str) -> None:
+    """A change of spelling is no change of a signature."""
+    assert normal_type(one) == normal_type(other)
+
+
+@pytest.mark.parametrize(
+    ("one", "other"), [("const int &", "int &"), ("int *", "int"), ("std::vector<int>", "std::vector<double>")]
+)
+def test_other_types_stay_other(one: str, other: str) -> None:
+    """What a compiler tells apart is told apart."""
+    assert normal_type(one) != normal_type(other)
+
+
+@settings(max_examples=50)
+@given(st.text(max_size=80))
+def test_any_text_is_normalised(text: str) -> None:
+    """Text that is no type gives a text, never an error."""
+    assert isinstance(normal_type(text), str)
+
+
+OLD = Form(types=("int",), required=1, returns="void")
+
+
+@pytest.mark.parametrize(
+    ("new", "old", "fits"),
+    [
+        (Form(types=("int", "bool"), required=1, returns="void"), OLD, True),
+        (Form(types=("int", "bool"), required=2, returns="void"), OLD, False),
+        (Form(types=("int",), required=1, returns="int"), OLD, False),
+        (
+            Form(types=("int", "bool"), required=1, virtual=True),
+            Form(types=("int",), required=1, virtual=True),
+            False,
+        ),
+        (Form(types=("", ""), required=1, names=("a", "b")), Form(types=("",), required=1, names=("a",)), True),
+        (Form(types=("",), required=1, names=("b",)), Form(types=("",), required=1, names=("a",)), False),
+    ],
+)
+def test_a_new_form_fits_old_users_or_not(new: Form, old: Form, fits: bool) -> None:
+    """A new default argument breaks no caller, but every class that overrides the method."""
+    assert accepts(new, old) is fits
