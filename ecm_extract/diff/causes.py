@@ -36,8 +36,9 @@ def _cause(located: Located) -> object:
     change = located.change
     if change.kind not in _SHARED:
         return None
-    name = (change.old or change.new or "").rsplit("/", 1)[-1]
-    return change.kind, change.change, name, change.evidence_old, change.evidence_new
+    name = last_part(change.old or change.new or "")
+    roots = tuple(entity.root for entity in (located.pair.old, located.pair.new) if entity is not None)
+    return change.kind, change.change, name, roots
 
 
 def _joined(group: list[Located]) -> Located:

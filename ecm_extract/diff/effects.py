@@ -61,6 +61,8 @@ def type_changed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[D
         return
     if old.kind == "constant" and old.default == new.default:
         return
+    if pair.how == "renamed" and old.kind in {"member", "constant"}:
+        return
     if old.kind == "plugin" and _tail(old.type) == _tail(new.type):
         return
     reason = f"type {old.type} became {new.type}"

@@ -38,7 +38,7 @@ class History:
     def mentions(self, *names: str) -> str | None:
         """Return a sentence that names all of these, None when nobody wrote one."""
         words = [_WORD.findall(last_part(name)) for name in names]
-        if not all(words):
+        if not all(words) or len({last_part(name) for name in names}) < len(names):
             return None
         hits = [self._index.get(word, set()) for group in words for word in group]
         common = set.intersection(*hits) if hits else set()

@@ -53,6 +53,19 @@ def _is_unmoved(
     return same_module(old, new) or old.name.startswith(HOLE) or old.kind != "parameter"
 
 
+def is_reshaped(old: PublicEntity, new: PublicEntity) -> bool:
+    """Whether two parameter names differ only in a prefix that no artefact shows.
+
+    The prefix of a generated parameter is given where its listener is made, so its own file shows none.
+    """
+    if old.name.removeprefix(f"{HOLE}.") == new.name.removeprefix(f"{HOLE}."):
+        return True
+    if new.path.endswith((".yaml", ".yml")) and old.name.endswith(f".{new.name}"):
+        return True
+    tail = old.name.rsplit(HOLE, 1)[-1].strip("./_")
+    return HOLE in old.name and len(tail) > 0 and new.name.rsplit(HOLE, 1)[-1].strip("./_") == tail
+
+
 def _is_likely(old: PublicEntity, new: PublicEntity, files: Mapping[str, str]) -> bool:
     if _same_file(old, new, files):
         return True

@@ -13,14 +13,16 @@ from dataclasses import dataclass, field
 from ecm_extract.diff.assignment import assign
 from ecm_extract.diff.bases import Bases
 from ecm_extract.diff.history import History
-from ecm_extract.diff.model import Pair
-from ecm_extract.diff.moves import best_home
+from ecm_extract.diff.model import How, Pair
+from ecm_extract.diff.moves import best_home, is_reshaped
 from ecm_extract.diff.scores import score
+from ecm_extract.diff.similarity import last_part
 from ecm_extract.diff.successors import stated_successor
 from ecm_extract.entities.model import Key, PublicEntity
 
 CONTAINERS = ("package", "message", "class")
 _FOLLOWING = frozenset({"message_field", "member", "method", "constant"})
+_GENERATED = "*.yaml"
 _IN_MODULES = frozenset({"topic", "service", "action", "parameter"})
 
 
@@ -54,6 +56,7 @@ class Pairing:
         self._follow()
         kinds = {key[0] for key in self.old} - set(CONTAINERS)
         self._inherited()
+        self._reshaped()
         self._moved(kinds)
         self._successors()
         self._renamed(kinds)
@@ -95,6 +98,33 @@ class Pairing:
                 if home is not None:
                     self.old.pop(entity.key)
                     self.pairs.append(Pair(entity, home))
+
+    def _reshaped(self) -> None:
+        """A parameter whose computed prefix is computed otherwise is the same parameter.
+
+        So is one that a library declares for whoever uses it, when only a user of the library is gone.
+        """
+        index = self._parameter_index()
+        for entity in list(self.old.values()):
+            if entity.kind == "parameter":
+                tail = last_part(entity.name)
+                places = [f"{entity.package}/{entity.owner}", _GENERATED]
+                if len(entity.via) > 1 or (entity.kind, entity.package, entity.owner) not in self._modules:
+                    places += [self.evidence.files.get(path, path) for path in entity.via]
+                alike = (other for place in places for other in index.get((place, tail), ()))
+                found = next((other for other in alike if is_reshaped(entity, other)), None)
+                if found is not None:
+                    self.take(Pair(entity, found))
+
+    def _parameter_index(self) -> dict[tuple[str, str], list[PublicEntity]]:
+        """New parameters by owner, by the files that make them, and those of generated libraries."""
+        index: dict[tuple[str, str], list[PublicEntity]] = defaultdict(list)
+        for entity in self.all_new.values():
+            if entity.kind == "parameter":
+                generated = (_GENERATED,) if entity.path.endswith((".yaml", ".yml")) else ()
+                for place in (f"{entity.package}/{entity.owner}", *entity.via, *generated):
+                    index[place, last_part(entity.name)].append(entity)
+        return index
 
     def _moved(self, kinds: set[str]) -> None:
         index: dict[tuple[str, str, str], list[PublicEntity]] = defaultdict(list)
@@ -151,7 +181,8 @@ class Pairing:
                     scores[row, column], reasons[row, column] = found
         for row, column in assign(scores):
             confidence = round(min(0.99, scores[row, column]), 2)
-            self.take(Pair(before[row], after[column], "renamed", confidence, reasons[row, column]))
+            how: How = "moved" if before[row].name == after[column].name else "renamed"
+            self.take(Pair(before[row], after[column], how, confidence, reasons[row, column]))
 
 
 def _move_key(entity: PublicEntity) -> tuple[str, str, str]:

@@ -27,7 +27,22 @@ def public_entities(
     for facts in packages:
         for entity in sorted(_of_package(tree, facts, modules[facts.name]), key=lambda e: (e.path, e.line)):
             found.setdefault(entity.key, entity)
-    return found
+    return _at_home(found, packages)
+
+
+def _at_home(found: dict[Key, PublicEntity], packages: Sequence[PackageFacts]) -> dict[Key, PublicEntity]:
+    """Drop the views that other packages have of a declaration which its own package offers."""
+    home = {path: facts.name for facts in packages for path in facts.sources}
+    offered = {_line(entity) for entity in found.values() if home.get(entity.path) == entity.package}
+    return {
+        key: entity
+        for key, entity in found.items()
+        if home.get(entity.path) in {None, entity.package} or _line(entity) not in offered
+    }
+
+
+def _line(entity: PublicEntity) -> tuple[str, str, str, str, int]:
+    return entity.kind, entity.facet, entity.name, entity.path, entity.line
 
 
 def _of_package(tree: Tree, facts: PackageFacts, modules: list[LinkedModule]) -> Iterator[PublicEntity]:

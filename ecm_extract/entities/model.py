@@ -55,6 +55,8 @@ class PublicEntity(msgspec.Struct, frozen=True, kw_only=True):
         qos: of a topic. ros: 1, 2 or None.
         deprecated: what its own source says about its end; None when it is not deprecated.
         path, line: where it is declared.
+        root: `path:line` of the innermost call that makes it, which several declarations may share.
+        via: files of all calls between the two; more than one when a wrapper or library makes it.
     """
 
     kind: str
@@ -64,6 +66,8 @@ class PublicEntity(msgspec.Struct, frozen=True, kw_only=True):
     path: str
     line: int
     facet: str = ""
+    root: str = ""
+    via: tuple[str, ...] = ()
     type: str | None = None
     default: Any = None
     forms: tuple[Form, ...] = ()

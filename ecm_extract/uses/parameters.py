@@ -74,7 +74,7 @@ def _declared(entry: ParameterSet, ros: int, located: Located, index: ChangeInde
         parameter_name_matches(entity.name, entry.name)
         and (ros == 1 or HOLE in entity.name or node_matches(entity.owner, entry.node))
         for entity in index.offered("parameter", "")
-        if old is None or entity.package == old.package or HOLE not in entity.name
+        if old is None or entity.package == old.package or HOLE not in entity.name or entity.name == old.name
     )
 
 

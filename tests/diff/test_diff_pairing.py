@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+import pytest
+
 from ecm_extract.diff.model import Pair
 from ecm_extract.diff.pair import Evidence, Pairing
 from ecm_extract.entities.model import Form, PublicEntity
@@ -109,3 +111,28 @@ def test_equal_sides_have_no_difference() -> None:
     """Every state compared with itself is empty."""
     same = [entity("parameter", "a"), entity("topic", "/b", facet="published")]
     assert all(pair.old == pair.new and pair.how == "same" for pair in paired(same, same))
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "path"),
+    [
+        ("<*>.limits.max", "limits.max", "src/node.cpp"),
+        ("<*>_planning.<*>.timeout", "<*>.timeout", "src/node.cpp"),
+        ("planning.limits.max", "limits.max", "config/parameters.yaml"),
+    ],
+)
+def test_another_idiom_of_a_computed_prefix_is_no_change(old: str, new: str, path: str) -> None:
+    """How a prefix is computed changes between releases; the name that users set does not."""
+    pairs = paired([entity("parameter", old)], [entity("parameter", new, path=path)])
+    assert [pair.how for pair in pairs] == ["same"]
+    assert pairs[0].old and pairs[0].new
+
+
+def test_a_parameter_of_a_library_outlives_one_of_its_users() -> None:
+    """A program that is gone takes along no parameter that a library declares for everybody."""
+    library = ("src/tool.cpp", "lib/loader.cpp")
+    old = [
+        entity("parameter", "robot.timeout", "tool", via=library),
+        entity("parameter", "robot.timeout", "server", path="src/server.cpp", via=("src/server.cpp", library[1])),
+    ]
+    assert all(pair.old and pair.new for pair in paired(old, old[1:]))
