@@ -41,6 +41,11 @@ _SAME = frozenset(
         "rclcpp::ParameterValue",
     }
 )
+_RESOLVERS = frozenset(
+    {"resolve_topic_or_service_name", "resolve_topic_name", "resolve_service_name", "resolveName", "resolve_name"}
+    | {"expand_topic_or_service_name"}
+)
+"""Functions that apply remaps and namespaces at run time: the name itself is what was passed."""
 _STREAMS = frozenset({"stringstream", "ostringstream"})
 _PROPERTY_READS = frozenset({"getStdString", "getTopicStd", "getString"})
 
@@ -54,8 +59,10 @@ class CallFolder:
     def call(self, expr: Call, env: Env) -> tuple[Value, ...]:
         """String constructions, formats, parameter reads and functions that return a value."""
         call = invocation_of(expr, env)
-        if call.path in _SAME or call.last in _STREAMS:
+        if call.path in _SAME or call.last in _STREAMS or (call.last in _RESOLVERS and call.args):
             return self.folder.fold(call.args[0], env.before(env.at)) if call.args else (literal(""),)
+        if call.last == "getCameraInfoTopic" and call.args:
+            return self._beside(call.args[0], "camera_info", env.before(env.at))
         read = self.folder.reads.read(call)
         if read is not None:
             return self.parameter_value(*read, env.before(env.at))
@@ -69,6 +76,11 @@ class CallFolder:
         if call.receiver is not None and call.last in formats.VALUE_READS:
             return self.folder.fold(call.receiver, env.before(env.at))
         return self.folder.guarded(f"{call.path}()", env, lambda: self._returns(call, env))
+
+    def _beside(self, expr: Expr, leaf: str, env: Env) -> tuple[Value, ...]:
+        """Return names in the namespace of other names: image_transport puts `camera_info` beside each image."""
+        texts = [value.text.rpartition("/") for value in self.folder.fold(expr, env) if value.confidence != "pattern"]
+        return tuple([Value((f"{head}{slash}{leaf}",), "folded") for head, slash, _ in texts]) or (unknown(leaf),)
 
     def _property(self, receiver: Expr, env: Env) -> tuple[Value, ...]:
         """An rviz property `new XProperty("Topic", "/default", ...)` is read like a parameter with that default."""

@@ -28,7 +28,7 @@ from ecm_extract.link.registry import build_registry
 from ecm_extract.link.scope import Scope
 from ecm_extract.link.sites import Site, Sites
 from ecm_extract.link.types import Types
-from ecm_extract.link.values import Value, literal, settled, with_node
+from ecm_extract.link.values import Value, literal, settled, unknown, with_node
 from ecm_extract.read.facts import PackageFacts
 
 MAX_NAMES = 40
@@ -198,7 +198,7 @@ class Linker:
                         else value
                     )
                     found.append((full, default))
-        return found
+        return found or [(unknown("parameters"), None)]
 
     def _typed(self, site: Site, default: Expr | None) -> tuple[str | None, Any]:
         if site.form.role != "parameter":

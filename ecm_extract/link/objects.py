@@ -85,11 +85,10 @@ class Objects:
                 return expr.types[0]
             if last in {"dynamic_pointer_cast", "static_pointer_cast"} and expr.types:
                 return expr.types[0]
-            return (
-                expr.callee.id
-                if not self.program.functions.get(last) or last in self.program.classes
-                else self._returned(last)
-            )
+            if last.startswith("get") and last.endswith("NodeHandle"):
+                return "ros::NodeHandle"
+            is_type = last in self.program.classes or (last[:1].isupper() and not self.program.functions.get(last))
+            return expr.callee.id if is_type else self._returned(last)
         dotted = dotted_name(expr.callee)
         if dotted and env.func.file.language == "python":
             return dotted

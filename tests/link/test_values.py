@@ -38,6 +38,7 @@ ROWS = [
     ("", "with_default_", "/from_default", "folded"),
     ("", 'std::string("a") + "/b"', "/a/b", "folded"),
     ("", 'joined("ns", "leaf")', "/ns/leaf", "folded"),
+    ("", 'resolve_topic_name("image")', "/image", "literal"),
     ("", 'fmt::format("{}/{}", "a", CONSTANT)', "/a/constant", "folded"),
     ('auto n = declare_parameter<std::string>("topic", "odom");', "n", "/odom", "default"),
     (

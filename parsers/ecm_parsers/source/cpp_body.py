@@ -161,7 +161,7 @@ class BodyReader:
         read = self._initial(kind, value)
         if kind.type == "primitive_type" and read is not None and not _keeps_number(read):
             read = None
-        mark = _MARKS.get(bound.type, "")
+        mark = "" if kind.type == "placeholder_type_specifier" else _MARKS.get(bound.type, "")
         self._add("let", declarator, read, Name(name), self.expr.type_text(kind) + mark)
 
     def _constructed(self, kind: Node, declarator: Node) -> None:
