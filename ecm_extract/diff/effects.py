@@ -52,6 +52,7 @@ def moved(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[Differen
     harmless = (
         old.kind in _ENDPOINTS and not old.name.startswith("~") and old.package == new.package
     ) or old.name.startswith(HOLE)
+    harmless = harmless or (old.kind == "plugin" and old.name == new.name)
     yield Difference("moved", not harmless, pair.reason)
 
 

@@ -55,7 +55,7 @@ def compare(request: Request) -> Comparison:
     new = side_of(workspace)
     located = _changes(request, old, new)
     index = ChangeIndex(located, old, new)
-    uses = list(uses_of(workspace, index))
+    uses = list(uses_of(workspace, index, own=True))
     del workspace
     for tree in request.consumers:
         uses += uses_of(read_workspace(tree, request.options, parsed), index)

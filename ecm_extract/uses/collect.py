@@ -9,19 +9,41 @@ import msgspec
 from ecm_extract.entities.side import Workspace
 from ecm_extract.uses.endpoints import endpoint_uses
 from ecm_extract.uses.fields import field_uses
-from ecm_extract.uses.index import ChangeIndex
+from ecm_extract.uses.index import GONE, ChangeIndex
 from ecm_extract.uses.model import Use
 from ecm_extract.uses.overrides import override_uses
 from ecm_extract.uses.parameters import parameter_uses
 from ecm_extract.uses.symbols import symbol_uses
 
+_BUILT = (".cpp", ".cc", ".cxx", ".c", ".h", ".hh", ".hpp", ".hxx", ".ipp", ".tpp")
 _MATCHERS = (endpoint_uses, parameter_uses, symbol_uses, override_uses, field_uses)
 
 
-def uses_of(workspace: Workspace, index: ChangeIndex) -> Iterator[Use]:
-    """Yield the uses of a workspace, each with the commit it was read at."""
+def uses_of(workspace: Workspace, index: ChangeIndex, own: bool = False) -> Iterator[Use]:
+    """Yield the uses of a workspace, each with the commit it was read at.
+
+    Args:
+        workspace: the consumer.
+        index: the changes.
+        own: whether it is the new side itself, which builds: only names that are gone count there.
+    """
     if index.is_empty():
         return
     for matcher in _MATCHERS:
         for use in matcher(workspace, index):
+            if own and not _is_forgotten(use):
+                continue
             yield msgspec.structs.replace(use, commit=workspace.tree.commit)
+
+
+def _is_forgotten(use: Use) -> bool:
+    """Whether a line of the new side can be one that the release forgot.
+
+    Its C++ was built with the change; a publisher that lost its listener in the same release is no accident.
+    """
+    entity = use.located.pair.old
+    if entity is None or use.located.change.change == "deprecated":
+        return False
+    if use.path.endswith(_BUILT):
+        return entity.kind in {"topic", "service", "action"} and entity.facet != "subscribed"
+    return use.located.change.change in GONE or entity.kind not in {"message_field", "constant"}

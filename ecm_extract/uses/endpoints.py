@@ -45,7 +45,7 @@ def _of(entry: Interface, package: str, index: ChangeIndex) -> Iterator[Use]:
             continue
         if graph_name_matches(entity.name, used) and not _served(located, entry, used, index):
             at = entry.evidence[0]
-            certain = entry.confidence in {"literal", "folded"} and entry.type is not None
+            certain = entry.confidence in {"literal", "folded"} and entry.type is not None and facet != "subscribed"
             place = Place(package, at.path, at.line)
             yield use_at(located, place, f"{verb} {used}", "proved" if certain else "likely")
 

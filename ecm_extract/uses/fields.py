@@ -116,7 +116,8 @@ class _Reader:
                     if located is not None and (own, line) not in seen:
                         seen.add((own, line))
                         place = Place(self.file.package, self.file.path, line)
-                        yield use_at(located, place, f"{verb} {own}")
+                        gone = located.change.change != "type_changed"
+                        yield use_at(located, place, f"{verb} {own}", "proved" if gone else "likely")
 
     def _touched(self, expr: Expr, names: set[str]) -> Iterator[tuple[str, str, str]]:
         if isinstance(expr, Member) and expr.name in names:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ecm_checker.finding import Certainty
 from ecm_parsers.source.facts import Import
 
+from ecm_extract.diff.model import Located
 from ecm_extract.entities.side import Workspace
 from ecm_extract.link.program import File, plain, snake
 from ecm_extract.uses.index import GONE, ChangeIndex
@@ -72,8 +74,8 @@ def _is_python(entity: object) -> bool:
     return str(getattr(entity, "path", "")).endswith(".py")
 
 
-def _python_symbols(index: ChangeIndex) -> dict[str, object]:
-    found: dict[str, object] = {}
+def _python_symbols(index: ChangeIndex) -> dict[str, Located]:
+    found: dict[str, Located] = {}
     for kind in ("function", "class", "constant"):
         for located in index.of_kind(kind):
             entity = located.pair.old
@@ -83,7 +85,7 @@ def _python_symbols(index: ChangeIndex) -> dict[str, object]:
     return found
 
 
-def _attributes(file: File, symbols: dict[str, object]) -> Iterator[Use]:
+def _attributes(file: File, symbols: dict[str, Located]) -> Iterator[Use]:
     """`module.name` where the module is still there and the name is not."""
     if not symbols or not file.imported:
         return
@@ -99,12 +101,12 @@ def _attributes(file: File, symbols: dict[str, object]) -> Iterator[Use]:
                 located = symbols.get(full)
                 if located is not None and (full, line) not in seen:
                     seen.add((full, line))
-                    yield use_at(located, Place(file.package, file.path, line), f"uses {written}")  # type: ignore[arg-type]
+                    yield use_at(located, Place(file.package, file.path, line), f"uses {written}")
 
 
-def _headers(index: ChangeIndex) -> dict[str, list[object]]:
+def _headers(index: ChangeIndex) -> dict[str, list[Located]]:
     """What an include line may say for each header and generated header that is gone."""
-    found: dict[str, list[object]] = {}
+    found: dict[str, list[Located]] = {}
     for located in index.of_kind("file"):
         entity = located.pair.old
         if entity is not None and located.change.change in GONE and not _is_python(entity):
@@ -118,10 +120,21 @@ def _headers(index: ChangeIndex) -> dict[str, list[object]]:
     return found
 
 
-def _includes(file: File, headers: dict[str, list[object]]) -> Iterator[Use]:
+def _certainty(located: Located, written: str) -> Certainty:
+    """An include that another package answers now still needs that package as a dependency."""
+    after = located.pair.new
+    return "likely" if after is not None and after.name == written else "proved"
+
+
+def _includes(file: File, headers: dict[str, list[Located]]) -> Iterator[Use]:
     for entry in file.facts.imports:
         for located in headers.get(entry.module, ()):
-            yield use_at(located, Place(file.package, file.path, entry.line), f"includes {entry.module}")  # type: ignore[arg-type]
+            yield use_at(
+                located,
+                Place(file.package, file.path, entry.line),
+                f"includes {entry.module}",
+                _certainty(located, entry.module),
+            )
 
 
 def _bases(file: File, index: ChangeIndex) -> Iterator[Use]:

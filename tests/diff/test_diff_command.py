@@ -186,6 +186,12 @@ def test_old_scripts_of_the_provider_are_consumers(repo: Path, capsys: pytest.Ca
     assert any(f["evidence"][0]["path"] == "arm/scripts/watch" for f in found["findings"])
 
 
+def test_built_sources_of_the_provider_are_quiet(repo: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """C++ of the new side was built with the change, so an override there is no forgotten consumer."""
+    release(repo, {"arm/src/mine.cpp": CONSUMER["user/src/my_driver.cpp"]}, "1.1.1")
+    assert document(capsys, "1.0.0", "1.1.1", "--repo", repo)["findings"] == []
+
+
 @pytest.mark.parametrize("ref", ["1.0.0", "1.1.0"])
 def test_a_release_equals_itself(repo: Path, ref: str, capsys: pytest.CaptureFixture[str]) -> None:
     """Every state compared with itself is empty."""

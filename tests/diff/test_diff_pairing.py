@@ -125,7 +125,8 @@ def test_another_idiom_of_a_computed_prefix_is_no_change(old: str, new: str, pat
     """How a prefix is computed changes between releases; the name that users set does not."""
     pairs = paired([entity("parameter", old)], [entity("parameter", new, path=path)])
     assert [pair.how for pair in pairs] == ["same"]
-    assert pairs[0].old and pairs[0].new
+    assert pairs[0].old is not None
+    assert pairs[0].new is not None
 
 
 def test_a_parameter_of_a_library_outlives_one_of_its_users() -> None:
