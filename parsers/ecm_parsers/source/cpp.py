@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from ecm_parsers.result import Diagnostic, Parsed
 from ecm_parsers.source import cpp_text
 from ecm_parsers.source.cpp_declarations import DeclarationReader, Place
-from ecm_parsers.source.cpp_parser import first_error, parse_tree
+from ecm_parsers.source.cpp_parser import MAX_SECONDS, TooSlowError, first_error, parse_tree
 from ecm_parsers.source.facts import Macro, SourceFile
 
 if TYPE_CHECKING:
@@ -28,7 +28,11 @@ def parse_cpp(data: bytes) -> Parsed[SourceFile]:
     if len(data) > MAX_BYTES:
         message = f"{len(data)} bytes of C++ were not read: the limit is {MAX_BYTES}. Exclude generated files."
         return Parsed(SourceFile("cpp"), (Diagnostic("warning", "cpp-too-large", 0, message),))
-    tree, read = parse_tree(data)
+    try:
+        tree, read = parse_tree(data)
+    except TooSlowError:
+        message = f"This C++ was not read: its syntax takes more than {MAX_SECONDS:g} s. Exclude generated files."
+        return Parsed(SourceFile("cpp"), (Diagnostic("warning", "cpp-too-slow", 0, message),))
     reader = DeclarationReader(read)
     reader.read(tree.root_node, Place())
     macros = tuple([Macro(name, args, line) for name, args, line in cpp_text.registrations(data)])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from time import monotonic
 from typing import TYPE_CHECKING
 
 import tree_sitter_cpp
@@ -14,6 +15,15 @@ if TYPE_CHECKING:
     from tree_sitter import Node, Tree
 
 
+MAX_SECONDS = 5.0
+SMALL_BYTES = 16_000
+"""Below this size even the worst known input parses within the bound, so no clock is watched."""
+
+
+class TooSlowError(Exception):
+    """The grammar's recovery from errors takes longer than `MAX_SECONDS`."""
+
+
 @cache
 def parser() -> Parser:
     """Return the parser, made once per process."""
@@ -23,20 +33,43 @@ def parser() -> Parser:
 def parse_tree(data: bytes) -> tuple[Tree, bytes]:
     """Parse as it is; on errors without macros, and then without conditionals, whichever reads more.
 
+    Raises:
+        TooSlowError: it takes longer than the bound.
+
     A missing `;` after a macro spoils nothing, so only real errors are worth a second parse.
     """
-    tree = parser().parse(data)
+    tree = _parse(data)
     if first_error(tree.root_node) is None:
         return tree, data
     rewritten = cpp_text.without_macros(data)
     if rewritten != data:
-        tree, data = parser().parse(rewritten), rewritten
+        tree, data = _parse(rewritten), rewritten
     if b"#if" in data and first_error(tree.root_node) is not None:
         flat = cpp_text.without_conditionals(data)
-        other = parser().parse(flat)
+        other = _parse(flat)
         if first_error(other.root_node) is None:
             return other, flat
     return tree, data
+
+
+def _parse(data: bytes) -> Tree:
+    """Parse one text.
+
+    Raises:
+        TooSlowError: it takes longer than the bound.
+    """
+    if len(data) < SMALL_BYTES:
+        return parser().parse(data)
+    end = monotonic() + MAX_SECONDS
+    try:
+        return parser().parse(
+            lambda offset, _point: data[offset : offset + 65_536],
+            progress_callback=lambda _offset, _error: monotonic() > end,
+        )
+    except ValueError:
+        # Without it the parser would go on with this text at the next call.
+        parser().reset()
+        raise TooSlowError from None
 
 
 def first_error(root: Node) -> Node | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import msgspec
 import pytest
+from ecm_parsers.source import cpp_parser
 from ecm_parsers.source.cpp import MAX_BYTES, parse_cpp
 from ecm_parsers.source.expr import Items, Number, Text
 from ecm_parsers.source.facts import Alias, Import, SourceFile
@@ -172,3 +173,12 @@ def test_no_bytes_raise(data: bytes) -> None:
 def test_no_damage_raises(at: int, inserted: bytes) -> None:
     """A real-looking file damaged anywhere still gives facts."""
     assert parse_cpp(HEADER[:at] + inserted + HEADER[at:]).facts.language == "cpp"
+
+
+def test_a_file_that_takes_too_long_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Past its time a file is a diagnostic, and the next file is read as if nothing had been."""
+    monkeypatch.setattr(cpp_parser, "MAX_SECONDS", -1.0)
+    slow = parse_cpp(b"void f() { g(1); }\n" * 20_000)
+    assert [d.code for d in slow.diagnostics] == ["cpp-too-slow"]
+    monkeypatch.undo()
+    assert len(parse_cpp(b"void f() { g(1); }\n" * 2_000).facts.functions) == 2_000
