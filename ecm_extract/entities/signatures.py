@@ -12,6 +12,7 @@ _QUALIFIER = re.compile(r"(?<![\w:])(?:\w+::)+")
 _SPACE = re.compile(r"\s*([<>,&*()\[\]])\s*")
 _IGNORED = re.compile(r"\b(?:typename|struct|class|inline|static|virtual|explicit|constexpr|friend)\s+")
 _ATTRIBUTE = re.compile(r"\[\[.*?\]\]|\b[A-Z][A-Z0-9_]*_(?:PUBLIC|EXPORT|API|LOCAL|DEPRECATED)\b")
+_SHARED = re.compile(r"(?<=\w)(Const)?SharedPtr\b")
 _TRAILING_CONST = re.compile(r"^([\w<>,]*[\w>])(?:(?<=>)| )const(?=[&*]|$)")
 _POINTERS = (
     (re.compile(r"(?:shared_ptr|std_shared_ptr)<const (\w+)>"), r"\1ConstSharedPtr"),
@@ -34,6 +35,7 @@ def normal_type(written: str) -> str:
     text = _TRAILING_CONST.sub(r"const \1", text)
     for pattern, short in _POINTERS:
         text = pattern.sub(short, text)
+    text = _SHARED.sub(r"\1Ptr", text)
     if text.startswith("const ") and not text.endswith(("&", "*")):
         text = text.removeprefix("const ")
     return text.strip()

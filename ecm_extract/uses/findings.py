@@ -96,7 +96,10 @@ def _message(change: Change, readers: list[Use]) -> str:
         "type_changed": f"has another type: {change.reason}",
         "signature_changed": f"has another signature: {change.reason}",
     }.get(change.change, f"changed: {change.reason}")
-    return f"{kind} {change.old}{of} in {change.package} {happened}: {first}. If ignored, {ignored}."
+    told = f"{kind} {change.old}{of} in {change.package} {happened}: {first}."
+    if all(use.remapped for use in readers):
+        return f"{told} A remap in a launch file keeps the old name alive where it is used."
+    return f"{told} If ignored, {ignored}."
 
 
 def _resolution(change: Change) -> str:

@@ -192,6 +192,34 @@ def test_built_sources_of_the_provider_are_quiet(repo: Path, capsys: pytest.Capt
     assert document(capsys, "1.0.0", "1.1.1", "--repo", repo)["findings"] == []
 
 
+@pytest.mark.parametrize(
+    ("path", "text"),
+    [
+        ("user/launch/a.launch", '<launch><remap from="state/joints" to="/arm/joint_state/raw/joints"/></launch>'),
+        ("user/launch/a.launch.py", 'Node(remappings=[("/arm/state/joints", "/arm/joint_state/raw/joints")])'),
+    ],
+)
+def test_a_remap_that_keeps_the_old_name_downgrades(
+    repo: Path, tmp_path: Path, path: str, text: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Who remaps the old name is warned, not failed."""
+    write(tmp_path / "ws", {**CONSUMER, path: text})
+    found = document(capsys, "1.0.0", "1.1.0", "--repo", repo, "--consumer", tmp_path / "ws")
+    levels = {f["severity"] for f in found["findings"] if f["message"].startswith("topic")}
+    assert levels == {"warning"}
+
+
+def test_launch_files_set_parameters_and_start_programs(
+    repo: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A parameter set in XML and a program started there are uses like any other."""
+    release(repo, {"arm/CMakeLists.txt": "project(arm)\n"}, "1.2.0")
+    text = '<launch>\n<node pkg="arm" exec="arm">\n<param name="checker_plugin" value="x"/>\n</node>\n</launch>\n'
+    write(tmp_path / "ws", {"user/package.xml": package("user"), "user/launch/a.launch.xml": text})
+    found = document(capsys, "1.0.0", "1.2.0", "--repo", repo, "--consumer", tmp_path / "ws")
+    assert sorted(f["evidence"][0]["line"] for f in found["findings"]) == [2, 3]
+
+
 @pytest.mark.parametrize("ref", ["1.0.0", "1.1.0"])
 def test_a_release_equals_itself(repo: Path, ref: str, capsys: pytest.CaptureFixture[str]) -> None:
     """Every state compared with itself is empty."""

@@ -17,6 +17,7 @@ from ecm_extract.entities.signatures import normal_type
         ("const std::vector<int> &", "std::vector<int> const&"),
         ("rclcpp::Node::SharedPtr", "std::shared_ptr<rclcpp::Node>"),
         ("const int", "int"),
+        ("boost::shared_ptr<kin::Sampler>", "kin::SamplerPtr"),
         ("hardware_interface::HardwareInfo const &", "const HardwareInfo&"),
         ("std::unique_ptr< a::B >", "a::B::UniquePtr"),
     ],
