@@ -153,6 +153,7 @@ def test_consumers_break_on_their_own_lines(repo: Path, tmp_path: Path, capsys: 
         ("user/src/my_driver.cpp", 4),
     }
     assert {f["rule"] for f in found["findings"]} == {"VER001"}
+    assert set(found["findings"][0]["evidence"][0]) == {"path", "line", "end_line", "commit"}
     parameter = next(f for f in found["findings"] if "yaml" in f["evidence"][0]["path"])
     assert "checker_plugins" in parameter["resolution"]
 

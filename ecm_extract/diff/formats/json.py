@@ -5,6 +5,8 @@ from __future__ import annotations
 from typing import Any, Final
 
 import msgspec
+from ecm_checker.finding import Finding
+from ecm_checker.json_data import record_data
 
 from ecm_extract.diff.model import Comparison, RefInfo
 
@@ -18,8 +20,8 @@ def diff_document(comparison: Comparison) -> dict[str, Any]:
         "repo": comparison.repo,
         "old": _ref(comparison.old),
         "new": _ref(comparison.new),
-        "changes": [_full(change) for change in comparison.changes],
-        "findings": [_full(finding) for finding in comparison.findings],
+        "changes": [record_data(change) for change in comparison.changes],
+        "findings": [_finding(finding) for finding in comparison.findings],
         "verdict": msgspec.to_builtins(comparison.verdict),
         "packages": [
             {
@@ -37,9 +39,10 @@ def _ref(info: RefInfo) -> dict[str, Any]:
     return {"ref": info.ref, "commit": info.commit}
 
 
-def _full(record: Any) -> dict[str, Any]:
-    data: dict[str, Any] = msgspec.to_builtins(record)
-    return data
+def _finding(finding: Finding) -> dict[str, Any]:
+    """A finding with every key of its places, so that readers need no defaults."""
+    places = [{**record_data(place), "end_line": place.end_line, "commit": place.commit} for place in finding.evidence]
+    return {**record_data(finding), "evidence": places}
 
 
 def render(comparison: Comparison) -> str:
