@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Name, Number, Text
+from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Name, Number, Text
 from ecm_parsers.source.facts import Parameter
 
 from ecm_extract.link.calls import Invocation
@@ -72,9 +72,8 @@ def _fit(arg: Expr, parameter: Parameter, caller: Func, func: Func) -> int:
         return NO if "string" in last or last in _NUMERIC else 0
     if isinstance(arg, Name):
         return _variable_fit(arg.id, wanted, caller)
-    if isinstance(arg, Call | Items):
-        return 0
-    return 0
+    made = arg.callee.id if isinstance(arg, Call) and isinstance(arg.callee, Name) else ""
+    return 2 if made and made.rsplit("::", 1)[-1] == last else 0
 
 
 def _text_fit(last: str) -> int:

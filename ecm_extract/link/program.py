@@ -6,7 +6,7 @@ A name resolves to the nearest candidate: same file, included or imported file, 
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import PurePosixPath
 
@@ -69,12 +69,14 @@ class Program:
         self.aliases: dict[str, list[tuple[File, Alias]]] = defaultdict(list)
         self._by_suffix: dict[str, list[File]] = defaultdict(list)
         self._resolved: dict[tuple[str, str, int], Cls | None] = {}
+        self._reached: dict[int, set[int]] = {}
         self._mro: dict[int, tuple[Cls, ...]] = {}
+        for file in self.files:
+            self._by_suffix[PurePosixPath(file.path).name].append(file)
         for file in self.files:
             self._index(file)
 
     def _index(self, file: File) -> None:
-        self._by_suffix[PurePosixPath(file.path).name].append(file)
         for function in file.facts.functions:
             owner = self._owner(function, file)
             func = Func(function, file, owner)
@@ -111,11 +113,29 @@ class Program:
         return 1 if other.package == file.package else 0
 
     def includes(self, file: File, other: File) -> bool:
-        """Tell whether `file` includes or imports `other` by its path."""
+        """Tell whether `file` includes or imports `other`, C++ headers also through other headers of the tree."""
         if file.language == "python":
             module = other.path.removesuffix(".py").replace("/", ".")
             return any(entry.module and module.endswith(entry.module.lstrip(".")) for entry in file.facts.imports)
-        return any(other.path.endswith("/" + entry.module) for entry in file.facts.imports)
+        return id(other) in self._included(file)
+
+    def _included(self, file: File) -> set[int]:
+        known = self._reached.get(id(file))
+        if known is None:
+            known = self._reached[id(file)] = set()
+            pending = [file]
+            while pending:
+                for header in self._headers(pending.pop()):
+                    if id(header) not in known:
+                        known.add(id(header))
+                        pending.append(header)
+        return known
+
+    def _headers(self, file: File) -> Iterator[File]:
+        for entry in file.facts.imports:
+            for other in self._by_suffix.get(PurePosixPath(entry.module).name, ()):
+                if other.path.endswith("/" + entry.module):
+                    yield other
 
     def class_named(self, name: str, file: File, scope: str = "") -> Cls | None:
         """Return the class that `name` (possibly qualified, without template arguments) means in a scope of a file."""

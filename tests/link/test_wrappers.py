@@ -114,3 +114,19 @@ class D : public rclcpp::Node { public: D() : Node("d") { get("a", 1.0); get<std
   template<class T> T get(const std::string & name, const T & value, const Descriptor & d = Descriptor()) { return declare_parameter(name, value, d); } };"""
     found = {(entry.name, entry.default) for entry in workspace.package({"src/d.cpp": text}).interfaces()}
     assert found == {("a", 1.0), ("b", None)}
+
+
+def test_helpers_are_seen_through_headers_of_headers(workspace: Any) -> None:
+    """What a file includes through its own header is in sight, and the argument's class chooses the overload."""
+    helpers = HELPER + HELPER.replace(
+        "const rclcpp::ParameterValue & value", "const rclcpp::ParameterType & kind"
+    ).replace("name, value", "name, kind")
+    workspace.package({"include/util/util.hpp": f"namespace util {{ {helpers} }}"}, name="util")
+    workspace.package(
+        {
+            "include/pkg/own.hpp": '#include "util/util.hpp"\nclass D : public rclcpp::Node { public: D(); };',
+            "src/d.cpp": '#include "pkg/own.hpp"\nusing util::declare_once;\nD::D() : Node("d") { declare_once(this, "speed", rclcpp::ParameterValue(0.5)); }',
+        }
+    )
+    (entry,) = workspace.modules()["ecm.pkg.d"].signature.interfaces
+    assert (entry.name, entry.default, [place.line for place in entry.evidence]) == ("speed", 0.5, [3, 4])
