@@ -85,12 +85,10 @@ class Options(msgspec.Struct, frozen=True):
         include_tests: also read test folders.
         config: path of an `ecm.toml`; None looks for one at the root of the tree.
         jobs: worker processes; None takes one per core.
-        cache: keep parsed facts between runs.
         progress: called with (files done, files in all) now and then; must be cheap.
     """
 
     include_tests: bool = False
     config: str | None = None
     jobs: int | None = None
-    cache: bool = True
     progress: Progress | None = None

@@ -20,7 +20,7 @@ DEMO = Path(__file__).parent.parent / "fixtures" / "demo_robot"
 def document(jobs: int) -> dict[str, Any]:
     tree = open_tree(DEMO)
     tree.commit, tree.repository = None, None
-    extraction = extract(tree, Options(jobs=jobs, cache=False))
+    extraction = extract(tree, Options(jobs=jobs))
     decoded: dict[str, Any] = msgspec.json.decode(json_document(msgspec.structs.replace(extraction, path="demo_robot")))
     return decoded
 

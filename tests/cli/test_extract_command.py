@@ -108,12 +108,11 @@ def test_options_reach_the_core(core: Core) -> None:
         "my.toml",
         "--jobs",
         "3",
-        "--no-cache",
         "-q",
     ]
     assert run(["robot", *arguments]) == 0
     assert core.opened == ("robot", "1.2.0")
-    assert core.options == Options(include_tests=True, config="my.toml", jobs=3, cache=False)
+    assert core.options == Options(include_tests=True, config="my.toml", jobs=3)
 
 
 def test_a_tree_without_packages_is_wrong_input(core: Core, capsys: pytest.CaptureFixture[str]) -> None:

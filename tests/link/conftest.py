@@ -32,7 +32,7 @@ class Workspace:
         return self
 
     def modules(self) -> dict[str, Contract]:
-        extraction = extract(open_tree(self.root), Options(jobs=1, cache=False))
+        extraction = extract(open_tree(self.root), Options(jobs=1))
         return {m.ecm.module_id: m for package in extraction.packages for m in package.modules}
 
     def interfaces(self) -> list[Interface]:

@@ -105,7 +105,7 @@ def _request(asked: Asked) -> Request:
     _say_baseline(infos)
     repo = find_repo(folder)
     with progress_bar() as progress:
-        options = Options(asked.include_tests, asked.config, asked.jobs, True, progress)
+        options = Options(asked.include_tests, asked.config, asked.jobs, progress)
     return Request(
         old=old,
         new=new,
