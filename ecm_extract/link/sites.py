@@ -197,6 +197,8 @@ class Sites:
         if known is None:
             scored = [(score(call, func), func) for func in self.program.functions.get(call.last, ())]
             fitting = [(fit, func) for fit, func in scored if fit != NO and self._visible(call, func)]
+            if call.simple and any(func.cls is not None for _, func in fitting):
+                fitting = [(fit, func) for fit, func in fitting if func.cls is not None]  # members hide functions
             best = max((fit for fit, _ in fitting), default=0)
             known = self._targets[id(call)] = tuple(func for fit, func in fitting if fit == best)
         return known

@@ -130,3 +130,13 @@ def test_helpers_are_seen_through_headers_of_headers(workspace: Any) -> None:
     )
     (entry,) = workspace.modules()["ecm.pkg.d"].signature.interfaces
     assert (entry.name, entry.default, [place.line for place in entry.evidence]) == ("speed", 0.5, [3, 4])
+
+
+def test_a_method_hides_functions_of_its_name(workspace: Any) -> None:
+    """A bare call in a class means the method, not the function that the method calls."""
+    text = """
+namespace make { template<class T> auto open(rclcpp::Node * node, const std::string & topic, int depth) { return node->create_publisher<T>(topic, depth); } }
+class D : public rclcpp::Node { public: D() : Node("d") { open<std_msgs::msg::String>(topic_, depth_ + 1, keep()); }
+  template<class T> auto open(const std::string & topic, int depth, bool keep) { return make::open<T>(this, topic, depth); }
+  std::string topic_{"chatter"}; };"""
+    assert workspace.package({"src/d.cpp": text}).only("publisher").name == "/chatter"
