@@ -1,0 +1,160 @@
+"""Operators of launch files written in Python, over plain data and over texts with substitutions."""
+
+from __future__ import annotations
+
+import ast
+import operator
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+
+from ecm_parsers.launch.constructors import joined_path
+from ecm_parsers.launch.methods import hashable, percent_formatted
+from ecm_parsers.launch.model import Substitution, Template
+from ecm_parsers.launch.values import (
+    MAX_ITEMS,
+    MAX_TEXT,
+    Condition,
+    Description,
+    Text,
+    Unknown,
+    Value,
+    merged_text,
+    template_of,
+)
+
+MAX_NUMBER = 1e15
+_ARITHMETIC: Mapping[type[ast.operator], Callable[[float, float], float]] = MappingProxyType(
+    {
+        ast.Add: operator.add,
+        ast.Sub: operator.sub,
+        ast.Mult: operator.mul,
+        ast.Div: operator.truediv,
+        ast.FloorDiv: operator.floordiv,
+        ast.Mod: operator.mod,
+    }
+)
+_COMPARE: Mapping[type[ast.cmpop], Callable[[Value, Value], bool]] = MappingProxyType(
+    {
+        ast.Eq: operator.eq,
+        ast.NotEq: operator.ne,
+        ast.Lt: operator.lt,
+        ast.LtE: operator.le,
+        ast.Gt: operator.gt,
+        ast.GtE: operator.ge,
+        ast.In: lambda item, items: item in items,
+        ast.NotIn: lambda item, items: item not in items,
+        ast.Is: operator.is_,
+        ast.IsNot: operator.is_not,
+    }
+)
+_NEGATIVE = (ast.NotEq, ast.NotIn, ast.IsNot)
+
+
+def binary(kind: ast.operator, left: Value, right: Value) -> Value:
+    """Return what an arithmetic operator gives; Unknown when that is not known."""
+    if _numbers(left, right):
+        return _arithmetic(kind, left, right)
+    if isinstance(kind, ast.Add):
+        return _added(left, right)
+    if isinstance(kind, ast.Mod) and isinstance(left, str):
+        return percent_formatted(left, right)
+    if isinstance(kind, ast.Div) and isinstance(left, Text | str):
+        return joined_path((left, right))
+    if isinstance(kind, ast.Mult) and isinstance(left, list | str) and isinstance(right, int):
+        return left * right if 0 <= right * len(left) <= MAX_ITEMS else Unknown("*")
+    return Unknown("operator")
+
+
+def _numbers(left: Value, right: Value) -> bool:
+    return all(isinstance(value, int | float) for value in (left, right))
+
+
+def _arithmetic(kind: ast.operator, left: float, right: float) -> Value:
+    function = _ARITHMETIC.get(type(kind))
+    if function is None or max(abs(left), abs(right)) > MAX_NUMBER:
+        return Unknown("arithmetic")
+    try:
+        return function(left, right)
+    except (ArithmeticError, ValueError):
+        return Unknown("arithmetic")
+
+
+def _added(left: Value, right: Value) -> Value:
+    left = left.actions if isinstance(left, Description) else left
+    right = right.actions if isinstance(right, Description) else right
+    if isinstance(left, list | tuple) and isinstance(right, list | tuple):
+        joined = [*left, *right][:MAX_ITEMS]
+        return joined if isinstance(left, list) else tuple(joined)
+    if isinstance(left, list | tuple) and isinstance(right, Unknown):
+        return left
+    if isinstance(right, list | tuple) and isinstance(left, Unknown):
+        return right
+    if isinstance(left, str | Text | Unknown) and isinstance(right, str | Text | Unknown):
+        text = merged_text((*template_of(left), *template_of(right)))
+        return text[:MAX_TEXT] if isinstance(text, str) else text
+    return Unknown("+")
+
+
+def compare(kind: ast.cmpop, left: Value, right: Value) -> Value:
+    """Return a truth value, or a condition over substitutions."""
+    if _is_known(left) and _is_known(right):
+        try:
+            return bool(_COMPARE[type(kind)](left, right))
+        except TypeError:
+            return Unknown("comparison")
+    if isinstance(left, Unknown) or isinstance(right, Unknown) or not isinstance(kind, _TEXTUAL):
+        return Unknown("comparison")
+    if isinstance(kind, ast.Is | ast.IsNot):
+        return isinstance(kind, ast.IsNot)
+    if isinstance(kind, ast.In | ast.NotIn):
+        found = _contained(left, right)
+    else:
+        found = (Substitution("equals", (template_of(left), template_of(right))),)
+    return Text(negated(found)) if isinstance(kind, _NEGATIVE) else Text(found)
+
+
+_TEXTUAL = (ast.Eq, ast.NotEq, ast.In, ast.NotIn, ast.Is, ast.IsNot)
+
+
+def _contained(item: Value, items: Value) -> Template:
+    if isinstance(items, list | tuple):
+        equal: tuple[Template, ...] = tuple(
+            (Substitution("equals", (template_of(item), template_of(entry))),) for entry in items
+        )
+        return (Substitution("or", equal),)
+    return (Substitution("in", (template_of(item), template_of(items))),)
+
+
+def _is_known(value: Value) -> bool:
+    if isinstance(value, list | tuple):
+        return all(_is_known(item) for item in value)
+    return value is None or isinstance(value, str | int | float | bool | dict)
+
+
+def negated(condition: Template) -> Template:
+    """Return the condition that holds where another does not."""
+    return (Substitution("not", (condition,)),)
+
+
+def truth(value: Value) -> bool | Template:
+    """Return whether a value holds, or the condition under which it does."""
+    if isinstance(value, Text):
+        return value.parts
+    if isinstance(value, Condition):
+        return value.holds
+    if isinstance(value, Unknown):
+        return (Substitution("unknown", ((value.text,),)),)
+    if isinstance(value, Description):
+        return True
+    return bool(value)
+
+
+def subscript(owner: Value, key: Value) -> Value:
+    """Return an item of a list or map, Unknown when there is none."""
+    if isinstance(owner, dict):
+        return owner.get(key, Unknown("item")) if hashable(key) else Unknown("item")
+    if isinstance(owner, list | tuple | str) and isinstance(key, int) and -len(owner) <= key < len(owner):
+        return owner[key]
+    if isinstance(owner, list | tuple | str) and isinstance(key, slice):
+        return owner[key]
+    return Unknown("item")

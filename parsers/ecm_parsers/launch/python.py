@@ -1,0 +1,68 @@
+"""Launch files of ROS 2 in Python -> actions. The file is parsed and read, never run."""
+
+from __future__ import annotations
+
+import ast
+import warnings
+
+from ecm_parsers.launch.constructors import Arguments
+from ecm_parsers.launch.interpreter import Interpreter, TooLongError
+from ecm_parsers.launch.model import LaunchFile
+from ecm_parsers.launch.values import Description, Function, actions_of
+from ecm_parsers.result import Diagnostic, Parsed
+from ecm_parsers.text import decode
+
+MAX_BYTES = 500_000
+ENTRY_POINTS = ("generate_launch_description", "generate_test_description")
+
+
+def parse_launch_python(data: bytes) -> Parsed[LaunchFile | None]:
+    """Read a launch file in Python.
+
+    Args:
+        data: its bytes, at most `MAX_BYTES`.
+
+    Returns:
+        The file, None when it has no `generate_launch_description`, and diagnostics.
+    """
+    if len(data) > MAX_BYTES:
+        return _refused("launch-too-large", 0, f"The file exceeds {MAX_BYTES} bytes and is skipped. Split it.")
+    text, doubts = decode(data)
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            tree = ast.parse(text)
+    except SyntaxError as error:
+        return _refused("launch-syntax", error.lineno or 0, f"No valid Python: {error.msg}. Correct it.")
+    except (RecursionError, MemoryError, ValueError):
+        return _refused("launch-too-deep", 0, "Expressions nest too deeply to be read. Flatten them.")
+    try:
+        found = _read(tree)
+    except TooLongError:
+        return _refused("launch-too-long", 0, "The file builds more than can be read without running it. Simplify it.")
+    except RecursionError:
+        return _refused("launch-too-deep", 0, "Expressions nest too deeply to be read. Flatten them.")
+    return Parsed(found.facts, (*doubts, *found.diagnostics))
+
+
+def _read(tree: ast.Module) -> Parsed[LaunchFile | None]:
+    interpreter = Interpreter()
+    interpreter.run(tree.body, interpreter.module)
+    entry = next(
+        (interpreter.module.names.get(name) for name in ENTRY_POINTS if name in interpreter.module.names), None
+    )
+    if not isinstance(entry, Function):
+        message = "There is no `generate_launch_description`; the file is no launch file. Add it."
+        return Parsed(None, (Diagnostic("info", "launch-no-entry", 0, message),))
+    made = interpreter.call(entry, Arguments((), {}, 0))
+    if isinstance(made, tuple) and made:
+        made = made[0]  # generate_test_description returns (description, context)
+    if not isinstance(made, Description | list):
+        line = entry.node.lineno
+        message = "What `generate_launch_description` returns cannot be read without running it."
+        return Parsed(LaunchFile(2), (Diagnostic("warning", "launch-unread", line, message),))
+    return Parsed(LaunchFile(2, actions_of(made)))
+
+
+def _refused(code: str, line: int, message: str) -> Parsed[LaunchFile | None]:
+    return Parsed(None, (Diagnostic("error", code, line, message),))

@@ -1,0 +1,200 @@
+"""Values of a Python launch file that is read and not run: plain data, texts with substitutions, actions.
+
+Lists, dicts and launch descriptions are mutable here, since launch files build them step by step.
+"""
+
+from __future__ import annotations
+
+import ast
+from dataclasses import dataclass, field
+from typing import Any, TypeAlias
+
+from ecm_parsers.launch.model import (
+    Action,
+    Data,
+    Group,
+    ParameterFile,
+    ParameterSource,
+    ParameterValue,
+    Substitution,
+    Template,
+)
+
+MAX_ITEMS = 2_000
+MAX_TEXT = 20_000
+MAX_DEPTH = 20
+
+
+@dataclass(frozen=True, slots=True)
+class Text:
+    """A text with substitutions, or one substitution."""
+
+    parts: Template
+
+
+@dataclass(frozen=True, slots=True)
+class Condition:
+    """What `condition=` takes."""
+
+    holds: Template
+
+
+@dataclass(frozen=True, slots=True)
+class Unknown:
+    """A value that is not known without running the file, as written."""
+
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Reference:
+    """An imported name or a part of one, dotted as written."""
+
+    path: str
+
+    @property
+    def last(self) -> str:
+        """The part after the last dot."""
+        return self.path.rsplit(".", 1)[-1]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Function:
+    """A function of the file; its free names are looked up where it was defined."""
+
+    node: ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda
+    scope: Scope
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Method:
+    """A method of a value that is about to be called."""
+
+    owner: Value
+    name: str
+
+
+@dataclass(slots=True, eq=False)
+class Description:
+    """A `LaunchDescription` in the making."""
+
+    actions: list[Value] = field(default_factory=list)
+
+
+@dataclass(slots=True, eq=False)
+class Scope:
+    """Names of a function or of the module, and of what surrounds it."""
+
+    names: dict[str, Value] = field(default_factory=dict)
+    parent: Scope | None = None
+
+    def find(self, name: str) -> Value | None:
+        """Return the value of a name as a reader from here sees it, None when nobody has set it."""
+        scope: Scope | None = self
+        while scope is not None:
+            if name in scope.names:
+                return scope.names[name]
+            scope = scope.parent
+        return None
+
+
+Value: TypeAlias = Any
+"""str, int, float, bool, None, list, tuple, dict, an action of the model or a class of this file."""
+
+
+def template_of(value: Value, depth: int = 0) -> Template:
+    """Return a value as launch turns it into text: lists are joined."""
+    if value is None or depth > MAX_DEPTH:
+        return ()
+    if isinstance(value, str):
+        return (value,) if value else ()
+    if isinstance(value, Text):
+        return value.parts
+    if isinstance(value, bool | int | float):
+        return (str(value),)
+    if isinstance(value, list | tuple):
+        return tuple(part for item in value[:MAX_ITEMS] for part in template_of(item, depth + 1))
+    if isinstance(value, Condition):
+        return value.holds
+    return (Substitution("unknown", ((shown(value),),)),)
+
+
+def shown(value: Value) -> str:
+    """Return what an unknown value is called in the file."""
+    return value.text if isinstance(value, Unknown) else type(value).__name__
+
+
+def text_of(value: Value) -> str | None:
+    """Return a value that is text without substitutions, None for any other."""
+    parts = template_of(value) if isinstance(value, str | Text | list | tuple) else None
+    if parts is None or not all(isinstance(part, str) for part in parts):
+        return None
+    return "".join(str(part) for part in parts)
+
+
+def merged_text(parts: Template) -> Value:
+    """Return parts as plain text where they hold no substitution."""
+    joined: list[str | Substitution] = []
+    for part in parts:
+        if isinstance(part, str) and joined and isinstance(joined[-1], str):
+            joined[-1] = (joined[-1] + part)[:MAX_TEXT]
+        else:
+            joined.append(part)
+    if not joined:
+        return ""
+    return joined[0] if len(joined) == 1 and isinstance(joined[0], str) else Text(tuple(joined))
+
+
+def data_of(value: Value, depth: int = 0) -> Data:
+    """Return a parameter's value; quoted text and substitutions are templates."""
+    if value is None or isinstance(value, bool | int | float):
+        return value
+    if isinstance(value, list | tuple) and depth < MAX_DEPTH:
+        if any(isinstance(item, Text) for item in value) and all(isinstance(item, str | Text) for item in value):
+            return template_of(value)
+        return [data_of(item, depth + 1) for item in value[:MAX_ITEMS]]
+    return template_of(value)
+
+
+def parameter_sources(value: Value, line: int) -> tuple[ParameterSource, ...]:
+    """Return what `parameters=[...]` sets: maps, files and what cannot be known."""
+    found: list[ParameterSource] = []
+    for item in value if isinstance(value, list | tuple) else [value]:
+        if isinstance(item, ParameterFile | ParameterValue):
+            found.append(item)
+        elif isinstance(item, dict):
+            found += _flattened(item, (), line)
+        elif isinstance(item, list | tuple) and any(isinstance(entry, dict | list | ParameterFile) for entry in item):
+            found += parameter_sources(item, line)
+        elif item is not None:
+            found.append(ParameterFile(line=line, path=template_of(item)))
+    return tuple(found)
+
+
+def _flattened(table: dict[Value, Value], prefix: Template, line: int, depth: int = 0) -> list[ParameterSource]:
+    found: list[ParameterSource] = []
+    for key, value in table.items():
+        name = (*prefix, ".", *template_of(key)) if prefix else template_of(key)
+        if isinstance(value, dict) and depth < MAX_DEPTH:
+            found += _flattened(value, name, line, depth + 1)
+        elif isinstance(value, ParameterValue):
+            found.append(ParameterValue(line=line, name=name, value=value.value))
+        else:
+            found.append(ParameterValue(line=line, name=name, value=data_of(value)))
+    return found
+
+
+def actions_of(value: Value, depth: int = 0) -> tuple[Action, ...]:
+    """Return the actions of a list, description or single action, in order."""
+    if isinstance(value, Description):
+        value = value.actions
+    if isinstance(value, list | tuple) and depth < MAX_DEPTH:
+        return tuple(action for item in value[:MAX_ITEMS] for action in actions_of(item, depth + 1))
+    return (value,) if isinstance(value, Action) else ()
+
+
+def guarded(actions: tuple[Action, ...], guard: Template | None, line: int) -> tuple[Action, ...]:
+    """Return actions that are taken only where the guard holds."""
+    if guard is None or not actions:
+        return actions
+    return (Group(line=line, condition=guard, actions=actions, scoped=False),)
