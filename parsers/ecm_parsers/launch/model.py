@@ -15,9 +15,8 @@ class Substitution(msgspec.Struct, frozen=True, tag=True):
 
     Attributes:
         kind: `arg` (name, default?), `env` (name, default?), `find` (package), `find_prefix` (package),
-            `eval` (expression text), `dirname`, `anon` (name), `command` (words), `path` (parts joined by `/`),
-            `not`, `and`, `or`, `equals`, `in`, `lower`, `if` (condition, then, else), `has_parameters` (file, node), or `unknown` (source
-            text).
+            `eval` (expression text), `dirname`, `anon` (name), `command` (words), `not`, `and`, `or`, `equals`, `in`,
+            `lower`, `if` (condition, then, else), `has_parameters` (file, node), or `unknown` (source text).
         args: templates, in the order above.
     """
 

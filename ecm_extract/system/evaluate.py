@@ -1,0 +1,214 @@
+"""Launch files evaluated over a tree: which nodes they start, with which names, remaps and parameters.
+
+Sources: roslaunch `xmlloader` and `loader` (ROS 1); `launch` and `launch_ros` actions (ROS 2). In ROS 2 an included
+file shares the arguments of the file that includes it, in ROS 1 it sees only what it is given.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+
+from ecm_parsers.launch.model import (
+    Action,
+    Argument,
+    Group,
+    Include,
+    LaunchFile,
+    Node,
+    ParameterFile,
+    ParameterValue,
+    PushNamespace,
+    Remap,
+    SetConfiguration,
+)
+
+from ecm_extract.system.files import Files
+from ecm_extract.system.instances import InstanceMaker
+from ecm_extract.system.launch_files import read_launch
+from ecm_extract.system.model import LaunchArgument, Launched, Place, Remapping, Text, join
+from ecm_extract.system.scope import Scope
+from ecm_extract.system.settings import Settings
+from ecm_extract.system.substitute import Substituter, hole
+from ecm_extract.tree import FileDiagnostic, Tree
+
+MAX_INCLUDES = 300
+MAX_DEPTH = 25
+MAX_SAME_FILE = 3
+MAX_INSTANCES = 5_000
+
+
+def launched(tree: Tree, files: Files, paths: Sequence[str], arguments: Mapping[str, str]) -> Launched:
+    """Return what launch files start together.
+
+    Args:
+        tree: gets the diagnostics.
+        files: of the tree.
+        paths: of the launch files, in the order in which they are started.
+        arguments: values that override the defaults of the files' arguments.
+    """
+    evaluator = Evaluator(tree, files)
+    for path in paths:
+        scope = Scope(arguments={name: Text(value) for name, value in arguments.items()})
+        evaluator.file(path, scope, ())
+    return evaluator.result
+
+
+class Evaluator:
+    """Walks launch files in the order of their actions."""
+
+    def __init__(self, tree: Tree, files: Files) -> None:
+        self.tree = tree
+        self.files = files
+        self.result = Launched()
+        self._includes = 0
+        self._handlers: dict[type[Action], Callable[[_File, Action, Scope], None]] = {
+            Argument: self._argument,
+            SetConfiguration: self._configuration,
+            PushNamespace: self._push,
+            Remap: self._remap,
+            ParameterValue: self._parameters,
+            ParameterFile: self._parameters,
+            Node: self._node,
+            Include: self._include,
+            Group: self._group,
+        }
+
+    def file(self, path: str, scope: Scope, stack: tuple[str, ...]) -> None:
+        """Evaluate one file in a scope."""
+        self._includes += 1
+        cyclic = stack.count(path) >= MAX_SAME_FILE
+        if cyclic or len(stack) >= MAX_DEPTH or self._includes > MAX_INCLUDES:
+            why = "includes itself without end" if cyclic else f"is included more than {MAX_INCLUDES} times or too deep"
+            self.report(stack[-1] if stack else path, 0, "launch-cycle", f"{path} {why}. Break the cycle.")
+            return
+        data = self.files.read(path)
+        parsed = read_launch(path, data, self.files.ros_of(path)) if data is not None else None
+        if parsed is None:
+            return
+        for entry in parsed.diagnostics:
+            self.tree.report(FileDiagnostic(entry.severity, entry.code, path, entry.line, entry.message))
+        if parsed.facts is not None:
+            self.result.files.append(path)
+            self._run(_File(path, parsed.facts, (*stack, path)), parsed.facts.actions, scope)
+
+    def _run(self, file: _File, actions: Sequence[Action], scope: Scope) -> None:
+        for action in actions:
+            if len(self.result.instances) >= MAX_INSTANCES:
+                return
+            holds = file.substituter(self.files, scope).truth(action.condition)
+            if holds is False:
+                continue
+            taken = scope if holds else scope.under(self._condition_text(file, action, scope))
+            self._handlers[type(action)](file, action, taken)
+            if not holds:
+                _keep_declared(scope, taken)
+
+    def _condition_text(self, file: _File, action: Action, scope: Scope) -> str:
+        return file.substituter(self.files, scope).text(action.condition).text.strip("{}")
+
+    # --- actions that change the scope -------------------------------------------------------------------------
+
+    def _argument(self, file: _File, action: Action, scope: Scope) -> None:
+        assert isinstance(action, Argument)
+        substituter = file.substituter(self.files, scope)
+        if action.value is not None:
+            scope.arguments[action.name] = substituter.text(action.value)
+        elif action.name not in scope.arguments:
+            default = action.default
+            scope.arguments[action.name] = hole(action.name) if default is None else substituter.text(default)
+        if len(file.stack) == 1:
+            value = scope.arguments[action.name]
+            known = value.text if value.known else None
+            place = Place(file.path, action.line)
+            made = LaunchArgument(action.name, known, action.description, action.choices, place)
+            self.result.arguments.append(made)
+
+    def _configuration(self, file: _File, action: Action, scope: Scope) -> None:
+        assert isinstance(action, SetConfiguration)
+        substituter = file.substituter(self.files, scope)
+        target = scope.environment if action.environment else scope.arguments
+        target[substituter.text(action.name).text] = substituter.text(action.value)
+
+    def _push(self, file: _File, action: Action, scope: Scope) -> None:
+        assert isinstance(action, PushNamespace)
+        scope.namespace = join(scope.namespace, file.substituter(self.files, scope).text(action.namespace).text)
+
+    def _remap(self, file: _File, action: Action, scope: Scope) -> None:
+        assert isinstance(action, Remap)
+        substituter = file.substituter(self.files, scope)
+        source, target = substituter.text(action.source).text, substituter.text(action.target).text
+        scope.remaps.append(Remapping(source, target, Place(file.path, action.line)))
+
+    def _parameters(self, file: _File, action: Action, scope: Scope) -> None:
+        assert isinstance(action, ParameterValue | ParameterFile)
+        if file.facts.ros == 2:
+            scope.parameters.append(action)
+            return
+        settings = Settings(self.tree, self.files, file.path, file.substituter(self.files, scope))
+        self.result.globals += settings.ros1(action, scope.namespace)
+
+    # --- actions that start something --------------------------------------------------------------------------
+
+    def _node(self, file: _File, action: Action, scope: Scope) -> None:
+        assert isinstance(action, Node)
+        substituter = file.substituter(self.files, scope)
+        settings = Settings(self.tree, self.files, file.path, substituter)
+        self.result.instances += InstanceMaker(file.path, file.facts.ros, substituter, settings).make(action, scope)
+
+    def _group(self, file: _File, action: Action, scope: Scope) -> None:
+        assert isinstance(action, Group)
+        self._run(file, action.actions, scope.inner() if action.scoped else scope)
+
+    def _include(self, file: _File, action: Action, scope: Scope) -> None:
+        assert isinstance(action, Include)
+        substituter = file.substituter(self.files, scope)
+        path = substituter.text(action.path)
+        found = self.files.find(path.text) if path.known else None
+        given = {name: substituter.text(value) for name, value in action.arguments}
+        if found is None:
+            self._unread(file, action, path)
+            return
+        inner = scope
+        if file.facts.ros == 1:
+            inner = scope.inner()
+            inner.arguments = {**(scope.arguments if action.pass_all else {}), **given}
+        else:
+            scope.arguments.update(given)
+        if action.namespace:
+            inner.namespace = join(scope.namespace, substituter.text(action.namespace).text)
+        self.file(found, inner, file.stack)
+
+    def _unread(self, file: _File, action: Include, path: Text) -> None:
+        shown = path.text.removeprefix("tree:")
+        if path.known:
+            message = f"Included file `{shown}` is not in the tree. Correct the path or add the file."
+            self.report(file.path, action.line, "launch-include-missing", message)
+            return
+        message = f"Included file `{shown}` is outside the tree or known at launch only; what it starts is left out."
+        self.tree.report(FileDiagnostic("info", "launch-include-outside", file.path, action.line, message))
+
+    def report(self, path: str, line: int, code: str, message: str) -> None:
+        """Add a warning to the tree's diagnostics."""
+        self.tree.report(FileDiagnostic("warning", code, path, line, message))
+
+
+class _File:
+    """A launch file that is being evaluated, and those that include it."""
+
+    def __init__(self, path: str, facts: LaunchFile, stack: tuple[str, ...]) -> None:
+        self.path = path
+        self.facts = facts
+        self.stack = stack
+
+    def substituter(self, files: Files, scope: Scope) -> Substituter:
+        """Return what evaluates templates of this file in a scope."""
+        return Substituter(files, self.path, scope.arguments, scope.environment)
+
+
+def _keep_declared(scope: Scope, taken: Scope) -> None:
+    """Arguments that were set under an unknown condition are known to exist, not what they are."""
+    for name, value in taken.arguments.items():
+        if name not in scope.arguments:
+            scope.arguments[name] = value
+        elif scope.arguments[name] != value:
+            scope.arguments[name] = hole(f"{scope.arguments[name].text} or {value.text}")

@@ -1,0 +1,92 @@
+"""Files as launch files name them: by package, or beside the file that names them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import PurePosixPath
+
+from ecm_extract.read.facts import PackageFacts
+from ecm_extract.tree import Tree
+
+TREE = "tree:"
+"""Prefix of a path that is in the tree, so that a path of the machine is never taken for one."""
+
+
+class Files:
+    """Finds and reads files of one tree."""
+
+    def __init__(self, tree: Tree, packages: Sequence[PackageFacts]) -> None:
+        self._tree = tree
+        self._roots = {package.name: package.root.path for package in packages}
+        self._ros = {package.root.path: package.ros for package in packages}
+        self._paths = {entry.path for entry in tree.files()}
+        self._by_name: dict[str, list[str]] = {}
+        for path in sorted(self._paths):
+            self._by_name.setdefault(PurePosixPath(path).name, []).append(path)
+        self._contents: dict[str, bytes | None] = {}
+
+    def share(self, package: str) -> str | None:
+        """Return the marked path of a package's share folder, None when the tree does not hold the package."""
+        root = self._roots.get(package)
+        return None if root is None else f"{TREE}{root}"
+
+    def folder(self, path: str) -> str:
+        """Return the marked path of the folder of a file of the tree."""
+        return TREE + path.rpartition("/")[0]
+
+    def find(self, text: str) -> str | None:
+        """Return the path in the tree of a marked path; a file that is installed elsewhere is found by its name."""
+        if not text.startswith(TREE):
+            return None
+        path = _normal(text[len(TREE) :])
+        if path in self._paths:
+            return path
+        root = self._root(path)
+        beside = [entry for entry in self._by_name.get(PurePosixPath(path).name, ()) if self._root(entry) == root]
+        if len(beside) != 1:
+            beside = [entry for entry in beside if PurePosixPath(entry).parent.name == PurePosixPath(path).parent.name]
+        return beside[0] if len(beside) == 1 else None
+
+    def in_package(self, package: str, name: str) -> str | None:
+        """Return the file of a package with this name, as `roslaunch package file` looks it up."""
+        root = self._roots.get(package)
+        found = [entry for entry in self._by_name.get(PurePosixPath(name).name, ()) if self._root(entry) == root]
+        return min(found, key=len) if root is not None and found else None
+
+    def read(self, path: str) -> bytes | None:
+        """Return the bytes of a file of the tree, None when it cannot be read."""
+        if path not in self._contents:
+            self._contents[path] = next((data for _, data in self._tree.read_many([path])), None)
+        return self._contents[path]
+
+    def package_path(self, name: str) -> str | None:
+        """Return the folder of a package in the tree, None when the tree does not hold it."""
+        return self._roots.get(name)
+
+    def package_of(self, path: str) -> str | None:
+        """Return the name of the package that a file belongs to."""
+        root = self._root(path)
+        return next((name for name, entry in self._roots.items() if entry == root), None)
+
+    def ros_of(self, path: str) -> int | None:
+        """Return the ROS version of the package that a file belongs to."""
+        root = self._root(path)
+        return None if root is None else self._ros.get(root)
+
+    def _root(self, path: str) -> str | None:
+        """Return the folder of the innermost package around a path."""
+        for parent in PurePosixPath(path).parents:
+            text = "" if str(parent) == "." else str(parent)
+            if text in self._ros:
+                return text
+        return None
+
+
+def _normal(path: str) -> str:
+    parts: list[str] = []
+    for part in PurePosixPath(path).parts:
+        if part == "..":
+            parts[-1:] = []
+        elif part != ".":
+            parts.append(part)
+    return "/".join(parts)

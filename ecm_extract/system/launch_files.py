@@ -1,0 +1,32 @@
+"""Which files are launch files, and the parser of each."""
+
+from __future__ import annotations
+
+from pathlib import PurePosixPath
+from typing import cast
+
+from ecm_parsers.launch.files import parse_launch_xml, parse_launch_yaml
+from ecm_parsers.launch.model import LaunchFile
+from ecm_parsers.launch.python import parse_launch_python
+from ecm_parsers.result import Parsed
+
+_XML_SUFFIXES = (".launch", ".launch.xml", ".test")
+_YAML_SUFFIXES = (".launch.yaml", ".launch.yml")
+_PYTHON_SUFFIXES = (".launch.py", "_launch.py")
+
+
+def is_launch_file(path: str) -> bool:
+    """Tell by its name whether a file is a launch file."""
+    inside_launch = "launch" in PurePosixPath(path).parts[:-1]
+    if path.endswith((*_XML_SUFFIXES, *_YAML_SUFFIXES, *_PYTHON_SUFFIXES)):
+        return not path.endswith(".test") or "test" in path
+    return inside_launch and path.endswith((".py", ".xml")) and not path.endswith("__init__.py")
+
+
+def read_launch(path: str, data: bytes, ros: int | None = None) -> Parsed[LaunchFile | None]:
+    """Read a launch file by the syntax that its name tells."""
+    if path.endswith(".py"):
+        return parse_launch_python(data)
+    if path.endswith((".yaml", ".yml")):
+        return parse_launch_yaml(data)
+    return parse_launch_xml(data, cast("None", ros if ros in {1, 2} else None))

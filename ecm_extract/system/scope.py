@@ -1,0 +1,42 @@
+"""What the actions of a launch file change for those after them: namespace, remaps, parameters, arguments."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+from ecm_parsers.launch.model import ParameterSource
+
+from ecm_extract.system.model import Remapping, Text
+
+
+@dataclass(slots=True)
+class Scope:
+    """The state at one action.
+
+    Attributes:
+        namespace: absolute. remaps: of the scope, in order. parameters: of the scope (ROS 2), in order.
+        arguments, environment: values by name.
+        conditions: that are known at launch only and under which everything here happens.
+    """
+
+    namespace: str = "/"
+    remaps: list[Remapping] = field(default_factory=list)
+    parameters: list[ParameterSource] = field(default_factory=list)
+    arguments: dict[str, Text] = field(default_factory=dict)
+    environment: dict[str, Text] = field(default_factory=dict)
+    conditions: tuple[str, ...] = ()
+
+    def inner(self) -> Scope:
+        """Return a copy that a group changes without changing this one."""
+        return Scope(
+            self.namespace,
+            list(self.remaps),
+            list(self.parameters),
+            dict(self.arguments),
+            dict(self.environment),
+            self.conditions,
+        )
+
+    def under(self, condition: str) -> Scope:
+        """Return the same state below a condition; changes of values go to a copy, since they may not happen."""
+        return replace(self.inner(), conditions=(*self.conditions, condition))

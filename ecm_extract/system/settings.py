@@ -1,0 +1,134 @@
+"""Parameters that a launch file sets: values, files, and values that replace those of a file.
+
+Sources: wiki.ros.org/roslaunch/XML/rosparam; `launch_ros.parameter_descriptions`; `nav2_common.launch.RewrittenYaml`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+from ecm_parsers.launch.model import Data, ParameterFile, ParameterSource, ParameterValue, Substitution
+from ecm_parsers.launch.substitution import parse_template
+from ecm_parsers.parameter_yaml import ParameterSet, parse_parameter_yaml
+
+from ecm_extract.system.files import Files
+from ecm_extract.system.model import Place, Setting, Text, join
+from ecm_extract.system.substitute import Substituter, typed
+from ecm_extract.tree import FileDiagnostic, Tree
+
+MAX_DEPTH = 20
+EVERY_NODE = "/**"
+
+
+class Settings:
+    """Reads parameter sources of one launch file."""
+
+    def __init__(self, tree: Tree, files: Files, path: str, substituter: Substituter) -> None:
+        self.tree = tree
+        self.files = files
+        self.path = path
+        self.substituter = substituter
+        self.missing: list[str] = []
+
+    def ros2(self, sources: Sequence[ParameterSource], namespace: str) -> Iterator[Setting]:
+        """Yield what sources give a node, in the order in which they apply.
+
+        Args:
+            sources: of the scope and of the node.
+            namespace: of the node, below which relative sections of parameter files stand.
+        """
+        for source in sources:
+            if self.substituter.truth(source.condition) is False:
+                continue
+            if isinstance(source, ParameterValue):
+                name = self.substituter.text(source.name).text
+                yield Setting(name, self.value(source.value), Place(self.path, source.line))
+            else:
+                yield from self._file(source, namespace)
+
+    def _file(self, source: ParameterFile, namespace: str) -> Iterator[Setting]:
+        path, sets = self._sets(source)
+        root = self.substituter.text(source.namespace).text
+        rewrites = [(self.substituter.text(key).text, self.substituter.text(value)) for key, value in source.rewrites]
+        for entry in sets:
+            value = self._rewritten(entry.name, self._substituted(entry.value), rewrites)
+            node = entry.node if entry.node is None or not root else _below(root, entry.node)
+            yield Setting(entry.name, value, Place(path, entry.line), node or EVERY_NODE)
+
+    def ros1(self, source: ParameterSource, namespace: str) -> Iterator[Setting]:
+        """Yield what a source puts on the parameter server, with absolute names below a namespace."""
+        if self.substituter.truth(source.condition) is False:
+            return
+        if isinstance(source, ParameterFile):
+            path, sets = self._sets(source)
+            base = join(namespace, self.substituter.text(source.namespace).text)
+            for entry in sets:
+                yield Setting(join(base, entry.name), self._substituted(entry.value), Place(path, entry.line))
+            return
+        name = self.substituter.text(source.name).text.removeprefix("~")
+        if not source.is_yaml:
+            yield Setting(join(namespace, name), self.value(source.value), Place(self.path, source.line))
+            return
+        yield from self._written(source, join(namespace, name))
+
+    def _written(self, source: ParameterValue, base: str) -> Iterator[Setting]:
+        """YAML that stands in the launch file itself."""
+        text = self.value(source.value)
+        found = parse_parameter_yaml(str(text).encode()).facts.sets if isinstance(text, str) else ()
+        for entry in found:
+            place = Place(self.path, source.line + max(entry.line - 1, 0))
+            yield Setting(join(base, entry.name), entry.value, place)
+        if not found:
+            yield Setting(base, typed(text) if isinstance(text, str) else text, Place(self.path, source.line))
+
+    def _sets(self, source: ParameterFile) -> tuple[str, tuple[ParameterSet, ...]]:
+        text = self.substituter.text(source.path)
+        path = self.files.find(text.text) if text.known else None
+        data = self.files.read(path) if path is not None else None
+        if path is None or data is None:
+            self._not_found(source, text)
+            return self.path, ()
+        parsed = parse_parameter_yaml(data)
+        for entry in parsed.diagnostics:
+            self.tree.report(FileDiagnostic(entry.severity, entry.code, path, entry.line, entry.message))
+        return path, parsed.facts.sets
+
+    def _not_found(self, source: ParameterFile, text: Text) -> None:
+        shown = text.text.removeprefix("tree:")
+        if not shown:
+            return
+        self.missing.append(shown)
+        if text.known:
+            message = f"Parameter file `{shown}` is not in the tree. Correct the path or add the file."
+            self.tree.report(FileDiagnostic("warning", "launch-file-missing", self.path, source.line, message))
+
+    def value(self, data: Data, depth: int = 0) -> Any:
+        """Return a parameter's value as plain data; a text is typed as YAML would type it."""
+        if isinstance(data, list):
+            return [self.value(item, depth + 1) for item in data] if depth < MAX_DEPTH else []
+        if not isinstance(data, tuple):
+            return data
+        text = self.substituter.text(data)
+        if any(isinstance(part, Substitution) and part.kind in {"command", "unknown"} for part in data):
+            return text.text
+        return typed(text.text) if text.known else text.text
+
+    def _substituted(self, value: Any, depth: int = 0) -> Any:
+        """Evaluate `$(var x)` that stands in a parameter file."""
+        if isinstance(value, str) and "$(" in value:
+            text = self.substituter.text(parse_template(value))
+            return typed(text.text) if text.known else text.text
+        if isinstance(value, list) and depth < MAX_DEPTH:
+            return [self._substituted(item, depth + 1) for item in value]
+        return value
+
+    def _rewritten(self, name: str, value: Any, rewrites: Sequence[tuple[str, Text]]) -> Any:
+        for key, replacement in rewrites:
+            if name == key or name.endswith(f".{key}"):
+                return typed(replacement.text) if replacement.known else replacement.text
+        return value
+
+
+def _below(root: str, node: str) -> str:
+    return join("/" + root.strip("/"), node.lstrip("/")) if root.strip("/") else node
