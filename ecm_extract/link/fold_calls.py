@@ -22,6 +22,7 @@ from ecm_extract.link.values import (
     literal,
     lowered,
     node_name,
+    set_by,
     unique,
     unknown,
 )
@@ -129,7 +130,8 @@ class CallFolder:
         known = self.folder.reads.default(
             names[0].text, env.func.file.package, tuple([cls.qualified for cls in lineage])
         )
-        return self.default_value(names[0].text, known, default, env)
+        values = self.default_value(names[0].text, known, default, env)
+        return values if names[0].confidence == "pattern" else set_by(names[0].text, values)
 
     def default_value(
         self, name: str, known: tuple[Expr, Env] | str | None, default: Expr | None, env: Env

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from ecm_checker.contract import Evidence, Interface, Qos
@@ -18,7 +18,7 @@ from ecm_extract.link.generated import GeneratedParameters
 from ecm_extract.link.handles import OWN, Handle, Handles
 from ecm_extract.link.match import Matcher, name_argument, positions
 from ecm_extract.link.modules import Module, Modules
-from ecm_extract.link.names import RosName, endpoint_name, is_below_node, parameter_name
+from ecm_extract.link.names import RosName, endpoint_name, is_below_node, local_name, parameter_name
 from ecm_extract.link.node_names import NodeNames
 from ecm_extract.link.parameters import Parameters
 from ecm_extract.link.program import File, Program, plain
@@ -36,11 +36,16 @@ MAX_NAMES = 40
 
 @dataclass(frozen=True, slots=True)
 class LinkedModule:
-    """A module with its endpoints and the name of its node."""
+    """A module with its endpoints and the name of its node.
+
+    `local` holds, by role and name of an endpoint, the name that it has for any namespace and node name
+    (`names.local_name`), where the two differ.
+    """
 
     module: Module
     node: str | None
     interfaces: tuple[Interface, ...]
+    local: Mapping[tuple[str, str], str] = field(default_factory=dict)
 
 
 class Linker:
@@ -59,7 +64,10 @@ class Linker:
         self.names = NodeNames(self.folder, self.sites)
         self.generated = GeneratedParameters(self.program, packages)
         registry = build_registry(self.program, packages)
-        self.modules = Modules(self.program, References(self.sites), registry)
+        self.registry = registry
+        self.references = References(self.sites)
+        self.modules = Modules(self.program, self.references, registry)
+        self._local: dict[int, dict[tuple[str, str], str]] = defaultdict(dict)
 
     def link(self) -> list[LinkedModule]:
         """Return all modules with their endpoints, in a stable order."""
@@ -105,7 +113,8 @@ class Linker:
                     self.parameters.declare(value.text, site.root.file.package, (default, site.env))
 
     def _linked(self, module: Module, found: Mapping[int, list[Interface]], nodes: Mapping[int, str]) -> LinkedModule:
-        return LinkedModule(module, self._node(module, nodes), merged(found.get(id(module), [])))
+        local = self._local.get(id(module), {})
+        return LinkedModule(module, self._node(module, nodes), merged(found.get(id(module), [])), local)
 
     def _node(self, module: Module, nodes: Mapping[int, str]) -> str | None:
         if module.cls is not None:
@@ -120,7 +129,9 @@ class Linker:
         for module in owners:
             origin = None if unit is module.cls or unit is module.main or module.kind == "library" else unit.fact.name
             node = self._node(module, nodes)
-            found[id(module)].extend(self._interfaces(site, node, origin))
+            for interface, local in self._interfaces(site, node, origin):
+                found[id(module)].append(interface)
+                self._local[id(module)].setdefault((interface.role, interface.name), local)
 
     def _only_offered(self, site: Site) -> bool:
         """A helper that nobody calls declares nothing in the modules that could call it."""
@@ -132,7 +143,7 @@ class Linker:
             value.open("param") & given and all(not isinstance(part, str) for part in value.parts) for value in values
         )
 
-    def _interfaces(self, site: Site, node: str | None, origin: str | None) -> Iterator[Interface]:
+    def _interfaces(self, site: Site, node: str | None, origin: str | None) -> Iterator[tuple[Interface, str]]:
         ros = site.root.file.ros
         handle = self._handle(site)
         evidence = tuple(Evidence(path, line) for path, line in dict.fromkeys(site.lines()))
@@ -144,7 +155,7 @@ class Linker:
                 confidence = "folded"
             if value.text == "" and site.form.role != "parameter":
                 confidence = "pattern"
-            yield Interface(
+            interface = Interface(
                 role=site.form.role,
                 name=name.resolved,
                 raw_name=name.raw,
@@ -156,6 +167,7 @@ class Linker:
                 default=None if data is UNKNOWN else data,
                 inherited_from=origin,
             )
+            yield interface, name.resolved if site.form.fixed else local_name(value, handle)
 
     def _name(self, site: Site, value: Value, handle: Handle, node: str | None, ros: int | None) -> RosName:
         if site.form.fixed:

@@ -13,10 +13,26 @@ from ecm_extract.link.values import Hole, Value
 
 
 class RosName(NamedTuple):
-    """A name as written (after folding, relative to its handle) and as it is in the graph."""
+    """A name as written (after folding, relative to its handle), and as it is in the graph of a node in `/`."""
 
     raw: str
     resolved: str
+
+
+def local_name(value: Value, handle: Handle) -> str:
+    """Return a name for any namespace and node name: `/absolute`, `~/private` or relative.
+
+    `${parameter=default}` stands where a ROS parameter gives a part of it.
+    """
+    own = _after_node(value)
+    name = f"~/{own}" if own is not None else value.template or value.text
+    prefix = handle.prefix.template or handle.prefix.text
+    if prefix and not name.startswith(("/", "~")) and not value.text.startswith("/"):
+        name = f"{prefix}/{name}"
+    if not name.startswith("~"):
+        return name
+    private = name[1:].lstrip("/")
+    return f"~/{private}" if handle.node is None else f"/{handle.node.text}/{private}"
 
 
 def endpoint_name(value: Value, handle: Handle, node: str | None, ros: int | None) -> RosName:

@@ -58,6 +58,11 @@ class References:
         else:
             yield from self._callers(unit)
 
+    def makers(self, cls: Cls) -> Iterator[Unit]:
+        """Yield the units that make or hold an object of a class."""
+        yield from self._makers(cls)
+        yield from self._mentioning(cls, self._holders)
+
     def _class_users(self, cls: Cls) -> Iterator[Unit]:
         found = [*self.sites.derived(cls), *self._makers(cls), *self._mentioning(cls, self._holders)]
         yield from found or self._mentioning(cls, self._mentions)

@@ -24,10 +24,14 @@ class Hole(NamedTuple):
 
 
 class Value(NamedTuple):
-    """One possible value: its parts in order and how surely it is known."""
+    """One possible value: its parts in order and how surely it is known.
+
+    `template` is the text with `${parameter=default}` where a ROS parameter gives it, None where none does.
+    """
 
     parts: tuple[str | Hole, ...]
     confidence: Confidence = "literal"
+    template: str | None = None
 
     @property
     def text(self) -> str:
@@ -62,7 +66,7 @@ def settled(value: Value) -> Value:
         [part.default if isinstance(part, Hole) and part.default is not None else part for part in value.parts]
     )
     rest = any(isinstance(part, Hole) for part in parts)
-    return Value(parts, "pattern" if rest else "default")
+    return Value(parts, "pattern" if rest else "default", value.template)
 
 
 def node_name() -> Value:
@@ -76,7 +80,7 @@ def with_node(value: Value, node: str | None) -> Value:
         return value
     parts = tuple([node if isinstance(part, Hole) and part.kind == "node" else part for part in value.parts])
     rest = any(isinstance(part, Hole) for part in parts)
-    return Value(parts, "pattern" if rest else "folded")
+    return Value(parts, "pattern" if rest else "folded", value.template)
 
 
 def weaker(first: Confidence, second: Confidence) -> Confidence:
@@ -86,7 +90,7 @@ def weaker(first: Confidence, second: Confidence) -> Confidence:
 
 def lowered(values: Iterable[Value], to: Confidence) -> tuple[Value, ...]:
     """The same values, at most as certain as `to`."""
-    return tuple([Value(value.parts, weaker(value.confidence, to)) for value in values])
+    return tuple([Value(value.parts, weaker(value.confidence, to), value.template) for value in values])
 
 
 def demoted(values: Iterable[Value]) -> tuple[Value, ...]:
@@ -99,11 +103,22 @@ def joined(groups: Iterable[tuple[Value, ...]]) -> tuple[Value, ...]:
     results: list[Value] = [Value((), "folded")]
     for group in groups:
         results = [
-            Value(left.parts + right.parts, weaker(left.confidence, right.confidence))
+            Value(left.parts + right.parts, weaker(left.confidence, right.confidence), _template(left, right))
             for left in results
             for right in group
         ][:MAX_ALTERNATIVES]
     return tuple(results)
+
+
+def _template(left: Value, right: Value) -> str | None:
+    if left.template is None and right.template is None:
+        return None
+    return (left.template or left.text) + (right.template or right.text)
+
+
+def set_by(name: str, values: Iterable[Value]) -> tuple[Value, ...]:
+    """The same values as those of a ROS parameter that a launch may set."""
+    return tuple([Value(value.parts, value.confidence, f"${{{name}={value.text}}}") for value in values])
 
 
 def unique(values: Iterable[Value]) -> tuple[Value, ...]:
