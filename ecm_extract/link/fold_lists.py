@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import (
@@ -20,12 +21,16 @@ from ecm_extract.link.scope import Definition
 from ecm_extract.link.values import (
     Value,
     demoted,
+    set_by,
     unique,
     unknown,
 )
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
+
+
+_WHOLE_PARAMETER = re.compile(r"\$\{([^={}]+)=(?:[^{}]|\{[^{}]*\})*\}")
 
 
 class ListFolder:
@@ -38,11 +43,18 @@ class ListFolder:
         """Return the values that the elements of a list, or one of them, can have."""
         items = self.items(expr, env)
         if items is None:
-            return (unknown("item"),)
+            return self._of_parameter(expr, env)
         if isinstance(index, Number) and isinstance(index.value, int) and -len(items) <= index.value < len(items):
             items = [items[index.value]]
         folded = [value for bound in items for value in self.folder.fold(bound.expr, bound.env.before(bound.env.at))]
         return unique(demoted(folded)) if folded else (unknown("item"),)
+
+    def _of_parameter(self, expr: Expr | None, env: Env) -> tuple[Value, ...]:
+        """An element of a list that a ROS parameter holds: not known here, but a launch may set it."""
+        item = unknown("item")
+        template = self.folder.fold(expr, env)[0].template if isinstance(expr, Name | Member) else None
+        match = _WHOLE_PARAMETER.fullmatch(template or "")
+        return (item,) if match is None else set_by(match[1], (item,))
 
     def items(self, expr: Expr | None, env: Env) -> list[Bound] | None:
         """Return the elements of a list that an expression is, None when the tree does not show them."""

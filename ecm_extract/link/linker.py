@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from ecm_checker.contract import Evidence, Interface, Qos
+from ecm_checker.contract import Evidence, Interface, Qos, Role
 from ecm_parsers.source.expr import Call, Expr, Items, Name, Text
 
 from ecm_extract.link.data import UNKNOWN, data_of, declared_type, plain_type, stated_type, type_of_data
@@ -149,6 +149,7 @@ class Linker:
         evidence = tuple(Evidence(path, line) for path, line in dict.fromkeys(site.lines()))
         for named, default in self._named(site):
             value = settled(with_node(named, node))
+            local = local_name(settled(named), handle)
             name, confidence = self._name(site, value, handle, node, ros), value.confidence
             kind, data = self._typed(site, default)
             if is_below_node(value):
@@ -156,7 +157,7 @@ class Linker:
             if value.text == "" and site.form.role != "parameter":
                 confidence = "pattern"
             interface = Interface(
-                role=site.form.role,
+                role=_role(site.form.role, kind),
                 name=name.resolved,
                 raw_name=name.raw,
                 type=kind,
@@ -167,7 +168,7 @@ class Linker:
                 default=None if data is UNKNOWN else data,
                 inherited_from=origin,
             )
-            yield interface, name.resolved if site.form.fixed else local_name(value, handle)
+            yield interface, name.resolved if site.form.fixed else local
 
     def _name(self, site: Site, value: Value, handle: Handle, node: str | None, ros: int | None) -> RosName:
         if site.form.fixed:
@@ -260,6 +261,11 @@ class Linker:
             return None
         frames = [self.folder.fold(expr, site.env)[0].text for expr in positions(site.form.frame, site.call)]
         return " <- ".join(frames) if frames else None
+
+
+def _role(role: Role, kind: str | None) -> Role:
+    """A client that a template makes for an action type is an action client, whatever the helper is called."""
+    return "action_client" if role == "service_client" and kind is not None and "/action/" in kind else role
 
 
 def merged(interfaces: Iterable[Interface]) -> tuple[Interface, ...]:

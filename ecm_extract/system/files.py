@@ -87,6 +87,6 @@ def _normal(path: str) -> str:
     for part in PurePosixPath(path).parts:
         if part == "..":
             parts[-1:] = []
-        elif part != ".":
+        elif part not in {".", "/"}:
             parts.append(part)
     return "/".join(parts)

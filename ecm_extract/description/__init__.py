@@ -1,0 +1,1 @@
+"""Robot descriptions: xacro expanded without running it, then URDF, SRDF, ros2_control and simulator plugins."""

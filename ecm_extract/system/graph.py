@@ -1,0 +1,92 @@
+"""The instance graph: nodes on one side, topics, services and actions on the other, edges by who offers and who uses.
+
+An edge goes with the data: publisher -> topic -> subscriber, client -> service -> server. Built on networkx, so that
+whoever has a graph question (reachability, components, cycles) can ask it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Any, Literal
+
+import msgspec
+import networkx as nx
+
+from ecm_extract.system.nodes import Endpoint, SystemNode
+
+ChannelKind = Literal["topic", "service", "action"]
+_CHANNELS: dict[str, tuple[ChannelKind, bool]] = {
+    "publisher": ("topic", True),
+    "subscriber": ("topic", False),
+    "service_client": ("service", True),
+    "service_server": ("service", False),
+    "action_client": ("action", True),
+    "action_server": ("action", False),
+}
+"""Role -> kind of channel, and whether the edge goes from the node to the channel."""
+
+
+class Channel(msgspec.Struct, frozen=True):
+    """A topic, service or action of the graph.
+
+    Attributes:
+        kind: what it is. name: in the graph.
+        types: message types in use, one when all agree.
+        sources: full names of publishers or clients. targets: of subscribers or servers.
+    """
+
+    kind: ChannelKind
+    name: str
+    types: tuple[str, ...]
+    sources: tuple[str, ...]
+    targets: tuple[str, ...]
+
+
+def channel_of(endpoint: Endpoint) -> tuple[ChannelKind, str] | None:
+    """Return kind and name of the channel of an endpoint; None for transforms, which have a tree of their own."""
+    known = _CHANNELS.get(endpoint.role)
+    return None if known is None else (known[0], endpoint.name)
+
+
+def channels(nodes: Iterable[SystemNode]) -> list[Channel]:
+    """Return all channels, topics before services before actions, each by name."""
+    found: dict[tuple[ChannelKind, str], list[Endpoint]] = {}
+    for node in nodes:
+        for endpoint in node.endpoints:
+            key = channel_of(endpoint)
+            if key is not None:
+                found.setdefault(key, []).append(endpoint)
+    order = ("topic", "service", "action")
+    return [
+        _channel(kind, name, entries)
+        for (kind, name), entries in sorted(found.items(), key=lambda item: (order.index(item[0][0]), item[0][1]))
+    ]
+
+
+def _channel(kind: ChannelKind, name: str, endpoints: list[Endpoint]) -> Channel:
+    return Channel(
+        kind,
+        name,
+        tuple(sorted({entry.type for entry in endpoints if entry.type is not None})),
+        tuple(sorted({entry.node for entry in endpoints if _CHANNELS[entry.role][1]})),
+        tuple(sorted({entry.node for entry in endpoints if not _CHANNELS[entry.role][1]})),
+    )
+
+
+def graph_of(nodes: Iterable[SystemNode]) -> nx.MultiDiGraph[Any]:
+    """Return the graph: vertices `("node", name)` and `("topic" | "service" | "action", name)`."""
+    graph: nx.MultiDiGraph[Any] = nx.MultiDiGraph()
+    for node in nodes:
+        graph.add_node(("node", node.name), conditional=node.instance.conditional)
+        for start, end, endpoint in _edges(node):
+            graph.add_edge(start, end, role=endpoint.role, type=endpoint.type)
+    return graph
+
+
+def _edges(node: SystemNode) -> Iterator[tuple[tuple[str, str], tuple[str, str], Endpoint]]:
+    for endpoint in node.endpoints:
+        channel = channel_of(endpoint)
+        if channel is None:
+            continue
+        own = ("node", node.name)
+        yield (own, channel, endpoint) if _CHANNELS[endpoint.role][1] else (channel, own, endpoint)

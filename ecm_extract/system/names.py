@@ -1,0 +1,90 @@
+"""Names of an instance: in its namespace, below its node, with its parameters and remaps.
+
+Sources: wiki.ros.org/Names; design.ros2.org "Topic and Service name mapping", "Remapping names".
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
+
+from ecm_extract.system.model import Remapping, join
+
+MAX_ITEMS = 60
+_PARAMETER = re.compile(r"\$\{([^={}]+)=((?:[^{}]|\{[^{}]*\})*)\}")
+
+
+class Resolved(NamedTuple):
+    """A name in the graph, the name before remaps, the remap that changed it and the parameters that gave it."""
+
+    name: str
+    before: str
+    remap: Remapping | None
+    parameters: tuple[str, ...]
+
+
+class Around(NamedTuple):
+    """Where a name is resolved: namespace and name of the node, its remaps, what the launch sets.
+
+    `parameter` gives the value that the launch sets for a parameter, None when it sets none.
+    """
+
+    namespace: str
+    node: str
+    remaps: Sequence[Remapping]
+    parameter: Callable[[str], Any]
+
+
+def resolve(local: str, around: Around) -> list[Resolved]:
+    """Return the names that an endpoint has in the graph: several when a parameter holds a list.
+
+    Args:
+        local: for any namespace and node, as `ecm_extract.link.names.local_name` gives it.
+        around: the node.
+    """
+    used = tuple(match[1] for match in _PARAMETER.finditer(local))
+    return [_remapped(text.replace("{node}", around.node), used, around) for text in _filled(local, around)]
+
+
+def _filled(local: str, around: Around) -> list[str]:
+    """Return a name with each parameter replaced by its value, once for each item of a list."""
+    match = _PARAMETER.search(local)
+    if match is None:
+        return [local]
+    given = around.parameter(match[1])
+    values = given[:MAX_ITEMS] if isinstance(given, list) else [match[2] if given is None else given]
+    texts = [str(value) for value in values if not isinstance(value, list | dict)] or [match[2]]
+    filled = [local[: match.start()] + text + local[match.end() :] for text in texts]
+    return [entry for text in filled[:MAX_ITEMS] for entry in _filled(text, around)][:MAX_ITEMS]
+
+
+def _remapped(text: str, used: tuple[str, ...], around: Around) -> Resolved:
+    before = absolute(text, around.namespace, around.node)
+    for remap in around.remaps:
+        if absolute(remap.source, around.namespace, around.node) == before:
+            return Resolved(absolute(remap.target, around.namespace, around.node), before, remap, used)
+    return Resolved(before, before, None, used)
+
+
+def absolute(name: str, namespace: str, node: str) -> str:
+    """Return a name as seen from a node: `/x` as it is, `~/x` below the node, else below its namespace."""
+    bare = name.strip()
+    if "://" in bare:  # rostopic:// and rosservice:// of ROS 2 remap rules
+        bare = bare.split("://", 1)[1]
+    if bare.startswith("~"):
+        return join(join(namespace, node), bare[1:].lstrip("/")) if bare.strip("~/") else join(namespace, node)
+    return join(namespace, bare)
+
+
+def node_matches(pattern: str | None, full_name: str) -> bool:
+    """Tell whether the section of a parameter file is for a node: `*` is one part, `**` any number of parts."""
+    if pattern is None:
+        return True
+    if "*" not in pattern:
+        return pattern == full_name
+    parts = [
+        "(?:/[^/]+)*" if part == "**" else "/" + re.escape(part).replace(r"\*", "[^/]+")
+        for part in pattern.strip("/").split("/")
+    ]
+    return re.fullmatch("".join(parts), full_name) is not None

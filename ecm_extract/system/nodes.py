@@ -1,0 +1,232 @@
+"""Instances joined with contracts: nodes with the endpoints that they have in the graph."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+from ecm_checker.contract import Interface, Qos
+
+from ecm_extract.link.linker import LinkedModule
+from ecm_extract.system.model import Instance, Launched, Place, Remapping, Setting, join
+from ecm_extract.system.modules import Loaded, ModuleIndex
+from ecm_extract.system.names import Around, node_matches, resolve
+
+_OWN_NAME = re.compile(r"\{(?:name|plugin_name|plugin|layer_name|prefix|plugin_id)\}")
+"""Holes that stand for the name under which a plugin is loaded."""
+_HOLE = re.compile(r"\{[^{}]*\}")
+
+
+@dataclass(frozen=True, slots=True)
+class Endpoint:
+    """One endpoint of a node of the graph.
+
+    Attributes:
+        role: as in the contract. name: in the graph. before: without remaps.
+        type: `package/msg|srv|action/Name`; None when not known.
+        node: full name of the node. remap: that gave it its name.
+        parameters: names of the parameters that give a part of it.
+        known: False when a part of the name is a pattern.
+        place: of the declaring line.
+    """
+
+    role: str
+    name: str
+    before: str
+    type: str | None
+    node: str
+    remap: Remapping | None
+    parameters: tuple[str, ...]
+    known: bool
+    place: Place
+    qos: Qos | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """A parameter of a node: its value here, and where that was set; `place` is None for the program's default.
+
+    `declared` tells whether the program reads it; None when the program is not in the tree.
+    """
+
+    name: str
+    value: Any
+    place: Place | None
+    declared: bool | None
+
+
+@dataclass(slots=True)
+class SystemNode:
+    """A node of the graph.
+
+    Attributes:
+        name: full name. instance: what starts it. modules: its contract and those of its plugins; empty when its
+            code is not in the tree.
+        guessed: the name is that of its executable, since its code is not in the tree.
+    """
+
+    name: str
+    instance: Instance
+    modules: tuple[LinkedModule, ...] = ()
+    guessed: bool = False
+    endpoints: tuple[Endpoint, ...] = ()
+    parameters: tuple[Parameter, ...] = ()
+
+    @property
+    def namespace(self) -> str:
+        """Namespace of the node."""
+        return self.name.rpartition("/")[0] or "/"
+
+
+class Plugged(NamedTuple):
+    """A module of a node; `name` is what the node's parameters call a plugin, empty for the node's own module."""
+
+    module: LinkedModule
+    name: str
+
+    def called(self, text: str) -> str:
+        """Return a name of the plugin with the holes for its own name filled."""
+        return _OWN_NAME.sub(self.name, text) if self.name else text
+
+
+class Declared:
+    """The parameters that the modules of a node read; a name may have parts that only the launch knows."""
+
+    def __init__(self, entries: Iterable[tuple[str, Any]]) -> None:
+        self.plain: dict[str, Any] = {}
+        self._patterns: list[re.Pattern[str]] = []
+        for name, default in entries:
+            if "{" in name:
+                parts = [re.escape(part) for part in _HOLE.split(name)]
+                self._patterns.append(re.compile(".+".join(parts)))
+            else:
+                self.plain[name] = default
+
+    def has(self, name: str) -> bool:
+        """Tell whether a parameter is read."""
+        return name in self.plain or any(pattern.fullmatch(name) for pattern in self._patterns)
+
+
+class NodeMaker:
+    """Makes the nodes of what a launch started."""
+
+    def __init__(self, index: ModuleIndex, launched: Launched) -> None:
+        self.index = index
+        self.launched = launched
+
+    def nodes(self) -> list[SystemNode]:
+        """Return every node, in the order in which they are started."""
+        return [node for instance in self.launched.instances for node in self._of(instance)]
+
+    def _of(self, instance: Instance) -> Iterator[SystemNode]:
+        if instance.kind == "process":
+            return
+        modules = self.index.of(instance)
+        if not modules:
+            yield self._outside(instance)
+            return
+        for at, loaded in enumerate(modules):
+            yield self._node(instance, loaded, first=at == 0)
+
+    def _outside(self, instance: Instance) -> SystemNode:
+        name = instance.name or instance.executable.removesuffix(".py") or instance.plugin.rsplit("::", 1)[-1]
+        node = SystemNode(join(instance.namespace, name or "node"), instance, guessed=instance.name is None)
+        node.parameters = tuple(self._parameters(node, []))
+        return node
+
+    def _node(self, instance: Instance, loaded: Loaded, *, first: bool) -> SystemNode:
+        module = loaded.module
+        own = loaded.name or module.node or module.module.name
+        name = (instance.name or own) if first else own
+        namespace = join(instance.namespace, own) if loaded.nested and not first else instance.namespace
+        node = SystemNode(join(namespace, name), instance, (module,))
+        plugins = {entry.module.module: entry for entry in self._plugins(node) if entry.module is not module}
+        node.modules = (module, *(entry.module for entry in plugins.values()))
+        node.endpoints = tuple(self._endpoints(node, [Plugged(module, ""), *plugins.values()]))
+        node.parameters = tuple(self._parameters(node, [Plugged(module, ""), *plugins.values()]))
+        return node
+
+    def _plugins(self, node: SystemNode) -> Iterator[Plugged]:
+        """Classes that the parameters of a node name; `FollowPath.plugin` calls its plugin `FollowPath`."""
+        for setting in self._settings(node):
+            for value in setting.value if isinstance(setting.value, list) else [setting.value]:
+                if isinstance(value, str) and ("::" in value or "/" in value):
+                    module = self.index.plugin(value)
+                    if module is not None:
+                        yield Plugged(module, setting.name.rpartition(".")[0].rpartition("/")[2])
+
+    def _settings(self, node: SystemNode) -> Sequence[Setting]:
+        """What the launch sets for a node, later ones win; names are the node's own."""
+        instance = node.instance
+        if instance.ros == 2:
+            return [entry for entry in instance.settings if node_matches(entry.node, node.name)]
+        prefix = f"{node.name}/"
+        return [
+            Setting(entry.name.removeprefix(prefix), entry.value, entry.place)
+            for entry in (*self.launched.globals, *instance.settings)
+            if entry.name.startswith(prefix)
+        ]
+
+    def _given(self, node: SystemNode, name: str) -> Any:
+        """Return the value that the launch sets for a parameter; in ROS 1 also in the namespaces around the node."""
+        settings = self._settings(node)
+        bare = name.lstrip("~/")
+        found = next((entry.value for entry in reversed(settings) if entry.name in {name, bare}), None)
+        if found is not None or node.instance.ros == 2:
+            return found
+        around = {join(node.namespace, bare), f"/{bare}"}
+        return next((entry.value for entry in reversed(self.launched.globals) if entry.name in around), None)
+
+    def _endpoints(self, node: SystemNode, plugged: Sequence[Plugged]) -> Iterator[Endpoint]:
+        seen = set()
+        for entry in plugged:
+            for interface in entry.module.interfaces:
+                if interface.role == "parameter":
+                    continue
+                for endpoint in self._resolved(node, entry, interface):
+                    key = (endpoint.role, endpoint.name, endpoint.type)
+                    if key not in seen:
+                        seen.add(key)
+                        yield endpoint
+
+    def _resolved(self, node: SystemNode, entry: Plugged, interface: Interface) -> Iterator[Endpoint]:
+        local = entry.module.local.get((interface.role, interface.name), interface.name)
+        own = node.name.rpartition("/")[2]
+        around = Around(node.namespace, own, node.instance.remaps, lambda name: self._given(node, entry.called(name)))
+        for resolved in resolve(entry.called(local), around):
+            evidence = interface.evidence[0]
+            yield Endpoint(
+                role=interface.role,
+                name=resolved.name,
+                before=resolved.before,
+                type=interface.type,
+                node=node.name,
+                remap=resolved.remap,
+                parameters=resolved.parameters,
+                known="{" not in resolved.name,
+                place=Place(evidence.path, evidence.line),
+                qos=interface.qos,
+            )
+
+    def _parameters(self, node: SystemNode, plugged: Sequence[Plugged]) -> Iterator[Parameter]:
+        declared = Declared(
+            (entry.called(_own(interface, node)), interface.default)
+            for entry in plugged
+            for interface in entry.module.interfaces
+            if interface.role == "parameter"
+        )
+        found = {name: Parameter(name, default, None, declared=True) for name, default in declared.plain.items()}
+        for setting in self._settings(node):
+            known = declared.has(setting.name) if plugged else None
+            found[setting.name] = Parameter(setting.name, setting.value, setting.place, known)
+        yield from (found[name] for name in sorted(found))
+
+
+def _own(interface: Interface, node: SystemNode) -> str:
+    """Name of a parameter without the node that ROS 1 puts before it."""
+    if node.instance.ros == 2:
+        return interface.name
+    raw = interface.raw_name
+    return raw.lstrip("~/")

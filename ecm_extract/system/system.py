@@ -1,0 +1,76 @@
+"""One launch of a tree, as a whole: what it starts and how that is connected."""
+
+from __future__ import annotations
+
+import gc
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from ecm_extract.errors import InputError
+from ecm_extract.extraction_model import Options
+from ecm_extract.link.composition import composition_of
+from ecm_extract.link.forms import form_table
+from ecm_extract.link.linker import Linker
+from ecm_extract.read.reader import Reader
+from ecm_extract.settings import config_of
+from ecm_extract.system.evaluate import launched
+from ecm_extract.system.files import TREE, Files
+from ecm_extract.system.model import Launched
+from ecm_extract.system.modules import ModuleIndex
+from ecm_extract.system.nodes import NodeMaker, SystemNode
+from ecm_extract.tree import Tree
+
+
+@dataclass(slots=True)
+class System:
+    """The nodes that launch files start, with their endpoints, and what the launch itself says."""
+
+    tree: Tree
+    launched: Launched
+    nodes: list[SystemNode]
+
+
+class LaunchError(InputError):
+    """A launch file that was asked for is not in the tree."""
+
+
+def read_system(tree: Tree, launches: Sequence[str], arguments: Mapping[str, str], options: Options) -> System:
+    """Read a tree and evaluate launch files over it.
+
+    Args:
+        tree: of a workspace or a repository.
+        launches: paths in the tree, or `package/file`, as `roslaunch` and `ros2 launch` find it.
+        arguments: values of launch arguments; `env NAME` is an environment variable.
+        options: of the extraction.
+
+    Raises:
+        TreeError: the tree cannot be listed.
+        ConfigError: `ecm.toml` is wrong.
+        LaunchError: a launch file is not in the tree.
+    """
+    config = config_of(tree, options)
+    enabled = gc.isenabled()
+    gc.disable()  # see `extraction`: records without cycles
+    try:
+        reader = Reader(tree, options.include_tests or config.extract.include_tests, config.extract.exclude)
+        packages = reader.read(options.jobs, options.progress)
+        linker = Linker(packages, form_table(config.forms))
+        linked = linker.link()
+        index = ModuleIndex(linked, packages, composition_of(linker.modules, linker.references))
+        files = Files(tree, packages)
+        found = launched(tree, files, [_path(entry, files) for entry in launches], arguments)
+        return System(tree, found, NodeMaker(index, found).nodes())
+    finally:
+        if enabled:
+            gc.enable()
+
+
+def _path(text: str, files: Files) -> str:
+    """Return the path of a launch file that a person names."""
+    path = files.find(f"{TREE}{text}")
+    if path is None and text.count("/") == 1:
+        path = files.in_package(*text.split("/"))
+    if path is None:
+        message = f"no launch file {text} in the tree"
+        raise LaunchError(message, "name it by its path in the tree, or as package/file")
+    return path
