@@ -8,6 +8,8 @@ from __future__ import annotations
 import ast
 import math
 import operator
+import re
+import string
 import warnings
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
@@ -16,8 +18,9 @@ from typing import Any
 MAX_LENGTH = 5_000
 MAX_STEPS = 5_000
 MAX_SIZE = 20_000
-MAX_NUMBER = 1e300
+MAX_WORK = 400_000
 MAX_INTEGER = 1 << 256
+_FORMAT_SPEC = re.compile(r"(?:[<>^]|0)?\d{0,3}(?:\.\d{1,2})?[a-zA-Z%]?")
 
 _BINARY: Mapping[type[ast.operator], Callable[[Any, Any], Any]] = MappingProxyType(
     {
@@ -60,7 +63,7 @@ _FUNCTIONS: Mapping[str, Callable[..., Any]] = MappingProxyType(
         "len": len,
         "min": min,
         "max": max,
-        "round": round,
+        "round": lambda number, digits=0: round(number, digits) if abs(digits) < 30 else number,
         "sum": sum,
         "sorted": sorted,
         "list": list,
@@ -80,7 +83,7 @@ _METHODS: Mapping[type, frozenset[str]] = MappingProxyType(
     {
         str: frozenset(
             {"lower", "upper", "strip", "lstrip", "rstrip", "split", "join", "startswith", "endswith", "replace"}
-            | {"title", "capitalize", "isdigit", "find", "count"}
+            | {"title", "capitalize", "isdigit", "find", "count", "format"}
         ),
         dict: frozenset({"get", "keys", "values", "items"}),
         list: frozenset({"index", "count"}),
@@ -88,6 +91,7 @@ _METHODS: Mapping[type, frozenset[str]] = MappingProxyType(
     }
 )
 _MODULES = frozenset({"math", "xacro", "python", "np", "numpy"})
+_TOO_LARGE = "The value grows too large. Shorten the expression."
 
 
 class ExpressionError(Exception):
@@ -136,6 +140,7 @@ class _Evaluator:
     def __init__(self, names: Mapping[str, Any]) -> None:
         self.names = names
         self.steps = 0
+        self.work = 0
         self._local: dict[str, Any] = {}
 
     def value(self, node: ast.expr) -> Any:
@@ -147,7 +152,12 @@ class _Evaluator:
         if reader is None:
             msg = f"{type(node).__name__} is not allowed in an expression. Write it without."
             raise ExpressionError(msg)
-        return _bounded(reader(self, node))
+        found = reader(self, node)
+        _check_scalar(found)
+        self.work += _size(found)
+        if self.work > MAX_WORK:
+            raise ExpressionError(_TOO_LARGE)
+        return found
 
     def _name(self, node: ast.Name) -> Any:
         return self._named(node.id)
@@ -208,7 +218,7 @@ class _Evaluator:
         args = [self.value(arg) for arg in node.args]
         keywords = {str(entry.arg): self.value(entry.value) for entry in node.keywords if entry.arg}
         if isinstance(node.func, ast.Attribute) and not _is_module(node.func.value):
-            return self._method(node.func, args)
+            return self._method(node.func, args, keywords)
         name = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
         function = _FUNCTIONS.get(name)
         if function is None:
@@ -216,16 +226,22 @@ class _Evaluator:
             raise UnknownNameError(msg)
         return function(*args, **keywords)
 
-    def _method(self, func: ast.Attribute, args: list[Any]) -> Any:
+    def _method(self, func: ast.Attribute, args: list[Any], keywords: dict[str, Any]) -> Any:
         owner = self.value(func.value)
         if func.attr not in _METHODS.get(type(owner), frozenset()):
             msg = f"`.{func.attr}()` is no method of expressions. Write it without."
             raise UnknownNameError(msg)
-        if func.attr == "replace" and len(args) > 1 and len(owner) * (len(str(args[1])) + 1) > MAX_SIZE:
-            msg = "The text grows too large. Shorten it."
-            raise ExpressionError(msg)
+        _check_growth(func.attr, owner, args)
+        if func.attr == "format":
+            return _formatted(owner, args, keywords)
         found = getattr(owner, func.attr)(*args)
-        return found if isinstance(found, str | int | bool | list | None) else _as_data(found)
+        return list(found) if func.attr in {"keys", "values", "items"} else found
+
+    def _field(self, node: ast.FormattedValue) -> Any:
+        if node.format_spec is not None or node.conversion != -1:
+            msg = "A format of an f-string is not allowed in an expression. Use `format`."
+            raise ExpressionError(msg)
+        return self.value(node.value)
 
     def _subscript(self, node: ast.Subscript) -> Any:
         return self.value(node.value)[self.value(node.slice)]
@@ -273,7 +289,7 @@ _READERS: Mapping[type[ast.expr], Callable[[_Evaluator, Any], Any]] = MappingPro
         ast.ListComp: _Evaluator._comprehension,
         ast.GeneratorExp: _Evaluator._comprehension,
         ast.JoinedStr: lambda self, node: "".join(str(self.value(part)) for part in node.values),
-        ast.FormattedValue: lambda self, node: self.value(node.value),
+        ast.FormattedValue: _Evaluator._field,
     }
 )
 
@@ -282,36 +298,56 @@ def _is_module(node: ast.expr) -> bool:
     return isinstance(node, ast.Name) and node.id in _MODULES
 
 
-def _as_data(value: Any) -> Any:
-    return list(value)
+def _size(value: Any) -> int:
+    """Return how many characters and items a value holds, all levels, and refuse what only a hostile text has."""
+    size, pending = 0, [value]
+    while pending:
+        item = pending.pop()
+        size += len(item) if isinstance(item, str | list | tuple | dict) else 1
+        if size > MAX_SIZE:
+            raise ExpressionError(_TOO_LARGE)
+        if isinstance(item, list | tuple):
+            pending.extend(item)
+        elif isinstance(item, dict):
+            pending.extend([*item.keys(), *item.values()])
+    return size
 
 
-def _bounded(value: Any) -> Any:
-    """Refuse values that only a hostile expression has."""
-    if isinstance(value, str | list | tuple | dict) and len(value) > MAX_SIZE:
-        msg = "The value grows too large. Shorten the expression."
-        raise ExpressionError(msg)
+def _check_scalar(value: Any) -> None:
     if isinstance(value, int) and abs(value) > MAX_INTEGER:
-        msg = "The number grows too large. Correct the expression."
-        raise ExpressionError(msg)
-    if isinstance(value, bytes | complex):
+        raise ExpressionError(_TOO_LARGE)
+    if isinstance(value, bytes | complex) or value is ...:
         msg = "Bytes and complex numbers are not allowed in an expression. Write a text or number."
         raise ExpressionError(msg)
-    return value
 
 
 def _check_repetition(left: Any, right: Any) -> None:
     for items, times in ((left, right), (right, left)):
         if isinstance(items, str | list | tuple) and isinstance(times, int) and len(items) * times > MAX_SIZE:
-            msg = "The value grows too large. Shorten the expression."
+            raise ExpressionError(_TOO_LARGE)
+
+
+def _check_growth(method: str, owner: Any, args: list[Any]) -> None:
+    """Refuse `replace` and `join` whose result grows with the product of their sizes, before it is made."""
+    if method == "replace" and len(args) > 1 and len(owner) * (len(str(args[1])) + 1) > MAX_SIZE:
+        raise ExpressionError(_TOO_LARGE)
+    if method == "join" and args and isinstance(args[0], str | list | tuple) and len(owner) * len(args[0]) > MAX_SIZE:
+        raise ExpressionError(_TOO_LARGE)
+
+
+def _formatted(text: str, args: list[Any], keywords: dict[str, Any]) -> str:
+    """Format with plain fields only: no attributes, no nested fields, no wide padding."""
+    for _, field, spec, _ in string.Formatter().parse(text):
+        if (field and not field.isidentifier() and not field.isdecimal()) or not _FORMAT_SPEC.fullmatch(spec or ""):
+            msg = f"Format field `{field}:{spec}` is not allowed in an expression. Use +."[:200]
             raise ExpressionError(msg)
+    return text.format(*args, **keywords)
 
 
 def _power(base: Any, exponent: Any) -> Any:
     if isinstance(base, int) and isinstance(exponent, int) and exponent >= 0:
         if abs(base) > 1 and exponent * math.log2(abs(base)) > 256:
-            msg = "The number grows too large. Correct the expression."
-            raise ExpressionError(msg)
+            raise ExpressionError(_TOO_LARGE)
         return base**exponent
     result = float(base) ** float(exponent)
     if isinstance(result, complex):
@@ -323,6 +359,5 @@ def _power(base: Any, exponent: Any) -> Any:
 def _bounded_range(*bounds: int) -> list[int]:
     found = range(*bounds)
     if len(found) > MAX_SIZE:
-        msg = "The range is too long. Shorten it."
-        raise ExpressionError(msg)
+        raise ExpressionError(_TOO_LARGE)
     return list(found)
