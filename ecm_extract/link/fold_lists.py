@@ -16,9 +16,12 @@ from ecm_parsers.source.expr import (
     Table,
 )
 
+from ecm_extract.link.calls import invocations
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env
+from ecm_extract.link.program import Cls, Func
 from ecm_extract.link.scope import Definition
 from ecm_extract.link.values import (
+    MAX_ALTERNATIVES,
     Value,
     demoted,
     set_by,
@@ -33,11 +36,15 @@ if TYPE_CHECKING:
 _WHOLE_PARAMETER = re.compile(r"\$\{([^={}]+)=(?:[^{}]|\{[^{}]*\})*\}")
 
 
+_APPENDS = frozenset({"push_back", "emplace_back", "append"})
+
+
 class ListFolder:
     """Takes lists apart."""
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
+        self._appending: dict[int, list[tuple[int, str, Expr]]] = {}
 
     def elements(self, expr: Expr | None, env: Env, index: Expr | None = None) -> tuple[Value, ...]:
         """Return the values that the elements of a list, or one of them, can have."""
@@ -75,8 +82,42 @@ class ListFolder:
             found = self.items(value, inner) if definition.statement.kind != "each" else None
             if found is not None:
                 return found
+        appended = self._appended(expr, env)
+        if appended:
+            return appended
         constant = self.folder.scope.constant(expr.id, env) if isinstance(expr, Name) else None
         return self.items(constant[0], env.before(env.at)) if constant is not None else None
+
+    def _appended(self, expr: Expr, env: Env) -> list[Bound]:
+        """Return what the functions of a class, or the one at hand, append to a list that starts empty."""
+        name = _variable(expr)
+        if not name:
+            return []
+        cls = env.this or env.func.cls
+        found = []
+        is_local = any(s.kind == "let" and s.target == Name(name) for s in env.func.fact.body)
+        for func in [env.func] if is_local else self._functions(cls, env):
+            for at, target, value in self._appends(func):
+                inner = Env(func, at, this=cls, depth=env.depth + 1)
+                if target == name and not (func is env.func and at >= env.at):
+                    found.append(Bound(value, inner))
+        return found[:MAX_ALTERNATIVES]
+
+    def _functions(self, cls: Cls | None, env: Env) -> list[Func]:
+        methods = [method for entry in self.folder.program.ancestry(cls) for method in entry.methods] if cls else []
+        return methods if env.func in methods else [env.func, *methods]
+
+    def _appends(self, func: Func) -> list[tuple[int, str, Expr]]:
+        """Return (statement, list, value) of the calls of a function that append to a list."""
+        known = self._appending.get(id(func))
+        if known is None:
+            index = {id(statement): at for at, statement in enumerate(func.fact.body)}
+            known = self._appending[id(func)] = [
+                (index[id(call.statement)], _variable(call.receiver), call.args[-1])
+                for call in invocations(func, _APPENDS)
+                if call.receiver is not None and call.args
+            ]
+        return known
 
     def flat(self, expr: Expr, env: Env) -> list[Bound]:
         """Return the elements of a sequence with spread and concatenated ones in place."""
@@ -114,3 +155,10 @@ class ListFolder:
                     continue
                 found.append((definition, Env(definition.func, definition.at, this=cls, depth=env.depth + 1)))
         return found
+
+
+def _variable(expr: Expr | None) -> str:
+    """The name of a variable or of a member of `this`."""
+    if isinstance(expr, Name):
+        return expr.id
+    return expr.name if isinstance(expr, Member) and expr.base == Name("this") else ""

@@ -20,6 +20,7 @@ from ecm_extract.link.values import (
     Value,
     demoted,
     lowered,
+    set_by,
     unique,
     unknown,
 )
@@ -78,8 +79,11 @@ class MemberFolder:
         if "param" not in root.lower() and not self.folder.scope.declared_type(root, env).endswith("Params"):
             return None
         name = ".".join(path)
-        known = self.folder.reads.default(name, env.func.file.package)
-        return self.folder.calls.default_value(name, known, None, env) if known is not None else None
+        package = env.func.file.package
+        if not self.folder.reads.is_declared(name, package):
+            return None
+        known = self.folder.reads.default(name, package)
+        return set_by(name, self.folder.calls.default_value(name, known, None, env))
 
     def member_value(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
         """Return the values that the methods of a class and its bases give one of its data members."""

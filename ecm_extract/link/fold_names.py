@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+import tomllib
+from collections.abc import Mapping
+from functools import cache
+from importlib import resources
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import (
@@ -9,6 +14,7 @@ from ecm_parsers.source.expr import (
     Name,
 )
 
+from ecm_extract.link.calls import last_name
 from ecm_extract.link.env import Env, invocation_of
 from ecm_extract.link.scope import Definition
 from ecm_extract.link.values import (
@@ -22,6 +28,13 @@ from ecm_extract.link.values import (
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
+
+
+@cache
+def outside_constants() -> Mapping[str, str]:
+    """Return constants of public headers outside the tree by their own name."""
+    text = (resources.files("ecm_extract.link") / "outside_constants.toml").read_text("utf-8")
+    return MappingProxyType(tomllib.loads(text)["constants"])
 
 
 class NameFolder:
@@ -116,7 +129,8 @@ class NameFolder:
             return demoted(self.folder.fold(expr, inner))
         if env.func.file.language == "python":
             return self.imported(name, env)
-        return ()
+        text = outside_constants().get(last_name(name))
+        return () if text is None else (Value((text,), "folded"),)
 
     def _file_env(self, file: object, env: Env) -> Env:
         func = next((f for f in self.folder.program.functions.get("<module>", ()) if f.file is file), None)

@@ -33,6 +33,7 @@ class GeneratedParameters:
             for namespaces in package.parameters.values():
                 for namespace in namespaces:
                     for entry in namespace.parameters:
+                        parameters.declare_name(entry.name, package.name)
                         if isinstance(entry.default, str):
                             parameters.declare(entry.name, package.name, entry.default)
 

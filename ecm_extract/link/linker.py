@@ -10,6 +10,7 @@ from typing import Any
 from ecm_checker.contract import Evidence, Interface, Qos, Role
 from ecm_parsers.source.expr import Call, Expr, Items, Name, Text
 
+from ecm_extract.link.claims import Claim, claims_of
 from ecm_extract.link.data import UNKNOWN, data_of, declared_type, plain_type, stated_type, type_of_data
 from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
@@ -39,13 +40,14 @@ class LinkedModule:
     """A module with its endpoints and the name of its node.
 
     `local` holds, by role and name of an endpoint, the name that it has for any namespace and node name
-    (`names.local_name`), where the two differ.
+    (`names.local_name`), where the two differ. `claims` are hardware interfaces, None for what is no controller.
     """
 
     module: Module
     node: str | None
     interfaces: tuple[Interface, ...]
     local: Mapping[tuple[str, str], str] = field(default_factory=dict)
+    claims: tuple[Claim, ...] | None = None
 
 
 class Linker:
@@ -114,7 +116,8 @@ class Linker:
 
     def _linked(self, module: Module, found: Mapping[int, list[Interface]], nodes: Mapping[int, str]) -> LinkedModule:
         local = self._local.get(id(module), {})
-        return LinkedModule(module, self._node(module, nodes), merged(found.get(id(module), [])), local)
+        claims = claims_of(module.cls, self.folder) if module.cls is not None else None
+        return LinkedModule(module, self._node(module, nodes), merged(found.get(id(module), [])), local, claims)
 
     def _node(self, module: Module, nodes: Mapping[int, str]) -> str | None:
         if module.cls is not None:

@@ -29,5 +29,8 @@ class ParameterReads(Protocol):
     def members(self, cls: Cls, target: str) -> list[tuple[Func, int, Expr, Expr | None]]:
         """Return (method, statement, name, default) of the calls of a class that write a parameter to a member."""
 
+    def is_declared(self, name: str, package: str) -> bool:
+        """Tell whether a package declares a parameter, with a default or without."""
+
     def default(self, name: str, package: str, owners: Sequence[str] = ()) -> tuple[Expr, Env] | str | None:
         """Return the declared default of a parameter."""

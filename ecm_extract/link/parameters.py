@@ -26,6 +26,7 @@ class Parameters:
         self._written: dict[int, dict[str, list[tuple[int, Expr, Expr | None]]]] = {}
         self._by_class: dict[int, dict[str, list[tuple[Func, int, Expr, Expr | None]]]] = {}
         self._defaults: dict[tuple[str, str], tuple[Expr, Env] | str] = {}
+        self._declared: set[tuple[str, str]] = set()
         self._wrappers: dict[str, list[tuple[Func, str, str]]] = defaultdict(list)
 
     def read(self, call: Invocation) -> tuple[Expr, Expr | None] | None:
@@ -122,6 +123,14 @@ class Parameters:
     def declare(self, name: str, package: str, default: tuple[Expr, Env] | str) -> None:
         """Remember the default of a declared parameter; the first declaration in a package stands."""
         self._defaults.setdefault((package, name), default)
+
+    def declare_name(self, name: str, package: str) -> None:
+        """Remember a parameter whose default is no text."""
+        self._declared.add((package, name))
+
+    def is_declared(self, name: str, package: str) -> bool:
+        """Tell whether a package declares a parameter, with a default or without."""
+        return (package, name) in self._declared or (package, name) in self._defaults
 
     def default(self, name: str, package: str, owners: Sequence[str] = ()) -> tuple[Expr, Env] | str | None:
         """Return the declared default: of a port of one of the classes `owners`, else of a parameter."""
