@@ -59,9 +59,9 @@ class ListFolder:
     def _of_parameter(self, expr: Expr | None, env: Env) -> tuple[Value, ...]:
         """An element of a list that a ROS parameter holds: not known here, but a launch may set it."""
         item = unknown("item")
-        template = self.folder.fold(expr, env)[0].template if isinstance(expr, Name | Member) else None
-        match = _WHOLE_PARAMETER.fullmatch(template or "")
-        return (item,) if match is None else set_by(match[1], (item,))
+        values = self.folder.fold(expr, env) if isinstance(expr, Name | Member) else ()
+        matches = [match for value in values if (match := _WHOLE_PARAMETER.fullmatch(value.template or ""))]
+        return tuple([value for match in matches for value in set_by(match[1], (item,))]) or (item,)
 
     def items(self, expr: Expr | None, env: Env) -> list[Bound] | None:
         """Return the elements of a list that an expression is, None when the tree does not show them."""

@@ -44,19 +44,24 @@ def resolve(local: str, around: Around) -> list[Resolved]:
         around: the node.
     """
     used = tuple(match[1] for match in _PARAMETER.finditer(local))
-    return [_remapped(text.replace("{node}", around.node), used, around) for text in _filled(local, around)]
+    return [_remapped(text.replace("{node}", around.node), used, around) for text in filled(local, around.parameter)]
 
 
-def _filled(local: str, around: Around) -> list[str]:
-    """Return a name with each parameter replaced by its value, once for each item of a list."""
+def filled(local: str, parameter: Callable[[str], Any]) -> list[str]:
+    """Return a name with each `${parameter=default}` replaced by its value, once for each item of a list.
+
+    Args:
+        local: the name.
+        parameter: gives the value of a parameter, None when it is not set.
+    """
     match = _PARAMETER.search(local)
     if match is None:
         return [local]
-    given = around.parameter(match[1])
+    given = parameter(match[1])
     values = given[:MAX_ITEMS] if isinstance(given, list) else [match[2] if given is None else given]
     texts = [str(value) for value in values if not isinstance(value, list | dict)] or [match[2]]
-    filled = [local[: match.start()] + text + local[match.end() :] for text in texts]
-    return [entry for text in filled[:MAX_ITEMS] for entry in _filled(text, around)][:MAX_ITEMS]
+    names = [local[: match.start()] + text + local[match.end() :] for text in texts]
+    return [entry for name in names[:MAX_ITEMS] for entry in filled(name, parameter)][:MAX_ITEMS]
 
 
 def _remapped(text: str, used: tuple[str, ...], around: Around) -> Resolved:

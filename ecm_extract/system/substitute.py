@@ -89,6 +89,11 @@ class Substituter:
         words = " ".join(entry.text for entry in self._args(part, depth))
         return Text(f"{{command {words}}}", known=False)
 
+    def _file(self, part: Substitution, depth: int) -> Text:
+        """What a file holds is named by its path, which is what readers of descriptions look for."""
+        path = self._args(part, depth)
+        return path[0] if path else hole("file")
+
     def _expression(self, part: Substitution, depth: int) -> Text:
         text = self.text(part.args[0] if part.args else (), depth)
         if not text.known:
@@ -206,6 +211,7 @@ _KINDS: Mapping[str, Callable[[Substituter, Substitution, int], Text]] = Mapping
         "dirname": Substituter._folder,
         "anon": Substituter._anonymous,
         "command": Substituter._unknown_command,
+        "file": Substituter._file,
         "eval": Substituter._expression,
         "not": Substituter._not,
         "and": Substituter._and,

@@ -6,6 +6,7 @@ import gc
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from ecm_extract.description.model import Description
 from ecm_extract.errors import InputError
 from ecm_extract.extraction_model import Options
 from ecm_extract.link.composition import composition_of
@@ -13,21 +14,33 @@ from ecm_extract.link.forms import form_table
 from ecm_extract.link.linker import Linker
 from ecm_extract.read.reader import Reader
 from ecm_extract.settings import config_of
+from ecm_extract.system.controllers import Controller, controllers_of
 from ecm_extract.system.evaluate import launched
 from ecm_extract.system.files import TREE, Files
+from ecm_extract.system.frames import FrameEdge, frames_of
 from ecm_extract.system.model import Launched
 from ecm_extract.system.modules import ModuleIndex
 from ecm_extract.system.nodes import NodeMaker, SystemNode
-from ecm_extract.tree import Tree
+from ecm_extract.system.robots import controller_files, descriptions_of
+from ecm_extract.tree import FileDiagnostic, Tree
 
 
 @dataclass(slots=True)
 class System:
-    """The nodes that launch files start, with their endpoints, and what the launch itself says."""
+    """What launch files start, and how that is connected.
+
+    Attributes:
+        tree: where it was read. launched: what the launch files themselves say.
+        nodes: with their endpoints. controllers: with their claims.
+        robots: descriptions in use. frames: transforms that are published.
+    """
 
     tree: Tree
     launched: Launched
     nodes: list[SystemNode]
+    controllers: list[Controller]
+    robots: list[Description]
+    frames: list[FrameEdge]
 
 
 class LaunchError(InputError):
@@ -59,10 +72,26 @@ def read_system(tree: Tree, launches: Sequence[str], arguments: Mapping[str, str
         index = ModuleIndex(linked, packages, composition_of(linker.modules, linker.references))
         files = Files(tree, packages)
         found = launched(tree, files, [_path(entry, files) for entry in launches], arguments)
-        return System(tree, found, NodeMaker(index, found).nodes())
+        return _system(tree, found, files, index)
     finally:
         if enabled:
             gc.enable()
+
+
+def _system(tree: Tree, found: Launched, files: Files, index: ModuleIndex) -> System:
+    nodes = NodeMaker(index, found).nodes()
+    robots = descriptions_of(found, files)
+    for robot in robots:
+        for path, line, message in robot.problems:
+            tree.report(FileDiagnostic("info", "description-unread", path, line, f"{message}."))
+    return System(
+        tree=tree,
+        launched=found,
+        nodes=nodes,
+        controllers=controllers_of(found, files, index, controller_files(robots)),
+        robots=robots,
+        frames=frames_of(nodes, robots),
+    )
 
 
 def _path(text: str, files: Files) -> str:

@@ -163,6 +163,15 @@ def _has_parameters(given: Arguments) -> Value:
     return _sub("has_parameters", given.template("source_file", 0), given.template("node_name", 1))
 
 
+def _xacro(given: Arguments) -> Value:
+    """`xacro.process_file(path, mappings={...})` is the command line that does the same."""
+    mappings = given.get("mappings", default={})
+    words: Template = ("xacro ", *given.template("input_file_name", 0))
+    for name, value in mappings.items() if isinstance(mappings, dict) else ():
+        words = (*words, f" {name}:=", *template_of(value))
+    return _sub("command", words)
+
+
 def _python_expression(given: Arguments) -> Value:
     return _sub("eval", given.template("expression", 0))
 
@@ -232,6 +241,26 @@ def _node(kind: NodeKind) -> Constructor:
         )
 
     return make
+
+
+def _spawner(given: Arguments) -> Value:
+    """The helpers of `controller_manager.launch_utils`, which start one spawner for the controllers they are given."""
+    names = given.get("controller_names", 0) or given.get("controller_name", 0) or given.get("controller_info_dict", 0)
+    listed = list(names) if isinstance(names, list | tuple | dict) else [names]
+    files = given.get("controller_params_files") or given.get("controller_params_file", 1) or []
+    if isinstance(names, dict):
+        files = [file for value in names.values() for file in (value if isinstance(value, list) else [value])]
+    options = [word for file in (files if isinstance(files, list) else [files]) for word in ("--param-file", file)]
+    extra = given.get("extra_spawner_args", default=[])
+    words = [*listed, *options, *(extra if isinstance(extra, list) else [])]
+    spawner = Node(
+        line=given.line,
+        kind="node",
+        package=("controller_manager",),
+        executable=("spawner",),
+        arguments=_command([word for word in words if word is not None]),
+    )
+    return Description([spawner])
 
 
 def _components(value: Value) -> tuple[Node, ...]:
@@ -407,6 +436,9 @@ CONSTRUCTORS: Mapping[str, Constructor] = MappingProxyType(
         "DeclareLaunchArgument": _argument,
         "Node": _node("node"),
         "LifecycleNode": _node("lifecycle_node"),
+        "generate_controllers_spawner_launch_description": _spawner,
+        "generate_controllers_spawner_launch_description_from_dict": _spawner,
+        "generate_load_controller_launch_description": _spawner,
         "ComposableNodeContainer": _node("container"),
         "ComposableNode": _node("component"),
         "ComposableLifecycleNode": _node("component"),
@@ -442,6 +474,11 @@ CONSTRUCTORS: Mapping[str, Constructor] = MappingProxyType(
         "ParameterFile": _parameter_file,
         "ParameterValue": _parameter_value,
         "RewrittenYaml": _rewritten,
+        "open": _one("file", "file"),
+        "safe_load": _same,
+        "full_load": _same,
+        "process_file": _xacro,
+        "process": _xacro,
         "Path": _os_path_join,
         "join": _os_path_join,
         "dirname": _parent,

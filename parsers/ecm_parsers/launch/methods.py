@@ -44,7 +44,22 @@ _PLAIN_TEXT: Mapping[str, Callable[..., Value]] = MappingProxyType(
 _VIEWS: Mapping[str, Callable[[dict[Value, Value]], Value]] = MappingProxyType(
     {"items": lambda table: list(table.items()), "keys": list, "values": lambda table: list(table.values())}
 )
-_SAME = frozenset({"perform", "resolve", "as_posix", "absolute", "strip", "lstrip", "rstrip", "expanduser", "copy"})
+_SAME = frozenset(
+    {
+        "read",
+        "toxml",
+        "toprettyxml",
+        "perform",
+        "resolve",
+        "as_posix",
+        "absolute",
+        "strip",
+        "lstrip",
+        "rstrip",
+        "expanduser",
+        "copy",
+    }
+)
 
 
 def call_method(owner: Value, name: str, given: Arguments) -> Value:

@@ -16,7 +16,8 @@ class Substitution(msgspec.Struct, frozen=True, tag=True):
     Attributes:
         kind: `arg` (name, default?), `env` (name, default?), `find` (package), `find_prefix` (package),
             `eval` (expression text), `dirname`, `anon` (name), `command` (words), `not`, `and`, `or`, `equals`, `in`,
-            `lower`, `if` (condition, then, else), `has_parameters` (file, node), or `unknown` (source text).
+            `lower`, `if` (condition, then, else), `has_parameters` (file, node), `file` (path), or `unknown` (source
+            text).
         args: templates, in the order above.
     """
 

@@ -91,6 +91,8 @@ class BodyReader:
         for child in node.named_children:
             if child.type in {"condition_clause", "parenthesized_expression"}:
                 self._condition(child)
+            elif child.type == "update_expression" and node.type == "for_statement":
+                self._counter(child)
             else:
                 self.read(child)
         self._depth -= 1
@@ -99,6 +101,13 @@ class BodyReader:
         declarator, right = node.child_by_field_name("declarator"), node.child_by_field_name("right")
         if declarator is not None and right is not None:
             self._add("each", node, self.expr.read(right), Name(declared_name(self.expr, declarator)))
+
+    def _counter(self, node: Node) -> None:
+        """`++i` of a loop: from here on the counter is not the value that it starts with."""
+        counter = node.child_by_field_name("argument")
+        if counter is not None and counter.type == "identifier":
+            name = self.expr.name(counter)
+            self._add("each", node, Opaque(name), Name(name))
 
     def _condition(self, node: Node) -> None:
         value = node.child_by_field_name("value") or node

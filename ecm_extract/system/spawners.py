@@ -1,0 +1,66 @@
+"""Which controllers a launch loads: spawners of both ROS versions and `ros2 control` command lines.
+
+Sources: control.ros.org "controller_manager helper scripts"; wiki.ros.org/controller_manager.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from ecm_extract.system.model import Instance
+
+_WITH_VALUE = frozenset(
+    {"-c", "--controller-manager", "-t", "--controller-type", "-p", "--param-file", "-n", "--namespace"}
+    | {
+        "--controller-manager-timeout",
+        "--switch-timeout",
+        "--service-call-timeout",
+        "--controller-ros-args",
+        "--set-state",
+    }
+    | {"--timeout", "--wait-for"}
+)
+_INACTIVE = frozenset({"--inactive", "--load-only", "--stopped", "--unload"})
+_SPAWNERS = frozenset({"spawner", "spawner.py", "controller_manager", "hardware_spawner"})
+_VERBS = frozenset({"spawn", "load", "start", "load_controller", "set_controller_state"})
+
+
+class Spawned(NamedTuple):
+    """One controller that is loaded: its name, whether it is activated, and what the command line says of it."""
+
+    name: str
+    active: bool
+    kind: str
+    files: tuple[str, ...]
+    instance: Instance
+
+
+def spawned(instances: Sequence[Instance]) -> Iterator[Spawned]:
+    """Yield the controllers that instances load."""
+    for instance in instances:
+        words = [word.text for word in instance.arguments]
+        if instance.executable in _SPAWNERS and instance.executable != "hardware_spawner":
+            yield from _of_words(words, instance)
+        elif instance.kind == "process" and "control" in words and "load_controller" in words:
+            yield from _of_words(words[words.index("load_controller") + 1 :], instance)
+
+
+def _of_words(words: Sequence[str], instance: Instance) -> Iterator[Spawned]:
+    names: list[str] = []
+    values: dict[str, list[str]] = {}
+    at = 0
+    while at < len(words):
+        word = words[at]
+        if word in _WITH_VALUE:
+            values.setdefault(word, []).append(words[at + 1] if at + 1 < len(words) else "")
+            at += 2
+            continue
+        if not word.startswith("-") and ":=" not in word and word not in _VERBS:
+            names.append(word)
+        at += 1
+    active = not _INACTIVE & set(words) and values.get("--set-state", ["active"]) != ["inactive"]
+    kind = next(iter(values.get("-t", values.get("--controller-type", []))), "")
+    files = (*values.get("-p", ()), *values.get("--param-file", ()))
+    for name in names:
+        yield Spawned(name, active, kind, tuple(files), instance)
