@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
@@ -16,6 +17,7 @@ from ecm_extract.link.references import References, Unit
 
 MAX_USERS = 4_000
 _NAMESPACE = "__ns:="
+_LOADER = re.compile(r"ClassLoader\s*<(.+)>")
 
 
 class Part(NamedTuple):
@@ -32,10 +34,11 @@ class Part(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Composition:
-    """Programs by (package, executable) and the parts of modules by the module's identity."""
+    """Programs by (package, executable); by a module's identity its parts, and bases of plugins it loads all of."""
 
     programs: dict[tuple[str, str], list[Part]] = field(default_factory=lambda: defaultdict(list))
     parts: dict[int, list[Part]] = field(default_factory=lambda: defaultdict(list))
+    loads: dict[int, set[str]] = field(default_factory=lambda: defaultdict(set))
 
 
 def composition_of(modules: Modules, references: References) -> Composition:
@@ -46,6 +49,9 @@ def composition_of(modules: Modules, references: References) -> Composition:
     composer = _Composer(modules, references)
     for module in modules.by_class.values():
         composer.place(module, found)
+    for base, unit in composer.loaders():
+        for module in modules.owners(unit):
+            found.loads[id(module)].add(base)
     return found
 
 
@@ -72,6 +78,17 @@ class _Composer:
                 owner = self.modules.by_class[id(unit)]
                 for name in self._names(calls, unit) or [None]:
                     _add(found.parts[id(owner)], Part(module, name, nested))
+
+    def loaders(self) -> Iterator[tuple[str, Unit]]:
+        """Yield (base class, unit) of the loaders that take every class that plugin descriptions declare."""
+        sites = self.references.sites
+        for call in sites.calls.get("getDeclaredClasses", ()):
+            if call.receiver is None:
+                continue
+            written = sites.folder.objects.type_of(call.receiver, sites.root_env(call.func, sites.position(call)))
+            match = _LOADER.search(written or "")
+            if match is not None:
+                yield match[1].strip(), call.func.cls or call.func
 
     def _outermost(self, cls: Cls) -> Iterator[Unit]:
         """Yield the main functions and module classes in which an object of a class is made."""

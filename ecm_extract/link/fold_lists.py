@@ -17,7 +17,7 @@ from ecm_parsers.source.expr import (
 )
 
 from ecm_extract.link.calls import invocations
-from ecm_extract.link.env import MAX_DEPTH, Bound, Env
+from ecm_extract.link.env import MAX_DEPTH, Bound, Env, Instance
 from ecm_extract.link.program import Cls, Func
 from ecm_extract.link.scope import Definition
 from ecm_extract.link.values import (
@@ -148,12 +148,16 @@ class ListFolder:
             if local:
                 return [(definition, env.before(definition.at)) for definition in local]
         cls = env.this or env.func.cls
+        if cls is None:
+            return []
         found = []
-        for entry in self.folder.program.ancestry(cls) if cls is not None else ():
+        for entry in self.folder.program.ancestry(cls):
             for definition in self.folder.scope.members(name, entry):
                 if not self.folder.objects.runs(definition.func, env.made):
                     continue
-                found.append((definition, Env(definition.func, definition.at, this=cls, depth=env.depth + 1)))
+                made = env.made if env.made is not None and env.made.cls is cls else Instance(cls, {}, {})
+                inner = Env(definition.func, definition.at, this=cls, made=made, depth=env.depth + 1)
+                found.append((definition, inner))
         return found
 
 

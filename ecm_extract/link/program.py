@@ -90,14 +90,15 @@ class Program:
         file.imported = _imported(file) if file.language == "python" else {}
 
     def _owner(self, function: Function, file: File) -> Cls | None:
-        """The class that a scope names: same qualified name, or the same last name when namespaces are `using`."""
+        """The class that a scope names; with `using` it is a part of its name, inside a namespace it may repeat it."""
         if not function.scope:
             return None
         last = function.scope.rsplit("::", 1)[-1]
         candidates = [cls for cls in self.classes.get(last, ()) if cls.file.language == file.language]
         exact = [cls for cls in candidates if cls.qualified == function.scope]
         loose = [cls for cls in candidates if cls.qualified.endswith("::" + function.scope)]
-        return self._nearest(exact or loose, file)
+        repeated = [cls for cls in candidates if function.scope.endswith("::" + cls.qualified)]
+        return self._nearest(exact or loose or repeated, file)
 
     def _nearest(self, candidates: list[Cls], file: File) -> Cls | None:
         if not candidates:

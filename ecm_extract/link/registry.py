@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from fnmatch import fnmatch
 from pathlib import PurePosixPath
@@ -12,6 +13,7 @@ from ecm_extract.link.modules import Registry, registration_kind
 from ecm_extract.link.program import Cls, File, Func, Program, plain, snake
 from ecm_extract.read.facts import PackageFacts
 
+_TEMPLATE = re.compile(r"<([\w:\s]+)>")
 _SUFFIXES = ("", ".cpp", ".cc", ".cxx", ".c", ".py")
 
 
@@ -47,11 +49,18 @@ def _register(cls: Cls, kind: str, registry: Registry) -> None:
 def _plugins(package: PackageFacts, files: list[File], program: Program, registry: Registry) -> None:
     for classes in package.plugins.values():
         for entry in classes:
-            cls = _class_of(entry.type, files, program)
+            cls = plugin_class(entry.type, files, program)
             if cls is not None:
                 nodelet = "odelet" in entry.base_class_type
                 _register(cls, "nodelet" if nodelet else "plugin", registry)
                 registry.names.setdefault(id(cls), snake(cls.fact.name))
+
+
+def plugin_class(written: str, files: list[File], program: Program) -> Cls | None:
+    """Return the class that a plugin description names; of a factory template, the class that it makes."""
+    inner = _TEMPLATE.search(written)
+    made = _class_of(inner[1], files, program) if inner is not None else None
+    return made or _class_of(written, files, program)
 
 
 def _components(package: PackageFacts, files: list[File], program: Program, registry: Registry) -> None:

@@ -23,8 +23,9 @@ from ecm_extract.link.program import Cls, Func, Program, plain
 from ecm_extract.link.types import Types
 from ecm_extract.link.values import Value
 
-_ALSO = ("InputPort", "BidirectionalPort", "init", "init_node", "create_node", "Node", "LifecycleNode")
-"""Calls that are looked up by name without being forms: behaviour tree ports and node names."""
+_LOADS_ALL = "getDeclaredClasses"
+_ALSO = ("InputPort", "BidirectionalPort", "init", "init_node", "create_node", "Node", "LifecycleNode", _LOADS_ALL)
+"""Calls that are looked up by name without being forms: behaviour tree ports, node names, plugin loaders."""
 MAX_CHAIN = 5
 MAX_EXPANSIONS = 50_000
 

@@ -6,7 +6,7 @@ file shares the arguments of the file that includes it, in ROS 1 it sees only wh
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 
 from ecm_parsers.launch.model import (
     Action,
@@ -25,7 +25,7 @@ from ecm_parsers.launch.model import (
 from ecm_extract.system.files import Files
 from ecm_extract.system.instances import InstanceMaker
 from ecm_extract.system.launch_files import read_launch
-from ecm_extract.system.model import LaunchArgument, Launched, Place, Remapping, Text, join
+from ecm_extract.system.model import Given, LaunchArgument, Launched, Place, Remapping, Text, join
 from ecm_extract.system.scope import Scope
 from ecm_extract.system.settings import Settings
 from ecm_extract.system.substitute import Substituter, hole
@@ -34,21 +34,25 @@ from ecm_extract.tree import FileDiagnostic, Tree
 MAX_INCLUDES = 300
 MAX_DEPTH = 25
 MAX_SAME_FILE = 3
+MAX_CANDIDATES = 8
 MAX_INSTANCES = 5_000
 
 
-def launched(tree: Tree, files: Files, paths: Sequence[str], arguments: Mapping[str, str]) -> Launched:
+def launched(tree: Tree, files: Files, paths: Sequence[str], given: Given) -> Launched:
     """Return what launch files start together.
 
     Args:
         tree: gets the diagnostics.
         files: of the tree.
         paths: of the launch files, in the order in which they are started.
-        arguments: values that override the defaults of the files' arguments.
+        given: arguments, which override the defaults of the files, and environment.
     """
     evaluator = Evaluator(tree, files)
     for path in paths:
-        scope = Scope(arguments={name: Text(value) for name, value in arguments.items()})
+        scope = Scope(
+            arguments={name: Text(value) for name, value in given.arguments.items()},
+            environment={name: Text(value) for name, value in given.environment.items()},
+        )
         evaluator.file(path, scope, ())
     return evaluator.result
 
@@ -164,10 +168,14 @@ class Evaluator:
         substituter = file.substituter(self.files, scope)
         path = substituter.text(action.path)
         found = self.files.find(path.text) if path.known else None
-        given = {name: substituter.text(value) for name, value in action.arguments}
         if found is None:
-            self._unread(file, action, path)
+            self._open_include(file, action, scope, path)
             return
+        self._included(file, action, scope, found)
+
+    def _included(self, file: _File, action: Include, scope: Scope, found: str) -> None:
+        substituter = file.substituter(self.files, scope)
+        given = {name: substituter.text(value) for name, value in action.arguments}
         inner = scope
         if file.facts.ros == 1:
             inner = scope.inner()
@@ -177,6 +185,15 @@ class Evaluator:
         if action.namespace:
             inner.namespace = join(scope.namespace, substituter.text(action.namespace).text)
         self.file(found, inner, file.stack)
+
+    def _open_include(self, file: _File, action: Include, scope: Scope, path: Text) -> None:
+        """A file that only the launch knows: every file of the tree that it can be is taken, under that condition."""
+        found = [] if path.known else self.files.candidates(path.text)
+        if not 0 < len(found) <= MAX_CANDIDATES:
+            self._unread(file, action, path)
+            return
+        for candidate in found:
+            self._included(file, action, scope.under(f"{path.text.removeprefix('tree:')} is {candidate}"), candidate)
 
     def _unread(self, file: _File, action: Include, path: Text) -> None:
         shown = path.text.removeprefix("tree:")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fnmatch import fnmatchcase
 from pathlib import PurePosixPath
 
 from ecm_extract.read.facts import PackageFacts
@@ -47,6 +48,13 @@ class Files:
             beside = [entry for entry in beside if PurePosixPath(entry).parent.name == PurePosixPath(path).parent.name]
         return beside[0] if len(beside) == 1 else None
 
+    def candidates(self, text: str) -> list[str]:
+        """Return the paths in the tree that a marked path with `{name}` parts can mean."""
+        if not text.startswith(TREE):
+            return []
+        pattern = _wildcards(_normal(text[len(TREE) :]))
+        return sorted(path for path in self._paths if fnmatchcase(path, pattern))
+
     def in_package(self, package: str, name: str) -> str | None:
         """Return the file of a package with this name, as `roslaunch package file` looks it up."""
         root = self._roots.get(package)
@@ -80,6 +88,20 @@ class Files:
             if text in self._ros:
                 return text
         return None
+
+
+def _wildcards(text: str) -> str:
+    """Return a path with `*` for each part in braces, nested ones included."""
+    found, depth = [], 0
+    for char in text:
+        if char == "{":
+            found += ["*"] if depth == 0 else []
+            depth += 1
+        elif char == "}":
+            depth -= 1
+        elif depth == 0:
+            found.append(f"[{char}]" if char in "*?[" else char)
+    return "".join(found)
 
 
 def _normal(path: str) -> str:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 
@@ -22,6 +24,13 @@ class Text(NamedTuple):
     def __bool__(self) -> bool:
         """Whether there is any text."""
         return bool(self.text)
+
+
+class Given(NamedTuple):
+    """What a person gives a launch: arguments and environment variables by name."""
+
+    arguments: Mapping[str, str] = MappingProxyType({})
+    environment: Mapping[str, str] = MappingProxyType({})
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,23 +2,31 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from ecm_extract.link.composition import Composition, Part
 from ecm_extract.link.linker import LinkedModule
+from ecm_extract.link.modules import Module
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.system.model import Instance
 
-MAX_PARTS = 50
+MAX_PARTS = 200
+_TEMPLATE = re.compile(r"<([\w:\s]+)>")
 
 
 class Loaded(NamedTuple):
-    """A module that an instance runs: the name that its maker gives its node, and whether it has its own namespace."""
+    """A module that an instance runs.
+
+    `name` is what its maker calls its node, `nested` tells that the node is in a namespace of that name, `lookup` is
+    the name of a plugin that is loaded because it is declared.
+    """
 
     module: LinkedModule
     name: str | None = None
     nested: bool = False
+    lookup: str | None = None
 
 
 class ModuleIndex:
@@ -32,6 +40,7 @@ class ModuleIndex:
         self._classes = {
             entry.module.cls.qualified: entry for entry in self._linked.values() if entry.module.cls is not None
         }
+        self._bases: dict[str, str] = {}
         self._plugins = self._by_lookup_name(packages)
 
     def _by_lookup_name(self, packages: Iterable[PackageFacts]) -> Mapping[str, LinkedModule]:
@@ -39,9 +48,11 @@ class ModuleIndex:
         for package in packages:
             for classes in package.plugins.values():
                 for entry in classes:
-                    module = self._class(entry.type)
+                    inner = _TEMPLATE.search(entry.type)
+                    module = self._class(inner[1]) if inner is not None else self._class(entry.type)
                     if module is not None:
                         found[entry.lookup_name] = module
+                        self._bases[entry.lookup_name] = entry.base_class_type
         return found
 
     def of(self, instance: Instance) -> Sequence[Loaded]:
@@ -67,10 +78,20 @@ class ModuleIndex:
         """Add the nodes that modules make inside themselves."""
         result = list(found)
         for entry in result:
-            for part in self._loaded(self._composition.parts.get(id(entry.module.module), ())):
+            module = entry.module.module
+            for part in [*self._loaded(self._composition.parts.get(id(module), ())), *self._all_plugins(module)]:
                 if len(result) < MAX_PARTS and part not in result:
                     result.append(part)
         return result
+
+    def _all_plugins(self, module: Module) -> list[Loaded]:
+        """Every plugin of the bases that a module loads all classes of, by its lookup name."""
+        bases = {base.rpartition("::")[2] for base in self._composition.loads.get(id(module), ())}
+        return [
+            Loaded(self._plugins[name], lookup=name)
+            for name, base in sorted(self._bases.items())
+            if base.rpartition("::")[2] in bases
+        ]
 
     def plugin(self, name: str) -> LinkedModule | None:
         """Return the module of a class by its lookup name or its qualified name."""

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from fnmatch import fnmatchcase
 from typing import Any, NamedTuple
 
 from ecm_checker.contract import Interface, Qos
 
 from ecm_extract.link.linker import LinkedModule
+from ecm_extract.system.controllers import Controller
 from ecm_extract.system.model import Instance, Launched, Place, Remapping, Setting, join
 from ecm_extract.system.modules import Loaded, ModuleIndex
 from ecm_extract.system.names import Around, node_matches, resolve
@@ -120,6 +122,17 @@ class NodeMaker:
         """Return every node, in the order in which they are started."""
         return [node for instance in self.launched.instances for node in self._of(instance)]
 
+    def controllers(self, found: Iterable[Controller]) -> list[SystemNode]:
+        """Return the nodes that loaded controllers make, where their code is in the tree."""
+        settings = tuple(entry for instance in self.launched.instances for entry in instance.settings)
+        nodes = []
+        for controller in found:
+            module = self.index.plugin(controller.type)
+            if module is not None:
+                instance = _controller_instance(controller, settings)
+                nodes.append(self._node(instance, Loaded(module), first=True))
+        return nodes
+
     def _of(self, instance: Instance) -> Iterator[SystemNode]:
         if instance.kind == "process":
             return
@@ -127,8 +140,25 @@ class NodeMaker:
         if not modules:
             yield self._outside(instance)
             return
+        refused = self._refused(instance)
         for at, loaded in enumerate(modules):
+            if loaded.lookup is not None and refused(loaded.lookup):
+                continue
             yield self._node(instance, loaded, first=at == 0)
+
+    def _refused(self, instance: Instance) -> Callable[[str], bool]:
+        """Tell which plugins the lists of an instance keep out: `*denylist` and `*blacklist`, less what is allowed."""
+        lists: dict[bool, list[str]] = {True: [], False: []}
+        for setting in instance.settings:
+            if isinstance(setting.value, list) and setting.name.endswith(("list", "lists")):
+                kept = "allow" in setting.name or "white" in setting.name
+                lists[kept] += [str(item) for item in setting.value]
+        denied, allowed = lists[False], lists[True]
+
+        def refused(name: str) -> bool:
+            return any(fnmatchcase(name, entry) for entry in denied) and name not in allowed
+
+        return refused
 
     def _outside(self, instance: Instance) -> SystemNode:
         name = instance.name or instance.executable.removesuffix(".py") or instance.plugin.rsplit("::", 1)[-1]
@@ -222,6 +252,22 @@ class NodeMaker:
             known = declared.has(setting.name) if plugged else None
             found[setting.name] = Parameter(setting.name, setting.value, setting.place, known)
         yield from (found[name] for name in sorted(found))
+
+
+def _controller_instance(controller: Controller, settings: tuple[Setting, ...]) -> Instance:
+    return Instance(
+        kind="controller",
+        package=controller.type.partition("/")[0],
+        executable="",
+        plugin=controller.type,
+        name=controller.name,
+        namespace=controller.namespace,
+        ros=2,
+        place=controller.place,
+        settings=settings,
+        container="controller_manager",
+        conditional=controller.conditional,
+    )
 
 
 def _own(interface: Interface, node: SystemNode) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import gc
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ecm_extract.description.model import Description
@@ -18,7 +18,7 @@ from ecm_extract.system.controllers import Controller, controllers_of
 from ecm_extract.system.evaluate import launched
 from ecm_extract.system.files import TREE, Files
 from ecm_extract.system.frames import FrameEdge, frames_of
-from ecm_extract.system.model import Launched
+from ecm_extract.system.model import Given, Launched
 from ecm_extract.system.modules import ModuleIndex
 from ecm_extract.system.nodes import NodeMaker, SystemNode
 from ecm_extract.system.robots import controller_files, descriptions_of
@@ -47,13 +47,13 @@ class LaunchError(InputError):
     """A launch file that was asked for is not in the tree."""
 
 
-def read_system(tree: Tree, launches: Sequence[str], arguments: Mapping[str, str], options: Options) -> System:
+def read_system(tree: Tree, launches: Sequence[str], given: Given, options: Options) -> System:
     """Read a tree and evaluate launch files over it.
 
     Args:
         tree: of a workspace or a repository.
         launches: paths in the tree, or `package/file`, as `roslaunch` and `ros2 launch` find it.
-        arguments: values of launch arguments; `env NAME` is an environment variable.
+        given: arguments and environment of the launch.
         options: of the extraction.
 
     Raises:
@@ -71,7 +71,7 @@ def read_system(tree: Tree, launches: Sequence[str], arguments: Mapping[str, str
         linked = linker.link()
         index = ModuleIndex(linked, packages, composition_of(linker.modules, linker.references))
         files = Files(tree, packages)
-        found = launched(tree, files, [_path(entry, files) for entry in launches], arguments)
+        found = launched(tree, files, [_path(entry, files) for entry in launches], given)
         return _system(tree, found, files, index)
     finally:
         if enabled:
@@ -79,16 +79,19 @@ def read_system(tree: Tree, launches: Sequence[str], arguments: Mapping[str, str
 
 
 def _system(tree: Tree, found: Launched, files: Files, index: ModuleIndex) -> System:
-    nodes = NodeMaker(index, found).nodes()
+    maker = NodeMaker(index, found)
+    nodes = maker.nodes()
     robots = descriptions_of(found, files)
     for robot in robots:
         for path, line, message in robot.problems:
             tree.report(FileDiagnostic("info", "description-unread", path, line, f"{message}."))
+    controllers = controllers_of(found, files, index, controller_files(robots))
+    nodes += maker.controllers(controllers)
     return System(
         tree=tree,
         launched=found,
         nodes=nodes,
-        controllers=controllers_of(found, files, index, controller_files(robots)),
+        controllers=controllers,
         robots=robots,
         frames=frames_of(nodes, robots),
     )

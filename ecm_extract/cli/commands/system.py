@@ -1,0 +1,96 @@
+"""`ecm-extract system LAUNCH...`: what launch files start, and how that is connected."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, Final
+
+import click
+import msgspec
+
+if TYPE_CHECKING:
+    from ecm_extract.system.system import System
+
+FORMATS: Final = ("text", "json", "dot", "mermaid")
+
+_EPILOG: Final = """\b
+Examples:
+  ecm-extract system bringup/launch/robot.launch.py
+  ecm-extract system my_bringup/robot.launch.py use_sim_time:=true --workspace src
+  ecm-extract system robot.launch --env ROBOT_MODEL=burger --format mermaid > graph.mmd
+"""
+
+
+class Request(msgspec.Struct, frozen=True):
+    """What the user asked for, as on the command line."""
+
+    launch: tuple[str, ...]
+    workspace: str
+    ref: str | None
+    env: tuple[str, ...]
+    format: str
+    include_tests: bool
+    config: str | None
+    jobs: int | None
+
+
+@click.command(short_help="Show what launch files start, and how it is connected.", epilog=_EPILOG)
+@click.argument("launch", nargs=-1, required=True, metavar="LAUNCH... [NAME:=VALUE]...")
+@click.option(
+    "--workspace",
+    metavar="DIR|DIR@REF",
+    default=".",
+    show_default=True,
+    help="The tree that holds the launch files and packages.",
+)
+@click.option("--ref", help="Read a tag, branch or commit of the workspace.")
+@click.option("--env", multiple=True, metavar="NAME=VALUE", help="An environment variable of the launch.")
+@click.option("--format", type=click.Choice(FORMATS), default="text", show_default=True, help="How to show it.")
+@click.option("--include-tests", is_flag=True, help="Read test folders too.")
+@click.option("--config", metavar="FILE", help="Use this ecm.toml.  [default: the one in the workspace]")
+@click.option("--jobs", type=click.IntRange(min=1), help="Worker processes.  [default: one per core]")
+def command(**options: Any) -> None:
+    """Evaluate launch files without running them and show the instance graph.
+
+    LAUNCH is a launch file by its path in the workspace, or `package/file`. NAME:=VALUE gives a launch argument. What
+    only a running launch knows stays a pattern `{name}`, and what depends on it says so.
+    """
+    request = Request(**options)
+    sys.stdout.write(_renderer(request.format)(_read(request)))
+    sys.stdout.flush()
+
+
+def _read(request: Request) -> System:
+    from ecm_extract.cli.progress import progress_bar
+    from ecm_extract.extraction_model import Options
+    from ecm_extract.system.model import Given
+    from ecm_extract.system.system import read_system
+    from ecm_extract.tree import open_tree
+
+    launches = [word for word in request.launch if ":=" not in word]
+    if not launches:
+        message = "no launch file given"
+        raise click.UsageError(message, click.get_current_context())
+    arguments = dict(word.split(":=", 1) for word in request.launch if ":=" in word)
+    environment = dict(_pair(word) for word in request.env)
+    with progress_bar() as progress:
+        options = Options(request.include_tests, request.config, request.jobs, progress)
+        tree = open_tree(request.workspace, request.ref)
+        return read_system(tree, launches, Given(arguments, environment), options)
+
+
+def _pair(word: str) -> tuple[str, str]:
+    name, separator, value = word.partition("=")
+    if not separator:
+        message = f"--env {word} has no value; write NAME=VALUE"
+        raise click.UsageError(message, click.get_current_context())
+    return name, value
+
+
+def _renderer(name: str) -> Callable[[System], str]:
+    from importlib import import_module
+
+    module = import_module(f"ecm_extract.system.formats.{'document' if name == 'json' else name}")
+    renderer: Callable[[System], str] = module.render
+    return renderer

@@ -1,0 +1,29 @@
+"""The instance graph for Graphviz: nodes as ellipses, topics as boxes, services and actions as other boxes."""
+
+from __future__ import annotations
+
+from ecm_extract.system.graph import graph_of
+from ecm_extract.system.system import System
+
+_SHAPES = {"node": "ellipse", "topic": "box", "service": "cds", "action": "component"}
+
+
+def render(system: System) -> str:
+    """Return a `digraph`; what is started under an unknown condition is dashed."""
+    graph = graph_of(system.nodes)
+    lines = ["digraph system {", "  rankdir=LR;", '  node [fontname="sans-serif"];']
+    for vertex, data in sorted(graph.nodes(data=True)):
+        style = ", style=dashed" if data.get("conditional") else ""
+        lines.append(f"  {_id(vertex)} [label={_quoted(vertex[1])}, shape={_SHAPES[vertex[0]]}{style}];")
+    for start, end in sorted(set(graph.edges())):
+        lines.append(f"  {_id(start)} -> {_id(end)};")
+    return "\n".join([*lines, "}"]) + "\n"
+
+
+def _id(vertex: tuple[str, str]) -> str:
+    return _quoted(f"{vertex[0]}:{vertex[1]}")
+
+
+def _quoted(text: str) -> str:
+    plain = "".join(char for char in text if char.isprintable())
+    return '"' + plain.replace("\\", "\\\\").replace('"', '\\"') + '"'
