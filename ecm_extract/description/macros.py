@@ -1,15 +1,19 @@
-"""Parameters of xacro macros: `a b:=default c:=^ d:=^|default *block **blocks`."""
+"""Macros of xacro: their parameters `a b:=default c:=^ d:=^|default *block **blocks`, and how a call finds one."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 from lxml import etree
 
+from ecm_extract.description.symbols import Symbols
+
+MAX_PARAMETERS_TEXT = 10_000
 _PARAMETER = re.compile(
-    r"""\s*(?P<stars>\*{0,2})(?P<name>[^\s:*]+?)"""
-    r"""(?::?=(?P<forward>\^\|?)?(?P<default>(?:'[^']*'|"[^"]*"|\$\{[^}]*\}|\$\([^)]*\)|[^\s'"])*))?(?=\s|$)"""
+    r"""(?P<stars>\*{0,2})(?P<name>[^\s:=*]++)"""
+    r"""(?:\s*+:?=\s*+(?P<forward>\^\|?)?(?P<default>(?:'[^']*+'|"[^"]*+"|\$\{[^}]*+\}|\$\([^)]*+\)|[^\s'"])*+))?"""
 )
 
 
@@ -31,22 +35,51 @@ class MacroParameter:
 
 @dataclass(frozen=True, slots=True)
 class Macro:
-    """A macro: its parameters, its body, and the file that it is written in."""
+    """A macro: its parameters, its body, the file that it is written in.
+
+    Attributes:
+        prefix: of the namespace that includes it (`ns.`), empty for none. scope: the symbols of that namespace.
+    """
 
     name: str
     parameters: tuple[MacroParameter, ...]
     body: etree._Element
     path: str
+    prefix: str = ""
+    scope: Symbols | None = None
+
+
+class Macros:
+    """All macros known so far, by name."""
+
+    def __init__(self) -> None:
+        self._by_name: dict[str, Macro] = {}
+
+    def add(self, macro: Macro) -> None:
+        """Define a macro, or define it anew."""
+        self._by_name[macro.prefix + macro.name] = macro
+
+    def find(self, name: str, prefix: str = "") -> Macro | None:
+        """Return the macro that a name means inside a namespace: its own first, then those around it."""
+        found = (self._by_name.get(around + name) for around in _around(prefix))
+        return next((macro for macro in found if macro is not None), None)
 
 
 def macro_parameters(text: str) -> tuple[MacroParameter, ...]:
     """Read the `params` attribute of a macro."""
-    return tuple(_parameter(match) for match in _PARAMETER.finditer(text))
+    return tuple(_parameter(match) for match in _PARAMETER.finditer(text[:MAX_PARAMETERS_TEXT]))
 
 
 def _parameter(match: re.Match[str]) -> MacroParameter:
     forward, default = match["forward"], match["default"]
     given = default if default or not forward or forward.endswith("|") else None
-    if given is not None and len(given) > 1 and given[0] == given[-1] and given[0] in "\"'":
-        given = given[1:-1]
     return MacroParameter(match["name"], match["stars"], given, forward is not None)
+
+
+def _around(prefix: str) -> Iterator[str]:
+    """Yield `a.b.`, `a.` and the empty prefix."""
+    while prefix:
+        yield prefix
+        prefix = prefix.rstrip(".").rpartition(".")[0]
+        prefix += "." if prefix else ""
+    yield ""

@@ -8,7 +8,8 @@ from ecm_extract.description.element import Element
 from ecm_extract.description.model import Description
 from ecm_extract.description.ros2_control import hardware_of, transmissions_of
 from ecm_extract.description.urdf import joints_of, links_of, plugins_of, sensors_of
-from ecm_extract.description.xacro import Files, Xacro
+from ecm_extract.description.xacro import Xacro
+from ecm_extract.description.xacro_files import Files
 
 
 def read_description(path: str, arguments: Mapping[str, str], files: Files) -> Description:

@@ -61,24 +61,46 @@ class Symbols(Mapping[str, Any]):
             current = current.parent
         return current
 
+    def evaluated(self, text: str) -> Any:
+        """Return the value of a text in these symbols."""
+        return self._evaluate(text, self)
+
+    def forget(self, name: str) -> None:
+        """Remove a name from these symbols and those around."""
+        while (holder := self.holder(name)) is not None:
+            del holder.own[name]
+
     def __contains__(self, name: object) -> bool:
-        return isinstance(name, str) and self.holder(name) is not None
+        if not isinstance(name, str):
+            return False
+        return self.holder(name) is not None or self._inside(name) is not None
 
     def __getitem__(self, name: str) -> Any:
         holder = self.holder(name)
         if holder is None:
-            raise KeyError(name)
+            space = self._inside(name)
+            if space is None:
+                raise KeyError(name)
+            return space[name.partition(".")[2]]
         value = holder.own[name]
-        if not isinstance(value, Raw):
-            return value
-        if name in holder._active:
+        return holder._resolved(name, value) if isinstance(value, Raw) else value
+
+    def _inside(self, name: str) -> Symbols | None:
+        """Return the symbols of the included namespace that `ns.name` is in."""
+        first, _, rest = name.partition(".")
+        holder = self.holder(first) if rest else None
+        space = holder.own[first] if holder is not None else None
+        return space if isinstance(space, Symbols) and rest in space else None
+
+    def _resolved(self, name: str, raw: Raw) -> Any:
+        if name in self._active:
             message = f"property `{name}` needs itself"
             raise UnknownNameError(message)
-        holder._active.add(name)
+        self._active.add(name)
         try:
-            value = holder.own[name] = self._evaluate(value.text, value.symbols)
+            value = self.own[name] = self._evaluate(raw.text, raw.symbols)
         finally:
-            holder._active.discard(name)
+            self._active.discard(name)
         return value
 
     def __iter__(self) -> Iterator[str]:
@@ -91,3 +113,37 @@ class Symbols(Mapping[str, Any]):
 
     def __len__(self) -> int:
         return sum(1 for _ in self)
+
+
+class Unknown(str):
+    """Text with a part that only the launch knows; that part stands in braces."""
+
+    __slots__ = ()
+
+
+class Watched(Mapping[str, Any]):
+    """The names of one expression: notes whether one of them is not known.
+
+    Attributes:
+        touched: an unknown value was used, so that the result is not known either.
+    """
+
+    def __init__(self, symbols: Symbols, extra: Mapping[str, Any]) -> None:
+        self._symbols = symbols
+        self._extra = extra
+        self.touched = False
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._extra or name in self._symbols
+
+    def __getitem__(self, name: str) -> Any:
+        value = self._extra[name] if name in self._extra else self._symbols[name]
+        self.touched = self.touched or isinstance(value, Unknown)
+        return value
+
+    def __iter__(self) -> Iterator[str]:
+        yield from self._extra
+        yield from self._symbols
+
+    def __len__(self) -> int:
+        return len(self._extra) + len(self._symbols)

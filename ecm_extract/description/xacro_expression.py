@@ -1,0 +1,94 @@
+"""Expressions of xacro with the calls that need files or arguments: `load_yaml`, `arg`, `find`, `optenv`.
+
+Source: the xacro wiki page, "Math expressions", "YAML support"; wiki.ros.org/roslaunch/XML "eval".
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from ecm_parsers.expression import MAX_LENGTH, ExpressionError, evaluate
+
+from ecm_extract.description.symbols import Symbols, Unknown, Watched
+from ecm_extract.description.xacro_text import closing, typed
+
+MAX_CALLS = 20
+_CALL = re.compile(r"(?<![\w.])(?:xacro\.)?(?P<name>load_yaml|arg|find|optenv|env|dirname)\(")
+_WORD = re.compile(r"'([^']*)'|\"([^\"]*)\"")
+
+
+class XacroExpression:
+    """Evaluates expressions of one expansion.
+
+    Attributes:
+        arguments: `xacro:arg` values by name. yaml: data of a named file. substitute: what `$(word rest)` is.
+        problem: told what could not be evaluated.
+    """
+
+    def __init__(
+        self,
+        arguments: Mapping[str, str],
+        yaml: Callable[[str], Any],
+        substitute: Callable[[str, str], str | None],
+        problem: Callable[[str], None],
+    ) -> None:
+        self.arguments = arguments
+        self.yaml = yaml
+        self.substitute = substitute
+        self.problem = problem
+
+    def value(self, code: str, symbols: Symbols, names: Mapping[str, Any] | None = None) -> Any:
+        """Return the value of an expression, an `Unknown` when only the launch knows it.
+
+        Args:
+            code: between the brackets of `${...}`.
+            symbols: properties.
+            names: further names.
+        """
+        extra = dict(names or {})
+        watched = Watched(symbols, extra)
+        try:
+            found = evaluate(self._without_calls(code, watched, extra), watched)
+        except ExpressionError as error:
+            if not watched.touched:
+                self.problem(str(error))
+            return _hole(code)
+        if not watched.touched or isinstance(found, Unknown | dict | list | tuple):
+            return found
+        return Unknown(found) if isinstance(found, str) and "{" in found else _hole(code)
+
+    def launch_value(self, code: str, symbols: Symbols) -> Any:
+        """Return the value of `$(eval ...)`, which knows the arguments by name."""
+        return self.value(code, symbols, {name: typed(value) for name, value in self.arguments.items()})
+
+    def _without_calls(self, code: str, watched: Watched, extra: dict[str, Any]) -> str:
+        """Replace calls that this evaluator makes itself by names that hold their results."""
+        for _ in range(MAX_CALLS if len(code) <= MAX_LENGTH else 0):
+            calls = list(_CALL.finditer(code))
+            end = closing(code, calls[-1].end() - 1) if calls else -1  # the last call has no other call inside it
+            if end < 0:
+                break
+            label = f"called_{len(extra)}"
+            extra[label] = self._called(calls[-1]["name"], code[calls[-1].end() : end], watched)
+            code = code[: calls[-1].start()] + label + code[end + 1 :]
+        return code
+
+    def _called(self, name: str, inside: str, watched: Watched) -> Any:
+        if name == "load_yaml":
+            path = evaluate(inside, watched)
+            data = self.yaml(path if isinstance(path, str) else str(path))
+            if isinstance(data, Unknown) and not isinstance(path, Unknown):
+                self.problem(f"file `{data.strip('{}')}` is not in the tree")
+            return data
+        word = " ".join(single or double for single, double in _WORD.findall(inside))
+        known = typed(self.arguments.get(word)) if name == "arg" else self.substitute(name, word)
+        if known is None:
+            self.problem(f"`{name}({inside.strip()})` is known at launch only")
+            return _hole(word)
+        return known
+
+
+def _hole(code: str) -> Unknown:
+    return Unknown("{" + code.strip().strip("{}") + "}")
