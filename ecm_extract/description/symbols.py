@@ -61,6 +61,12 @@ class Symbols(Mapping[str, Any]):
             current = current.parent
         return current
 
+    def target(self, scope: str) -> Symbols:
+        """Return the symbols that a property of scope `global`, `parent` or none is set in."""
+        if scope == "global":
+            return self.top()
+        return self.parent if scope == "parent" and self.parent is not None else self
+
     def evaluated(self, text: str) -> Any:
         """Return the value of a text in these symbols."""
         return self._evaluate(text, self)

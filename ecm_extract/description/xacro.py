@@ -125,8 +125,8 @@ class Xacro:
 
     def _property(self, element: etree._Element, path: str, symbols: Symbols) -> list[Element]:
         name = self.text.text(str(element.get("name", "")), symbols)
-        scope = element.get("scope")
-        target = {"global": symbols.top(), "parent": symbols.parent or symbols}.get(str(scope), symbols)
+        scope = str(element.get("scope", ""))
+        target = symbols.target(scope)
         if element.get("remove") is not None:
             symbols.forget(name)
             return []
@@ -138,7 +138,7 @@ class Xacro:
         if value is None:
             target.own["**" + name] = Block(elements(element), path, symbols)
             target.own.setdefault(name, element.text or "")
-        elif scope is None and element.get("lazy_eval") in {None, "true", "True", "1"} and "$" in str(value):
+        elif not scope and element.get("lazy_eval") in {None, "true", "True", "1"} and "$" in str(value):
             target.own[name] = Raw(str(value), symbols)
         else:
             target.own[name] = self.text.value(str(value), symbols)
@@ -216,7 +216,7 @@ class Xacro:
         if macro is None:
             self.problem(f"macro `{name}` is not defined")
             return []
-        inner = Symbols(self.text.value, macro.scope or symbols)
+        inner = Symbols(self.text.value, symbols if macro.scope is None else macro.scope)
         for missing in bind(macro, element, path, inner, symbols):
             self.problem(f"`{missing}` is not given to macro `{name}`")
         outer = self._namespace
@@ -229,7 +229,10 @@ class Xacro:
 
     def _expression(self, code: str, symbols: Symbols) -> Any:
         self._count()
-        return Unknown("{...}") if self._stopped else self.expressions.value(code, symbols)
+        inner = self.text.text(code, symbols)  # `${load_yaml('$(find package)/file')}`
+        return (
+            Unknown("{...}") if self._stopped or isinstance(inner, Unknown) else self.expressions.value(inner, symbols)
+        )
 
     def _command(self, inner: str, symbols: Symbols) -> Any:
         self._count()

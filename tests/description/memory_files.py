@@ -1,0 +1,31 @@
+"""Files of a tree held in memory, for tests of descriptions."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Mapping
+
+
+class MemoryFiles:
+    """Files by path; a package is a top folder."""
+
+    def __init__(self, texts: Mapping[str, str | bytes]) -> None:
+        self._texts = {path: text.encode() if isinstance(text, str) else text for path, text in texts.items()}
+
+    def share(self, package: str) -> str | None:
+        return f"tree:{package}" if any(path.startswith(f"{package}/") for path in self._texts) else None
+
+    def folder(self, path: str) -> str:
+        return "tree:" + path.rpartition("/")[0]
+
+    def find(self, text: str) -> str | None:
+        path = posixpath.normpath(text.removeprefix("tree:").lstrip("/"))
+        return path if path in self._texts else None
+
+    def read(self, path: str) -> bytes | None:
+        return self._texts.get(path)
+
+
+def robot(body: str) -> str:
+    """Return a xacro document."""
+    return f'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{body}</robot>'
