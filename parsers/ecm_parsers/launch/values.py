@@ -136,6 +136,8 @@ def merged_text(parts: Template) -> Value:
     """Return parts as plain text where they hold no substitution."""
     joined: list[str | Substitution] = []
     for part in parts:
+        if part == "":
+            continue
         if isinstance(part, str) and joined and isinstance(joined[-1], str):
             joined[-1] = (joined[-1] + part)[:MAX_TEXT]
         else:
