@@ -21,6 +21,7 @@ from ecm_extract.link.match import Matcher, name_argument, positions
 from ecm_extract.link.modules import Module, Modules
 from ecm_extract.link.names import RosName, endpoint_name, is_below_node, local_name, parameter_name
 from ecm_extract.link.node_names import NodeNames
+from ecm_extract.link.observe import Observation, observation_forms, observations
 from ecm_extract.link.parameters import Parameters
 from ecm_extract.link.program import File, Program, plain
 from ecm_extract.link.qos import QosReader
@@ -48,6 +49,7 @@ class LinkedModule:
     interfaces: tuple[Interface, ...]
     local: Mapping[tuple[str, str], str] = field(default_factory=dict)
     claims: tuple[Claim, ...] | None = None
+    observations: tuple[Observation, ...] = ()
 
 
 class Linker:
@@ -62,13 +64,14 @@ class Linker:
         self.qos = QosReader(self.folder)
         self.handles = Handles(self.folder)
         matcher = Matcher(forms, self.folder)
-        self.sites = Sites(self.program, matcher, self.types, self.parameters)
+        self.sites = Sites(self.program, matcher, self.types, self.parameters, observation_forms())
         self.names = NodeNames(self.folder, self.sites)
         self.generated = GeneratedParameters(self.program, packages)
         registry = build_registry(self.program, packages)
         self.registry = registry
         self.references = References(self.sites)
         self.modules = Modules(self.program, self.references, registry)
+        self._observed: dict[int, list[Observation]] = defaultdict(list)
         self._local: dict[int, dict[tuple[str, str], str]] = defaultdict(dict)
 
     def link(self) -> list[LinkedModule]:
@@ -87,6 +90,9 @@ class Linker:
         for unit, interfaces in self.generated.interfaces():
             for module in self.modules.owners(unit):
                 found[id(module)].extend(interfaces)
+        for unit, observation in observations(self.sites):
+            for module in self.modules.owners(unit):
+                self._observed[id(module)].append(observation)
         return [self._linked(module, found, nodes) for module in _ordered(self.modules.all())]
 
     def _class_nodes(self) -> dict[int, str]:
@@ -117,7 +123,8 @@ class Linker:
     def _linked(self, module: Module, found: Mapping[int, list[Interface]], nodes: Mapping[int, str]) -> LinkedModule:
         local = self._local.get(id(module), {})
         claims = claims_of(module.cls, self.folder) if module.cls is not None else None
-        return LinkedModule(module, self._node(module, nodes), merged(found.get(id(module), [])), local, claims)
+        seen = tuple(dict.fromkeys(self._observed.get(id(module), ())))
+        return LinkedModule(module, self._node(module, nodes), merged(found.get(id(module), [])), local, claims, seen)
 
     def _node(self, module: Module, nodes: Mapping[int, str]) -> str | None:
         if module.cls is not None:

@@ -59,7 +59,9 @@ class Site:
 class Sites:
     """Finds all sites of a program."""
 
-    def __init__(self, program: Program, matcher: Matcher, types: Types, parameters: Parameters) -> None:
+    def __init__(
+        self, program: Program, matcher: Matcher, types: Types, parameters: Parameters, also: Iterable[str] = ()
+    ) -> None:
         self.program = program
         self.matcher = matcher
         self.types = types
@@ -71,7 +73,7 @@ class Sites:
         self._remembered: set[int] = set()
         self._names: dict[int, tuple[Site, tuple[Value, ...]]] = {}
         self._targets: dict[int, tuple[Func, ...]] = {}
-        wanted = {*matcher.forms, *program.functions, *program.classes, *_ALSO}
+        wanted = {*matcher.forms, *program.functions, *program.classes, *_ALSO, *also}
         for functions in program.functions.values():
             for func in functions:
                 for call in invocations(func, wanted):

@@ -1,0 +1,132 @@
+"""Times in source: chrono literals, ROS durations, numbers, computed from constants and parameter defaults.
+
+Sources: API pages of `std::chrono`, roscpp/rclcpp/rospy/rclpy `Duration` and `Rate`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import Any
+
+from ecm_parsers.source.expr import Call, Expr, Member, Name, Number, Op
+
+from ecm_extract.link.calls import last_name
+from ecm_extract.link.data import UNKNOWN, data_of
+from ecm_extract.link.env import Env
+from ecm_extract.link.fold import Folder
+
+MAX_DEPTH = 8
+_SECONDS: Mapping[str, float] = MappingProxyType(
+    {
+        "h": 3600.0,
+        "hours": 3600.0,
+        "min": 60.0,
+        "minutes": 60.0,
+        "s": 1.0,
+        "seconds": 1.0,
+        "ms": 1e-3,
+        "milliseconds": 1e-3,
+        "us": 1e-6,
+        "microseconds": 1e-6,
+        "ns": 1e-9,
+        "nanoseconds": 1e-9,
+        "duration": 1.0,
+        "durationFromSec": 1.0,
+        "from_seconds": 1.0,
+        "from_sec": 1.0,
+        "Duration": 1.0,
+        "WallDuration": 1.0,
+        "duration_cast": 1.0,
+        "from_nanoseconds": 1e-9,
+        "static_cast": 1.0,
+    }
+)
+_KEYWORDS: Mapping[str, float] = MappingProxyType({"seconds": 1.0, "nanoseconds": 1e-9, "sec": 1.0})
+
+
+def seconds_of(expr: Expr | None, env: Env, folder: Folder, depth: int = 0) -> float | None:
+    """Return a duration in seconds; a bare number counts as seconds. None when it is not known."""
+    if expr is None or depth > MAX_DEPTH:
+        return None
+    if isinstance(expr, Number):
+        return float(expr.value)
+    if isinstance(expr, Call):
+        return _call(expr, env, folder, depth)
+    if isinstance(expr, Op) and len(expr.operands) == 2 and expr.op in {"/", "*", "+", "-"}:
+        left, right = (seconds_of(part, env, folder, depth + 1) for part in expr.operands)
+        return None if left is None or right is None else _computed(expr.op, left, right)
+    if isinstance(expr, Name | Member):
+        return _variable(expr, env, folder, depth)
+    return None
+
+
+def _call(expr: Call, env: Env, folder: Folder, depth: int) -> float | None:
+    callee = expr.callee
+    name = last_name(callee.id) if isinstance(callee, Name) else callee.name if isinstance(callee, Member) else ""
+    factor = _SECONDS.get(name)
+    if factor is None:
+        return _period(expr, env, folder, depth) or _plain(expr, env, folder)
+    total = 0.0
+    for keyword, unit in _KEYWORDS.items():
+        given = next((value for key, value in expr.keywords if key == keyword), None)
+        amount = seconds_of(given, env, folder, depth + 1) if given is not None else 0.0
+        if amount is None:
+            return None
+        total += amount * unit
+    if not expr.args:
+        return total or None
+    amount = seconds_of(expr.args[0], env, folder, depth + 1)
+    rest = seconds_of(expr.args[1], env, folder, depth + 1) if len(expr.args) == 2 else 0.0
+    return None if amount is None or rest is None else total + amount * factor + rest * 1e-9
+
+
+def _period(expr: Call, env: Env, folder: Folder, depth: int) -> float | None:
+    """`rate.period()` is one divided by what the rate was made with."""
+    callee = expr.callee
+    if not isinstance(callee, Member) or callee.name != "period" or not isinstance(callee.base, Name | Member):
+        return None
+    for definition, inner in folder.lists.definitions(callee.base, env):
+        made = definition.statement.value
+        hertz = seconds_of(made.args[-1], inner, folder, depth + 1) if isinstance(made, Call) and made.args else None
+        if hertz:
+            return 1 / hertz
+    return None
+
+
+def _variable(expr: Name | Member, env: Env, folder: Folder, depth: int) -> float | None:
+    for definition, inner in folder.lists.definitions(expr, env):
+        if definition.statement.kind == "each":
+            return None
+        found = seconds_of(definition.statement.value, inner, folder, depth + 1)
+        if found is not None:
+            return found
+    return _plain(expr, env, folder)
+
+
+def _plain(expr: Expr, env: Env, folder: Folder) -> float | None:
+    value = data_of(expr, env, folder)
+    if value is UNKNOWN or value is None:
+        folded = folder.fold(expr, env)[0]
+        value = folded.text if folded.confidence != "pattern" else _declared(expr, env, folder)
+    try:
+        return float(value) if value is not None and not isinstance(value, bool | list) else None
+    except (TypeError, ValueError):
+        return None
+
+
+def _declared(expr: Expr, env: Env, folder: Folder) -> Any:
+    """A field of a parameter struct is called like its parameter: `params->rate` has the default of `rate`."""
+    if not isinstance(expr, Member):
+        return None
+    known = folder.reads.default(expr.name, env.func.file.package)
+    if known is None or isinstance(known, str):
+        return known
+    found = data_of(known[0], known[1], folder)
+    return None if found is UNKNOWN else found
+
+
+def _computed(operator: str, left: float, right: float) -> float | None:
+    if operator == "/":
+        return left / right if right else None
+    return {"*": left * right, "+": left + right, "-": left - right}[operator]
