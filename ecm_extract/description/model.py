@@ -36,13 +36,18 @@ class Joint:
 
 @dataclass(frozen=True, slots=True)
 class HardwarePart:
-    """A joint, sensor or GPIO of a `<ros2_control>` block with the interfaces that it offers."""
+    """A joint, sensor or GPIO of a `<ros2_control>` block with the interfaces that it offers.
+
+    `limits` holds lowest and highest command by interface, where they are written.
+    """
 
     kind: Literal["joint", "sensor", "gpio"]
     name: str
     command: tuple[str, ...]
     state: tuple[str, ...]
     where: Where
+    limits: dict[str, tuple[float | None, float | None]] = field(default_factory=dict)
+    parameters: dict[str, str] = field(default_factory=dict)
 
     def interfaces(self) -> tuple[str, ...]:
         """Full names of its command interfaces, `part/interface`."""
@@ -64,17 +69,25 @@ class Hardware:
 
 @dataclass(frozen=True, slots=True)
 class Transmission:
-    """A ROS 1 transmission: its joints, each with the hardware interfaces that it offers."""
+    """A transmission: its joints, each with the hardware interfaces of ROS 1 that it offers, and its actuators."""
 
     name: str
     kind: str
     joints: tuple[tuple[str, tuple[str, ...]], ...]
     where: Where
+    actuators: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
 class SimulatorPlugin:
-    """A plugin of Gazebo or gz: its library and class, its parameters as text, the sensor and link it belongs to."""
+    """A plugin of Gazebo or gz: its library and its name, which in ROS 2 is that of its node.
+
+    Attributes:
+        parameters: as text; the last one of a repeated parameter.
+        remaps: of its `<ros>` block. namespace: of that block, in ROS 1 of `<robotNamespace>`.
+        reference: the link it belongs to, empty for none. sensor, sensor_kind: the sensor around it.
+        native: it has a `<ros>` block, which only ROS 2 knows.
+    """
 
     library: str
     name: str
@@ -83,11 +96,17 @@ class SimulatorPlugin:
     namespace: str
     reference: str
     where: Where
+    sensor: str = ""
+    sensor_kind: str = ""
+    native: bool = False
 
 
 @dataclass(frozen=True, slots=True)
 class Sensor:
-    """A sensor of a link: its type (`camera`, `imu`, `ray` ...) and rate in hertz where it is written."""
+    """A sensor of a link: its type (`camera`, `imu`, `ray` ...) and rate in hertz where it is written, its plugins.
+
+    `frame` is that of its messages where gz is told one.
+    """
 
     name: str
     kind: str
@@ -95,6 +114,54 @@ class Sensor:
     rate: float | None
     topic: str
     where: Where
+    plugins: tuple[str, ...] = ()
+    frame: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class PlanningGroup:
+    """A group of an SRDF: its joints, links, chains as (base, tip), and the groups inside it."""
+
+    name: str
+    joints: tuple[str, ...]
+    links: tuple[str, ...]
+    chains: tuple[tuple[str, str], ...]
+    groups: tuple[str, ...]
+    where: Where
+
+
+@dataclass(frozen=True, slots=True)
+class EndEffector:
+    """An end effector of an SRDF: its group, and the link that it is fixed to."""
+
+    name: str
+    group: str
+    parent_link: str
+    parent_group: str
+    where: Where
+
+
+@dataclass(frozen=True, slots=True)
+class VirtualJoint:
+    """A virtual joint of an SRDF, which ties the robot to a frame of the world."""
+
+    name: str
+    kind: str
+    parent_frame: str
+    child_link: str
+    where: Where
+
+
+@dataclass(frozen=True, slots=True)
+class Semantics:
+    """What an SRDF declares; `states` are (group, state), `disabled_pairs` counts link pairs without collision."""
+
+    groups: tuple[PlanningGroup, ...]
+    end_effectors: tuple[EndEffector, ...]
+    virtual_joints: tuple[VirtualJoint, ...]
+    passive_joints: tuple[str, ...]
+    states: tuple[tuple[str, str], ...]
+    disabled_pairs: int
 
 
 @dataclass(slots=True)
@@ -103,7 +170,7 @@ class Description:
 
     Attributes:
         name: of the robot. path: of the file that was read. files: all files it consists of.
-        problems: (path, line, message).
+        problems: (path, line, message). semantics: of an SRDF.
     """
 
     name: str
@@ -116,3 +183,4 @@ class Description:
     sensors: tuple[Sensor, ...] = ()
     files: tuple[str, ...] = ()
     problems: tuple[tuple[str, int, str], ...] = field(default_factory=tuple)
+    semantics: Semantics | None = None

@@ -1,13 +1,16 @@
-"""A robot description read as a whole: a URDF or xacro file with everything it includes."""
+"""A robot description read as a whole: a URDF, SRDF or xacro file with everything it includes."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 
 from ecm_extract.description.element import Element
+from ecm_extract.description.gazebo import plugins_of, sensors_of
 from ecm_extract.description.model import Description
-from ecm_extract.description.ros2_control import hardware_of, transmissions_of
-from ecm_extract.description.urdf import joints_of, links_of, plugins_of, sensors_of
+from ecm_extract.description.ros2_control import hardware_of
+from ecm_extract.description.srdf import semantics_of
+from ecm_extract.description.transmission import transmissions_of
+from ecm_extract.description.urdf import joints_of, links_of
 from ecm_extract.description.xacro import Xacro
 from ecm_extract.description.xacro_files import Files
 
@@ -45,4 +48,5 @@ def _described(
         sensors=tuple(sensors_of(root)),
         files=files,
         problems=problems,
+        semantics=semantics_of(root),
     )

@@ -1,6 +1,6 @@
-"""`<ros2_control>` blocks and ROS 1 transmissions.
+"""`<ros2_control>` blocks.
 
-Sources: control.ros.org "Hardware components", wiki.ros.org/urdf/XML/Transmission.
+Source: control.ros.org "Hardware components".
 """
 
 from __future__ import annotations
@@ -8,7 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from ecm_extract.description.element import Element
-from ecm_extract.description.model import Hardware, HardwarePart, Transmission, Where
+from ecm_extract.description.model import Hardware, HardwarePart, Where
+from ecm_extract.description.urdf import number_of
 
 _PARTS = ("joint", "sensor", "gpio")
 
@@ -41,7 +42,18 @@ def _part(element: Element) -> HardwarePart:
         tuple(dict.fromkeys(entry.get("name") for entry in element.below("command_interface"))),
         tuple(dict.fromkeys(entry.get("name") for entry in element.below("state_interface"))),
         Where(element.path, element.line),
+        dict(_limits(element)),
+        {entry.get("name"): entry.text.strip() for entry in element.below("param")},
     )
+
+
+def _limits(element: Element) -> Iterator[tuple[str, tuple[float | None, float | None]]]:
+    """Yield lowest and highest command of the interfaces that have them."""
+    for entry in element.below("command_interface"):
+        written = {param.get("name"): number_of(param.text) for param in entry.below("param")}
+        pair = (written.get("min"), written.get("max"))
+        if pair != (None, None):
+            yield entry.get("name"), pair
 
 
 def _merged(parts: Iterable[HardwarePart]) -> list[HardwarePart]:
@@ -52,29 +64,7 @@ def _merged(parts: Iterable[HardwarePart]) -> list[HardwarePart]:
         if known is not None:
             command = tuple(dict.fromkeys((*known.command, *part.command)))
             state = tuple(dict.fromkeys((*known.state, *part.state)))
-            part = HardwarePart(part.kind, part.name, command, state, known.where)
+            limits, parameters = {**part.limits, **known.limits}, {**part.parameters, **known.parameters}
+            part = HardwarePart(part.kind, part.name, command, state, known.where, limits, parameters)
         found[part.kind, part.name] = part
     return list(found.values())
-
-
-def transmissions_of(root: Element) -> Iterator[Transmission]:
-    """Yield the ROS 1 transmissions of a description."""
-    for element in root.below("transmission"):
-        joints = [
-            (joint.get("name"), tuple(_bare(entry.text) for entry in joint.below("hardwareInterface")))
-            for joint in element.below("joint")
-        ]
-        shared = tuple(
-            _bare(entry.text) for actuator in element.below("actuator") for entry in actuator.below("hardwareInterface")
-        )
-        yield Transmission(
-            element.get("name"),
-            element.content("type") or element.get("type"),
-            tuple((name, own or shared) for name, own in joints),
-            Where(element.path, element.line),
-        )
-
-
-def _bare(text: str) -> str:
-    """`hardware_interface/PositionJointInterface` and `PositionJointInterface` are the same."""
-    return text.strip().rpartition("/")[2]

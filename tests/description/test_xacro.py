@@ -176,7 +176,7 @@ def test_what_never_ends_is_cut_at_once(body: str) -> None:
     """Cycles and explosions of files, macros, blocks and texts end in a diagnostic, quickly."""
     begin = time.perf_counter()
     found, problems = expanded(body)
-    assert time.perf_counter() - begin < 1.0
+    assert time.perf_counter() - begin < 2.0
     assert found is not None
     assert problems
 
