@@ -183,7 +183,8 @@ class Xacro:
         holds, wanted = _truth(value), local_name(element) == "if"
         if holds is not None:
             return self.below(element, path, symbols) if holds is wanted else []
-        self.problem(f"condition `{str(value)[:80]}` is known at launch only; it is read as if it held")
+        why = "is known at launch only" if isinstance(value, Unknown) else "is no truth value"
+        self.problem(f"condition `{str(value)[:80]}` {why}; it is read as if it held")
         made = self.below(element, path, symbols)
         for entry in made:
             entry.conditional = entry.conditional or f"{'' if wanted else 'not '}{str(value).strip('{}')}"
@@ -219,6 +220,9 @@ class Xacro:
         inner = Symbols(self.text.value, symbols if macro.scope is None else macro.scope)
         for missing in bind(macro, element, path, inner, symbols):
             self.problem(f"`{missing}` is not given to macro `{name}`")
+        known = {"macro", *(entry.name for entry in macro.parameters)}
+        for extra in (str(entry) for entry in element.attrib if entry not in known):
+            self.problem(f"macro `{name}` has no parameter `{extra[:80]}`")
         outer = self._namespace
         self._namespace = (macro.prefix, macro.scope)
         made = self.below(macro.body, macro.path, inner)
@@ -278,5 +282,5 @@ def _truth(value: Any) -> bool | None:
     if isinstance(value, Unknown):
         return None
     if isinstance(value, str):
-        return {"true": True, "1": True, "1.0": True}.get(value.strip().lower(), False)
+        return {"true": True, "false": False, "": False}.get(value.strip().lower())
     return bool(value)

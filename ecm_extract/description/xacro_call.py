@@ -22,13 +22,18 @@ def bind(macro: Macro, element: etree._Element, path: str, inner: Symbols, aroun
         around: symbols of the place of the call.
 
     Returns:
-        The names that the call should have given; they stay unknown.
+        The names that the call should have given; texts of these stay unknown.
     """
     blocks = iter(elements(element))
     missing: list[str] = []
     for parameter in macro.parameters:
         if parameter.block:
-            _bind_block(parameter, next(blocks, None), path, inner, around)
+            block = next(blocks, None)
+            if block is None:
+                missing.append(parameter.block + parameter.name)
+            else:
+                content = list(_content(parameter, block))
+                inner.own[parameter.block + parameter.name] = Block(content, path, around)
         elif not _bind_text(parameter, element, inner, around):
             missing.append(parameter.name)
             inner.own[parameter.name] = Unknown("{" + parameter.name + "}")
@@ -46,14 +51,6 @@ def _bind_text(parameter: MacroParameter, element: etree._Element, inner: Symbol
     else:
         return False
     return True
-
-
-def _bind_block(
-    parameter: MacroParameter, block: etree._Element | None, path: str, inner: Symbols, around: Symbols
-) -> None:
-    if block is not None:
-        content = list(_content(parameter, block))
-        inner.own[parameter.block + parameter.name] = Block(content, path, around)
 
 
 def _content(parameter: MacroParameter, block: etree._Element) -> Iterator[etree._Element]:

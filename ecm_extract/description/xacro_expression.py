@@ -9,12 +9,13 @@ import re
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from ecm_parsers.expression import MAX_LENGTH, ExpressionError, evaluate
+from ecm_parsers.expression import MAX_LENGTH, Budget, ExpressionError, evaluate
 
 from ecm_extract.description.symbols import Symbols, Unknown, Watched
 from ecm_extract.description.xacro_text import closing, typed
 
 MAX_CALLS = 20
+MAX_WORK = 4_000_000
 _CALL = re.compile(r"(?<![\w.])(?:xacro\.)?(?P<name>load_yaml|arg|find|optenv|env|dirname)\(")
 _WORD = re.compile(r"'([^']*)'|\"([^\"]*)\"")
 
@@ -38,6 +39,7 @@ class XacroExpression:
         self.yaml = yaml
         self.substitute = substitute
         self.problem = problem
+        self._budget = Budget(MAX_WORK)
 
     def value(self, code: str, symbols: Symbols, names: Mapping[str, Any] | None = None) -> Any:
         """Return the value of an expression, an `Unknown` when only the launch knows it.
@@ -50,7 +52,7 @@ class XacroExpression:
         extra = dict(names or {})
         watched = Watched(symbols, extra)
         try:
-            found = evaluate(self._without_calls(code, watched, extra), watched)
+            found = evaluate(self._without_calls(code, watched, extra), watched, self._budget)
         except ExpressionError as error:
             if not watched.touched:
                 self.problem(str(error))
@@ -77,7 +79,7 @@ class XacroExpression:
 
     def _called(self, name: str, inside: str, watched: Watched) -> Any:
         if name == "load_yaml":
-            path = evaluate(inside, watched)
+            path = evaluate(inside, watched, self._budget)
             data = self.yaml(path if isinstance(path, str) else str(path))
             if isinstance(data, Unknown) and not isinstance(path, Unknown):
                 self.problem(f"file `{data.strip('{}')}` is not in the tree")

@@ -12,6 +12,7 @@ from typing import Any
 from ecm_extract.description.symbols import Symbols, Unknown
 
 MAX_TEXT = 100_000
+MAX_TOTAL = 8_000_000
 MAX_DEPTH = 12
 _LONGEST_NUMBER = 40
 _DOLLARS = re.compile(r"(?P<signs>\$+)(?P<bracket>[{(]?)")
@@ -34,15 +35,24 @@ class XacroText:
         self._command = command
         self._problem = problem
         self._depth = 0
+        self._total = 0
 
     def value(self, text: str, symbols: Symbols) -> Any:
         """Return the value of a text: typed when it is one expression or a literal, else text."""
         pieces = self._pieces(text, symbols)
-        return typed(pieces[0] if len(pieces) == 1 else _joined(pieces))
+        return typed(pieces[0] if len(pieces) == 1 else self._joined(pieces))
 
     def text(self, text: str, symbols: Symbols) -> str:
         """Return a text with everything in it evaluated."""
-        return _joined(self._pieces(text, symbols)) if "$" in text else text[:MAX_TEXT]
+        return self._joined(self._pieces(text, symbols)) if "$" in text else text[:MAX_TEXT]
+
+    def _joined(self, pieces: list[Any]) -> str:
+        joined = "".join(str(piece) for piece in pieces)[:MAX_TEXT]
+        self._total += len(joined)
+        if self._total > MAX_TOTAL:
+            self._problem("the texts of the description grow too long; the rest is not read")
+            return Unknown("{...}")
+        return Unknown(joined) if any(isinstance(piece, Unknown) for piece in pieces) else joined
 
     def _pieces(self, text: str, symbols: Symbols) -> list[Any]:
         if self._depth > MAX_DEPTH or len(text) > MAX_TEXT:
@@ -92,11 +102,6 @@ def typed(value: Any) -> Any:
         except ValueError:
             continue
     return _TRUTH.get(value, value)
-
-
-def _joined(pieces: list[Any]) -> str:
-    joined = "".join(str(piece) for piece in pieces)[:MAX_TEXT]
-    return Unknown(joined) if any(isinstance(piece, Unknown) for piece in pieces) else joined
 
 
 def closing(text: str, position: int) -> int:

@@ -102,12 +102,30 @@ class UnknownNameError(ExpressionError):
     """An expression that uses a name without a value, so that its value is known only elsewhere."""
 
 
-def evaluate(text: str, names: Mapping[str, Any]) -> Any:
+class Budget:
+    """How much work several expressions may do together; a unit is about one character or item that is made."""
+
+    def __init__(self, units: int = MAX_WORK) -> None:
+        self.left = units
+
+    def spend(self, units: int) -> None:
+        """Take units away.
+
+        Raises:
+            ExpressionError: none are left.
+        """
+        self.left -= units
+        if self.left < 0:
+            raise ExpressionError(_TOO_LARGE)
+
+
+def evaluate(text: str, names: Mapping[str, Any], budget: Budget | None = None) -> Any:
     """Evaluate an expression.
 
     Args:
         text: Python, at most `MAX_LENGTH` characters.
         names: values by name; a name may be dotted (`ns.property`).
+        budget: that this expression shares with others; of its own when not given.
 
     Returns:
         Text, number, truth value, None, list, tuple or dict.
@@ -123,7 +141,7 @@ def evaluate(text: str, names: Mapping[str, Any]) -> Any:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             tree = ast.parse(text.strip(), mode="eval")
-        return _Evaluator(names).value(tree.body)
+        return _Evaluator(names, budget or Budget()).value(tree.body)
     except ExpressionError:
         raise
     except (SyntaxError, ValueError, TypeError, ArithmeticError, LookupError, AttributeError) as error:
@@ -137,10 +155,10 @@ def evaluate(text: str, names: Mapping[str, Any]) -> Any:
 class _Evaluator:
     """Walks one expression; counts what it does."""
 
-    def __init__(self, names: Mapping[str, Any]) -> None:
+    def __init__(self, names: Mapping[str, Any], budget: Budget) -> None:
         self.names = names
         self.steps = 0
-        self.work = 0
+        self._budget = budget
         self._local: dict[str, Any] = {}
 
     def value(self, node: ast.expr) -> Any:
@@ -148,14 +166,16 @@ class _Evaluator:
         if self.steps > MAX_STEPS:
             msg = "The expression takes too long to evaluate. Simplify it."
             raise ExpressionError(msg)
+        self._budget.spend(5)  # before the value is made: nothing is made once the budget is spent
         reader = _READERS.get(type(node))
         if reader is None:
             msg = f"{type(node).__name__} is not allowed in an expression. Write it without."
             raise ExpressionError(msg)
         found = reader(self, node)
         _check_scalar(found)
-        self.work += _size(found)
-        if self.work > MAX_WORK:
+        size = _size(found)
+        self._budget.spend(size)
+        if size > MAX_SIZE:
             raise ExpressionError(_TOO_LARGE)
         return found
 
@@ -299,13 +319,11 @@ def _is_module(node: ast.expr) -> bool:
 
 
 def _size(value: Any) -> int:
-    """Return how many characters and items a value holds, all levels, and refuse what only a hostile text has."""
+    """Return how many characters and items a value holds on all levels; counting stops beyond the bound."""
     size, pending = 0, [value]
-    while pending:
+    while pending and size <= MAX_SIZE:
         item = pending.pop()
         size += len(item) if isinstance(item, str | list | tuple | dict) else 1
-        if size > MAX_SIZE:
-            raise ExpressionError(_TOO_LARGE)
         if isinstance(item, list | tuple):
             pending.extend(item)
         elif isinstance(item, dict):

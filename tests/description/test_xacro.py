@@ -110,12 +110,22 @@ def test_a_description_expands_as_xacro_expands_it(body: str, result: str) -> No
             "x v={y['a']['b'] * 2}",
             ["file `none.yaml` is not in the tree"],
         ),
+        (
+            '<xacro:if value="yes"><a/></xacro:if>',
+            "a",
+            ["condition `yes` is no truth value; it is read as if it held"],
+        ),
         ('<xacro:include filename="none.xacro"/><a/>', "a", ["included file `none.xacro` is not in the tree"]),
         ("<xacro:none/><a/>", "a", ["macro `none` is not defined"]),
         (
             PART.format(params="n", body='<p n="${n}_x"/>') + "<xacro:part/>",
             "p n={n}_x",
             ["`n` is not given to macro `part`"],
+        ),
+        (
+            PART.format(params="*b", body="<p/>") + '<xacro:part m="1"/>',
+            "p",
+            ["`*b` is not given to macro `part`", "macro `part` has no parameter `m`"],
         ),
     ],
 )
@@ -164,6 +174,8 @@ def _chain(count: int, fan: int) -> str:
         '<xacro:property name="b"><a><xacro:insert_block name="b"/></a></xacro:property><xacro:insert_block name="b"/>',
         _chain(12, 10),
         '<x v="${1 + 1}"/>' * 50_000,
+        '<x v="${len(sorted(range(19000)))}"/>' * 15_000,
+        f'<xacro:property name="t" value="{"x" * 19_000}"/>' + '<x v="${t}${t}${t}${t}"/>' * 8_000,
         f'<x v="{"${" * 30_000}"/>',
         f'<x v="{"$(arg " * 5_000 + ")" * 5_000}"/>',
         '<xacro:property name="a" value="${b}"/><xacro:property name="b" value="${a}"/><x v="${a}"/>',

@@ -6,7 +6,7 @@ import time
 from typing import Any
 
 import pytest
-from ecm_parsers.expression import ExpressionError, UnknownNameError, evaluate
+from ecm_parsers.expression import Budget, ExpressionError, UnknownNameError, evaluate
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -111,6 +111,16 @@ def test_a_hostile_expression_ends_at_once(text: str) -> None:
     with pytest.raises(ExpressionError):
         evaluate(text, NAMES)
     assert time.perf_counter() - begin < 1.0
+
+
+def test_expressions_share_a_budget() -> None:
+    """Many expressions together do no more than one that is as large as all of them."""
+    budget = Budget(3_000)
+    assert evaluate("len(range(900))", {}, budget) == 900
+    with pytest.raises(ExpressionError):
+        [evaluate("len(range(900))", {}, budget) for _ in range(5)]
+    with pytest.raises(ExpressionError):
+        evaluate("1", {}, budget)
 
 
 ATOMS = st.sampled_from(["x", "side", "cfg", "1", "0", "'a'", "[1]", "10**9", "pi", "abs", "cfg.wheels", "''", "None"])
