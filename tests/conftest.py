@@ -6,6 +6,7 @@ import difflib
 from pathlib import Path
 
 import pytest
+from workspaces import Workspace
 
 GOLDEN = Path(__file__).parent / "golden"
 
@@ -42,3 +43,8 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 @pytest.fixture
 def golden(request: pytest.FixtureRequest) -> Golden:
     return Golden(update=bool(request.config.getoption("--update-golden")))
+
+
+@pytest.fixture
+def workspace(tmp_path: Path) -> Workspace:
+    return Workspace(tmp_path)

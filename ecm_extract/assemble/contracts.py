@@ -6,11 +6,15 @@ from collections import defaultdict
 from collections.abc import Iterable, Sequence
 
 import msgspec
-from ecm_checker.contract import Contract, Identity, Signature, Source
+from ecm_checker.contract import Contract, Identity, Source
 from ecm_checker.fields import missing_fields
 
 from ecm_extract.assemble.behavior import behavior_of
 from ecm_extract.assemble.definitions import Definitions
+from ecm_extract.assemble.permissions import permissions_of
+from ecm_extract.assemble.recovery import recovery_of
+from ecm_extract.assemble.resources import resources_of
+from ecm_extract.assemble.signature import signature_of
 from ecm_extract.assemble.versioning import versioning_of
 from ecm_extract.extraction_model import PackageContracts
 from ecm_extract.link.linker import LinkedModule
@@ -31,7 +35,7 @@ def assemble(
 
 def _package(tree: Tree, facts: PackageFacts, linked: list[LinkedModule], definitions: Definitions) -> PackageContracts:
     version = facts.manifest.version if facts.manifest is not None else None
-    contracts = [_contract(tree, facts, entry) for entry in linked]
+    contracts = [_contract(tree, facts, entry, definitions) for entry in linked]
     if facts.interfaces or not contracts:
         contracts.append(_package_contract(tree, facts, definitions))
     ros = facts.ros if facts.ros in {1, 2} else None
@@ -39,13 +43,16 @@ def _package(tree: Tree, facts: PackageFacts, linked: list[LinkedModule], defini
     return PackageContracts(facts.name, version, facts.root.path or ".", ros, modules)  # type: ignore[arg-type]
 
 
-def _contract(tree: Tree, facts: PackageFacts, entry: LinkedModule) -> Contract:
+def _contract(tree: Tree, facts: PackageFacts, entry: LinkedModule, definitions: Definitions) -> Contract:
     module = entry.module
     identity = _identity(tree, facts, module.name, module.kind, module.path)
     contract = Contract(
         ecm=identity,
-        signature=Signature(interfaces=entry.interfaces),
-        behavior=behavior_of(entry.interfaces),
+        signature=signature_of(entry, definitions),
+        behavior=behavior_of(entry),
+        resources=resources_of(entry, facts),
+        permissions=permissions_of(entry),
+        recovery=recovery_of(entry, definitions),
         versioning=versioning_of(facts),
     )
     return msgspec.structs.replace(contract, missing=missing_fields(contract))

@@ -5,12 +5,13 @@ Type stores are loaded one at a time and only when a type is asked for that the 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import PurePosixPath
 from typing import Any
 
+from ecm_checker.contract import Evidence
 from ecm_parsers.interface import parse
-from ecm_parsers.interface_facts import Definition
+from ecm_parsers.interface_facts import Definition, Section
 from ecm_parsers.interface_hash import Hashed, md5, rihs01
 
 from ecm_extract.read.facts import PackageFacts
@@ -26,14 +27,38 @@ _ROS2_STORES = (
 class Definitions:
     """Resolves full type names, `package/msg|srv|action/Name`."""
 
-    def __init__(self, packages: Iterable[PackageFacts]) -> None:
+    def __init__(self, packages: Sequence[PackageFacts]) -> None:
         self._tree = {
             f"{package.name}/{definition.shape}/{PurePosixPath(path).stem}": definition
             for package in packages
             for path, definition in package.interfaces.items()
         }
+        self._paths = {
+            f"{package.name}/{definition.shape}/{PurePosixPath(path).stem}": path
+            for package in packages
+            for path, definition in package.interfaces.items()
+        }
         self._stores: dict[str, Any] = {}
         self._known: dict[tuple[str, int], Definition | None] = {}
+
+    def units(self, name: str, section: str) -> dict[str, str]:
+        """Return field -> unit of a section of a type of the tree, as its comments and REP 103 names tell."""
+        return {
+            field.name: field.unit
+            for part in self._sections(name, section)
+            for field in part.fields
+            if field.unit is not None
+        }
+
+    def constants(self, name: str, section: str) -> Iterator[tuple[str, Evidence]]:
+        """Yield (constant, line) of a section of a type of the tree."""
+        for part in self._sections(name, section):
+            for constant in part.constants:
+                yield constant.name, Evidence(self._paths[name], constant.line)
+
+    def _sections(self, name: str, section: str) -> list[Section]:
+        definition = self._tree.get(name)
+        return [part for part in definition.sections if part.name == section] if definition is not None else []
 
     def fingerprint(self, name: str, definition: Definition, ros: int | None) -> Hashed:
         """Return the MD5 sum (ROS 1) or RIHS01 hash (else) of a type, or which type is missing for it."""

@@ -18,6 +18,7 @@ from ecm_extract.link.forms import FormTable
 from ecm_extract.link.generated import GeneratedParameters
 from ecm_extract.link.handles import OWN, Handle, Handles
 from ecm_extract.link.match import Matcher, name_argument, positions
+from ecm_extract.link.module_kinds import is_managed
 from ecm_extract.link.modules import Module, Modules
 from ecm_extract.link.names import RosName, endpoint_name, is_below_node, local_name, parameter_name
 from ecm_extract.link.node_names import NodeNames
@@ -42,6 +43,7 @@ class LinkedModule:
 
     `local` holds, by role and name of an endpoint, the name that it has for any namespace and node name
     (`names.local_name`), where the two differ. `claims` are hardware interfaces, None for what is no controller.
+    `lifecycle` tells that it works in the state active only.
     """
 
     module: Module
@@ -50,6 +52,7 @@ class LinkedModule:
     local: Mapping[tuple[str, str], str] = field(default_factory=dict)
     claims: tuple[Claim, ...] | None = None
     observations: tuple[Observation, ...] = ()
+    lifecycle: bool = False
 
 
 class Linker:
@@ -124,7 +127,9 @@ class Linker:
         local = self._local.get(id(module), {})
         claims = claims_of(module.cls, self.folder) if module.cls is not None else None
         seen = tuple(dict.fromkeys(self._observed.get(id(module), ())))
-        return LinkedModule(module, self._node(module, nodes), merged(found.get(id(module), [])), local, claims, seen)
+        interfaces = merged(found.get(id(module), []))
+        managed = module.cls is not None and is_managed(module.cls, self.program)
+        return LinkedModule(module, self._node(module, nodes), interfaces, local, claims, seen, managed)
 
     def _node(self, module: Module, nodes: Mapping[int, str]) -> str | None:
         if module.cls is not None:

@@ -26,6 +26,18 @@ def class_kind(cls: Cls, program: Program) -> str | None:
     return None
 
 
+_MANAGED = frozenset({"LifecycleNode", "ControllerInterface", "ChainableControllerInterface"}) | {
+    "SystemInterface",
+    "ActuatorInterface",
+    "SensorInterface",
+}
+
+
+def is_managed(cls: Cls, program: Program) -> bool:
+    """Tell whether a class follows the ROS 2 lifecycle: it works in the state active only."""
+    return any(last_name(name) in _MANAGED for name in program.base_names(cls))
+
+
 def is_node_base(name: str) -> bool:
     """Tell whether a base class is a node's: its first constructor argument is the node's name."""
     return any(_is(name, base) for base in _bases()["node"]) or last_name(name) in {"Node", "LifecycleNode"}

@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
-import pytest
 from ecm_checker.contract import Contract, Interface
 
 from ecm_extract.extraction import extract
 from ecm_extract.extraction_model import Options
 from ecm_extract.tree import open_tree
 
+_HEAD = "<name>{name}</name><version>1.0.0</version>"
 MANIFESTS = {
-    1: '<package format="2"><name>{name}</name><version>1.0.0</version><buildtool_depend>catkin</buildtool_depend></package>',
-    2: '<package format="3"><name>{name}</name><version>1.0.0</version><export><build_type>ament_cmake</build_type></export></package>',
+    1: f'<package format="2">{_HEAD}<buildtool_depend>catkin</buildtool_depend></package>',
+    2: f'<package format="3">{_HEAD}<export><build_type>ament_cmake</build_type></export></package>',
 }
 
 
@@ -42,8 +42,3 @@ class Workspace:
         found = [entry for entry in self.interfaces() if entry.role == role]
         assert len(found) == 1, [(entry.role, entry.name) for entry in self.interfaces()]
         return found[0]
-
-
-@pytest.fixture
-def workspace(tmp_path: Path) -> Workspace:
-    return Workspace(tmp_path)

@@ -1,0 +1,41 @@
+"""Values with the lines that show them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any
+
+from ecm_checker.contract import Confidence, Evidence, Interface, Value
+
+MAX_LINES = 20
+_RANK: dict[Confidence, int] = {"literal": 0, "folded": 1, "default": 2, "pattern": 3}
+
+
+def inferred(value: Any, evidence: Iterable[Evidence], confidence: Confidence = "literal") -> Value | None:
+    """Return a value with its lines; None, which is undeclared, when it is empty."""
+    if value is None or value in ({}, [], ""):
+        return None
+    return Value(value, "inferred", confidence, tuple(dict.fromkeys(evidence))[:MAX_LINES])
+
+
+def of_interfaces(value: Any, interfaces: Sequence[Interface]) -> Value | None:
+    """Return a value that endpoints show, as sure as the least sure of them."""
+    confidence: Confidence = max((entry.confidence for entry in interfaces), key=_RANK.__getitem__, default="literal")
+    return inferred(value, (entry.evidence[0] for entry in interfaces if entry.evidence), confidence)
+
+
+def parameters_where(interfaces: Iterable[Interface], wanted: Callable[[str], bool]) -> list[Interface]:
+    """Return the parameters whose last name part is wanted, shortest names first."""
+    found = [entry for entry in interfaces if entry.role == "parameter" and wanted(last_part(entry.name))]
+    return sorted(found, key=lambda entry: (len(entry.name), entry.name))
+
+
+def last_part(name: str) -> str:
+    """Return the last part of a parameter's name."""
+    return name.replace("/", ".").rsplit(".", 1)[-1].lstrip("~")
+
+
+def number_of(interface: Interface) -> float | None:
+    """Return the default of a parameter when it is a number."""
+    default = interface.default
+    return float(default) if isinstance(default, int | float) and not isinstance(default, bool) else None

@@ -1,0 +1,37 @@
+"""Permissions: motion by actuators, data by topics, hosts by parameters."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from ecm_checker.contract import Interface, Permissions, Value
+
+from ecm_extract.assemble.evidence import inferred, of_interfaces, parameters_where
+from ecm_extract.assemble.resources import actuators_of
+from ecm_extract.link.linker import LinkedModule
+
+_ADDRESS = re.compile(r"(?:^|_)(?:ip|host|hostname|url|ip_address|address|robot_ip|server_ip|uri)$")
+_ACCESS = {"subscriber": "read", "publisher": "write"}
+
+
+def permissions_of(entry: LinkedModule) -> Permissions:
+    """Return the permissions section of a module."""
+    moves = actuators_of(entry)
+    return Permissions(
+        physical=inferred({"motion": True}, moves.evidence) if moves is not None else None,
+        data=_data(entry.interfaces),
+        network=_network(entry.interfaces),
+    )
+
+
+def _data(interfaces: Sequence[Interface]) -> Value | None:
+    found = [entry for entry in interfaces if entry.role in _ACCESS and "{" not in entry.name]
+    return of_interfaces(sorted({f"{_ACCESS[entry.role]}:{entry.name}" for entry in found}), found)
+
+
+def _network(interfaces: Sequence[Interface]) -> Value | None:
+    """Addresses that a module is given as parameters; their defaults where they have one."""
+    found = parameters_where(interfaces, lambda name: _ADDRESS.search(name) is not None)
+    hosts = [str(entry.default) if isinstance(entry.default, str) and entry.default else entry.name for entry in found]
+    return inferred(sorted(set(hosts)), (entry.evidence[0] for entry in found), "default")

@@ -1,0 +1,72 @@
+"""Recovery: results that mean failure, retries, watchdogs, lifecycle fallback, who is told."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+from ecm_checker.contract import Evidence, Interface, Recovery, Value
+
+from ecm_extract.assemble.definitions import Definitions
+from ecm_extract.assemble.evidence import inferred, number_of, of_interfaces, parameters_where
+from ecm_extract.link.linker import LinkedModule
+
+_RETRY = re.compile(
+    r"(?:^|_)(?:max_)?(?:retry|retries|num_retries|number_of_retries|attempts|max_attempts|failure_count)$"
+)
+_WATCHDOG = re.compile(
+    r"cmd_vel_timeout|command_timeout|cmd_timeout|reference_timeout|watchdog|deadman|velocity_timeout|goal_timeout"
+)
+_NO_FAILURE = frozenset({"NONE", "SUCCESS", "SUCCEEDED", "OK", "SUCCESSFUL", "NO_ERROR"})
+_ALARMS = frozenset({"/diagnostics", "/diagnostics_agg", "/diagnostics_toplevel_state"})
+
+
+def recovery_of(entry: LinkedModule, definitions: Definitions) -> Recovery:
+    """Return the recovery section of a module."""
+    return Recovery(
+        failure_modes=_failures(entry.interfaces, definitions),
+        rollback_state=_rollback(entry),
+        retry=_retry(entry.interfaces),
+        safe_stop=_safe_stop(entry.interfaces),
+        escalation=_escalation(entry.interfaces),
+    )
+
+
+def _failures(interfaces: Iterable[Interface], definitions: Definitions) -> Value | None:
+    """Constants of the results of the actions that a module serves; their severity is not known."""
+    found: dict[str, None] = {}
+    lines: list[Evidence] = []
+    for entry in interfaces:
+        if entry.role not in {"action_server", "service_server"} or entry.type is None:
+            continue
+        part = "result" if entry.role == "action_server" else "response"
+        for name, line in definitions.constants(entry.type, part):
+            if name not in _NO_FAILURE:
+                found.setdefault(name.lower())
+                lines.append(line)
+    return inferred(list(found), lines)
+
+
+def _rollback(entry: LinkedModule) -> Value | None:
+    """A lifecycle node goes back to inactive when it is deactivated, and when activation fails."""
+    place = Evidence(entry.module.path, entry.module.line)
+    return inferred("inactive", [place]) if entry.lifecycle else None
+
+
+def _retry(interfaces: Iterable[Interface]) -> Value | None:
+    for entry in parameters_where(interfaces, lambda name: _RETRY.search(name) is not None):
+        number = number_of(entry)
+        if number is not None:
+            return inferred({"max": int(number), "parameter": entry.name}, entry.evidence[:1], "default")
+    return None
+
+
+def _safe_stop(interfaces: Iterable[Interface]) -> Value | None:
+    """A module that stops by itself when commands cease has a parameter for how long it waits."""
+    found = parameters_where(interfaces, lambda name: _WATCHDOG.search(name) is not None)
+    return of_interfaces([f"stop after {entry.name}" for entry in found], found)
+
+
+def _escalation(interfaces: Iterable[Interface]) -> Value | None:
+    found = [entry for entry in interfaces if entry.role == "publisher" and entry.name in _ALARMS]
+    return of_interfaces([f"failure -> {name}" for name in sorted({entry.name for entry in found})], found)

@@ -1,0 +1,109 @@
+"""Resources: sensors and actuators by message types, hardware interfaces, GPU, control period."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Sequence
+from functools import cache
+from importlib import resources
+
+import msgspec
+from ecm_checker.contract import Evidence, Interface, Resources, Value
+
+from ecm_extract.assemble.evidence import inferred, number_of, of_interfaces, parameters_where
+from ecm_extract.link.linker import LinkedModule
+from ecm_extract.read.facts import PackageFacts
+
+_PARAMETER = re.compile(r"\$\{([^={}]+)=((?:[^{}]|\{[^{}]*\})*)\}")
+_TOPICS = frozenset({"publisher", "subscriber"})
+_CONTROL_RATES = frozenset({"update_rate", "controller_frequency", "control_rate", "control_frequency"})
+
+
+class Actuator(msgspec.Struct, frozen=True):
+    """What a type moves; with `topics`, only on topics whose last part holds one of them."""
+
+    part: str
+    topics: tuple[str, ...] = ()
+
+
+class HardwareTable(msgspec.Struct, frozen=True):
+    """Message type -> sensor, and -> actuator."""
+
+    sensors: dict[str, str]
+    actuators: dict[str, Actuator]
+
+
+@cache
+def hardware_table() -> HardwareTable:
+    """Return the table that ships with the package."""
+    text = (resources.files("ecm_extract.assemble") / "hardware.toml").read_text("utf-8")
+    return msgspec.convert(tomllib.loads(text), HardwareTable)
+
+
+def resources_of(entry: LinkedModule, facts: PackageFacts) -> Resources:
+    """Return the resources section of a module."""
+    return Resources(
+        sensors=_sensors(entry.interfaces),
+        actuators=actuators_of(entry),
+        compute=_compute(facts),
+        timing=_timing(entry.interfaces),
+        exclusive_locks=locks_of(entry),
+    )
+
+
+def _sensors(interfaces: Sequence[Interface]) -> Value | None:
+    table = hardware_table().sensors
+    found = [entry for entry in interfaces if entry.role in _TOPICS and entry.type in table]
+    return of_interfaces(sorted({table[entry.type or ""] for entry in found}), found)
+
+
+def actuators_of(entry: LinkedModule) -> Value | None:
+    """Return what a module moves: by the types of its topics and actions, and by the hardware that it commands."""
+    table = hardware_table().actuators
+    found = [
+        each
+        for each in entry.interfaces
+        if each.type in table and each.role != "parameter" and _moves(each, table[each.type or ""])
+    ]
+    parts = {table[each.type or ""].part for each in found}
+    evidence = [each.evidence[0] for each in found]
+    commands = [claim for claim in entry.claims or () if claim.kind == "command"]
+    if commands:
+        parts.add("joints")
+        evidence += [claim.evidence for claim in commands]
+    return inferred(sorted(parts), evidence)
+
+
+def _moves(interface: Interface, actuator: Actuator) -> bool:
+    last = interface.name.rsplit("/", 1)[-1]
+    return not actuator.topics or any(word in last for word in actuator.topics)
+
+
+def _compute(facts: PackageFacts) -> Value | None:
+    lines = [Evidence(path, entry.line) for path, file in facts.cmake.items() for entry in file.gpu]
+    return inferred({"gpu": True} if lines else None, lines)
+
+
+def _timing(interfaces: Sequence[Interface]) -> Value | None:
+    for entry in parameters_where(interfaces, _CONTROL_RATES.__contains__):
+        number = number_of(entry)
+        if number:
+            return inferred({"ctrl_hz": number}, entry.evidence[:1], "default")
+    return None
+
+
+def locks_of(entry: LinkedModule) -> Value | None:
+    """Return the command interfaces that a controller claims; an empty list when it says that it claims none."""
+    if entry.claims is None:
+        return None
+    commands = [claim for claim in entry.claims if claim.kind == "command"]
+    names = list(dict.fromkeys(shown_claim(claim.name) for claim in commands))
+    confidence = "pattern" if any("{" in name for name in names) else "folded"
+    evidence = tuple(dict.fromkeys(claim.evidence for claim in commands))
+    return Value(names, "inferred", confidence, evidence)  # type: ignore[arg-type]
+
+
+def shown_claim(name: str) -> str:
+    """Return a claim with each parameter as its default, or as `{parameter}` where it has none."""
+    return _PARAMETER.sub(lambda match: "{" + match[1] + "}" if "{" in match[2] else match[2], name)

@@ -1,0 +1,100 @@
+"""Signature: what a module consumes and produces, in which frame, how long a call may take."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from ecm_checker.contract import Interface, Signature, Value
+
+from ecm_extract.assemble.definitions import Definitions
+from ecm_extract.assemble.evidence import inferred, last_part, number_of, of_interfaces, parameters_where
+from ecm_extract.link.linker import LinkedModule
+
+_INPUTS = frozenset({"subscriber", "service_server", "action_server"})
+_OUTPUTS = frozenset({"publisher", "service_server", "action_server"})
+_PARTS = {"service_server": ("request", "response"), "action_server": ("goal", "result")}
+_FRAME = re.compile(r"(?:^|_)frame(?:_id|_name)?$")
+_OWN_FRAME = ("frame_id", "global_frame", "world_frame", "base_frame_id", "base_frame", "robot_base_frame")
+_TIMEOUT = re.compile(r"(?:^|_)timeout(?:_ms|_s|_sec|_seconds)?$")
+_MODES = (
+    ("action_server", "asynchronous"),
+    ("service_server", "synchronous"),
+    ("subscriber", "event_triggered"),
+)
+
+
+def signature_of(entry: LinkedModule, definitions: Definitions) -> Signature:
+    """Return the signature section of a module."""
+    interfaces = entry.interfaces
+    return Signature(
+        interfaces=interfaces,
+        input_schema=_schema(interfaces, _INPUTS, 0, definitions),
+        output_schema=_schema(interfaces, _OUTPUTS, 1, definitions),
+        coordinate_frame=_frame(interfaces),
+        timeout_ms=_timeout(interfaces),
+        invocation_mode=_mode(interfaces),
+    )
+
+
+def _schema(
+    interfaces: Sequence[Interface], roles: frozenset[str], part: int, definitions: Definitions
+) -> Value | None:
+    """`{endpoint: {type, units}}`; for services and actions the type of the part that goes in this direction."""
+    found = [entry for entry in interfaces if entry.role in roles and entry.type is not None]
+    return of_interfaces({entry.name: _described(entry, part, definitions) for entry in found}, found)
+
+
+def _described(entry: Interface, part: int, definitions: Definitions) -> dict[str, Any]:
+    section = _PARTS[entry.role][part] if entry.role in _PARTS else "message"
+    described: dict[str, Any] = {"type": entry.type if section == "message" else f"{entry.type}#{section}"}
+    units = definitions.units(entry.type or "", section)
+    if units:
+        described["units"] = units
+    if entry.frame:
+        described["frame"] = entry.frame
+    return described
+
+
+def _frame(interfaces: Iterable[Interface]) -> Value | None:
+    """The frame that the parameters of a module name; several are told apart by their parameter."""
+    named = [
+        entry
+        for entry in parameters_where(interfaces, lambda name: _FRAME.search(name) is not None)
+        if isinstance(entry.default, str) and entry.default
+    ]
+    frames = {entry.name: str(entry.default) for entry in named}
+    if len(set(frames.values())) == 1:
+        return inferred(next(iter(frames.values())), (entry.evidence[0] for entry in named), "default")
+    for wanted in _OWN_FRAME:
+        own = next((entry for entry in named if last_part(entry.name) == wanted), None)
+        if own is not None:
+            return inferred(str(own.default), own.evidence[:1], "default")
+    return inferred(frames, (entry.evidence[0] for entry in named), "default")
+
+
+def _timeout(interfaces: Iterable[Interface]) -> Value | None:
+    """The longest default of a timeout parameter; seconds unless its name says milliseconds."""
+    named = [
+        (entry, number)
+        for entry in parameters_where(interfaces, lambda name: _TIMEOUT.search(name) is not None)
+        if (number := number_of(entry)) is not None and number > 0
+    ]
+    if not named:
+        return None
+    values = [number if _in_milliseconds(entry) else number * 1000 for entry, number in named]
+    return inferred(max(values), (entry.evidence[0] for entry, _ in named), "default")
+
+
+def _in_milliseconds(entry: Interface) -> bool:
+    """Whole numbers are milliseconds in most ROS 2 parameters (`default_server_timeout: 20`)."""
+    return last_part(entry.name).endswith("_ms") or entry.type in {"integer", "int"}
+
+
+def _mode(interfaces: Sequence[Interface]) -> Value | None:
+    for role, mode in _MODES:
+        found = [entry for entry in interfaces if entry.role == role]
+        if found:
+            return of_interfaces(mode, found)
+    return None

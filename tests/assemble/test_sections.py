@@ -1,0 +1,198 @@
+"""Each section of a contract is filled with what an artefact shows, and with nothing else."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+from ecm_checker.contract import Contract, Value
+from workspaces import Workspace
+
+INCLUDE = '#include <rclcpp/rclcpp.hpp>\n#include "rclcpp_lifecycle/lifecycle_node.hpp"\nusing namespace std::chrono_literals;\n'
+
+
+def contract(workspace: Workspace, body: str, base: str = "rclcpp::Node") -> Contract:
+    """The contract of a node with this constructor body."""
+    source = f'{INCLUDE}class N : public {base} {{ public: N() : {base.rsplit("::")[-1]}("n") {{ {body} }} }};\n'
+    return workspace.package({"src/n.cpp": source}).modules()["ecm.pkg.n"]
+
+
+def value(found: Value | None) -> Any:
+    assert found is not None
+    assert found.origin == "inferred"
+    assert found.evidence
+    return found.value
+
+
+Read = Callable[[Contract], Value | None]
+
+
+@pytest.mark.parametrize(
+    ("body", "read", "expected"),
+    [
+        ("create_wall_timer(100ms, [this]() {});", lambda c: c.behavior.rates, {"timer": 10.0}),
+        ("create_wall_timer(std::chrono::milliseconds(500), f);", lambda c: c.behavior.rates, {"timer": 2.0}),
+        (
+            'double hz = declare_parameter<double>("loop", 4.0); create_wall_timer(std::chrono::duration<double>(1.0 / hz), f);',
+            lambda c: c.behavior.rates,
+            {"timer": 4.0},
+        ),
+        ("rclcpp::Rate rate(25);", lambda c: c.behavior.rates, {"rate": 25.0}),
+        ('declare_parameter<double>("update_rate", 50.0);', lambda c: c.behavior.rates, {"update_rate": 50.0}),
+        (
+            'c_ = create_client<std_srvs::srv::Trigger>("stop"); c_->wait_for_service(1s);',
+            lambda c: c.behavior.preconditions,
+            ["service_available /stop"],
+        ),
+        (
+            'buffer_->lookupTransform("map", "base_link", tf2::TimePointZero);',
+            lambda c: c.behavior.preconditions,
+            ["transform map <- base_link available"],
+        ),
+        (
+            'create_subscription<sensor_msgs::msg::LaserScan>("scan", 10, f);',
+            lambda c: c.resources.sensors,
+            ["lidar"],
+        ),
+        (
+            'create_publisher<geometry_msgs::msg::Twist>("cmd_vel", 10);',
+            lambda c: c.resources.actuators,
+            ["mobile_base"],
+        ),
+        (
+            'create_publisher<geometry_msgs::msg::Twist>("cmd_vel", 10);',
+            lambda c: c.permissions.physical,
+            {"motion": True},
+        ),
+        (
+            'create_publisher<std_msgs::msg::Bool>("a", 1); create_subscription<std_msgs::msg::Bool>("b", 1, f);',
+            lambda c: c.permissions.data,
+            ["read:/b", "write:/a"],
+        ),
+        ('declare_parameter<std::string>("robot_ip", "10.0.0.2");', lambda c: c.permissions.network, ["10.0.0.2"]),
+        ('declare_parameter<double>("cmd_vel_timeout", 0.5);', lambda c: c.signature.timeout_ms, 500.0),
+        ('declare_parameter<int>("server_timeout", 20);', lambda c: c.signature.timeout_ms, 20.0),
+        (
+            'declare_parameter<double>("cmd_vel_timeout", 0.5);',
+            lambda c: c.recovery.safe_stop,
+            ["stop after cmd_vel_timeout"],
+        ),
+        (
+            'declare_parameter<int>("max_retries", 3);',
+            lambda c: c.recovery.retry,
+            {"max": 3, "parameter": "max_retries"},
+        ),
+        (
+            'create_publisher<diagnostic_msgs::msg::DiagnosticArray>("/diagnostics", 1);',
+            lambda c: c.recovery.escalation,
+            ["failure -> /diagnostics"],
+        ),
+        ('declare_parameter<std::string>("frame_id", "odom");', lambda c: c.signature.coordinate_frame, "odom"),
+        (
+            'create_service<std_srvs::srv::Trigger>("stop", f);',
+            lambda c: c.signature.invocation_mode,
+            "synchronous",
+        ),
+        (
+            'create_service<std_srvs::srv::Trigger>("stop", f);',
+            lambda c: c.behavior.completion_semantics,
+            "response",
+        ),
+    ],
+)
+def test_field(body: str, read: Read, expected: object, workspace: Workspace) -> None:
+    """The line that shows a field stands with its value."""
+    assert value(read(contract(workspace, body))) == expected
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "",
+        "create_wall_timer(period, f);",
+        'create_publisher<geometry_msgs::msg::Twist>("display", 10);',
+        'declare_parameter<std::string>("timeout_topic", "x");',
+        'create_client<std_srvs::srv::Trigger>("stop");',
+    ],
+)
+def test_nothing_is_invented(body: str, workspace: Workspace) -> None:
+    """What no artefact shows is undeclared, which is not the same as none."""
+    found = contract(workspace, body)
+    assert found.behavior.rates is None
+    assert found.behavior.preconditions is None
+    assert found.resources.actuators is None
+    assert found.resources.exclusive_locks is None
+    assert found.resources.compute is None
+    assert found.permissions.physical is None
+    assert found.signature.timeout_ms is None
+    assert found.recovery == type(found.recovery)()
+
+
+def test_lifecycle_node_works_when_active(workspace: Workspace) -> None:
+    """A managed node has a state to be in, and one to go back to."""
+    found = contract(workspace, "", "rclcpp_lifecycle::LifecycleNode")
+    assert value(found.behavior.preconditions) == ["lifecycle_state == active"]
+    assert value(found.recovery.rollback_state) == "inactive"
+
+
+def test_action_result_constants_are_failure_modes(workspace: Workspace) -> None:
+    """Except those that mean success; units come from the comments of the message."""
+    action = "float64 speed  # m/s\n---\nuint16 NONE=0\nuint16 BLOCKED=1\nuint16 code\n---\n"
+    body = 'rclcpp_action::create_server<pkg::action::Go>(this, "go", a, b, c);'
+    modules = workspace.package({"action/Go.action": action, "src/n.cpp": _node(body)}).modules()
+    go = modules["ecm.pkg.n"]
+    assert value(go.recovery.failure_modes) == ["blocked"]
+    assert value(go.signature.input_schema) == {"/go": {"type": "pkg/action/Go#goal", "units": {"speed": "m/s"}}}
+
+
+def _node(body: str) -> str:
+    return f'{INCLUDE}class N : public rclcpp::Node {{ public: N() : Node("n") {{ {body} }} }};\n'
+
+
+CONTROLLER = """
+#include "controller_interface/controller_interface.hpp"
+class C : public controller_interface::ControllerInterface {
+public:
+  controller_interface::InterfaceConfiguration command_interface_configuration() const override {
+    controller_interface::InterfaceConfiguration config;
+    config.type = controller_interface::interface_configuration_type::{kind};
+    {body}
+    return config;
+  }
+};
+"""
+
+
+@pytest.mark.parametrize(
+    ("kind", "body", "locks"),
+    [
+        ("NONE", "", []),
+        ("ALL", "", ["*"]),
+        ("INDIVIDUAL", 'config.names.push_back("arm/" + std::string("position"));', ["arm/position"]),
+        (
+            "INDIVIDUAL",
+            'config.names.push_back(std::string("arm/") + hardware_interface::HW_IF_EFFORT);',
+            ["arm/effort"],
+        ),
+        (
+            "INDIVIDUAL",
+            'for (const auto & joint : joints_) { config.names.push_back(joint + "/velocity"); }',
+            ["{item}/velocity"],
+        ),
+    ],
+)
+def test_command_interfaces_are_exclusive_locks(kind: str, body: str, locks: list[str], workspace: Workspace) -> None:
+    """A controller that claims nothing says so: an empty list, not an undeclared field."""
+    source = CONTROLLER.replace("{kind}", kind).replace("{body}", body)
+    (module,) = workspace.package({"src/c.cpp": source}).modules().values()
+    found = module.resources.exclusive_locks
+    assert found is not None
+    assert found.value == locks
+
+
+def test_cuda_in_the_build_is_a_need_for_a_gpu(workspace: Workspace) -> None:
+    """What the build asks for, the computer must have."""
+    files = {"CMakeLists.txt": "project(pkg)\nfind_package(CUDA REQUIRED)\n", "src/n.cpp": _node("")}
+    found = workspace.package(files).modules()["ecm.pkg.n"]
+    assert value(found.resources.compute) == {"gpu": True}
