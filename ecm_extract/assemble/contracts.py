@@ -18,6 +18,7 @@ from ecm_extract.assemble.signature import signature_of
 from ecm_extract.assemble.versioning import versioning_of
 from ecm_extract.extraction_model import PackageContracts
 from ecm_extract.link.linker import LinkedModule
+from ecm_extract.overlay.merge import overlaid
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.tree import Tree
 
@@ -38,6 +39,8 @@ def _package(tree: Tree, facts: PackageFacts, linked: list[LinkedModule], defini
     contracts = [_contract(tree, facts, entry, definitions) for entry in linked]
     if facts.interfaces or not contracts:
         contracts.append(_package_contract(tree, facts, definitions))
+    if facts.overlay is not None:
+        contracts = overlaid(tree, *facts.overlay, contracts)
     ros = facts.ros if facts.ros in {1, 2} else None
     modules = tuple(sorted(_distinct(contracts), key=lambda contract: contract.ecm.module_id))
     return PackageContracts(facts.name, version, facts.root.path or ".", ros, modules)  # type: ignore[arg-type]

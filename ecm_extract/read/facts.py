@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from ecm_parsers.cmake_facts import CmakeFile
 from ecm_parsers.dynamic_reconfigure import ReconfigureFile
 from ecm_parsers.interface_facts import Definition
+from ecm_parsers.overlay_yaml import Overlay
 from ecm_parsers.package_facts import Manifest
 from ecm_parsers.parameter_library import ParameterNamespace
 from ecm_parsers.plugin_xml import PluginClass
@@ -24,6 +25,7 @@ class PackageFacts:
         root: the package's folder and files.
         manifest: of `package.xml`; None when there is none or it cannot be read.
         ros: 1 or 2; None when no artefact tells.
+        overlay: path and content of `ecm.yaml`; None without one.
     """
 
     root: PackageRoot
@@ -36,6 +38,7 @@ class PackageFacts:
     parameters: dict[str, tuple[ParameterNamespace, ...]] = field(default_factory=dict)
     reconfigure: dict[str, ReconfigureFile] = field(default_factory=dict)
     sources: dict[str, SourceFile] = field(default_factory=dict)
+    overlay: tuple[str, Overlay] | None = None
 
     @property
     def name(self) -> str:

@@ -9,6 +9,7 @@ from typing import Any, cast
 
 from ecm_parsers import dynamic_reconfigure, interface, package_xml, parameter_library, plugin_xml
 from ecm_parsers.interface_facts import Shape
+from ecm_parsers.overlay_yaml import Overlay, parse_overlay
 from ecm_parsers.result import Diagnostic, Parsed
 
 from ecm_extract.discover import PackageRoot, discover, is_test_path
@@ -18,6 +19,7 @@ from ecm_extract.read.facts import PackageFacts
 from ecm_extract.read.parallel import SourceParse, Task
 from ecm_extract.tree import FileDiagnostic, Tree, printable
 
+OVERLAY = "ecm.yaml"
 Progress = Callable[[int, int], None]
 
 
@@ -74,11 +76,17 @@ class Reader:
         root = package.root
         if root.manifest is not None and root.manifest.endswith("package.xml"):
             package.manifest = self.parse(root.manifest, package_xml.parse)
+        package.overlay = self._overlay(root)
         package.cmake = read_cmake(self, root)
         package.setups = read_setups(self, root)
         for entry in root.files:
             self._read_declarative(package, entry.path)
         self._read_named(package)
+
+    def _overlay(self, root: PackageRoot) -> tuple[str, Overlay] | None:
+        path = f"{root.path}/{OVERLAY}" if root.path else OVERLAY
+        found = self.parse(path, parse_overlay) if any(entry.path == path for entry in root.files) else None
+        return None if found is None else (path, found)
 
     def _read_declarative(self, package: PackageFacts, path: str) -> None:
         suffix = PurePosixPath(path).suffix

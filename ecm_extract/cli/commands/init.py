@@ -1,0 +1,84 @@
+"""`ecm-extract init PATH`: write the overlay that a person starts from."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Final
+
+import click
+import msgspec
+
+from ecm_extract.errors import InputError
+
+if TYPE_CHECKING:
+    from ecm_extract.extraction_model import Extraction, PackageContracts
+
+_EPILOG: Final = """\b
+Examples:
+  ecm-extract init src/my_robot              an ecm.yaml beside each package.xml
+  ecm-extract init . --package my_driver     for one package only
+  ecm-extract init . --print                 show it, write nothing
+"""
+
+
+class Request(msgspec.Struct, frozen=True):
+    """What the user asked for, as on the command line."""
+
+    path: str
+    package: str | None
+    print_only: bool
+    config: str | None
+    jobs: int | None
+
+
+@click.command(short_help="Write an ecm.yaml with what no tool can know.", epilog=_EPILOG)
+@click.argument("path")
+@click.option("--package", metavar="NAME", help="Only this package.")
+@click.option("--print", "print_only", is_flag=True, help="Print the overlays, write nothing.")
+@click.option("--config", metavar="FILE", help="Use this ecm.toml.  [default: the one in PATH]")
+@click.option("--jobs", type=click.IntRange(min=1), help="Worker processes.  [default: one per core]")
+def command(**options: Any) -> None:
+    """Write an `ecm.yaml` beside the package.xml of each package below PATH.
+
+    It holds only the required fields that could not be read off the sources, commented out, each with what it means
+    and an example. A file that is already there is left alone.
+    """
+    request = Request(**options)
+    packages = _packages(request)
+    for package in packages:
+        _write(package, request)
+
+
+def _packages(request: Request) -> list[PackageContracts]:
+    extraction = _extract(request)
+    found = [each for each in extraction.packages if request.package in (None, each.name)]
+    if not found:
+        message = f"no package {request.package} in {extraction.path}" if request.package else "no ROS package found"
+        raise InputError(message, "name a folder in or above one that has a package.xml")
+    return found
+
+
+def _extract(request: Request) -> Extraction:
+    from ecm_extract.cli.progress import progress_bar
+    from ecm_extract.extraction import extract
+    from ecm_extract.extraction_model import Options
+    from ecm_extract.tree import open_tree
+
+    with progress_bar() as progress:
+        return extract(open_tree(request.path), Options(False, request.config, request.jobs, progress))
+
+
+def _write(package: PackageContracts, request: Request) -> None:
+    from ecm_extract.overlay.merge import FILE_NAME
+    from ecm_extract.overlay.template import overlay_template
+
+    text = overlay_template(package.name, package.modules)
+    target = Path(request.path) / package.path / FILE_NAME
+    if request.print_only:
+        sys.stdout.write(f"# {package.path}/{FILE_NAME}\n{text}")
+    elif target.exists() or target.is_symlink():
+        click.echo(f"{target} is already there and is left alone", err=True)
+    else:
+        target.write_text(text, "utf-8")
+        click.echo(f"written: {target}")

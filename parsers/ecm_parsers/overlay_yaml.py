@@ -1,0 +1,111 @@
+"""`ecm.yaml` beside a package.xml: what people declare of modules because no tool can know it.
+
+schema: ecm-extract/overlay/1
+defaults: {name: lab, recovery: {escalation: [failure -> operator]}}
+all: {permissions: {audit: standard}}
+modules:
+  base_driver: {behavior: {preconditions: [battery_charged]}}
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any, Final
+
+import msgspec
+
+from ecm_parsers.result import Diagnostic, Parsed
+from ecm_parsers.yaml_tree import Entry, Mapping, Node, Scalar, parse_yaml, plain
+
+SCHEMA: Final = "ecm-extract/overlay/1"
+SECTIONS: Final = ("signature", "behavior", "resources", "permissions", "recovery", "versioning")
+_KEYS: Final = ("schema", "defaults", "all", "modules")
+
+
+class Declared(msgspec.Struct, frozen=True):
+    """One field that a person declares: section and field name, the value as data, its 1-based line."""
+
+    section: str
+    field: str
+    value: Any
+    line: int
+
+
+class ModuleOverlay(msgspec.Struct, frozen=True):
+    """What is declared of one module, named as in `module_id` or by its last part."""
+
+    module: str
+    fields: tuple[Declared, ...]
+    line: int
+
+
+class Overlay(msgspec.Struct, frozen=True):
+    """One file.
+
+    Attributes:
+        default_name: name of the defaults; empty without. defaults: for fields that nothing else fills.
+        everywhere: declared of every module of the package. modules: of single ones.
+    """
+
+    default_name: str = ""
+    defaults: tuple[Declared, ...] = ()
+    everywhere: tuple[Declared, ...] = ()
+    modules: tuple[ModuleOverlay, ...] = ()
+
+
+def parse_overlay(data: bytes) -> Parsed[Overlay]:
+    """Read an overlay; a key that means nothing is a diagnostic and costs nothing else."""
+    tree = parse_yaml(data)
+    problems = list(tree.diagnostics)
+    root = next(iter(tree.facts), None)
+    if root is None:
+        return Parsed(Overlay(), tuple(problems))
+    if not isinstance(root, Mapping):
+        problems.append(_problem("overlay-not-a-map", root.line, "The overlay is no map. Write `modules:` with a map."))
+        return Parsed(Overlay(), tuple(problems))
+    for entry in root.entries:
+        if entry.key not in _KEYS:
+            message = f"`{entry.key}` means nothing here. Write one of {', '.join(_KEYS)}."
+            problems.append(_problem("overlay-unknown-key", entry.line, message))
+    defaults = root.get("defaults")
+    return Parsed(
+        Overlay(
+            default_name=_name(defaults),
+            defaults=tuple(_fields(defaults, problems, skipped="name")),
+            everywhere=tuple(_fields(root.get("all"), problems)),
+            modules=tuple(_modules(root.get("modules"), problems)),
+        ),
+        tuple(problems),
+    )
+
+
+def _modules(node: Node | None, problems: list[Diagnostic]) -> Iterator[ModuleOverlay]:
+    for entry in node.unique() if isinstance(node, Mapping) else ():
+        yield ModuleOverlay(entry.key, tuple(_fields(entry.value, problems)), entry.line)
+
+
+def _fields(node: Node | None, problems: list[Diagnostic], skipped: str = "") -> Iterator[Declared]:
+    for section in node.unique() if isinstance(node, Mapping) else ():
+        if section.key == skipped:
+            continue
+        if section.key not in SECTIONS:
+            message = f"`{section.key}` is no section of a contract. Write one of {', '.join(SECTIONS)}."
+            problems.append(_problem("overlay-unknown-section", section.line, message))
+            continue
+        yield from _of_section(section)
+
+
+def _of_section(section: Entry) -> Iterator[Declared]:
+    for entry in section.value.unique() if isinstance(section.value, Mapping) else ():
+        value = plain(entry.value)
+        if value is not None:  # a field without a value stays undeclared
+            yield Declared(section.key, entry.key, value, entry.line)
+
+
+def _name(node: Node | None) -> str:
+    name = node.get("name") if isinstance(node, Mapping) else None
+    return name.text if isinstance(name, Scalar) else ""
+
+
+def _problem(code: str, line: int, message: str) -> Diagnostic:
+    return Diagnostic("warning", code, line, message)

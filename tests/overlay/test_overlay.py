@@ -1,0 +1,146 @@
+"""What a person declares is laid over what was read; contradictions are told."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from ecm_checker.contract import Contract
+from ecm_parsers.overlay_yaml import parse_overlay
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from workspaces import Workspace
+
+from ecm_extract.cli.run import run
+from ecm_extract.extraction import extract
+from ecm_extract.extraction_model import Extraction, Options
+from ecm_extract.overlay.drift import contradiction
+from ecm_extract.tree import open_tree
+
+NODE = """
+#include <rclcpp/rclcpp.hpp>
+class N : public rclcpp::Node {
+public:
+  N() : Node("n") {
+    declare_parameter<double>("cmd_vel_timeout", 0.5);
+    create_subscription<sensor_msgs::msg::LaserScan>("scan", 10, f);
+  }
+};
+"""
+
+
+def extraction(workspace: Workspace, overlay: str) -> Extraction:
+    workspace.package({"src/n.cpp": NODE, "ecm.yaml": overlay})
+    return extract(open_tree(workspace.root), Options(jobs=1))
+
+
+def module(found: Extraction) -> Contract:
+    return found.packages[0].modules[0]
+
+
+def test_declared_takes_the_place_of_inferred(workspace: Workspace) -> None:
+    """With its line, and no longer missing."""
+    text = "modules:\n  n:\n    behavior:\n      postconditions: [stopped]\n    signature: {timeout_ms: 500}\n"
+    found = module(extraction(workspace, text))
+    assert found.behavior.postconditions is not None
+    assert (found.behavior.postconditions.value, found.behavior.postconditions.origin) == (["stopped"], "declared")
+    assert [(entry.path, entry.line) for entry in found.behavior.postconditions.evidence] == [("pkg/ecm.yaml", 4)]
+    assert "behavior.postconditions" not in found.missing
+    assert found.signature.timeout_ms is not None
+    assert found.signature.timeout_ms.origin == "declared"
+
+
+def test_all_and_defaults(workspace: Workspace) -> None:
+    """`all` declares for every module, `defaults` only fill what is left, under their name."""
+    text = (
+        "all: {permissions: {audit: standard}}\n"
+        "defaults:\n  name: lab\n  recovery: {retry: {max: 1}}\n  signature: {timeout_ms: 9}\n"
+    )
+    found = module(extraction(workspace, text))
+    assert found.permissions.audit is not None
+    assert found.permissions.audit.origin == "declared"
+    assert found.recovery.retry is not None
+    assert found.recovery.retry.origin == "default"
+    assert found.signature.timeout_ms is not None
+    assert found.signature.timeout_ms.origin == "inferred"
+
+
+@pytest.mark.parametrize(
+    ("text", "code", "hint"),
+    [
+        ("modules: {n: {signature: {timeout_ms: 900}}}", "drift", "900 here, 500.0 there"),
+        ("modules: {n: {resources: {sensors: [imu]}}}", "drift", "lidar is left out"),
+        ("modules: {n: {resources: {sensor: [imu]}}}", "overlay-unknown-field", "resources.sensors"),
+        ("modules: {m: {resources: {sensors: [lidar]}}}", "overlay-unknown-module", "Remove it"),
+        ("modules: {n: {resource: {sensors: [lidar]}}}", "overlay-unknown-section", "resources"),
+        ("module: {}", "overlay-unknown-key", "modules"),
+        ("[1]", "overlay-not-a-map", "modules"),
+    ],
+)
+def test_what_is_wrong_is_told(text: str, code: str, hint: str, workspace: Workspace) -> None:
+    """A misspelt name is not silently without effect, a contradiction names both lines."""
+    (problem,) = extraction(workspace, text).diagnostics
+    assert problem.code == code
+    assert hint in problem.message
+    assert problem.path == "pkg/ecm.yaml"
+
+
+@pytest.mark.parametrize(
+    ("declared", "inferred", "differs"),
+    [
+        ([1, 2], [1], False),
+        ([2], [1], True),
+        ("a", ["a"], False),
+        ({"a": 1, "b": 2}, {"a": 1}, False),
+        ({"b": 2}, {"a": 1}, False),
+        ({"a": 2}, {"a": 1}, True),
+        (1, 1.0, False),
+        (True, 1, True),
+        ("x", "y", True),
+    ],
+)
+def test_contradiction(declared: object, inferred: object, differs: bool) -> None:
+    """More detail is no contradiction, another value is."""
+    assert (contradiction(declared, inferred) is not None) is differs
+
+
+def test_init_writes_what_is_missing_and_reads_it_back(
+    workspace: Workspace, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The file declares nothing as it is, every line of it can be uncommented, and it is never written twice."""
+    workspace.package({"src/n.cpp": NODE})
+    assert run(["init", str(workspace.root)]) == 0
+    path = workspace.root / "pkg" / "ecm.yaml"
+    text = path.read_text()
+    assert "# sensors:" not in text  # that was read
+    assert parse_overlay(text.encode()).facts.modules[0].fields == ()
+    declared = parse_overlay(_uncommented(text).encode())
+    assert declared.diagnostics == ()
+    assert {f"{entry.section}.{entry.field}" for entry in declared.facts.modules[0].fields} == set(
+        module(extract(open_tree(workspace.root), Options(jobs=1))).missing
+    )
+    path.write_text("modules: {}\n")
+    assert run(["init", str(workspace.root)]) == 0
+    assert path.read_text() == "modules: {}\n"
+    assert "left alone" in capsys.readouterr().err
+
+
+def _uncommented(text: str) -> str:
+    return "\n".join(
+        line.replace("# ", "", 1) if line.startswith("      # ") and ": " in line else line
+        for line in text.splitlines()
+    )
+
+
+def test_init_of_an_unknown_package(tmp_path: Path, workspace: Workspace) -> None:
+    """A misspelt name is the user's error."""
+    workspace.package({"src/n.cpp": NODE})
+    assert run(["init", str(workspace.root), "--package", "no"]) == 2
+
+
+@settings(max_examples=50, deadline=None)
+@given(st.text(alphabet="modulesa:{}[],- \n", max_size=80))
+def test_never_raises(text: str) -> None:
+    """No text breaks the parser."""
+    parse_overlay(text.encode())
+    parse_overlay(f"modules: {text}".encode())
