@@ -8,19 +8,28 @@ from __future__ import annotations
 import ast
 import math
 import operator
-import re
-import string
 import warnings
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any
 
+from ecm_parsers.expression_limits import (
+    MAX_SIZE,
+    TOO_LARGE,
+    Budget,
+    ExpressionError,
+    UnknownNameError,
+    bounded_range,
+    check_growth,
+    check_repetition,
+    check_scalar,
+    formatted,
+    power,
+    size_of,
+)
+
 MAX_LENGTH = 5_000
 MAX_STEPS = 5_000
-MAX_SIZE = 20_000
-MAX_WORK = 400_000
-MAX_INTEGER = 1 << 256
-_FORMAT_SPEC = re.compile(r"(?:[<>^]|0)?\d{0,3}(?:\.\d{1,2})?[a-zA-Z%]?")
 
 _BINARY: Mapping[type[ast.operator], Callable[[Any, Any], Any]] = MappingProxyType(
     {
@@ -54,7 +63,7 @@ _FUNCTIONS: Mapping[str, Callable[..., Any]] = MappingProxyType(
         **{name: getattr(math, name) for name in ("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt")},
         **{name: getattr(math, name) for name in ("radians", "degrees", "floor", "ceil", "fabs", "exp", "log")},
         **{name: getattr(math, name) for name in ("log10", "hypot", "fmod", "isnan", "isinf", "copysign", "trunc")},
-        "pow": lambda base, exponent: _power(base, exponent),
+        "pow": lambda base, exponent: power(base, exponent),
         "abs": abs,
         "int": int,
         "float": float,
@@ -71,7 +80,7 @@ _FUNCTIONS: Mapping[str, Callable[..., Any]] = MappingProxyType(
         "dict": dict,
         "any": any,
         "all": all,
-        "range": lambda *bounds: _bounded_range(*bounds),
+        "range": lambda *bounds: bounded_range(*bounds),
         "zip": lambda *items: list(zip(*items, strict=False)),
         "enumerate": lambda items: list(enumerate(items)),
     }
@@ -91,32 +100,6 @@ _METHODS: Mapping[type, frozenset[str]] = MappingProxyType(
     }
 )
 _MODULES = frozenset({"math", "xacro", "python", "np", "numpy"})
-_TOO_LARGE = "The value grows too large. Shorten the expression."
-
-
-class ExpressionError(Exception):
-    """An expression that cannot be evaluated; the message says why."""
-
-
-class UnknownNameError(ExpressionError):
-    """An expression that uses a name without a value, so that its value is known only elsewhere."""
-
-
-class Budget:
-    """How much work several expressions may do together; a unit is about one character or item that is made."""
-
-    def __init__(self, units: int = MAX_WORK) -> None:
-        self.left = units
-
-    def spend(self, units: int) -> None:
-        """Take units away.
-
-        Raises:
-            ExpressionError: none are left.
-        """
-        self.left -= units
-        if self.left < 0:
-            raise ExpressionError(_TOO_LARGE)
 
 
 def evaluate(text: str, names: Mapping[str, Any], budget: Budget | None = None) -> Any:
@@ -172,11 +155,11 @@ class _Evaluator:
             msg = f"{type(node).__name__} is not allowed in an expression. Write it without."
             raise ExpressionError(msg)
         found = reader(self, node)
-        _check_scalar(found)
-        size = _size(found)
+        check_scalar(found)
+        size = size_of(found)
         self._budget.spend(size)
         if size > MAX_SIZE:
-            raise ExpressionError(_TOO_LARGE)
+            raise ExpressionError(TOO_LARGE)
         return found
 
     def _name(self, node: ast.Name) -> Any:
@@ -204,13 +187,13 @@ class _Evaluator:
     def _operation(self, node: ast.BinOp) -> Any:
         left, right = self.value(node.left), self.value(node.right)
         if isinstance(node.op, ast.Pow):
-            return _power(left, right)
+            return power(left, right)
         function = _BINARY.get(type(node.op))
         if function is None:
             msg = f"{type(node.op).__name__} is not allowed in an expression. Write it without."
             raise ExpressionError(msg)
         if isinstance(node.op, ast.Mult):
-            _check_repetition(left, right)
+            check_repetition(left, right)
         if isinstance(node.op, ast.Mod) and isinstance(left, str):
             msg = "Formatting with % is not allowed in an expression. Use +."
             raise ExpressionError(msg)
@@ -251,9 +234,9 @@ class _Evaluator:
         if func.attr not in _METHODS.get(type(owner), frozenset()):
             msg = f"`.{func.attr}()` is no method of expressions. Write it without."
             raise UnknownNameError(msg)
-        _check_growth(func.attr, owner, args)
+        check_growth(func.attr, owner, args)
         if func.attr == "format":
-            return _formatted(owner, args, keywords)
+            return formatted(owner, args, keywords)
         found = getattr(owner, func.attr)(*args)
         return list(found) if func.attr in {"keys", "values", "items"} else found
 
@@ -318,64 +301,4 @@ def _is_module(node: ast.expr) -> bool:
     return isinstance(node, ast.Name) and node.id in _MODULES
 
 
-def _size(value: Any) -> int:
-    """Return how many characters and items a value holds on all levels; counting stops beyond the bound."""
-    size, pending = 0, [value]
-    while pending and size <= MAX_SIZE:
-        item = pending.pop()
-        size += len(item) if isinstance(item, str | list | tuple | dict) else 1
-        if isinstance(item, list | tuple):
-            pending.extend(item)
-        elif isinstance(item, dict):
-            pending.extend([*item.keys(), *item.values()])
-    return size
-
-
-def _check_scalar(value: Any) -> None:
-    if isinstance(value, int) and abs(value) > MAX_INTEGER:
-        raise ExpressionError(_TOO_LARGE)
-    if isinstance(value, bytes | complex) or value is ...:
-        msg = "Bytes and complex numbers are not allowed in an expression. Write a text or number."
-        raise ExpressionError(msg)
-
-
-def _check_repetition(left: Any, right: Any) -> None:
-    for items, times in ((left, right), (right, left)):
-        if isinstance(items, str | list | tuple) and isinstance(times, int) and len(items) * times > MAX_SIZE:
-            raise ExpressionError(_TOO_LARGE)
-
-
-def _check_growth(method: str, owner: Any, args: list[Any]) -> None:
-    """Refuse `replace` and `join` whose result grows with the product of their sizes, before it is made."""
-    if method == "replace" and len(args) > 1 and len(owner) * (len(str(args[1])) + 1) > MAX_SIZE:
-        raise ExpressionError(_TOO_LARGE)
-    if method == "join" and args and isinstance(args[0], str | list | tuple) and len(owner) * len(args[0]) > MAX_SIZE:
-        raise ExpressionError(_TOO_LARGE)
-
-
-def _formatted(text: str, args: list[Any], keywords: dict[str, Any]) -> str:
-    """Format with plain fields only: no attributes, no nested fields, no wide padding."""
-    for _, field, spec, _ in string.Formatter().parse(text):
-        if (field and not field.isidentifier() and not field.isdecimal()) or not _FORMAT_SPEC.fullmatch(spec or ""):
-            msg = f"Format field `{field}:{spec}` is not allowed in an expression. Use +."[:200]
-            raise ExpressionError(msg)
-    return text.format(*args, **keywords)
-
-
-def _power(base: Any, exponent: Any) -> Any:
-    if isinstance(base, int) and isinstance(exponent, int) and exponent >= 0:
-        if abs(base) > 1 and exponent * math.log2(abs(base)) > 256:
-            raise ExpressionError(_TOO_LARGE)
-        return base**exponent
-    result = float(base) ** float(exponent)
-    if isinstance(result, complex):
-        msg = "A root of a negative number is no number. Correct the expression."
-        raise ExpressionError(msg)
-    return result
-
-
-def _bounded_range(*bounds: int) -> list[int]:
-    found = range(*bounds)
-    if len(found) > MAX_SIZE:
-        raise ExpressionError(_TOO_LARGE)
-    return list(found)
+__all__ = ["Budget", "ExpressionError", "UnknownNameError", "evaluate"]

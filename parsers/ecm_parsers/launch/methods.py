@@ -9,8 +9,9 @@ import re
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
-from ecm_parsers.launch.constructors import Arguments, joined_path
+from ecm_parsers.launch.arguments import Arguments
 from ecm_parsers.launch.model import Substitution
+from ecm_parsers.launch.substitutions import joined_path
 from ecm_parsers.launch.values import (
     MAX_ITEMS,
     MAX_TEXT,

@@ -7,9 +7,9 @@ import operator
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
-from ecm_parsers.launch.constructors import joined_path
 from ecm_parsers.launch.methods import hashable, percent_formatted
 from ecm_parsers.launch.model import Substitution, Template
+from ecm_parsers.launch.substitutions import joined_path
 from ecm_parsers.launch.values import (
     MAX_ITEMS,
     MAX_TEXT,

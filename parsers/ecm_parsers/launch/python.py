@@ -5,8 +5,9 @@ from __future__ import annotations
 import ast
 import warnings
 
-from ecm_parsers.launch.constructors import Arguments
-from ecm_parsers.launch.interpreter import Interpreter, TooLongError
+from ecm_parsers.launch.arguments import Arguments
+from ecm_parsers.launch.expressions import TooLongError
+from ecm_parsers.launch.interpreter import Interpreter
 from ecm_parsers.launch.model import LaunchFile
 from ecm_parsers.launch.values import Description, Function, actions_of
 from ecm_parsers.result import Diagnostic, Parsed

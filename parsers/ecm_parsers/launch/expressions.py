@@ -1,0 +1,254 @@
+"""Expressions of launch files in Python, over values that may be unknown."""
+
+from __future__ import annotations
+
+import ast
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterator
+
+from ecm_parsers.launch.arguments import Arguments
+from ecm_parsers.launch.constructors import CONSTRUCTORS
+from ecm_parsers.launch.methods import hashable
+from ecm_parsers.launch.model import Action, Group, Substitution, Template
+from ecm_parsers.launch.operators import binary, compare, negated, subscript, truth
+from ecm_parsers.launch.values import (
+    MAX_ITEMS,
+    Condition,
+    Description,
+    Function,
+    Method,
+    Reference,
+    Scope,
+    Text,
+    Unknown,
+    Value,
+    actions_of,
+    guarded,
+    merged_text,
+    template_of,
+)
+
+MAX_STEPS = 60_000
+MAX_SHOWN = 60
+
+
+class TooLongError(Exception):
+    """The file takes more steps to read than any launch file needs."""
+
+
+class Expressions(ABC):
+    """Evaluates expressions; whoever reads statements says what calls and assignments do.
+
+    `steps` counts evaluated nodes.
+    """
+
+    def __init__(self) -> None:
+        self.steps = 0
+
+    @abstractmethod
+    def call_of(self, node: ast.Call, scope: Scope) -> Value:
+        """Return what a call gives."""
+
+    @abstractmethod
+    def assign(self, target: ast.expr, value: Value, scope: Scope) -> None:
+        """Bind a value to what stands on the left side."""
+
+    def value(self, node: ast.expr | None, scope: Scope) -> Value:
+        """Return the value of an expression."""
+        if node is None:
+            return None
+        self.step()
+        reader = self._EXPRESSIONS.get(type(node))
+        return reader(self, node, scope) if reader is not None else Unknown(source_of(node))
+
+    def _name(self, node: ast.Name, scope: Scope) -> Value:
+        found = scope.find(node.id)
+        known = found is not None or _is_set(node.id, scope)
+        return found if known else Reference(node.id)
+
+    def _attribute(self, node: ast.Attribute, scope: Scope) -> Value:
+        owner = self.value(node.value, scope)
+        if isinstance(owner, Reference):
+            return Reference(f"{owner.path}.{node.attr}")
+        if node.attr == "parent" and isinstance(owner, Text | str):
+            return CONSTRUCTORS["dirname"](Arguments((owner,), {}, node.lineno))
+        if node.attr == "launch_configurations":
+            return Reference("launch_configurations")
+        if isinstance(owner, Unknown):
+            return Unknown(source_of(node))
+        return Method(owner, node.attr)
+
+    def _subscript(self, node: ast.Subscript, scope: Scope) -> Value:
+        owner, key = self.value(node.value, scope), self.value(node.slice, scope)
+        if isinstance(owner, Reference) and owner.last in {"environ", "launch_configurations"}:
+            return Text((Substitution("env" if owner.last == "environ" else "arg", (template_of(key),)),))
+        found = subscript(owner, key)
+        return Unknown(source_of(node)) if isinstance(found, Unknown) else found
+
+    def _slice(self, node: ast.Slice, scope: Scope) -> Value:
+        bounds = [self.value(part, scope) for part in (node.lower, node.upper, node.step)]
+        fine = all(bound is None or isinstance(bound, int) for bound in bounds) and bounds[2] != 0
+        return slice(*bounds) if fine else Unknown("slice")
+
+    def _list(self, node: ast.List | ast.Tuple | ast.Set, scope: Scope) -> Value:
+        items: list[Value] = []
+        for element in node.elts:
+            if isinstance(element, ast.Starred):
+                items += self.items(self.value(element.value, scope)) or []
+            else:
+                items.append(self.value(element, scope))
+        return tuple(items) if isinstance(node, ast.Tuple) else items
+
+    def _dict(self, node: ast.Dict, scope: Scope) -> Value:
+        table: dict[Value, Value] = {}
+        for key_node, value_node in zip(node.keys, node.values, strict=True):
+            value = self.value(value_node, scope)
+            if key_node is None:
+                table.update(value if isinstance(value, dict) else {})
+                continue
+            key = self.value(key_node, scope)
+            if isinstance(key, list | tuple):
+                key = merged_text(template_of(key))
+            if hashable(key):
+                table[key] = value
+        return table
+
+    def _comprehension(self, node: ast.ListComp | ast.GeneratorExp | ast.SetComp, scope: Scope) -> Value:
+        return [self.value(node.elt, inner) for inner in self._loops(node.generators, Scope({}, scope))]
+
+    def _dict_comprehension(self, node: ast.DictComp, scope: Scope) -> Value:
+        table: dict[Value, Value] = {}
+        for inner in self._loops(node.generators, Scope({}, scope)):
+            key = self.value(node.key, inner)
+            if hashable(key):
+                table[key] = self.value(node.value, inner)
+        return table
+
+    def _loops(self, generators: list[ast.comprehension], scope: Scope) -> Iterator[Scope]:
+        if not generators:
+            yield scope
+            return
+        first, *rest = generators
+        items = self.items(self.value(first.iter, scope))
+        for item in [Unknown(source_of(first.target))] if items is None else items:
+            self.assign(first.target, item, scope)
+            if all(truth(self.value(test, scope)) is not False for test in first.ifs):
+                yield from self._loops(rest, scope)
+
+    def _binary(self, node: ast.BinOp, scope: Scope) -> Value:
+        return binary(node.op, self.value(node.left, scope), self.value(node.right, scope))
+
+    def _bool(self, node: ast.BoolOp, scope: Scope) -> Value:
+        conjunction = isinstance(node.op, ast.And)
+        open_parts: list[Template] = []
+        value: Value = conjunction
+        for part in node.values:
+            value = self.value(part, scope)
+            holds = truth(value)
+            if isinstance(holds, bool):
+                if holds is not conjunction:
+                    return value
+                continue
+            open_parts.append(holds)
+        if not open_parts:
+            return value
+        return Text((Substitution("and" if conjunction else "or", tuple(open_parts)),))
+
+    def _unary(self, node: ast.UnaryOp, scope: Scope) -> Value:
+        value = self.value(node.operand, scope)
+        if isinstance(node.op, ast.Not):
+            holds = truth(value)
+            return not holds if isinstance(holds, bool) else Text(negated(holds))
+        if isinstance(node.op, ast.USub) and isinstance(value, int | float):
+            return -value
+        return Unknown(source_of(node))
+
+    def _compare(self, node: ast.Compare, scope: Scope) -> Value:
+        values = [self.value(part, scope) for part in (node.left, *node.comparators)]
+        results = [compare(op, values[at], values[at + 1]) for at, op in enumerate(node.ops)]
+        return results[0] if len(results) == 1 else Unknown(source_of(node))
+
+    def _if_expression(self, node: ast.IfExp, scope: Scope) -> Value:
+        holds = truth(self.value(node.test, scope))
+        if isinstance(holds, bool):
+            return self.value(node.body if holds else node.orelse, scope)
+        return choice(holds, self.value(node.body, scope), self.value(node.orelse, scope))
+
+    def _joined(self, node: ast.JoinedStr, scope: Scope) -> Value:
+        return merged_text(tuple(part for value in node.values for part in template_of(self.value(value, scope))))
+
+    def items(self, value: Value) -> list[Value] | None:
+        """Return what a loop goes over, None when that is not known."""
+        if isinstance(value, Description):
+            return value.actions[:MAX_ITEMS]
+        return list(value)[:MAX_ITEMS] if isinstance(value, list | tuple | dict) else None
+
+    def step(self) -> None:
+        """Count one step.
+
+        Raises:
+            TooLongError: the file takes too many.
+        """
+        self.steps += 1
+        if self.steps > MAX_STEPS:
+            raise TooLongError
+
+    _EXPRESSIONS: dict[type[ast.expr], Callable[..., Value]] = {  # noqa: RUF012  # read only, one row per node
+        ast.Constant: lambda _, node, __: node.value,
+        ast.Name: _name,
+        ast.Attribute: _attribute,
+        ast.Subscript: _subscript,
+        ast.Slice: _slice,
+        ast.List: _list,
+        ast.Tuple: _list,
+        ast.Set: _list,
+        ast.Dict: _dict,
+        ast.ListComp: _comprehension,
+        ast.GeneratorExp: _comprehension,
+        ast.SetComp: _comprehension,
+        ast.DictComp: _dict_comprehension,
+        ast.BinOp: _binary,
+        ast.BoolOp: _bool,
+        ast.UnaryOp: _unary,
+        ast.Compare: _compare,
+        ast.IfExp: _if_expression,
+        ast.JoinedStr: _joined,
+        ast.FormattedValue: lambda self, node, scope: self.value(node.value, scope),
+        ast.Call: lambda self, node, scope: self.call_of(node, scope),
+        ast.Lambda: lambda _, node, scope: Function(node, scope),
+    }
+
+
+def _is_set(name: str, scope: Scope) -> bool:
+    current: Scope | None = scope
+    while current is not None:
+        if name in current.names:
+            return True
+        current = current.parent
+    return False
+
+
+def choice(holds: Template, first: Value, second: Value) -> Value:
+    """Return a value that depends on a condition; lists are joined, since all their items can occur."""
+    if isinstance(first, list) and isinstance(second, list):
+        return [*first, *(item for item in second if not any(item is known for known in first))]
+    if isinstance(first, Action) and (second is None or isinstance(second, Action)):
+        either = (*guarded((first,), holds, first.line), *guarded(actions_of(second), negated(holds), first.line))
+        return Group(line=first.line, actions=either, scoped=False)
+    if isinstance(first, dict) and isinstance(second, dict):
+        return {**second, **first}
+    if all(isinstance(value, str | Text | int | float | bool) for value in (first, second)):
+        return Text((Substitution("if", (holds, template_of(first), template_of(second))),))
+    if isinstance(first, Condition) or isinstance(second, Condition):
+        return first if isinstance(first, Condition) else second
+    return first if not isinstance(first, Unknown | type(None)) else second
+
+
+def source_of(node: ast.AST) -> str:
+    """Return what an expression looks like, cut short."""
+    if isinstance(node, ast.Name):
+        return node.id
+    try:
+        return ast.unparse(node)[:MAX_SHOWN]  # type: ignore[no-untyped-call,unused-ignore]
+    except (RecursionError, ValueError):
+        return type(node).__name__
