@@ -104,7 +104,8 @@ class Folder:
             return joined(self.fold(operand, inner) for operand in expr.operands)
         if expr.op == "?:":
             values = [value for operand in expr.operands[1:] for value in self.fold(operand, inner)]
-            return unique(demoted(values))
+            empty = [value for value in values if value.parts == ("",)]  # a prefix that may be missing
+            return tuple(dict.fromkeys((*unique(demoted(values)), *demoted(empty))))
         if expr.op == "%" and isinstance(expr.operands[0], Text):
             return joined(self.calls.folded_parts(formats.percent(expr.operands[0].value, expr.operands[1]), env))
         if expr.op == "||":

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from ecm_extract.description.model import Description
 from ecm_extract.system.model import Instance, Place
-from ecm_extract.system.nodes import SystemNode
+from ecm_extract.system.node_model import SystemNode
 
 
 class FrameEdge(NamedTuple):

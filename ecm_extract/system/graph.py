@@ -12,7 +12,7 @@ from typing import Any, Literal
 import msgspec
 import networkx as nx
 
-from ecm_extract.system.nodes import Endpoint, SystemNode
+from ecm_extract.system.node_model import Endpoint, SystemNode
 
 ChannelKind = Literal["topic", "service", "action"]
 _CHANNELS: dict[str, tuple[ChannelKind, bool]] = {

@@ -4,82 +4,24 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from typing import Any, NamedTuple
 
 from ecm_checker.contract import Interface, Qos
 
 from ecm_extract.link.linker import LinkedModule
+from ecm_extract.system.bridges import bridged
 from ecm_extract.system.controllers import Controller
-from ecm_extract.system.model import Instance, Launched, Place, Remapping, Setting, join
+from ecm_extract.system.files import Files
+from ecm_extract.system.model import Instance, Launched, Place, Setting, join
 from ecm_extract.system.modules import Loaded, ModuleIndex
-from ecm_extract.system.names import Around, node_matches, resolve
+from ecm_extract.system.names import Around, Resolved, node_matches, resolve
+from ecm_extract.system.node_model import Endpoint, Parameter, SystemNode
+from ecm_extract.system.public_nodes import default_name, public_endpoints
 
 _OWN_NAME = re.compile(r"\{(?:name|plugin_name|plugin|layer_name|prefix|plugin_id)\}")
 """Holes that stand for the name under which a plugin is loaded."""
 _HOLE = re.compile(r"\{[^{}]*\}")
-
-
-@dataclass(frozen=True, slots=True)
-class Endpoint:
-    """One endpoint of a node of the graph.
-
-    Attributes:
-        role: as in the contract. name: in the graph. before: without remaps.
-        type: `package/msg|srv|action/Name`; None when not known.
-        node: full name of the node. remap: that gave it its name.
-        parameters: names of the parameters that give a part of it.
-        known: False when a part of the name is a pattern.
-        place: of the declaring line.
-    """
-
-    role: str
-    name: str
-    before: str
-    type: str | None
-    node: str
-    remap: Remapping | None
-    parameters: tuple[str, ...]
-    known: bool
-    place: Place
-    qos: Qos | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class Parameter:
-    """A parameter of a node: its value here, and where that was set; `place` is None for the program's default.
-
-    `declared` tells whether the program reads it; None when the program is not in the tree.
-    """
-
-    name: str
-    value: Any
-    place: Place | None
-    declared: bool | None
-
-
-@dataclass(slots=True)
-class SystemNode:
-    """A node of the graph.
-
-    Attributes:
-        name: full name. instance: what starts it. modules: its contract and those of its plugins; empty when its
-            code is not in the tree.
-        guessed: the name is that of its executable, since its code is not in the tree.
-    """
-
-    name: str
-    instance: Instance
-    modules: tuple[LinkedModule, ...] = ()
-    guessed: bool = False
-    endpoints: tuple[Endpoint, ...] = ()
-    parameters: tuple[Parameter, ...] = ()
-
-    @property
-    def namespace(self) -> str:
-        """Namespace of the node."""
-        return self.name.rpartition("/")[0] or "/"
 
 
 class Plugged(NamedTuple):
@@ -114,8 +56,9 @@ class Declared:
 class NodeMaker:
     """Makes the nodes of what a launch started."""
 
-    def __init__(self, index: ModuleIndex, launched: Launched) -> None:
+    def __init__(self, index: ModuleIndex, launched: Launched, files: Files) -> None:
         self.index = index
+        self.files = files
         self.launched = launched
 
     def nodes(self) -> list[SystemNode]:
@@ -123,14 +66,16 @@ class NodeMaker:
         return [node for instance in self.launched.instances for node in self._of(instance)]
 
     def controllers(self, found: Iterable[Controller]) -> list[SystemNode]:
-        """Return the nodes that loaded controllers make, where their code is in the tree."""
+        """Return the nodes that loaded controllers make."""
         settings = tuple(entry for instance in self.launched.instances for entry in instance.settings)
         nodes = []
         for controller in found:
             module = self.index.plugin(controller.type)
+            instance = _controller_instance(controller, settings)
             if module is not None:
-                instance = _controller_instance(controller, settings)
                 nodes.append(self._node(instance, Loaded(module), first=True))
+            elif controller.type:
+                nodes.append(self._outside(instance))
         return nodes
 
     def _of(self, instance: Instance) -> Iterator[SystemNode]:
@@ -161,10 +106,22 @@ class NodeMaker:
         return refused
 
     def _outside(self, instance: Instance) -> SystemNode:
-        name = instance.name or instance.executable.removesuffix(".py") or instance.plugin.rsplit("::", 1)[-1]
-        node = SystemNode(join(instance.namespace, name or "node"), instance, guessed=instance.name is None)
+        name = instance.name or default_name(instance)
+        node = SystemNode(join(instance.namespace, name), instance, guessed=instance.name is None)
+        node.endpoints = tuple(self._public(node))
         node.parameters = tuple(self._parameters(node, []))
         return node
+
+    def _public(self, node: SystemNode) -> Iterator[Endpoint]:
+        """Endpoints that a table or the configuration of a bridge tells of a node without source."""
+        instance = node.instance
+        rows = [(row.role, row.name, row.type, instance.place) for row in public_endpoints(instance)]
+        rows += [(role, topic.name, topic.type, place) for role, topic, place in bridged(instance, self.files)]
+        own = node.name.rpartition("/")[2]
+        around = Around(node.namespace, own, instance.remaps, lambda name: self._given(node, name))
+        for role, local, kind, place in rows:
+            for resolved in resolve(local, around):
+                yield _endpoint(node, role, kind, resolved, place)
 
     def _node(self, instance: Instance, loaded: Loaded, *, first: bool) -> SystemNode:
         module = loaded.module
@@ -226,19 +183,8 @@ class NodeMaker:
         own = node.name.rpartition("/")[2]
         around = Around(node.namespace, own, node.instance.remaps, lambda name: self._given(node, entry.called(name)))
         for resolved in resolve(entry.called(local), around):
-            evidence = interface.evidence[0]
-            yield Endpoint(
-                role=interface.role,
-                name=resolved.name,
-                before=resolved.before,
-                type=interface.type,
-                node=node.name,
-                remap=resolved.remap,
-                parameters=resolved.parameters,
-                known="{" not in resolved.name,
-                place=Place(evidence.path, evidence.line),
-                qos=interface.qos,
-            )
+            place = Place(interface.evidence[0].path, interface.evidence[0].line)
+            yield _endpoint(node, interface.role, interface.type, resolved, place, interface.qos)
 
     def _parameters(self, node: SystemNode, plugged: Sequence[Plugged]) -> Iterator[Parameter]:
         declared = Declared(
@@ -252,6 +198,23 @@ class NodeMaker:
             known = declared.has(setting.name) if plugged else None
             found[setting.name] = Parameter(setting.name, setting.value, setting.place, known)
         yield from (found[name] for name in sorted(found))
+
+
+def _endpoint(
+    node: SystemNode, role: str, kind: str | None, resolved: Resolved, place: Place, qos: Qos | None = None
+) -> Endpoint:
+    return Endpoint(
+        role=role,
+        name=resolved.name,
+        before=resolved.before,
+        type=kind,
+        node=node.name,
+        remap=resolved.remap,
+        parameters=resolved.parameters,
+        known="{" not in resolved.name,
+        place=place,
+        qos=qos,
+    )
 
 
 def _controller_instance(controller: Controller, settings: tuple[Setting, ...]) -> Instance:

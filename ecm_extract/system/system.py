@@ -20,8 +20,10 @@ from ecm_extract.system.files import TREE, Files
 from ecm_extract.system.frames import FrameEdge, frames_of
 from ecm_extract.system.model import Given, Launched
 from ecm_extract.system.modules import ModuleIndex
-from ecm_extract.system.nodes import NodeMaker, SystemNode
+from ecm_extract.system.node_model import SystemNode
+from ecm_extract.system.nodes import NodeMaker
 from ecm_extract.system.robots import controller_files, descriptions_of
+from ecm_extract.system.simulation import simulated_nodes
 from ecm_extract.tree import FileDiagnostic, Tree
 
 
@@ -79,7 +81,7 @@ def read_system(tree: Tree, launches: Sequence[str], given: Given, options: Opti
 
 
 def _system(tree: Tree, found: Launched, files: Files, index: ModuleIndex) -> System:
-    maker = NodeMaker(index, found)
+    maker = NodeMaker(index, found, files)
     nodes = maker.nodes()
     robots = descriptions_of(found, files)
     for robot in robots:
@@ -87,6 +89,7 @@ def _system(tree: Tree, found: Launched, files: Files, index: ModuleIndex) -> Sy
             tree.report(FileDiagnostic("info", "description-unread", path, line, f"{message}."))
     controllers = controllers_of(found, files, index, controller_files(robots))
     nodes += maker.controllers(controllers)
+    nodes += simulated_nodes(found.instances, robots)
     return System(
         tree=tree,
         launched=found,

@@ -10,7 +10,7 @@ from ecm_extract.description.model import Description, Hardware
 from ecm_extract.system.controllers import Controller
 from ecm_extract.system.graph import channels
 from ecm_extract.system.model import Place
-from ecm_extract.system.nodes import Endpoint, Parameter, SystemNode
+from ecm_extract.system.node_model import Endpoint, Parameter, SystemNode
 from ecm_extract.system.system import System
 
 SCHEMA = "ecm-extract/system/1"

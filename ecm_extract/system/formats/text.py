@@ -9,10 +9,11 @@ import networkx as nx
 from ecm_extract.report.terminal import one_line
 from ecm_extract.system.frames import FrameEdge
 from ecm_extract.system.graph import Channel, channels, graph_of
-from ecm_extract.system.nodes import SystemNode
+from ecm_extract.system.node_model import SystemNode
 from ecm_extract.system.system import System
 
 _SIDES = {"topic": ("pub", "sub"), "service": ("client", "server"), "action": ("client", "server")}
+_OUTSIDE = {False: "source not in the tree", True: "no source in the tree, endpoints by table"}
 MAX_FRAMES = 60
 MAX_DEPTH = 40
 
@@ -52,7 +53,7 @@ def _nodes(nodes: Iterable[SystemNode]) -> Iterator[str]:
         notes = [
             *([f"in {instance.container}"] if instance.container else []),
             *([f"if {instance.conditional}"] if instance.conditional else []),
-            *(["source not in the tree"] if not node.modules else []),
+            *([_OUTSIDE[bool(node.endpoints)]] if not node.modules and instance.kind != "simulated" else []),
         ]
         yield f"  {node.name}  {code}{'  [' + '; '.join(notes) + ']' if notes else ''}"
 
