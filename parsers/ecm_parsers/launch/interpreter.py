@@ -29,9 +29,7 @@ from ecm_parsers.launch.values import (
     guarded,
 )
 
-MAX_STEPS = 60_000
 MAX_CALLS = 20
-MAX_SHOWN = 60
 
 
 class Interpreter(Expressions):
