@@ -54,8 +54,8 @@ def _contract(tree: Tree, facts: PackageFacts, entry: LinkedModule, definitions:
         signature=signature_of(entry, definitions),
         behavior=behavior_of(entry),
         resources=resources_of(entry, facts),
-        permissions=permissions_of(entry),
-        recovery=recovery_of(entry, definitions),
+        permissions=permissions_of(entry, facts),
+        recovery=recovery_of(entry, facts, definitions),
         versioning=versioning_of(facts),
     )
     return msgspec.structs.replace(contract, missing=missing_fields(contract))

@@ -6,14 +6,17 @@ import re
 from collections.abc import Iterable
 
 from ecm_checker.contract import Evidence, Interface, Recovery, Value
+from ecm_parsers.behavior_tree import retries
 
 from ecm_extract.assemble.definitions import Definitions
 from ecm_extract.assemble.evidence import inferred, number_of, of_interfaces, parameters_where
 from ecm_extract.link.linker import LinkedModule
+from ecm_extract.read.facts import PackageFacts
 
 _RETRY = re.compile(
     r"(?:^|_)(?:max_)?(?:retry|retries|num_retries|number_of_retries|attempts|max_attempts|failure_count)$"
 )
+_TREE = re.compile(r"bt_xml|behavior_tree|behaviour_tree|bt_filename|tree_file")
 _WATCHDOG = re.compile(
     r"cmd_vel_timeout|command_timeout|cmd_timeout|reference_timeout|watchdog|deadman|velocity_timeout|goal_timeout"
 )
@@ -21,12 +24,12 @@ _NO_FAILURE = frozenset({"NONE", "SUCCESS", "SUCCEEDED", "OK", "SUCCESSFUL", "NO
 _ALARMS = frozenset({"/diagnostics", "/diagnostics_agg", "/diagnostics_toplevel_state"})
 
 
-def recovery_of(entry: LinkedModule, definitions: Definitions) -> Recovery:
+def recovery_of(entry: LinkedModule, facts: PackageFacts, definitions: Definitions) -> Recovery:
     """Return the recovery section of a module."""
     return Recovery(
         failure_modes=_failures(entry.interfaces, definitions),
         rollback_state=_rollback(entry),
-        retry=_retry(entry.interfaces),
+        retry=_retry(entry.interfaces) or _retry_of_trees(entry.interfaces, facts),
         safe_stop=_safe_stop(entry.interfaces),
         escalation=_escalation(entry.interfaces),
     )
@@ -59,6 +62,16 @@ def _retry(interfaces: Iterable[Interface]) -> Value | None:
         if number is not None:
             return inferred({"max": int(number), "parameter": entry.name}, entry.evidence[:1], "default")
     return None
+
+
+def _retry_of_trees(interfaces: Iterable[Interface], facts: PackageFacts) -> Value | None:
+    """A module that is given behaviour trees tries again as the trees of its package do: at most so often."""
+    if not parameters_where(interfaces, lambda name: _TREE.search(name) is not None):
+        return None
+    found = [(path, node, count) for path, file in facts.trees.items() for node, count in retries(file)]
+    lines = [Evidence(path, node.line) for path, node, _ in found]
+    most = max((count for _, _, count in found), default=0)
+    return inferred({"max": most, "strategy": "behavior_tree"} if most > 0 else None, lines)
 
 
 def _safe_stop(interfaces: Iterable[Interface]) -> Value | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from ecm_parsers.behavior_tree import BehaviorTreeFile
 from ecm_parsers.cmake_facts import CmakeFile
 from ecm_parsers.dynamic_reconfigure import ReconfigureFile
 from ecm_parsers.interface_facts import Definition
@@ -13,6 +14,7 @@ from ecm_parsers.parameter_library import ParameterNamespace
 from ecm_parsers.plugin_xml import PluginClass
 from ecm_parsers.python_setup_facts import PythonSetup
 from ecm_parsers.source.facts import SourceFile
+from ecm_parsers.sros_policy import Grant
 
 from ecm_extract.discover import PackageRoot
 
@@ -25,6 +27,7 @@ class PackageFacts:
         root: the package's folder and files.
         manifest: of `package.xml`; None when there is none or it cannot be read.
         ros: 1 or 2; None when no artefact tells.
+        trees: behaviour trees. grants: of SROS 2 policies.
         overlay: path and content of `ecm.yaml`; None without one.
     """
 
@@ -38,6 +41,8 @@ class PackageFacts:
     parameters: dict[str, tuple[ParameterNamespace, ...]] = field(default_factory=dict)
     reconfigure: dict[str, ReconfigureFile] = field(default_factory=dict)
     sources: dict[str, SourceFile] = field(default_factory=dict)
+    trees: dict[str, BehaviorTreeFile] = field(default_factory=dict)
+    grants: dict[str, tuple[Grant, ...]] = field(default_factory=dict)
     overlay: tuple[str, Overlay] | None = None
 
     @property

@@ -8,9 +8,11 @@ from pathlib import PurePosixPath
 from typing import Any, cast
 
 from ecm_parsers import dynamic_reconfigure, interface, package_xml, parameter_library, plugin_xml
+from ecm_parsers.behavior_tree import is_behavior_tree, parse_behavior_tree
 from ecm_parsers.interface_facts import Shape
 from ecm_parsers.overlay_yaml import Overlay, parse_overlay
 from ecm_parsers.result import Diagnostic, Parsed
+from ecm_parsers.sros_policy import is_policy, parse_policy
 
 from ecm_extract.discover import PackageRoot, discover, is_test_path
 from ecm_extract.read import select
@@ -99,6 +101,24 @@ class Reader:
             reconfigure = self.parse(path, dynamic_reconfigure.parse_dynamic_reconfigure)
             if reconfigure is not None:
                 package.reconfigure[path] = reconfigure
+        elif suffix == ".xml" and self._is_other_xml(path, package.root):
+            self._read_xml(package, path)
+
+    def _is_other_xml(self, path: str, root: PackageRoot) -> bool:
+        """Behaviour trees and policies have no name of their own; manifests and launch files have."""
+        named = path == root.manifest or path.endswith(".launch.xml")
+        return not named and (self.include_tests or not is_test_path(path, root.path))
+
+    def _read_xml(self, package: PackageFacts, path: str) -> None:
+        data = next((data for _, data in self.tree.read_many([path])), b"")
+        if is_behavior_tree(data):
+            package.trees[path] = self._taken(path, data, parse_behavior_tree(data))
+        elif is_policy(data):
+            package.grants[path] = self._taken(path, data, parse_policy(data))
+
+    def _taken(self, path: str, data: bytes, parsed: Parsed[Any]) -> Any:
+        self._count(path, len(data), parsed.diagnostics)
+        return parsed.facts
 
     def _read_named(self, package: PackageFacts) -> None:
         """Files that another file names: plugin descriptions and parameter libraries."""

@@ -196,3 +196,29 @@ def test_cuda_in_the_build_is_a_need_for_a_gpu(workspace: Workspace) -> None:
     files = {"CMakeLists.txt": "project(pkg)\nfind_package(CUDA REQUIRED)\n", "src/n.cpp": _node("")}
     found = workspace.package(files).modules()["ecm.pkg.n"]
     assert value(found.resources.compute) == {"gpu": True}
+
+
+TREE = '<root><BehaviorTree ID="A"><RecoveryNode number_of_retries="{}"/></BehaviorTree></root>'
+
+
+def test_retries_of_behavior_trees(workspace: Workspace) -> None:
+    """Only the module that is given trees tries again, as often as the most patient node."""
+    files = {"bt/a.xml": TREE.format(2), "bt/b.xml": TREE.format(6)}
+    given = workspace.package(
+        {**files, "src/n.cpp": _node('declare_parameter<std::string>("default_bt_xml", "a.xml");')}
+    )
+    found = given.modules()["ecm.pkg.n"].recovery.retry
+    assert value(found) == {"max": 6, "strategy": "behavior_tree"}
+    other = workspace.package({**files, "src/n.cpp": _node("")}).modules()["ecm.pkg.n"]
+    assert other.recovery.retry is None
+
+
+def test_policy_tells_what_a_node_may_touch(workspace: Workspace) -> None:
+    """A policy says more than the sources: what it allows, not what is used."""
+    policy = (
+        '<policy version="0.2.0"><enclaves><enclave path="/"><profiles><profile ns="/" node="n">'
+        '<topics publish="ALLOW"><topic>odom</topic></topics><topics subscribe="DENY"><topic>x</topic></topics>'
+        "</profile></profiles></enclave></enclaves></policy>"
+    )
+    found = workspace.package({"policies/p.xml": policy, "src/n.cpp": _node("")}).modules()["ecm.pkg.n"]
+    assert value(found.permissions.data) == ["write:/odom"]
