@@ -32,7 +32,7 @@ def signature_of(entry: LinkedModule, definitions: Definitions) -> Signature:
         interfaces=interfaces,
         input_schema=_schema(interfaces, _INPUTS, 0, definitions),
         output_schema=_schema(interfaces, _OUTPUTS, 1, definitions),
-        coordinate_frame=_frame(interfaces),
+        coordinate_frame=_stamped(entry) or _frame(interfaces),
         timeout_ms=_timeout(interfaces),
         invocation_mode=_mode(interfaces),
     )
@@ -55,6 +55,15 @@ def _described(entry: Interface, part: int, definitions: Definitions) -> dict[st
     if entry.frame:
         described["frame"] = entry.frame
     return described
+
+
+def _stamped(entry: LinkedModule) -> Value | None:
+    """The frame that the module writes into its messages, when it is one only."""
+    frames = {stamp.frame for stamp in entry.stamps}
+    if len(frames) != 1:
+        return None
+    surest = max((stamp.confidence for stamp in entry.stamps), key=("literal", "folded", "default").index)
+    return inferred(frames.pop(), (stamp.evidence for stamp in entry.stamps), surest)
 
 
 def _frame(interfaces: Iterable[Interface]) -> Value | None:

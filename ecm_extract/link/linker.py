@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
 from ecm_checker.contract import Evidence, Interface, Qos, Role
-from ecm_parsers.source.expr import Call, Expr, Items, Name, Text
+from ecm_parsers.source.expr import Expr, Items, Text
 
 from ecm_extract.link.claims import Claim, claims_of
-from ecm_extract.link.data import UNKNOWN, data_of, declared_type, plain_type, stated_type, type_of_data
-from ecm_extract.link.env import Env
+from ecm_extract.link.data import UNKNOWN, stated_type
+from ecm_extract.link.endpoint_types import EndpointTypes
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.forms import FormTable
 from ecm_extract.link.generated import GeneratedParameters
@@ -24,12 +23,13 @@ from ecm_extract.link.names import RosName, endpoint_name, is_below_node, local_
 from ecm_extract.link.node_names import NodeNames
 from ecm_extract.link.observe import Observation, observation_forms, observations
 from ecm_extract.link.parameters import Parameters
-from ecm_extract.link.program import File, Program, plain
+from ecm_extract.link.program import File, Program
 from ecm_extract.link.qos import QosReader
 from ecm_extract.link.references import References
 from ecm_extract.link.registry import build_registry
 from ecm_extract.link.scope import Scope
 from ecm_extract.link.sites import Site, Sites
+from ecm_extract.link.stamps import Stamp, stamps
 from ecm_extract.link.types import Types
 from ecm_extract.link.values import Value, literal, settled, unknown, with_node
 from ecm_extract.read.facts import PackageFacts
@@ -53,6 +53,7 @@ class LinkedModule:
     claims: tuple[Claim, ...] | None = None
     observations: tuple[Observation, ...] = ()
     lifecycle: bool = False
+    stamps: tuple[Stamp, ...] = ()
 
 
 class Linker:
@@ -68,6 +69,7 @@ class Linker:
         self.handles = Handles(self.folder)
         matcher = Matcher(forms, self.folder)
         self.sites = Sites(self.program, matcher, self.types, self.parameters, observation_forms())
+        self.typing = EndpointTypes(self.folder, self.types)
         self.names = NodeNames(self.folder, self.sites)
         self.generated = GeneratedParameters(self.program, packages)
         registry = build_registry(self.program, packages)
@@ -75,6 +77,7 @@ class Linker:
         self.references = References(self.sites)
         self.modules = Modules(self.program, self.references, registry)
         self._observed: dict[int, list[Observation]] = defaultdict(list)
+        self._stamped: dict[int, list[Stamp]] = defaultdict(list)
         self._local: dict[int, dict[tuple[str, str], str]] = defaultdict(dict)
 
     def link(self) -> list[LinkedModule]:
@@ -96,6 +99,9 @@ class Linker:
         for unit, observation in observations(self.sites):
             for module in self.modules.owners(unit):
                 self._observed[id(module)].append(observation)
+        for unit, stamp in stamps(self.sites):
+            for module in self.modules.owners(unit):
+                self._stamped[id(module)].append(stamp)
         return [self._linked(module, found, nodes) for module in _ordered(self.modules.all())]
 
     def _class_nodes(self) -> dict[int, str]:
@@ -129,7 +135,8 @@ class Linker:
         seen = tuple(dict.fromkeys(self._observed.get(id(module), ())))
         interfaces = merged(found.get(id(module), []))
         managed = module.cls is not None and is_managed(module.cls, self.program)
-        return LinkedModule(module, self._node(module, nodes), interfaces, local, claims, seen, managed)
+        stamped = tuple(dict.fromkeys(self._stamped.get(id(module), ())))
+        return LinkedModule(module, self._node(module, nodes), interfaces, local, claims, seen, managed, stamped)
 
     def _node(self, module: Module, nodes: Mapping[int, str]) -> str | None:
         if module.cls is not None:
@@ -166,7 +173,7 @@ class Linker:
             value = settled(with_node(named, node))
             local = local_name(settled(named), handle)
             name, confidence = self._name(site, value, handle, node, ros), value.confidence
-            kind, data = self._typed(site, default)
+            kind, data = self.typing.of(site, default)
             if is_below_node(value):
                 confidence = "folded"
             if value.text == "" and site.form.role != "parameter":
@@ -227,43 +234,6 @@ class Linker:
                     )
                     found.append((full, default))
         return found or [(unknown("parameters"), None)]
-
-    def _typed(self, site: Site, default: Expr | None) -> tuple[str | None, Any]:
-        if site.form.role != "parameter":
-            return self.types.at(site.form.type, site.call, site.env, site.form.role).name, UNKNOWN
-        stated = stated_type(default) or self._bound_stated(default, site.env)
-        data = UNKNOWN if stated else data_of(default, site.env, self.folder)
-        written = site.call.types[0] if site.form.type == "template:0" and site.call.types else ""
-        written = site.env.types.get(written, written)
-        out = next(positions(site.form.out, site.call), None)
-        declared = self._declared(written, site.env) or stated or (type_of_data(data) if data is not UNKNOWN else None)
-        return declared or self._out_type(out, site.env) or self._default_type(default, site.env), data
-
-    def _bound_stated(self, default: Expr | None, env: Env) -> str | None:
-        bound = env.args.get(getattr(default, "id", "")) if default is not None else None
-        return stated_type(bound.expr) if bound is not None else None
-
-    def _default_type(self, default: Expr | None, env: Env) -> str | None:
-        """The type of the variable or construction that a default is."""
-        if isinstance(default, Name) and default.id in env.args:
-            bound = env.args[default.id]
-            return self._default_type(bound.expr, bound.env)
-        if isinstance(default, Call) and isinstance(default.callee, Name):
-            inner = default.args[0] if default.callee.id.endswith("ParameterValue") and default.args else None
-            if inner is not None:
-                return self._default_type(inner, env)
-            arguments = f"<{', '.join(default.types)}>" if default.types else ""
-            return self._declared(default.callee.id + arguments, env)
-        return self._declared(self.folder.objects.type_of(default, env), env) if default is not None else None
-
-    def _declared(self, written: str, env: Env) -> str | None:
-        found = declared_type(plain_type(written))
-        alias = self.program.alias(plain(written), env.func.file, env.scope) if found is None and written else None
-        return declared_type(plain_type(alias)) if alias else found
-
-    def _out_type(self, out: Expr | None, env: Env) -> str | None:
-        written = self.folder.objects.type_of(out, env) if out is not None else ""
-        return declared_type(written) if written else None
 
     def _qos(self, site: Site, ros: int | None) -> Qos | None:
         if site.form.role not in {"publisher", "subscriber"} or (site.form.fixed and site.form.fixed.startswith("/tf")):

@@ -90,6 +90,11 @@ Read = Callable[[Contract], Value | None]
         ),
         ('declare_parameter<std::string>("frame_id", "odom");', lambda c: c.signature.coordinate_frame, "odom"),
         (
+            'nav_msgs::msg::Odometry m; m.header.frame_id = "odom"; p_->publish(m);',
+            lambda c: c.signature.coordinate_frame,
+            "odom",
+        ),
+        (
             'create_service<std_srvs::srv::Trigger>("stop", f);',
             lambda c: c.signature.invocation_mode,
             "synchronous",

@@ -1,0 +1,63 @@
+"""Types of endpoints and parameters, and defaults of parameters, at one site."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ecm_parsers.source.expr import Call, Expr, Name
+
+from ecm_extract.link.data import UNKNOWN, data_of, declared_type, plain_type, stated_type, type_of_data
+from ecm_extract.link.env import Env
+from ecm_extract.link.fold import Folder
+from ecm_extract.link.match import positions
+from ecm_extract.link.program import plain
+from ecm_extract.link.sites import Site
+from ecm_extract.link.types import Types
+
+
+class EndpointTypes:
+    """Finds the type of what a site declares."""
+
+    def __init__(self, folder: Folder, types: Types) -> None:
+        self.folder = folder
+        self.types = types
+
+    def of(self, site: Site, default: Expr | None) -> tuple[str | None, Any]:
+        """Return the type of a site, and the default of a parameter as data, `UNKNOWN` when nothing shows it."""
+        if site.form.role != "parameter":
+            return self.types.at(site.form.type, site.call, site.env, site.form.role).name, UNKNOWN
+        stated = stated_type(default) or self._bound_stated(default, site.env)
+        data = UNKNOWN if stated else data_of(default, site.env, self.folder)
+        written = site.call.types[0] if site.form.type == "template:0" and site.call.types else ""
+        written = site.env.types.get(written, written)
+        out = next(positions(site.form.out, site.call), None)
+        declared = self._declared(written, site.env) or stated or (type_of_data(data) if data is not UNKNOWN else None)
+        return declared or self._out_type(out, site.env) or self._default_type(default, site.env), data
+
+    def _bound_stated(self, default: Expr | None, env: Env) -> str | None:
+        bound = env.args.get(getattr(default, "id", "")) if default is not None else None
+        return stated_type(bound.expr) if bound is not None else None
+
+    def _default_type(self, default: Expr | None, env: Env) -> str | None:
+        """The type of the variable or construction that a default is."""
+        if isinstance(default, Name) and default.id in env.args:
+            bound = env.args[default.id]
+            return self._default_type(bound.expr, bound.env)
+        if isinstance(default, Call) and isinstance(default.callee, Name):
+            inner = default.args[0] if default.callee.id.endswith("ParameterValue") and default.args else None
+            if inner is not None:
+                return self._default_type(inner, env)
+            arguments = f"<{', '.join(default.types)}>" if default.types else ""
+            return self._declared(default.callee.id + arguments, env)
+        return self._declared(self.folder.objects.type_of(default, env), env) if default is not None else None
+
+    def _declared(self, written: str, env: Env) -> str | None:
+        found = declared_type(plain_type(written))
+        alias = (
+            self.folder.program.alias(plain(written), env.func.file, env.scope) if found is None and written else None
+        )
+        return declared_type(plain_type(alias)) if alias else found
+
+    def _out_type(self, out: Expr | None, env: Env) -> str | None:
+        written = self.folder.objects.type_of(out, env) if out is not None else ""
+        return declared_type(written) if written else None
