@@ -10,7 +10,7 @@ from collections import defaultdict, deque
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from ecm_parsers.source.expr import Expr, Name
+from ecm_parsers.source.expr import Call, Expr, Member, Name
 
 from ecm_extract.link.calls import Invocation, held_objects, invocations, last_name
 from ecm_extract.link.env import Env, Instance, bind
@@ -156,7 +156,37 @@ class Sites:
         if found is not None and found.open:
             params |= found.open
             made |= found.open
-        return params, made
+        handle = self._open_handle(site)
+        return params | handle, made | handle
+
+    def _open_handle(self, site: Site) -> frozenset[str]:
+        """The parameter that a ROS 1 node handle comes from: whoever passes it knows its namespace."""
+        env, expr = site.env, site.call.receiver
+        if isinstance(expr, Member) and expr.base == Name("this"):
+            expr = Name(expr.name)
+        for _ in range(MAX_CHAIN):
+            if not isinstance(expr, Name):
+                return frozenset()
+            bound = env.args.get(expr.id)
+            if bound is not None:
+                expr, env = bound.expr, bound.env
+            elif self._is_handle_parameter(expr.id, env.func):
+                return frozenset({expr.id}) if env.func is site.root else frozenset()
+            else:
+                expr, env = self._initialiser(expr.id, env)
+        return frozenset()
+
+    def _is_handle_parameter(self, name: str, func: Func) -> bool:
+        return any(entry.name == name and "NodeHandle" in entry.type for entry in func.fact.params)
+
+    def _initialiser(self, name: str, env: Env) -> tuple[Expr | None, Env]:
+        """What the constructor at hand makes of a member."""
+        for definition, inner in self.folder.lists.definitions(Name(name), env):
+            if definition.statement.kind == "init" and definition.func.is_constructor:
+                value = definition.statement.value
+                made = isinstance(value, Call) and len(value.args) == 1
+                return (value.args[0] if made and isinstance(value, Call) else value), inner
+        return None, env
 
     def names(self, site: Site) -> tuple[Value, ...]:
         """Return the possible names of a site, folded once."""

@@ -140,3 +140,26 @@ class D : public rclcpp::Node { public: D() : Node("d") { open<std_msgs::msg::St
   template<class T> auto open(const std::string & topic, int depth, bool keep) { return make::open<T>(this, topic, depth); }
   std::string topic_{"chatter"}; };"""
     assert workspace.package({"src/d.cpp": text}).only("publisher").name == "/chatter"
+
+
+def test_handle_that_a_function_is_given_carries_its_namespace(workspace: Workspace) -> None:
+    """`advertise(private_handle)` makes private names, also when the constructor keeps the handle in a member."""
+    source = """
+    #include <ros/ros.h>
+    class Base {
+    public:
+      explicit Base(ros::NodeHandle & nh) : kept_(nh) { kept_.advertise<std_msgs::Bool>("kept", 1); }
+      void init(ros::NodeHandle & nh) { advertise(nh); }
+    private:
+      void advertise(ros::NodeHandle & nh) { nh.advertise<std_msgs::Bool>("passed", 1); }
+      ros::NodeHandle kept_;
+    };
+    int main(int argc, char ** argv) {
+      ros::init(argc, argv, "base");
+      ros::NodeHandle own("~");
+      Base base(own);
+      base.init(own);
+    }
+    """
+    workspace.package({"src/base.cpp": source}, ros=1)
+    assert sorted(entry.name for entry in workspace.interfaces()) == ["/base/kept", "/base/passed"]
