@@ -156,25 +156,30 @@ class Sites:
         if found is not None and found.open:
             params |= found.open
             made |= found.open
-        handle = self._open_handle(site)
-        return params | handle, made | handle
+        handle, kept = self._open_handle(site)
+        return params | handle, made | handle | kept
 
-    def _open_handle(self, site: Site) -> frozenset[str]:
-        """The parameter that a ROS 1 node handle comes from: whoever passes it knows its namespace."""
+    def _open_handle(self, site: Site) -> tuple[frozenset[str], frozenset[str]]:
+        """The parameter of the outermost function, or of the constructor, that a ROS 1 node handle comes from.
+
+        Whoever passes it knows its namespace.
+        """
+        none: frozenset[str] = frozenset()
         env, expr = site.env, site.call.receiver
         if isinstance(expr, Member) and expr.base == Name("this"):
             expr = Name(expr.name)
         for _ in range(MAX_CHAIN):
             if not isinstance(expr, Name):
-                return frozenset()
+                break
             bound = env.args.get(expr.id)
             if bound is not None:
                 expr, env = bound.expr, bound.env
             elif self._is_handle_parameter(expr.id, env.func):
-                return frozenset({expr.id}) if env.func is site.root else frozenset()
+                found = frozenset({expr.id})
+                return (found, none) if env.func is site.root else (none, found if env.func.is_constructor else none)
             else:
                 expr, env = self._initialiser(expr.id, env)
-        return frozenset()
+        return none, none
 
     def _is_handle_parameter(self, name: str, func: Func) -> bool:
         return any(entry.name == name and "NodeHandle" in entry.type for entry in func.fact.params)

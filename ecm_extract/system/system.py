@@ -73,14 +73,23 @@ def read_system(tree: Tree, launches: Sequence[str], given: Given, options: Opti
         linked = linker.link()
         index = ModuleIndex(linked, packages, composition_of(linker.modules, linker.references))
         files = Files(tree, packages)
-        found = launched(tree, files, [_path(entry, files) for entry in launches], given)
-        return _system(tree, found, files, index)
+        return evaluated_system(tree, files, index, [_path(entry, files) for entry in launches], given)
     finally:
         if enabled:
             gc.enable()
 
 
-def _system(tree: Tree, found: Launched, files: Files, index: ModuleIndex) -> System:
+def evaluated_system(tree: Tree, files: Files, index: ModuleIndex, paths: Sequence[str], given: Given) -> System:
+    """Return what launch files start together.
+
+    Args:
+        tree: gets the diagnostics.
+        files: of the tree.
+        index: of its modules.
+        paths: of the launch files in the tree.
+        given: arguments and environment of the launch.
+    """
+    found = launched(tree, files, paths, given)
     maker = NodeMaker(index, found, files)
     nodes = maker.nodes()
     robots = descriptions_of(found, files)

@@ -1,0 +1,1 @@
+"""Lint: what is wrong in a workspace, on the line that causes it."""

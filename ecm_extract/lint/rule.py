@@ -1,0 +1,81 @@
+"""A lint rule: what it is called, how bad it is, and how it makes a finding."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from typing import Final
+
+import msgspec
+from ecm_checker.contract import Evidence
+from ecm_checker.finding import Certainty, Dimension, Entity, Finding, Severity, Who, fingerprint
+
+from ecm_extract.lint.workspace import Workspace
+
+_WORST_WITHOUT_PROOF: Final[Severity] = "warning"
+
+
+class LintRule(msgspec.Struct, frozen=True, kw_only=True):
+    """What a rule file declares.
+
+    Attributes:
+        id: `LNT001`; the name of its file in lower case.
+        name: for people, snake case.
+        dimension: of the contract. severity: of a finding that is proved. who: what breaks.
+        consequence: what the robot does when it is ignored.
+        resolution: what to do.
+    """
+
+    id: str
+    name: str
+    dimension: Dimension
+    severity: Severity
+    who: Who
+    consequence: str
+    resolution: str
+
+    def finding(
+        self,
+        text: str,
+        entity: Entity,
+        package: str,
+        evidence: Iterable[Evidence],
+        *,
+        certainty: Certainty = "proved",
+        severity: Severity | None = None,
+        resolution: str = "",
+    ) -> Finding:
+        """A finding of this rule.
+
+        Args:
+            text: what is so, naming both sides.
+            entity: what it is about.
+            package: whose line causes it.
+            evidence: the causing line first.
+            certainty: what is not proved is at most a warning.
+            severity: where it differs from that of the rule.
+            resolution: where it is more exact than that of the rule.
+        """
+        level = severity or self.severity
+        return Finding(
+            rule=self.id,
+            name=self.name,
+            dimension=self.dimension,
+            severity=_WORST_WITHOUT_PROOF if level == "error" and certainty != "proved" else level,
+            message=f"{text}: {self.consequence}" if self.consequence else text,
+            resolution=resolution or self.resolution,
+            subjects=(package,),
+            evidence=tuple(evidence),
+            fingerprint=fingerprint(self.id, entity, (package,)),
+            who=self.who,
+            certainty=certainty,
+        )
+
+
+Check = Callable[[Workspace], Iterator[Finding]]
+
+
+class Entry(msgspec.Struct, frozen=True):
+    """A rule of the catalogue with the function that checks it."""
+
+    rule: LintRule
+    check: Check

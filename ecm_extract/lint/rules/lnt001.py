@@ -1,0 +1,34 @@
+"""LNT001: a launch file includes a file, or names a parameter file, that is not there."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from ecm_checker.contract import Evidence
+from ecm_checker.finding import Entity, Finding
+
+from ecm_extract.lint.rule import LintRule
+from ecm_extract.lint.workspace import Workspace
+
+RULE = LintRule(
+    id="LNT001",
+    name="launch_file_missing",
+    dimension="versioning",
+    severity="error",
+    who="config",
+    consequence="the launch stops there with an error, and nothing after it starts",
+    resolution="correct the path, or add the file",
+)
+_NAMED = re.compile(r"`([^`]*)`")
+
+
+def check(workspace: Workspace) -> Iterator[Finding]:
+    """Report includes and parameter files of launch files that are not in their package."""
+    _ = workspace.systems  # evaluating launch files reports what is missing
+    for entry in workspace.diagnostics("launch-include-missing", "launch-file-missing"):
+        match = _NAMED.search(entry.message)
+        name = match[1] if match else entry.message
+        package = workspace.package_of(entry.path)
+        evidence = [Evidence(entry.path, entry.line)]
+        yield RULE.finding(f"{entry.path} names {name}, which is not there", Entity("file", name), package, evidence)

@@ -1,0 +1,83 @@
+"""LNT009: a plugin description names a class that the package does not define or does not export."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from ecm_checker.contract import Evidence
+from ecm_checker.finding import Entity, Finding
+from ecm_parsers.plugin_xml import PluginClass
+
+from ecm_extract.discover import is_test_path
+from ecm_extract.link.program import plain
+from ecm_extract.lint.rule import LintRule
+from ecm_extract.lint.workspace import Workspace
+from ecm_extract.read.facts import PackageFacts
+
+RULE = LintRule(
+    id="LNT009",
+    name="plugin_not_exported",
+    dimension="versioning",
+    severity="error",
+    who="source",
+    consequence="the loader finds the description and then fails to create the class",
+    resolution="make class, export macro and description agree",
+)
+_MACROS = re.compile(
+    r"PLUGINLIB_\w*EXPORT\w*|PLUGINLIB_DECLARE_CLASS|RCLCPP_COMPONENTS_REGISTER_NODE|\w*REGISTER\w*|\w*EXPORT\w*"
+)
+_ARGUMENTS = re.compile(r"<(.+)>")
+
+
+def check(workspace: Workspace) -> Iterator[Finding]:
+    """Report described classes that no macro of the package exports, when it exports some with that macro at all."""
+    for package in workspace.packages:
+        exported = _exported(workspace, package)
+        if not exported:
+            continue
+        for path, classes in package.plugins.items():
+            for entry in classes if not is_test_path(path, package.root.path) else ():
+                if entry.type and not _is_exported(entry, exported) and not _in_tests(entry, package, workspace):
+                    yield _finding(entry, path, package, exported)
+
+
+def _exported(workspace: Workspace, package: PackageFacts) -> dict[str, tuple[str, int]]:
+    """Return the classes that macros of a package export, by last name: (as written, line)."""
+    found: dict[str, tuple[str, int]] = {}
+    for file in workspace.linker.program.files:
+        if file.package != package.name:
+            continue
+        for macro in file.facts.macros:
+            if _MACROS.fullmatch(macro.name):
+                for argument in macro.args:
+                    for name in _names(argument):
+                        found.setdefault(name.rpartition("::")[2], (f"{file.path}", macro.line))
+    return found
+
+
+def _names(text: str) -> Iterator[str]:
+    """A class, and what a factory template makes of it."""
+    yield plain(text)
+    inner = _ARGUMENTS.search(text)
+    if inner is not None:
+        yield plain(inner[1])
+
+
+def _is_exported(entry: PluginClass, exported: dict[str, tuple[str, int]]) -> bool:
+    return any(name.strip().rpartition("::")[2] in exported for name in _names(entry.type))
+
+
+def _in_tests(entry: PluginClass, package: PackageFacts, workspace: Workspace) -> bool:
+    """Tell whether a test source, which is not read otherwise, names the class."""
+    last = entry.type.rpartition("::")[2].strip("> ").encode()
+    tests = [each.path for each in package.root.files if is_test_path(each.path, package.root.path)]
+    return any(last in (workspace.files.read(path) or b"") for path in tests if path.endswith((".cpp", ".hpp", ".h")))
+
+
+def _finding(entry: PluginClass, path: str, package: PackageFacts, exported: dict[str, tuple[str, int]]) -> Finding:
+    text = f"{path} describes {entry.type}, which no export macro of {package.name} names"
+    evidence = [Evidence(path, entry.line), *(Evidence(*place) for place in sorted(exported.values())[:1])]
+    return RULE.finding(
+        text, Entity("plugin", entry.lookup_name, entry.type), package.name, evidence, certainty="likely"
+    )

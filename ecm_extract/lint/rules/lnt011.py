@@ -1,0 +1,142 @@
+"""LNT011: Python uses a name of a module of the workspace that the module does not bind."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ecm_checker.contract import Evidence
+from ecm_checker.finding import Entity, Finding
+from ecm_parsers.source.expr import Expr, Member, Name
+
+from ecm_extract.link.program import File
+from ecm_extract.lint.near import nearest
+from ecm_extract.lint.rule import LintRule
+from ecm_extract.lint.workspace import Workspace
+
+RULE = LintRule(
+    id="LNT011",
+    name="python_name_unbound",
+    dimension="versioning",
+    severity="error",
+    who="source",
+    consequence="Python stops with ImportError or AttributeError when it gets there",
+    resolution="use the name that the module binds, or restore it",
+)
+MAX_DEPTH = 30
+
+
+def check(workspace: Workspace) -> Iterator[Finding]:
+    """Report imports from, and attributes of, Python modules whose every name is known."""
+    modules = _modules(workspace)
+    seen = set()
+    for file in workspace.linker.program.files:
+        if file.language != "python":
+            continue
+        for module, name, line in _used(file, modules):
+            bound = modules[module]
+            key = (file.path, module, name)
+            if name not in bound and key not in seen:
+                seen.add(key)
+                near = nearest(name, bound)
+                text = f"module {module} binds no {name}" + (f"; it binds {near}" if near else "")
+                entity = Entity("function", f"{module}.{name}", near or "")
+                yield RULE.finding(text, entity, file.package, [Evidence(file.path, line)], certainty="proved")
+
+
+def _modules(workspace: Workspace) -> dict[str, set[str]]:
+    """Return the names that each importable module of the workspace binds; open modules are left out."""
+    files = [file for file in workspace.linker.program.files if file.language == "python"]
+    found: dict[str, set[str]] = {}
+    for file in files:
+        module = _module_name(file, workspace)
+        if module is None or any(entry.name == "*" for entry in file.facts.imports) or _is_dynamic(file):
+            continue
+        found[module] = _bound(file)
+    for module in list(found):  # a package binds its modules
+        parent, _, last = module.rpartition(".")
+        if parent in found:
+            found[parent].add(last)
+    return found
+
+
+def _module_name(file: File, workspace: Workspace) -> str | None:
+    """`pkg/src/pkg/a.py` and `pkg/pkg/a.py` are module `pkg.a`."""
+    parts = file.path.removesuffix(".py").split("/")
+    if not file.path.endswith(".py") or file.package not in workspace.by_name:
+        return None
+    root = workspace.by_name[file.package].root.path
+    inside = file.path.removeprefix(f"{root}/").removesuffix(".py").split("/") if root else parts
+    inside = inside[1:] if inside[:1] == ["src"] else inside
+    if inside[:1] != [file.package]:
+        return None
+    return ".".join(inside[:-1] if inside[-1] == "__init__" else inside)
+
+
+def _is_dynamic(file: File) -> bool:
+    """A module with `__getattr__`, or that writes into `globals()`, binds what it likes."""
+    names = {function.name for function in file.facts.functions}
+    texts = (statement.value for function in file.facts.functions for statement in function.body)
+    return "__getattr__" in names or any("globals" in _called(text) or "setattr" in _called(text) for text in texts)
+
+
+def _called(expr: Expr | None) -> str:
+    callee = getattr(expr, "callee", None)
+    return callee.id if isinstance(callee, Name) else ""
+
+
+def _bound(file: File) -> set[str]:
+    facts = file.facts
+    bound = {entry.name for entry in facts.functions if not entry.scope} | {entry.name for entry in facts.classes}
+    bound |= {entry.name for entry in facts.constants} | {entry.name for entry in facts.aliases}
+    for entry in facts.imports:
+        bound.add(entry.alias or entry.name or entry.module.split(".")[0])
+    for function in facts.functions:
+        if function.name == "<module>":
+            for statement in function.body:
+                bound |= set(_targets(statement.target))
+    return bound | {"__name__", "__file__", "__doc__", "__path__", "__version__", "__all__", "__author__"}
+
+
+def _targets(target: Expr | None) -> Iterator[str]:
+    if isinstance(target, Name):
+        yield target.id
+    for item in getattr(target, "items", ()):
+        yield from _targets(item)
+
+
+def _used(file: File, modules: dict[str, set[str]]) -> Iterator[tuple[str, str, int]]:
+    aliases = {}
+    for entry in file.facts.imports:
+        full = f"{entry.module}.{entry.name}" if entry.name else entry.module
+        if entry.name and entry.module in modules and full not in modules and entry.name != "*":
+            yield entry.module, entry.name, entry.line
+        if full in modules and (entry.alias or entry.name):
+            aliases[entry.alias or entry.name] = full
+    for function in file.facts.functions:
+        for statement in function.body:
+            for name, attribute in _attributes(statement.value):
+                if name in aliases and not _is_rebound(name, file):
+                    yield aliases[name], attribute, statement.line
+
+
+def _is_rebound(name: str, file: File) -> bool:
+    return any(
+        name in _targets(statement.target) or any(parameter.name == name for parameter in function.params)
+        for function in file.facts.functions
+        for statement in function.body
+    )
+
+
+def _attributes(expr: object, depth: int = 0) -> Iterator[tuple[str, str]]:
+    if isinstance(expr, Member) and isinstance(expr.base, Name):
+        yield expr.base.id, expr.name
+    if depth > MAX_DEPTH:
+        return
+    for name in getattr(expr, "__struct_fields__", ()):
+        value = getattr(expr, name)
+        for item in value if isinstance(value, tuple) else (value,):
+            if isinstance(item, tuple):
+                for part in item:
+                    yield from _attributes(part, depth + 1)
+            else:
+                yield from _attributes(item, depth + 1)

@@ -1,0 +1,54 @@
+"""LNT012: several nodes of one launched system write an actuation topic, and no multiplexer chooses between them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ecm_checker.finding import Entity, Finding
+
+from ecm_extract.assemble.resources import hardware_table
+from ecm_extract.lint.rule import LintRule
+from ecm_extract.lint.workspace import Workspace, evidence_of
+from ecm_extract.system.node_model import Endpoint
+from ecm_extract.system.system import System
+
+RULE = LintRule(
+    id="LNT012",
+    name="several_writers",
+    dimension="resources",
+    severity="warning",
+    who="safety",
+    consequence="the robot follows whichever command came last",
+    resolution="put a multiplexer between them, or give each its own topic",
+)
+_CHOOSERS = ("mux", "multiplexer", "arbiter", "selector")
+
+
+def check(workspace: Workspace) -> Iterator[Finding]:
+    """Report a topic once for the set of nodes that write it."""
+    seen = set()
+    for system in workspace.systems:
+        for name, writers in _written(system).items():
+            nodes = sorted({entry.node for entry in writers})
+            key = (name, tuple(nodes))
+            if len(nodes) > 1 and key not in seen and not any(word in node for node in nodes for word in _CHOOSERS):
+                seen.add(key)
+                text = f"{', '.join(nodes)} all publish {name}"
+                evidence = [evidence_of(entry.place) for entry in writers]
+                package = workspace.package_of(writers[0].place.path)
+                yield RULE.finding(text, Entity("topic", name, " ".join(nodes)), package, evidence, certainty="likely")
+
+
+def _written(system: System) -> dict[str, list[Endpoint]]:
+    table = hardware_table().actuators
+    found: dict[str, list[Endpoint]] = {}
+    for node in system.nodes:
+        if node.instance.conditional:
+            continue
+        for entry in node.endpoints:
+            actuator = table.get(entry.type or "")
+            last = entry.name.rsplit("/", 1)[-1]
+            moves = actuator is not None and (not actuator.topics or any(word in last for word in actuator.topics))
+            if entry.role == "publisher" and entry.known and moves:
+                found.setdefault(entry.name, []).append(entry)
+    return found

@@ -1,0 +1,68 @@
+"""LNT014: a parameter has a doubled namespace, or one parameter is read into several variables."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import pairwise
+
+from ecm_checker.contract import Evidence
+from ecm_checker.finding import Entity, Finding
+from ecm_parsers.source.expr import Expr, Member, Name
+
+from ecm_extract.link.match import positions
+from ecm_extract.link.sites import Site
+from ecm_extract.lint.rule import LintRule
+from ecm_extract.lint.workspace import Workspace
+
+RULE = LintRule(
+    id="LNT014",
+    name="parameter_name_slip",
+    dimension="versioning",
+    severity="warning",
+    who="config",
+    consequence="what a person sets under the expected name has no effect",
+    resolution="write each name once",
+)
+
+
+def check(workspace: Workspace) -> Iterator[Finding]:
+    """Report ROS 1 parameters `a/a/b`, and reads of one name into different variables of one function."""
+    yield from _doubled(workspace)
+    reads: dict[tuple[int, str, str], dict[str, Site]] = {}
+    for site in workspace.linker.sites.find(parameters=True):
+        target = _variable(next(positions(site.form.out, site.call), None))
+        handle = repr(site.call.receiver)
+        for value in workspace.linker.sites.names(site):
+            if target and value.confidence in {"literal", "folded"} and not site.chain:
+                reads.setdefault((id(site.call.func), handle, value.text), {}).setdefault(target, site)
+    for (_, _, name), targets in reads.items():
+        if len(targets) > 1:
+            yield _several(name, list(targets.items()))
+
+
+def _doubled(workspace: Workspace) -> Iterator[Finding]:
+    seen = set()
+    for entry in workspace.linked:
+        for interface in entry.interfaces:
+            parts = [part for part in interface.name.split("/") if part]
+            twice = next((one for one, two in pairwise(parts) if one == two), None)
+            place = interface.evidence[0]
+            is_ros1 = interface.role == "parameter" and "/" in interface.name
+            if is_ros1 and twice is not None and "{" not in twice and place not in seen:
+                seen.add(place)
+                text = f"{interface.name} holds {twice} twice"
+                entity = Entity("parameter", interface.name)
+                yield RULE.finding(text, entity, entry.module.package, interface.evidence[:2], certainty="likely")
+
+
+def _several(name: str, targets: list[tuple[str, Site]]) -> Finding:
+    lines = [Evidence(site.call.func.file.path, site.call.line) for _, site in targets]
+    text = f"{name} is read into {', '.join(variable for variable, _ in targets)}"
+    package = targets[0][1].root.file.package
+    return RULE.finding(text, Entity("parameter", name), package, lines, certainty="likely")
+
+
+def _variable(expr: Expr | None) -> str:
+    if isinstance(expr, Member):
+        return f"{_variable(expr.base)}.{expr.name}"
+    return expr.id if isinstance(expr, Name) else ""

@@ -1,0 +1,45 @@
+"""All rules over one workspace: findings in a stable order, with the levels that the project sets."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+
+import msgspec
+from ecm_checker.finding import SEVERITIES, Finding
+
+from ecm_extract.config import Level
+from ecm_extract.lint.catalogue import catalogue
+from ecm_extract.lint.workspace import Workspace
+from ecm_extract.tree import FileDiagnostic
+
+
+def findings_of(
+    workspace: Workspace, selected: Collection[str] = (), levels: Mapping[str, Level] | None = None
+) -> list[Finding]:
+    """Return what the rules find.
+
+    Args:
+        workspace: the tree under lint.
+        selected: ids of the rules to run; empty for all.
+        levels: severity by rule id, `off` to silence it.
+    """
+    found: dict[tuple[str, str, int], Finding] = {}
+    for entry in catalogue():
+        level = (levels or {}).get(entry.rule.id)
+        if level == "off" or (selected and entry.rule.id not in selected):
+            continue
+        try:
+            for finding in entry.check(workspace):
+                place = finding.evidence[0] if finding.evidence else None
+                key = (finding.fingerprint, place.path if place else "", place.line if place else 0)
+                found.setdefault(key, msgspec.structs.replace(finding, severity=level) if level else finding)
+        except RecursionError:
+            message = f"{entry.rule.id} could not finish: something nests too deeply. The other rules are not affected."
+            workspace.tree.report(FileDiagnostic("warning", "rule-stopped", "", 0, message))
+    return sorted(found.values(), key=_order)
+
+
+def _order(finding: Finding) -> tuple[int, str, int, str]:
+    place = finding.evidence[0] if finding.evidence else None
+    level = SEVERITIES.index(finding.severity)
+    return level, place.path if place else "", place.line if place else 0, finding.rule

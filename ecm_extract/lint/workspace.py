@@ -1,0 +1,143 @@
+"""What lint rules see: a tree read, linked, and its launch files evaluated, each once and only when asked for."""
+
+from __future__ import annotations
+
+import gc
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from functools import cached_property
+
+from ecm_checker.contract import Evidence
+from ecm_parsers.launch.model import Action, Group, Include, LaunchFile, Node, Template
+
+from ecm_extract.assemble.contracts import assemble
+from ecm_extract.description.model import Description
+from ecm_extract.description.read import read_description
+from ecm_extract.discover import is_test_path
+from ecm_extract.extraction_model import Options
+from ecm_extract.link.composition import composition_of
+from ecm_extract.link.forms import form_table
+from ecm_extract.link.linker import Linker
+from ecm_extract.read.reader import Reader
+from ecm_extract.settings import config_of
+from ecm_extract.system.files import Files
+from ecm_extract.system.launch_files import is_launch_file, read_launch
+from ecm_extract.system.model import Given, Place
+from ecm_extract.system.modules import ModuleIndex
+from ecm_extract.system.system import System, evaluated_system
+from ecm_extract.tree import FileDiagnostic, Tree
+
+MAX_SYSTEMS = 80
+MAX_DESCRIPTIONS = 120
+
+
+class Workspace:
+    """A tree under lint.
+
+    Attributes:
+        tree: where files are read. packages: their facts. linker: with all that it found. index: of modules.
+        files: as launch files and descriptions name them.
+    """
+
+    def __init__(self, tree: Tree, options: Options) -> None:
+        self.tree = tree
+        config = config_of(tree, options)
+        with _without_collector():
+            include_tests = options.include_tests or config.extract.include_tests
+            self.packages = Reader(tree, include_tests, config.extract.exclude).read(options.jobs, options.progress)
+            self.linker = Linker(self.packages, form_table(config.forms))
+            self.linked = self.linker.link()
+        self.externals = frozenset(config.externals)
+        self.by_name = {package.name: package for package in self.packages}
+        self.files = Files(tree, self.packages)
+        composition = composition_of(self.linker.modules, self.linker.references)
+        self.programs = composition.programs
+        self.index = ModuleIndex(self.linked, self.packages, composition)
+
+    @cached_property
+    def launches(self) -> Mapping[str, LaunchFile]:
+        """Launch files by path, test files left out."""
+        found = {}
+        for package in self.packages:
+            for entry in package.root.files:
+                if is_launch_file(entry.path) and not is_test_path(entry.path, package.root.path):
+                    data = self.files.read(entry.path)
+                    parsed = read_launch(entry.path, data, package.ros) if data is not None else None
+                    if parsed is not None and parsed.facts is not None:
+                        found[entry.path] = parsed.facts
+        return found
+
+    @cached_property
+    def systems(self) -> Sequence[System]:
+        """What each launch file that no other includes starts, with the defaults of its arguments."""
+        included = {name for facts in self.launches.values() for name in _included(facts.actions)}
+        roots = [path for path in self.launches if path.rsplit("/", 1)[-1] not in included]
+        with _without_collector():
+            return [
+                evaluated_system(self.tree, self.files, self.index, [path], Given()) for path in roots[:MAX_SYSTEMS]
+            ]
+
+    @cached_property
+    def descriptions(self) -> Sequence[Description]:
+        """Every robot description of its own (no file that only defines macros), with the defaults of its arguments."""
+        found = []
+        for package in self.packages:
+            for entry in package.root.files:
+                if entry.path.endswith((".urdf", ".xacro")) and not is_test_path(entry.path, package.root.path):
+                    data = self.files.read(entry.path) or b""
+                    if b"<robot" in data and b"<macro" not in data and b":macro" not in data:
+                        found.append(read_description(entry.path, {}, self.files))
+        return found[:MAX_DESCRIPTIONS]
+
+    def assemble(self) -> None:
+        """Lay the overlays over the contracts, which reports where they contradict the sources."""
+        if any(package.overlay is not None for package in self.packages):
+            assemble(self.tree, self.packages, self.linked)
+
+    def diagnostics(self, *codes: str) -> Iterator[FileDiagnostic]:
+        """Yield what reading has reported under these codes."""
+        return (entry for entry in self.tree.diagnostics if entry.code in codes)
+
+    def package_of(self, path: str) -> str:
+        """Return the name of the package that a file belongs to; empty for none."""
+        return self.files.package_of(path) or ""
+
+
+def evidence_of(place: Place) -> Evidence:
+    """Return a place as evidence."""
+    return Evidence(place.path, place.line)
+
+
+def all_actions(actions: Sequence[Action]) -> Iterator[Action]:
+    """Yield actions with those in groups and the components of containers, in order."""
+    for action in actions:
+        yield action
+        if isinstance(action, Group):
+            yield from all_actions(action.actions)
+        elif isinstance(action, Node):
+            yield from action.components
+
+
+def plain_text(template: Template | None) -> str | None:
+    """Return a template that holds no substitution as text, None for any other."""
+    if template is None or not all(isinstance(part, str) for part in template):
+        return None
+    return "".join(str(part) for part in template)
+
+
+def _included(actions: Sequence[Action]) -> Iterator[str]:
+    """File names that includes end in."""
+    for action in all_actions(actions):
+        if isinstance(action, Include) and action.path and isinstance(action.path[-1], str):
+            yield action.path[-1].rsplit("/", 1)[-1]
+
+
+@contextmanager
+def _without_collector() -> Iterator[None]:
+    enabled = gc.isenabled()
+    gc.disable()  # see `extraction`: records without cycles
+    try:
+        yield
+    finally:
+        if enabled:
+            gc.enable()
