@@ -5,7 +5,10 @@ Source: behaviortree.dev "The XML schema"; nav2_behavior_tree's pages for `Recov
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import tomllib
+from collections.abc import Iterable, Iterator, Mapping
+from functools import cache
+from importlib.resources import files
 from typing import Final, Literal
 
 import msgspec
@@ -14,11 +17,18 @@ from lxml import etree
 from ecm_parsers.result import Diagnostic, Parsed
 from ecm_parsers.xml_tree import children, line_of, local_name, parse_xml
 
-_EXPLICIT: Final = frozenset({"Action", "Condition", "Control", "Decorator"})
-_SUBTREES: Final = frozenset({"SubTree", "SubTreePlus"})
-_OWN: Final = frozenset({"ID", "name", "_skipIf", "_failureIf", "_successIf", "_while", "_onSuccess", "_onFailure"})
-_RETRIES: Final = {"RecoveryNode": "number_of_retries", "RetryUntilSuccessful": "num_attempts", "Retry": "num_attempts"}
 PortDirection = Literal["input", "output", "inout"]
+NodeKind = Literal["action", "condition", "control", "decorator", "subtree", ""]
+_KINDS: Final[dict[str, NodeKind]] = {
+    "Action": "action",
+    "Condition": "condition",
+    "Control": "control",
+    "Decorator": "decorator",
+    "SubTree": "subtree",
+    "SubTreePlus": "subtree",
+}
+_DIRECTIONS: Final[dict[str, PortDirection]] = {"input_port": "input", "output_port": "output", "inout_port": "inout"}
+_FORMATS: Final = {"3": 3, "4": 4}
 
 
 class TreeNode(msgspec.Struct, frozen=True):
@@ -29,6 +39,11 @@ class TreeNode(msgspec.Struct, frozen=True):
         name: of this instance; empty without one. is_subtree: whether it runs another tree.
         ports: value by port as written; `{key}` refers to the blackboard.
         line: 1-based.
+        parent: index of the node around it in the same tree; None for the first one.
+        element: tag as written, the same as `id` in the compact form.
+        kind: by the tag, the table of built-in nodes or the models of the file; empty when none tells.
+        built_in: whether the library brings it in the format of the file.
+        reserved: attributes that are no ports: `_skipIf`, `_autoremap`, `__shared_blackboard` and the like.
     """
 
     id: str
@@ -36,6 +51,11 @@ class TreeNode(msgspec.Struct, frozen=True):
     is_subtree: bool
     ports: dict[str, str]
     line: int
+    parent: int | None = None
+    element: str = ""
+    kind: NodeKind = ""
+    built_in: bool = False
+    reserved: dict[str, str] = {}
 
 
 class BehaviorTree(msgspec.Struct, frozen=True):
@@ -47,16 +67,17 @@ class BehaviorTree(msgspec.Struct, frozen=True):
 
 
 class ModelPort(msgspec.Struct, frozen=True):
-    """A port that `<TreeNodesModel>` declares; `default` is None without one."""
+    """A port that `<TreeNodesModel>` declares; `default` is None without one, `type` is empty without one."""
 
     name: str
     direction: PortDirection
     default: str | None
     line: int
+    type: str = ""
 
 
 class NodeModel(msgspec.Struct, frozen=True):
-    """A node class that `<TreeNodesModel>` declares."""
+    """A node class that `<TreeNodesModel>` declares; `kind` is its tag."""
 
     id: str
     kind: str
@@ -68,7 +89,7 @@ class BehaviorTreeFile(msgspec.Struct, frozen=True):
     """All trees of one file.
 
     Attributes:
-        format: 3 or 4. main_tree: ID that is run; empty when the file names none.
+        format: 3 or 4. main_tree: ID that is run, the only tree when the file names none; else empty.
         includes: (ROS package or empty, path, line).
     """
 
@@ -80,8 +101,9 @@ class BehaviorTreeFile(msgspec.Struct, frozen=True):
 
 
 def is_behavior_tree(data: bytes) -> bool:
-    """Tell by the first bytes whether an XML file holds behaviour trees."""
-    return b"<BehaviorTree" in data[:20_000] or b"BTCPP_format" in data[:2_000]
+    """Tell by the first bytes whether an XML file holds behaviour trees or models of their nodes."""
+    head = data[:20_000]
+    return any(mark in head for mark in (b"<BehaviorTree", b"BTCPP_format", b"<TreeNodesModel"))
 
 
 def parse_behavior_tree(data: bytes) -> Parsed[BehaviorTreeFile]:
@@ -93,62 +115,173 @@ def parse_behavior_tree(data: bytes) -> Parsed[BehaviorTreeFile]:
         wrong = () if root is None else (Diagnostic("error", "bt-wrong-root", line_of(root), message),)
         return Parsed(BehaviorTreeFile(3, ""), (*tree.diagnostics, *wrong))
     problems = list(tree.diagnostics)
-    written = str(root.get("BTCPP_format", "3"))
-    return Parsed(
-        BehaviorTreeFile(
-            format=int(written) if written.isdecimal() and len(written) < 3 else 3,
-            main_tree=str(root.get("main_tree_to_execute", "")),
-            trees=tuple(_trees(root, problems)),
-            models=tuple(_models(root)),
-            includes=tuple(
-                (str(entry.get("ros_pkg", "")), str(entry.get("path", "")), line_of(entry))
-                for tag, entry in children(root)
-                if tag == "include"
-            ),
-        ),
-        tuple(problems),
-    )
+    models = tuple(_models(root, problems))
+    reader = _Reader(_format(root, problems), _tree_ids(root), {model.id: model.kind for model in models}, problems)
+    trees = tuple(reader.tree(element) for tag, element in children(root) if tag == "BehaviorTree")
+    _report_duplicates(trees, problems)
+    named = _attribute(root, "main_tree_to_execute")
+    file = BehaviorTreeFile(reader.format, named, trees, models, tuple(_includes(root)))
+    file = msgspec.structs.replace(file, main_tree=_main_tree(file, line_of(root), problems))
+    return Parsed(file, tuple(problems))
 
 
 def retries(file: BehaviorTreeFile) -> Iterator[tuple[TreeNode, int]]:
-    """Yield the nodes that try again, with how often; a number from the blackboard counts as not known."""
+    """Yield the nodes that try again, with how often (-1: for ever).
+
+    A number that comes from the blackboard counts as not known, and its node is left out.
+    """
+    ports = _table().retries
     for tree in file.trees:
         for node in tree.nodes:
-            written = node.ports.get(_RETRIES.get(node.id, ""), "")
-            if written.lstrip("-").isdecimal() and len(written) < 10:
+            written = node.ports.get(ports.get(node.id, ""), "").strip()
+            digits = written.removeprefix("-")
+            if digits.isascii() and digits.isdecimal() and len(digits) < 10:
                 yield node, int(written)
 
 
-def _trees(root: etree._Element, problems: list[Diagnostic]) -> Iterator[BehaviorTree]:
-    for tag, element in children(root):
-        if tag == "BehaviorTree":
-            yield BehaviorTree(str(element.get("ID", "")), tuple(_nodes(element, problems)), line_of(element))
+class _Reader:
+    """Reads trees; knows the format, the IDs of the trees and the kinds that the file's models declare."""
 
+    def __init__(self, written: int, trees: frozenset[str], models: Mapping[str, str], problems: list[Diagnostic]):
+        self.format = written
+        self._trees = trees
+        self._models = models
+        self._problems = problems
 
-def _nodes(tree: etree._Element, problems: list[Diagnostic]) -> Iterator[TreeNode]:
-    for element in tree.iterdescendants():
-        if not isinstance(element.tag, str):
-            continue
+    def tree(self, element: etree._Element) -> BehaviorTree:
+        tree = BehaviorTree(_attribute(element, "ID"), tuple(self._nodes(element)), line_of(element))
+        if sum(1 for _ in children(element)) != 1:
+            message = f"Tree `{tree.id}` must have exactly one node at its top. Put a control node around the others."
+            self._problems.append(Diagnostic("error", "bt-not-one-root", tree.line, message))
+        return tree
+
+    def _nodes(self, tree: etree._Element) -> Iterator[TreeNode]:
+        places: dict[etree._Element, int] = {}
+        for element in tree.iterdescendants(etree.Element):
+            node = self._node(element, self._parent(element, tree, places))
+            if not node.id:
+                message = f"<{node.element}> has no ID, so nothing says which node it is. Add ID."
+                self._problems.append(Diagnostic("error", "bt-no-id", node.line, message))
+                continue
+            places[element] = len(places)
+            yield node
+
+    def _parent(
+        self, element: etree._Element, tree: etree._Element, places: Mapping[etree._Element, int]
+    ) -> int | None:
+        """The nearest node around that could be read."""
+        around = element.getparent()
+        while around is not None and around is not tree:
+            if around in places:
+                return places[around]
+            around = around.getparent()
+        return None
+
+    def _node(self, element: etree._Element, parent: int | None) -> TreeNode:
         tag = local_name(element)
-        name = str(element.get("ID", "")) if tag in _EXPLICIT | _SUBTREES else tag
-        if not name:
-            message = f"<{tag}> has no ID, so nothing says which node it is. Add ID."
-            problems.append(Diagnostic("error", "bt-no-id", line_of(element), message))
-            continue
-        ports = {str(key): str(value) for key, value in element.attrib.items() if key not in _OWN}
-        yield TreeNode(name, str(element.get("name", "")), tag in _SUBTREES, ports, line_of(element))
+        name = _attribute(element, "ID") if tag in _KINDS else tag
+        row = _table().nodes.get(name, _Row())
+        kind = _KINDS.get(tag) or row.kind or self._kind(name)
+        attributes = {str(key): str(value) for key, value in element.attrib.items() if key not in ("ID", "name")}
+        return TreeNode(
+            id=name,
+            name=_attribute(element, "name"),
+            is_subtree=kind == "subtree",
+            ports={key: value for key, value in attributes.items() if not key.startswith("_")},
+            line=line_of(element),
+            parent=parent,
+            element=tag,
+            kind=kind,
+            built_in=self.format in row.formats,
+            reserved={key: value for key, value in attributes.items() if key.startswith("_")},
+        )
+
+    def _kind(self, name: str) -> NodeKind:
+        """Of a name that is written as tag: the library runs trees that are written so, too."""
+        return "subtree" if name in self._trees else _KINDS.get(self._models.get(name, ""), "")
 
 
-def _models(root: etree._Element) -> Iterator[NodeModel]:
+def _format(root: etree._Element, problems: list[Diagnostic]) -> int:
+    written = _attribute(root, "BTCPP_format") or "3"
+    if written not in _FORMATS:
+        message = f"Format `{written[:40]}` is not known and read as 4. Write 3 or 4."
+        problems.append(Diagnostic("warning", "bt-format", line_of(root), message))
+    return _FORMATS.get(written, 4)
+
+
+def _tree_ids(root: etree._Element) -> frozenset[str]:
+    return frozenset(_attribute(element, "ID") for tag, element in children(root) if tag == "BehaviorTree") - {""}
+
+
+def _report_duplicates(trees: Iterable[BehaviorTree], problems: list[Diagnostic]) -> None:
+    lines: dict[str, int] = {}
+    for tree in trees:
+        if tree.id and tree.id in lines:
+            message = f"Tree `{tree.id}` repeats line {lines[tree.id]}. Rename one of them."
+            problems.append(Diagnostic("error", "bt-duplicate-tree", tree.line, message))
+        lines.setdefault(tree.id, tree.line)
+
+
+def _main_tree(file: BehaviorTreeFile, line: int, problems: list[Diagnostic]) -> str:
+    """The tree that is run; where files are included, one of them may bring it."""
+    ids = [tree.id for tree in file.trees]
+    if file.main_tree or file.includes or len(ids) != 1:
+        if file.main_tree and not file.includes and file.main_tree not in ids:
+            message = f"No tree has the ID `{file.main_tree}` that main_tree_to_execute names. Correct one of the two."
+            problems.append(Diagnostic("error", "bt-no-main-tree", line, message))
+        return file.main_tree
+    return ids[0]
+
+
+def _includes(root: etree._Element) -> Iterator[tuple[str, str, int]]:
+    for tag, element in children(root):
+        if tag == "include":
+            yield _attribute(element, "ros_pkg"), _attribute(element, "path"), line_of(element)
+
+
+def _models(root: etree._Element, problems: list[Diagnostic]) -> Iterator[NodeModel]:
     for tag, holder in children(root):
         for kind, element in children(holder) if tag == "TreeNodesModel" else ():
-            yield NodeModel(str(element.get("ID", "")), kind, tuple(_ports(element)), line_of(element))
+            model = NodeModel(_attribute(element, "ID"), kind, tuple(_ports(element)), line_of(element))
+            if model.id:
+                yield model
+            else:
+                message = f"The model <{kind}> has no ID, so nothing says which node it declares. Add ID."
+                problems.append(Diagnostic("error", "bt-no-id", model.line, message))
 
 
 def _ports(element: etree._Element) -> Iterator[ModelPort]:
-    directions: dict[str, PortDirection] = {"input_port": "input", "output_port": "output", "inout_port": "inout"}
     for tag, port in children(element):
-        if tag in directions:
+        if tag in _DIRECTIONS:
             default = port.get("default")
-            name = str(port.get("name", ""))
-            yield ModelPort(name, directions[tag], None if default is None else str(default), line_of(port))
+            yield ModelPort(
+                name=_attribute(port, "name"),
+                direction=_DIRECTIONS[tag],
+                default=None if default is None else str(default),
+                line=line_of(port),
+                type=_attribute(port, "type"),
+            )
+
+
+def _attribute(element: etree._Element, name: str) -> str:
+    return str(element.get(name, "")).strip()
+
+
+class _Row(msgspec.Struct, frozen=True):
+    """A node that the library brings, in some of its formats."""
+
+    kind: NodeKind = ""
+    formats: frozenset[int] = frozenset()
+
+
+class _Table(msgspec.Struct, frozen=True):
+    """The library's own nodes by ID, and the ports that say how often a node tries again."""
+
+    nodes: Mapping[str, _Row]
+    retries: Mapping[str, str]
+
+
+@cache
+def _table() -> _Table:
+    text = (files("ecm_parsers") / "behavior_tree.toml").read_text("utf-8")
+    return msgspec.convert(tomllib.loads(text), _Table)

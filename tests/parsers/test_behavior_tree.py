@@ -49,7 +49,10 @@ def test_file() -> None:
         ('<RecoveryNode number_of_retries="6"/>', [6]),
         ('<RetryUntilSuccessful num_attempts="2"/>', [2]),
         ('<RetryUntilSuccessful num_attempts="-1"/>', [-1]),
+        ('<RetryUntilSuccesful num_attempts="3"/>', [3]),
+        ('<Decorator ID="RetryUntilSuccessful" num_attempts="4"/>', [4]),
         ('<RecoveryNode number_of_retries="{n}"/>', []),
+        ('<RecoveryNode number_of_retries="--1"/>', []),
         ('<Fallback number_of_retries="6"/>', []),
     ],
 )
@@ -64,6 +67,7 @@ def test_retries(node: str, count: list[int]) -> None:
     [
         ("<robot/>", "bt-wrong-root"),
         ("<root><BehaviorTree><Action/></BehaviorTree></root>", "bt-no-id"),
+        ("<root><BehaviorTree/></root>", "bt-not-one-root"),
         ("", "xml-empty"),
     ],
 )
@@ -72,12 +76,83 @@ def test_what_is_wrong_is_told(text: str, code: str) -> None:
     assert [entry.code for entry in parse_behavior_tree(text.encode()).diagnostics] == [code]
 
 
-def test_hostile() -> None:
-    """Entities and deep nesting cost less than a second."""
+def test_parents_and_kinds() -> None:
+    """A node knows the node around it, and what it is by its tag, the library's table or the file's models."""
+    text = (
+        '<root BTCPP_format="4"><BehaviorTree ID="A"><Sequence><SetBlackboard value="1" output_key="x"/>'
+        '<Inverter><Condition ID="Free"/></Inverter><Grasp _skipIf="x" object="{o}"/><Other/><B/></Sequence>'
+        '</BehaviorTree><BehaviorTree ID="B"><SubTreePlus ID="A" __autoremap="1"/></BehaviorTree>'
+        '<TreeNodesModel><Action ID="Grasp"/></TreeNodesModel></root>'
+    )
+    parsed = parse_behavior_tree(text.encode())
+    assert parsed.diagnostics == ()
+    first, second = parsed.facts.trees
+    assert [(node.id, node.element, node.kind, node.built_in, node.parent) for node in first.nodes] == [
+        ("Sequence", "Sequence", "control", True, None),
+        ("SetBlackboard", "SetBlackboard", "action", True, 0),
+        ("Inverter", "Inverter", "decorator", True, 0),
+        ("Free", "Condition", "condition", False, 2),
+        ("Grasp", "Grasp", "action", False, 0),
+        ("Other", "Other", "", False, 0),
+        ("B", "B", "subtree", False, 0),
+    ]
+    assert (first.nodes[4].ports, first.nodes[4].reserved) == ({"object": "{o}"}, {"_skipIf": "x"})
+    assert (second.nodes[0].is_subtree, second.nodes[0].reserved) == (True, {"__autoremap": "1"})
+
+
+@pytest.mark.parametrize(
+    ("written", "node", "built_in"),
+    [("3", "SequenceStar", True), ("4", "SequenceStar", False), ("3", "Script", False), ("4", "Script", True)],
+)
+def test_what_the_library_brings(written: str, node: str, built_in: bool) -> None:
+    """A node counts as built in only in the format that has it."""
+    text = f'<root BTCPP_format="{written}"><BehaviorTree ID="A"><{node}/></BehaviorTree></root>'
+    assert parse_behavior_tree(text.encode()).facts.trees[0].nodes[0].built_in is built_in
+
+
+@pytest.mark.parametrize(
+    ("text", "main", "codes"),
+    [
+        ('<root><BehaviorTree ID="A"><X/></BehaviorTree></root>', "A", []),
+        ('<root><BehaviorTree ID="A"><X/></BehaviorTree><include path="b.xml"/></root>', "", []),
+        ('<root><BehaviorTree ID="A"><X/></BehaviorTree><BehaviorTree ID="B"><X/></BehaviorTree></root>', "", []),
+        ('<root main_tree_to_execute="C"><include path="c.xml"/></root>', "C", []),
+        ('<root main_tree_to_execute="C"/>', "C", ["bt-no-main-tree"]),
+        ('<root BTCPP_format="9"/>', "", ["bt-format"]),
+        (
+            '<root><BehaviorTree ID="A"><X/></BehaviorTree><BehaviorTree ID="A"><X/></BehaviorTree></root>',
+            "",
+            ["bt-duplicate-tree"],
+        ),
+        ('<root><BehaviorTree ID="A"><X/><Y/></BehaviorTree></root>', "A", ["bt-not-one-root"]),
+        ("<root><TreeNodesModel><Action/></TreeNodesModel></root>", "", ["bt-no-id"]),
+    ],
+)
+def test_main_tree(text: str, main: str, codes: list[str]) -> None:
+    """The tree that is run is the named one or the only one; what the library refuses is told."""
+    parsed = parse_behavior_tree(text.encode())
+    assert parsed.facts.main_tree == main
+    assert [found.code for found in parsed.diagnostics] == codes
+
+
+BOMB = b'<!DOCTYPE r [<!ENTITY a "b"><!ENTITY c "&a;&a;">]><root>&c;</root>'
+
+
+@pytest.mark.parametrize(
+    ("data", "code"),
+    [
+        (BOMB, "xml-entity"),
+        (b"<root><BehaviorTree ID='A'>" + b"<Sequence>" * 10_000, "xml-"),
+        (b"<root><BehaviorTree ID='A'>\0</BehaviorTree>\0</root>", ""),
+        (b"\0" * 1000, ""),
+    ],
+)
+def test_hostile(data: bytes, code: str) -> None:
+    """Entities, deep nesting and NULs are a diagnostic in less than a second."""
     started = time.perf_counter()
-    parse_behavior_tree(b'<!DOCTYPE r [<!ENTITY a "b">]><root>&a;</root>')
-    parse_behavior_tree(b"<root>" + b"<Sequence>" * 10_000)
+    found = [entry.code for entry in parse_behavior_tree(data).diagnostics]
     assert time.perf_counter() - started < 1
+    assert any(entry.startswith(code) for entry in found)
 
 
 @settings(max_examples=50, deadline=None)
