@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 
+import pytest
 from ecm_parsers.sros_policy import is_policy, parse_policy
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -33,20 +34,87 @@ def test_grants() -> None:
     ]
     assert {grant.node for grant in parsed.facts} == {"/robot/base"}
 
-
-def test_old_format() -> None:
-    """Version 0.1.0 has the profiles at the root."""
-    profile = b'<profile ns="/" node="a"><topics publish="ALLOW"><topic>x</topic></topics></profile>'
-    text = b'<policy version="0.1.0"><profiles>' + profile + b"</profiles></policy>"
-    assert [(grant.node, grant.name) for grant in parse_policy(text).facts] == [("/a", "/x")]
+    assert {(grant.namespace, grant.enclave) for grant in parsed.facts} == {("/robot", "/talker")}
+    assert [grant.kind for grant in parsed.facts] == ["topic", "topic", "topic", "service", "action"]
 
 
-def test_hostile() -> None:
-    """Entities and deep nesting cost less than a second."""
+PROFILE = '<profile ns="/" node="a"><topics publish="ALLOW" subscribe="DENY"><topic>x</topic></topics></profile>'
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        f'<policy version="0.1.0"><profiles>{PROFILE}</profiles></policy>',
+        f'<?xml version="1.0"?><profiles>{PROFILE}</profiles>',
+    ],
+)
+def test_old_format(text: str) -> None:
+    """Version 0.1.0 has the profiles at the root or right below; one list can grant in two ways."""
+    assert is_policy(text.encode())
+    parsed = parse_policy(text.encode())
+    assert parsed.diagnostics == ()
+    assert [(grant.node, grant.access, grant.allowed, grant.name, grant.enclave) for grant in parsed.facts] == [
+        ("/a", "publish", True, "/x", ""),
+        ("/a", "subscribe", False, "/x", ""),
+    ]
+
+
+def test_include_inside_a_list() -> None:
+    """An include among topics is named once, with the part that it asks for."""
+    text = (
+        '<policy version="0.2.0" xmlns:xi="http://www.w3.org/2001/XInclude"><profiles><profile ns="/" node="a">\n'
+        '<topics publish="ALLOW"><topic>x</topic>\n<xi:include href="c.xml" xpointer="xpointer(/a/*)"/></topics>'
+        "</profile></profiles></policy>"
+    )
+    parsed = parse_policy(text.encode())
+    assert [(found.code, found.line) for found in parsed.diagnostics] == [("policy-include", 3)]
+    assert "xpointer(/a/*)" in parsed.diagnostics[0].message
+    assert [grant.name for grant in parsed.facts] == ["/x"]
+
+
+@pytest.mark.parametrize(
+    ("profile", "code"),
+    [
+        ('<profile ns="/"><topics publish="ALLOW"><topic>x</topic></topics></profile>', "policy-no-node"),
+        (
+            '<profile ns="/" node="a"><topics publish="MAYBE"><topic>x</topic></topics></profile>',
+            "policy-bad-permission",
+        ),
+        ('<profile ns="/" node="a"><topics publish="ALLOW"><topic/></topics></profile>', "policy-bad-entry"),
+        (
+            '<profile ns="/" node="a"><topics publish="ALLOW"><service>x</service></topics></profile>',
+            "policy-bad-entry",
+        ),
+    ],
+)
+def test_what_grants_nothing_is_told(profile: str, code: str) -> None:
+    """A mistake that takes a permission away is a diagnostic, not silence."""
+    parsed = parse_policy(f"<policy><profiles>{profile}</profiles></policy>".encode())
+    assert parsed.facts == ()
+    assert [found.code for found in parsed.diagnostics] == [code]
+
+
+def test_other_files() -> None:
+    """Profiles of a DDS implementation are no policy, and another root is told."""
+    assert not is_policy(b'<profiles xmlns="http://x"><participant profile_name="a"/></profiles>')
+    assert [found.code for found in parse_policy(b"<robot/>").diagnostics] == ["policy-wrong-root"]
+
+
+@pytest.mark.parametrize(
+    ("data", "code"),
+    [
+        (b'<!DOCTYPE r [<!ENTITY a "b"><!ENTITY c "&a;&a;">]><policy>&c;</policy>', "xml-entity"),
+        (b"<policy>" + b"<profile>" * 10_000, "xml-"),
+        (b"<policy>\0<profiles>\0</profiles></policy>", ""),
+        (b"\0" * 1000, ""),
+    ],
+)
+def test_hostile(data: bytes, code: str) -> None:
+    """Entities, deep nesting and NULs are a diagnostic in less than a second."""
     started = time.perf_counter()
-    parse_policy(b'<!DOCTYPE r [<!ENTITY a "b">]><policy>&a;</policy>')
-    parse_policy(b"<policy>" + b"<profile>" * 10_000)
+    found = [entry.code for entry in parse_policy(data).diagnostics]
     assert time.perf_counter() - started < 1
+    assert any(entry.startswith(code) for entry in found)
 
 
 @settings(max_examples=50, deadline=None)
