@@ -24,7 +24,8 @@ _ACCESS: Final[dict[str, tuple[GrantKind, tuple[Access, ...]]]] = {
     "actions": ("action", ("call", "execute")),
 }
 _ROOTS: Final = frozenset({"policy", "enclaves", "profiles"})
-_PROFILE: Final = re.compile(rb"<(?:profile\s|enclaves\b)")
+_ENCLAVES: Final = frozenset({"enclave", "context"})  # named contexts before ROS 2 Foxy
+_PROFILE: Final = re.compile(rb"<(?:profile\s|enclaves\b|contexts\b)")
 
 
 class Grant(msgspec.Struct, frozen=True):
@@ -84,7 +85,7 @@ def _profiles(root: etree._Element, problems: list[Diagnostic]) -> Iterator[_Pro
     enclave = ""
     for element in root.iter(etree.Element):
         tag = local_name(element)
-        if tag == "enclave":
+        if tag in _ENCLAVES:
             enclave = str(element.get("path", "")).strip()
         elif tag == "include":
             part = f" ({element.get('xpointer')})" if element.get("xpointer") else ""

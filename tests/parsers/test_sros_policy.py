@@ -59,6 +59,14 @@ def test_old_format(text: str) -> None:
     ]
 
 
+@pytest.mark.parametrize("tag", ["enclave", "context"])
+def test_enclaves(tag: str) -> None:
+    """Enclaves were named contexts at first."""
+    text = f'<policy version="0.2.0"><{tag}s><{tag} path="/e"><profiles>{PROFILE}</profiles></{tag}></{tag}s></policy>'
+    assert is_policy(text.encode())
+    assert {grant.enclave for grant in parse_policy(text.encode()).facts} == {"/e"}
+
+
 def test_include_inside_a_list() -> None:
     """An include among topics is named once, with the part that it asks for."""
     text = (
