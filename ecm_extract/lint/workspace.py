@@ -35,13 +35,14 @@ class Workspace:
     """A tree under lint.
 
     Attributes:
-        tree: where files are read. packages: their facts. linker: with all that it found. index: of modules.
+        tree: where files are read. config: what the project sets.
+        packages: their facts. linker: with all that it found. index: of modules.
         files: as launch files and descriptions name them.
     """
 
     def __init__(self, tree: Tree, options: Options) -> None:
         self.tree = tree
-        config = config_of(tree, options)
+        self.config = config = config_of(tree, options)
         with _without_collector():
             include_tests = options.include_tests or config.extract.include_tests
             self.packages = Reader(tree, include_tests, config.extract.exclude).read(options.jobs, options.progress)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from workspaces import Workspace
+
 HELPER = """
 template<typename NodeT>
 void declare_once(NodeT node, const std::string & name, const rclcpp::ParameterValue & value) {

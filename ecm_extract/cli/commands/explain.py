@@ -1,0 +1,14 @@
+"""`ecm-extract explain RULE`: the page of a rule."""
+
+from __future__ import annotations
+
+import click
+
+
+@click.command(short_help="Print the page of a rule.")
+@click.argument("rule")
+def command(rule: str) -> None:
+    """Print what a RULE means, when it speaks up, how it is silenced and what to do about it."""
+    from ecm_extract.rule_pages import page_of
+
+    click.echo(page_of(rule.upper()), nl=False)

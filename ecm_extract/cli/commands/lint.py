@@ -1,0 +1,206 @@
+"""`ecm-extract lint [PATH]`: findings on the lines that cause them."""
+
+from __future__ import annotations
+
+import sys
+from datetime import UTC, datetime
+from importlib import import_module
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Final, Literal
+
+import click
+import msgspec
+
+from ecm_extract.errors import InputError
+
+if TYPE_CHECKING:
+    from ecm_checker.finding import Finding
+
+    from ecm_extract.lint.suppressions import Answered
+    from ecm_extract.lint.workspace import Workspace
+
+FORMATS: Final = ("text", "json", "sarif", "github", "junit", "markdown")
+
+_EPILOG: Final = """\b
+Examples:
+  ecm-extract lint                              the workspace here
+  ecm-extract lint src --base origin/main       only what this branch brings in
+  git diff main | ecm-extract lint --patch -    only lines of a patch
+  ecm-extract lint --output sarif=ecm.sarif     text here, SARIF into a file
+"""
+
+
+class Request(msgspec.Struct, frozen=True):
+    """What the user asked for, as on the command line."""
+
+    path: str
+    base: str | None
+    patch: str | None
+    select: tuple[str, ...]
+    format: str
+    output: tuple[str, ...]
+    fail_on: Literal["error", "warning", "info", "never"]
+    baseline: str | None
+    write_baseline: bool
+    include_tests: bool
+    config: str | None
+    jobs: int | None
+
+
+@click.command(short_help="Report what will break somebody, on the line that does.", epilog=_EPILOG)
+@click.argument("path", default=".")
+@click.option("--base", metavar="REF", help="Only what the change from REF brings in, with its interface changes.")
+@click.option("--patch", metavar="FILE|-", help="Only lines that a patch touches.")
+@click.option("--select", multiple=True, metavar="RULE", help="Only this rule. May be repeated.")
+@click.option("--format", type=click.Choice(FORMATS), default="text", show_default=True, help="On standard output.")
+@click.option("--output", multiple=True, metavar="FORMAT=FILE", help="Also into a file. May be repeated.")
+@click.option(
+    "--fail-on",
+    type=click.Choice(["error", "warning", "info", "never"]),
+    default="error",
+    show_default=True,
+    help="Exit with 1 from findings of this severity on.",
+)
+@click.option("--baseline", metavar="FILE", help="Findings to leave out.  [default: ecm-baseline.txt in PATH]")
+@click.option("--write-baseline", is_flag=True, help="Write all findings of now into the baseline and exit.")
+@click.option("--include-tests", is_flag=True, help="Read test folders too.")
+@click.option("--config", metavar="FILE", help="Use this ecm.toml.  [default: the one in PATH]")
+@click.option("--jobs", type=click.IntRange(min=1), help="Worker processes.  [default: one per core]")
+def command(**options: Any) -> int:
+    """Lint the ROS packages below PATH: launch files, parameter files, descriptions, plugins, sources.
+
+    Findings go to standard output, the summary to standard error.
+    """
+    request = Request(**options)
+    findings, workspace = _findings(request)
+    if request.write_baseline:
+        return _write_baseline(findings, request)
+    answered = _answered(findings, workspace, request)
+    _print(answered.findings, request)
+    _say(answered)
+    return int(_is_failure(answered.findings, request.fail_on))
+
+
+def _findings(request: Request) -> tuple[list[Finding], Workspace]:
+    from ecm_extract.tree import open_tree
+
+    tree = open_tree(request.path)
+    workspace = _workspace(tree, request)
+    found = _run(workspace, request)
+    if request.base is not None:
+        found = _brought_in(found, workspace, request)
+    if request.patch is not None:
+        from ecm_extract.lint.hunks import touched_lines
+
+        lines = touched_lines(_text_of(request.patch))
+        found = [
+            each for each in found if each.evidence and each.evidence[0].line in lines.get(each.evidence[0].path, ())
+        ]
+    return found, workspace
+
+
+def _workspace(tree: Any, request: Request) -> Workspace:
+    from ecm_extract.cli.progress import progress_bar
+    from ecm_extract.extraction_model import Options
+    from ecm_extract.lint.workspace import Workspace
+
+    with progress_bar() as progress:
+        return Workspace(tree, Options(request.include_tests, request.config, request.jobs, progress))
+
+
+def _run(workspace: Workspace, request: Request) -> list[Finding]:
+    from ecm_extract.lint.catalogue import catalogue
+    from ecm_extract.lint.run import findings_of
+
+    known = {entry.rule.id for entry in catalogue()}
+    unknown = [rule for rule in request.select if rule not in known]
+    if unknown:
+        message = f"there is no rule {unknown[0]}"
+        raise InputError(message, "`ecm-extract rules` lists them")
+    config = workspace.config
+    found = findings_of(workspace, request.select, config.severity)
+    return [each for each in found if not config.promise or each.who in config.promise]
+
+
+def _brought_in(found: list[Finding], workspace: Workspace, request: Request) -> list[Finding]:
+    from ecm_extract.diff.baseline import open_side
+    from ecm_extract.diff.model import RefInfo
+    from ecm_extract.diff.run import Request as Comparing
+    from ecm_extract.diff.run import compare
+    from ecm_extract.extraction_model import Options
+    from ecm_extract.lint.base import change_findings, new_findings
+
+    base = str(request.base)
+    old = open_side(base, Path(request.path))
+    before = _run(_workspace(old, request), request)
+    options = Options(request.include_tests, request.config, request.jobs)
+    infos = RefInfo(base, old.commit, "named"), RefInfo(request.path, workspace.tree.commit, "named")
+    comparison = compare(Comparing(old, workspace.tree, Path(request.path), "", infos, options=options))
+    click.echo(f"base: {base} {(old.commit or '')[:12]}", err=True)
+    changes = [] if request.select else list(change_findings(comparison, old, workspace.tree))
+    return [*new_findings(found, before), *changes]
+
+
+def _text_of(name: str) -> str:
+    if name == "-":
+        return sys.stdin.read()
+    try:
+        return Path(name).read_text("utf-8", errors="replace")
+    except OSError as error:
+        message = f"{name} cannot be read: {error.strerror}"
+        raise InputError(message, "name a patch file, or - for standard input") from None
+
+
+def _answered(findings: list[Finding], workspace: Workspace, request: Request) -> Answered:
+    from ecm_extract.lint.baseline_file import FILE_NAME, read_baseline
+    from ecm_extract.lint.suppressions import FILE_NAME as ACCEPTED
+    from ecm_extract.lint.suppressions import answered, parse_accepted
+
+    folder = Path(request.path)
+    baseline = Path(request.baseline) if request.baseline else folder / FILE_NAME
+    known = read_baseline(baseline.read_text("utf-8", errors="replace")) if baseline.is_file() else frozenset()
+    left = [each for each in findings if each.fingerprint not in known]
+    accepted = folder / ACCEPTED
+    rows = parse_accepted(accepted.read_bytes(), str(accepted)) if accepted.is_file() else ()
+    return answered(left, rows, workspace.files, datetime.now(tz=UTC).date())
+
+
+def _write_baseline(findings: list[Finding], request: Request) -> int:
+    from ecm_extract.lint.baseline_file import FILE_NAME, baseline_text
+
+    target = Path(request.baseline) if request.baseline else Path(request.path) / FILE_NAME
+    target.write_text(baseline_text(findings), "utf-8")
+    click.echo(f"written: {target} with {len({each.fingerprint for each in findings})} findings", err=True)
+    return 0
+
+
+def _print(findings: tuple[Finding, ...], request: Request) -> None:
+    for entry in request.output:
+        form, separator, name = entry.partition("=")
+        if form not in FORMATS or not separator or not name:
+            message = f"--output {entry} is not FORMAT=FILE with one of {', '.join(FORMATS)}"
+            raise click.UsageError(message, click.get_current_context())
+        Path(name).write_text(_rendered(findings, form), "utf-8")
+    sys.stdout.write(_rendered(findings, request.format))
+    sys.stdout.flush()
+
+
+def _rendered(findings: tuple[Finding, ...], form: str) -> str:
+    text: str = import_module(f"ecm_extract.lint.formats.{form}").render(findings)
+    return text
+
+
+def _say(answered: Answered) -> None:
+    counts = {
+        level: sum(each.severity == level for each in answered.findings) for level in ("error", "warning", "info")
+    }
+    shown = ", ".join(f"{count} {level}" for level, count in counts.items() if count) or "nothing found"
+    suppressed = f", {answered.suppressed} answered" if answered.suppressed else ""
+    click.echo(f"{shown}{suppressed}", err=True)
+    for line in answered.unused:
+        click.echo(f"unused: {line}", err=True)
+
+
+def _is_failure(findings: tuple[Finding, ...], fail_on: str) -> bool:
+    levels = ("error", "warning", "info")
+    return fail_on != "never" and any(levels.index(each.severity) <= levels.index(fail_on) for each in findings)

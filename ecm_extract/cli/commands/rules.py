@@ -1,0 +1,14 @@
+"""`ecm-extract rules`: every rule in one line."""
+
+from __future__ import annotations
+
+import click
+
+
+@click.command(short_help="List every rule.")
+def command() -> None:
+    """List the rules of lint and of check: id, severity, dimension, name."""
+    from ecm_extract.rule_pages import every_rule
+
+    for rule in every_rule():
+        click.echo(f"{rule.id}  {rule.severity:<7}  {rule.dimension:<11}  {rule.name}")

@@ -1,0 +1,55 @@
+"""What a change brings in: findings that the base does not have, and interface changes on the lines of the change."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from ecm_checker.contract import Evidence
+from ecm_checker.finding import Entity, Finding
+from ecm_checker.release import Change
+
+from ecm_extract.diff.model import Comparison
+from ecm_extract.lint.hunks import landing_line
+from ecm_extract.lint.rules.lnt019 import RULE
+from ecm_extract.tree import Tree
+
+
+def new_findings(now: Iterable[Finding], before: Iterable[Finding]) -> list[Finding]:
+    """Return the findings whose fingerprint the base does not have."""
+    known = {finding.fingerprint for finding in before}
+    return [finding for finding in now if finding.fingerprint not in known]
+
+
+def change_findings(comparison: Comparison, old: Tree, new: Tree) -> Iterator[Finding]:
+    """Yield the findings of a comparison, and each breaking change on the line that makes it."""
+    yield from comparison.findings
+    for change in comparison.changes:
+        if change.breaking:
+            yield _changed(change, old, new)
+
+
+def _changed(change: Change, old: Tree, new: Tree) -> Finding:
+    name = change.old or change.new or ""
+    became = f"becomes {change.new}" if change.old and change.new and change.old != change.new else change.change
+    text = f"{change.kind} {name} of {change.package} {became.replace('_', ' ')}"
+    entity = Entity(change.kind, change.old or "", change.new or "")
+    return RULE.finding(text, entity, change.package, _places(change, old, new), certainty="likely")
+
+
+def _places(change: Change, old: Tree, new: Tree) -> list[Evidence]:
+    """The new line, else where the old one stood in the file of now, else the file that is gone."""
+    if change.evidence_new is not None:
+        return [change.evidence_new]
+    before = change.evidence_old
+    if before is None:
+        return []
+    text = _read(new, before.path)
+    if text is None:
+        return [before]
+    return [Evidence(before.path, landing_line(_read(old, before.path), text, before.line))]
+
+
+def _read(tree: Tree, path: str) -> bytes | None:
+    if all(entry.path != path for entry in tree.files()):
+        return None
+    return next((data for _, data in tree.read_many([path])), None)

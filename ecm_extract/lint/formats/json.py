@@ -1,0 +1,16 @@
+"""Findings as one JSON document (`ecm-extract/lint/1`)."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+
+from ecm_checker.finding import Finding
+from ecm_checker.json_data import record_data
+
+SCHEMA = "ecm-extract/lint/1"
+
+
+def render(findings: Sequence[Finding]) -> str:
+    """Return the document, indented by one space."""
+    return json.dumps({"schema": SCHEMA, "findings": [record_data(each) for each in findings]}, indent=1) + "\n"

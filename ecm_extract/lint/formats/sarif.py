@@ -1,0 +1,71 @@
+"""Findings as SARIF 2.1.0, which code hosts show on the lines of a change."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from importlib.metadata import version
+from typing import Any
+from urllib.parse import quote
+
+from ecm_checker.contract import Evidence
+from ecm_checker.finding import Finding
+
+from ecm_extract.lint.catalogue import catalogue
+
+_LEVELS = {"error": "error", "warning": "warning", "info": "note"}
+_SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
+
+
+def render(findings: Sequence[Finding]) -> str:
+    """Return one run with the rules that it uses."""
+    rules = {finding.rule: finding for finding in findings}
+    document = {
+        "$schema": _SCHEMA,
+        "version": "2.1.0",
+        "runs": [
+            {
+                "tool": {
+                    "driver": {
+                        "name": "ecm-extract",
+                        "version": version("ecm-extract"),
+                        "rules": [_rule(rule, rules[rule]) for rule in sorted(rules)],
+                    }
+                },
+                "results": [_result(finding) for finding in findings],
+            }
+        ],
+    }
+    return json.dumps(document, indent=1) + "\n"
+
+
+def _rule(rule: str, finding: Finding) -> dict[str, Any]:
+    known = next((entry.rule for entry in catalogue() if entry.rule.id == rule), None)
+    return {
+        "id": rule,
+        "name": finding.name,
+        "shortDescription": {"text": finding.name.replace("_", " ")},
+        "help": {"text": known.resolution if known is not None else finding.resolution},
+        "properties": {"dimension": finding.dimension},
+    }
+
+
+def _result(finding: Finding) -> dict[str, Any]:
+    result: dict[str, Any] = {
+        "ruleId": finding.rule,
+        "level": _LEVELS[finding.severity],
+        "message": {"text": f"{finding.message}. {finding.resolution}."},
+        "partialFingerprints": {"ecmExtract/v1": finding.fingerprint},
+        "properties": {"certainty": finding.certainty, "breaks": finding.who},
+    }
+    if finding.evidence:
+        result["locations"] = [_location(finding.evidence[0])]
+    if len(finding.evidence) > 1:
+        result["relatedLocations"] = [_location(place) for place in finding.evidence[1:20]]
+    return result
+
+
+def _location(place: Evidence) -> dict[str, Any]:
+    uri = quote(place.path)
+    region = {"region": {"startLine": place.line}} if place.line > 0 else {}
+    return {"physicalLocation": {"artifactLocation": {"uri": uri, "uriBaseId": "%SRCROOT%"}, **region}}

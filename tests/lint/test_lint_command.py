@@ -1,0 +1,192 @@
+"""`ecm-extract lint`: formats, exit status, answers, baselines, patches."""
+
+from __future__ import annotations
+
+import io
+import json
+import shutil
+from pathlib import Path
+
+import jsonschema
+import pytest
+from lint_fixtures import FIXTURES
+from lxml import etree
+
+from ecm_extract.cli.run import run
+
+BAD = FIXTURES / "LNT003" / "bad"
+LAUNCH = "demo/launch/a.launch.xml"
+SARIF = {
+    "type": "object",
+    "required": ["version", "runs"],
+    "properties": {
+        "version": {"const": "2.1.0"},
+        "runs": {
+            "type": "array",
+            "items": {
+                "type": "object",
+                "required": ["tool", "results"],
+                "properties": {
+                    "tool": {"type": "object", "required": ["driver"]},
+                    "results": {
+                        "type": "array",
+                        "items": {
+                            "type": "object",
+                            "required": ["message", "ruleId", "level", "locations"],
+                            "properties": {"level": {"enum": ["none", "note", "warning", "error"]}},
+                        },
+                    },
+                },
+            },
+        },
+    },
+}
+"""The parts of the SARIF 2.1.0 schema that a code host needs."""
+
+
+@pytest.fixture
+def bad(tmp_path: Path) -> Path:
+    shutil.copytree(BAD, tmp_path / "ws")
+    return tmp_path / "ws"
+
+
+def lint(*arguments: str | Path) -> int:
+    return run(["lint", *map(str, arguments)])
+
+
+@pytest.mark.parametrize(("fail_on", "status"), [("error", 1), ("never", 0)])
+def test_exit_status(fail_on: str, status: int, bad: Path) -> None:
+    """Advisory mode says the same and fails nothing."""
+    assert lint(bad, "--fail-on", fail_on) == status
+
+
+def test_text(bad: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Place first, so that editors and terminals can jump; summary on standard error."""
+    lint(bad)
+    captured = capsys.readouterr()
+    assert captured.out.startswith(f"{LAUNCH}:2: error LNT003 executable_missing: ")
+    assert "fix: write base" in captured.out
+    assert captured.err.strip() == "1 error"
+
+
+def test_sarif(bad: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Valid, with place, fingerprint and rule."""
+    lint(bad, "--format", "sarif")
+    document = json.loads(capsys.readouterr().out)
+    jsonschema.validate(document, SARIF)
+    (result,) = document["runs"][0]["results"]
+    place = result["locations"][0]["physicalLocation"]
+    assert (place["artifactLocation"]["uri"], place["region"]["startLine"]) == (LAUNCH, 2)
+    assert len(result["partialFingerprints"]["ecmExtract/v1"]) == 16
+    assert document["runs"][0]["tool"]["driver"]["rules"][0]["id"] == "LNT003"
+
+
+def test_junit(bad: Path, tmp_path: Path) -> None:
+    """An error is a failure; a clean workspace is one test that passed."""
+    target = tmp_path / "out.xml"
+    assert lint(bad, "--output", f"junit={target}") == 1
+    suite = etree.fromstring(target.read_bytes())
+    assert (suite.get("failures"), len(suite.findall(".//failure"))) == ("1", 1)
+    assert lint(FIXTURES / "LNT003" / "good", "--output", f"junit={target}") == 0
+    suite = etree.fromstring(target.read_bytes())
+    assert (suite.get("tests"), suite.get("failures")) == ("1", "0")
+
+
+def test_github_and_markdown(bad: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A workflow command on the line; a table for the comment."""
+    lint(bad, "--format", "github")
+    assert capsys.readouterr().out.startswith(f"::error file={LAUNCH},line=2,title=LNT003 executable_missing::")
+    lint(bad, "--format", "markdown")
+    assert f"| error | `{LAUNCH}:2` | LNT003 " in capsys.readouterr().out
+    lint(FIXTURES / "LNT003" / "good", "--format", "markdown")
+    assert capsys.readouterr().out == "ecm-extract found nothing to say.\n"
+
+
+def test_json_has_the_wire_keys(bad: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Every key of a finding."""
+    lint(bad, "--format", "json")
+    document = json.loads(capsys.readouterr().out)
+    assert document["schema"] == "ecm-extract/lint/1"
+    needed = {"rule", "name", "dimension", "severity", "message", "resolution", "subjects", "evidence", "fingerprint"}
+    assert needed <= document["findings"][0].keys()
+
+
+@pytest.mark.parametrize(
+    ("comment", "status"),
+    [
+        ("<!-- ecm: ignore[LNT003] started by hand -->", 0),
+        ("<!-- ecm: ignore[LNT001, LNT003] started by hand -->", 0),
+        ("<!-- ecm: ignore[LNT003 name=bass] started by hand -->", 0),
+        ("<!-- ecm: ignore[LNT003 name=treble] started by hand -->", 1),
+        ("<!-- ecm: ignore[LNT001] started by hand -->", 1),
+    ],
+)
+def test_comment(comment: str, status: int, bad: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A comment answers the rules that it names; one that matches nothing is told."""
+    path = bad / LAUNCH
+    path.write_text(path.read_text().replace("<launch>\n", f"<launch>\n{comment}\n"))
+    assert lint(bad) == status
+    assert ("unused: " in capsys.readouterr().err) is bool(status)
+
+
+def test_accept(bad: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A row with a reason; after its day it counts again; a second row for the same is refused."""
+    lint(bad, "--format", "json")
+    fingerprint = json.loads(capsys.readouterr().out)["findings"][0]["fingerprint"]
+    assert run(["accept", fingerprint, "--reason", 'old "robot"', "--path", str(bad)]) == 0
+    assert lint(bad) == 0
+    assert run(["accept", fingerprint, "--reason", "again", "--path", str(bad)]) == 2
+    (bad / "ecm-accepted.toml").unlink()
+    assert run(["accept", fingerprint, "--reason", "x", "--until", "2020-01-01", "--path", str(bad)]) == 0
+    assert lint(bad) == 1
+    assert run(["accept", "abc", "--reason", "x"]) == 2
+    assert run(["accept", fingerprint, "--reason", "x", "--until", "soon"]) == 2
+
+
+def test_accepted_file_that_is_wrong(bad: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A misspelt key is the user's error, with the file."""
+    (bad / "ecm-accepted.toml").write_text("[[accept]]\nfingerprnt = '0'\n")
+    assert lint(bad) == 2
+    assert "ecm-accepted.toml" in capsys.readouterr().err
+
+
+def test_baseline(bad: Path) -> None:
+    """An old repository starts clean; what comes later is reported."""
+    assert lint(bad, "--write-baseline") == 0
+    assert lint(bad) == 0
+    path = bad / LAUNCH
+    path.write_text(path.read_text().replace("</launch>", '<node pkg="demo" exec="other"/></launch>'))
+    assert lint(bad) == 1
+
+
+def test_patch(bad: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Only lines that a patch touches; what is no patch is the user's error."""
+    patch = f'--- a/{LAUNCH}\n+++ b/{LAUNCH}\n@@ -1,1 +1,2 @@\n <launch>\n+  <node pkg="demo" exec="bass"/>\n'
+    monkeypatch.setattr("sys.stdin", io.StringIO(patch))
+    assert lint(bad, "--patch", "-") == 1
+    monkeypatch.setattr("sys.stdin", io.StringIO(patch.replace("a.launch", "b.launch")))
+    assert lint(bad, "--patch", "-") == 0
+    monkeypatch.setattr("sys.stdin", io.StringIO("@@ -x +y @@\n"))
+    assert lint(bad, "--patch", "-") in (0, 2)
+    assert lint(bad, "--patch", str(bad / "none.patch")) == 2
+
+
+@pytest.mark.parametrize(
+    ("config", "status"),
+    [
+        ('[severity]\nLNT003 = "off"\n', 0),
+        ('[severity]\nLNT003 = "info"\n', 0),
+        ('promise = ["wire"]\n', 0),
+        ('promise = ["config"]\n', 1),
+    ],
+)
+def test_project_decides_levels_and_promises(config: str, status: int, bad: Path) -> None:
+    """A rule may be silenced or lowered, and a project guards what it promises."""
+    (bad / "ecm.toml").write_text(config)
+    assert lint(bad) == status
+
+
+def test_unknown_rule(bad: Path) -> None:
+    """A misspelt rule selects nothing, which would look like success."""
+    assert lint(bad, "--select", "LNT999") == 2
+    assert lint(bad, "--select", "LNT001") == 0
