@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Collection, Mapping
 
 import msgspec
@@ -33,8 +34,10 @@ def findings_of(
                 place = finding.evidence[0] if finding.evidence else None
                 key = (finding.fingerprint, place.path if place else "", place.line if place else 0)
                 found.setdefault(key, msgspec.structs.replace(finding, severity=level) if level else finding)
-        except RecursionError:
-            message = f"{entry.rule.id} could not finish: something nests too deeply. The other rules are not affected."
+        except Exception as error:  # a rule that fails on a stranger's file must not cost what the others found
+            if os.environ.get("ECM_DEBUG"):
+                raise
+            message = f"{entry.rule.id} could not finish ({type(error).__name__}). The other rules are not affected."
             workspace.tree.report(FileDiagnostic("warning", "rule-stopped", "", 0, message))
     return sorted(found.values(), key=_order)
 

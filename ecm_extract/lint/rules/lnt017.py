@@ -37,17 +37,22 @@ def check(workspace: Workspace) -> Iterator[Finding]:
         for path, definition in package.interfaces.items():
             for section in definition.sections:
                 for field in section.fields:
-                    yield from _of(field, path, package, known)
+                    yield from _of(field, path, package, known, set(workspace.by_name))
 
 
-def _of(field: Field, path: str, package: PackageFacts, known: dict[str, set[str]]) -> Iterator[Finding]:
+def _of(
+    field: Field, path: str, package: PackageFacts, known: dict[str, set[str]], present: set[str]
+) -> Iterator[Finding]:
     bare = field.type.partition("[")[0].partition("<")[0]
     owner, _, name = bare.partition("/")
     name = name.rpartition("/")[2]
-    if not name or owner not in known or name in known[owner]:
+    own = known.get(owner, set())
+    if not name or owner not in present or name in own:
         return
-    near = nearest(name, known[owner])
+    near = nearest(name, own)
     elsewhere = next((other for other, names in known.items() if name in names), None)
+    if owner not in known and elsewhere is None:
+        return  # it may generate its messages
     better = f"{elsewhere}/{name}" if elsewhere else f"{owner}/{near}" if near else ""
     text = f"{owner} defines no message {name}" + (f"; there is {better}" if better else "")
     evidence = [Evidence(path, field.line)]

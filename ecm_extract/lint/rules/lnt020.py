@@ -1,0 +1,77 @@
+"""LNT020: source includes or imports a package that package.xml does not name."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Iterator, Mapping
+from functools import cache
+from importlib import resources
+from types import MappingProxyType
+
+from ecm_checker.contract import Evidence
+from ecm_checker.finding import Entity, Finding
+
+from ecm_extract.link.program import File
+from ecm_extract.lint.rule import LintRule
+from ecm_extract.lint.workspace import Workspace
+from ecm_extract.read.facts import PackageFacts
+
+RULE = LintRule(
+    id="LNT020",
+    name="source_dependency_undeclared",
+    dimension="versioning",
+    severity="info",
+    who="source",
+    consequence="on a machine that has only what package.xml asks for, it does not build or import",
+    resolution="add a <depend>, <build_depend> or <exec_depend> to package.xml",
+)
+
+
+@cache
+def python_packages() -> Mapping[str, str]:
+    """Return the package of widely used Python modules."""
+    text = (resources.files("ecm_extract.lint") / "python_packages.toml").read_text("utf-8")
+    return MappingProxyType(tomllib.loads(text)["packages"])
+
+
+def check(workspace: Workspace) -> Iterator[Finding]:
+    """Report each package once for the package that uses it."""
+    files: dict[str, list[File]] = {}
+    for file in workspace.linker.program.files:
+        files.setdefault(file.package, []).append(file)
+    for package in workspace.packages:
+        if package.manifest is None or package.root.rosbuild:
+            continue
+        declared = {entry.name for entry in package.manifest.dependencies} | {package.name} | workspace.externals
+        for name, lines in _used(files.get(package.name, []), package, workspace).items():
+            if name not in declared and name.replace("python3-", "python-") not in declared:
+                text = f"{package.name} uses {name}, which its package.xml does not name"
+                yield RULE.finding(text, Entity("package", name), package.name, lines[:5])
+
+
+def _used(files: list[File], package: PackageFacts, workspace: Workspace) -> dict[str, list[Evidence]]:
+    own = {
+        entry.path.rsplit("/", 1)[-1].removesuffix(".py") for entry in package.root.files if entry.path.endswith(".py")
+    }
+    found: dict[str, list[Evidence]] = {}
+    for file in files:
+        for entry in file.facts.imports:
+            name = _python(entry.module, own, workspace) if file.language == "python" else _cpp(entry.module, workspace)
+            if name is not None:
+                found.setdefault(name, []).append(Evidence(file.path, entry.line))
+    return found
+
+
+def _python(module: str, own: set[str], workspace: Workspace) -> str | None:
+    top = module.split(".")[0]
+    if not top or top in own:
+        return None
+    if top in workspace.by_name or top.endswith("_msgs"):
+        return top
+    return python_packages().get(top)
+
+
+def _cpp(path: str, workspace: Workspace) -> str | None:
+    """The first folder of an include is its package, when that is in the tree or holds messages."""
+    top, slash, _ = path.partition("/")
+    return top if slash and (top in workspace.by_name or top.endswith("_msgs")) else None

@@ -1,0 +1,53 @@
+"""LNT022: a robot description says something twice where it must be said of two things."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ecm_checker.contract import Evidence
+from ecm_checker.finding import Entity, Finding
+from ecm_parsers.xml_tree import children, line_of, parse_xml
+from lxml import etree
+
+from ecm_extract.discover import is_test_path
+from ecm_extract.lint.rule import LintRule
+from ecm_extract.lint.workspace import Workspace
+
+RULE = LintRule(
+    id="LNT022",
+    name="description_repeated",
+    dimension="resources",
+    severity="warning",
+    who="config",
+    consequence="the second wins or is refused, and the thing that was meant has neither",
+    resolution="name the link or joint that is meant",
+)
+_NAMES = {"gazebo": "reference", "link": "name", "joint": "name"}
+
+
+def check(workspace: Workspace) -> Iterator[Finding]:
+    """Report siblings of a description that name one link or joint twice; those under conditions are no siblings."""
+    for package in workspace.packages:
+        for entry in package.root.files:
+            if entry.path.endswith((".urdf", ".xacro")) and not is_test_path(entry.path, package.root.path):
+                root = parse_xml(workspace.files.read(entry.path) or b"").root
+                for element in root.iter(etree.Element) if root is not None else ():
+                    yield from _of(element, entry.path, package.name)
+
+
+def _of(parent: etree._Element, path: str, package: str) -> Iterator[Finding]:
+    seen: dict[tuple[str, str, str], etree._Element] = {}
+    for tag, element in children(parent):
+        if tag not in _NAMES or str(element.tag).startswith("{"):
+            continue
+        name = element.get(_NAMES[tag], "")
+        if not name or parent.tag == "transmission" or (tag != "gazebo" and parent.tag not in ("robot", "macro")):
+            continue
+        for said in {child for child, _ in children(element)} if tag == "gazebo" else {""}:
+            first = seen.setdefault((tag, str(name), said), element)
+            if first is not element:
+                what = f" for {said}" if said else ""
+                text = f"<{tag}> {name} stands twice{what}"
+                evidence = [Evidence(path, line_of(element)), Evidence(path, line_of(first))]
+                yield RULE.finding(text, Entity(tag, str(name), said), package, evidence, certainty="likely")
+                break

@@ -1,0 +1,115 @@
+"""LNT024: a stamped message is published and its header was never written."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ecm_checker.contract import Evidence
+from ecm_checker.finding import Entity, Finding
+from ecm_parsers.source.expr import Call, Expr, Member, Name
+
+from ecm_extract.link.calls import walk
+from ecm_extract.link.program import Func, plain
+from ecm_extract.lint.rule import LintRule
+from ecm_extract.lint.workspace import Workspace
+
+RULE = LintRule(
+    id="LNT024",
+    name="header_never_written",
+    dimension="behavior",
+    severity="warning",
+    who="wire",
+    consequence="time and frame are zero and empty: transforms fail and filters drop the message",
+    resolution="set header.stamp and header.frame_id before it is published",
+)
+_STAMPED = frozenset(
+    {"LaserScan", "Imu", "PointCloud2", "Image", "CameraInfo", "JointState", "NavSatFix", "Range", "MagneticField"}
+    | {"Odometry", "Path", "OccupancyGrid", "FluidPressure", "Temperature", "BatteryState", "TimeReference"}
+)
+_SENDERS = frozenset({"publish", "sendTransform", "send_transform"})
+
+
+def check(workspace: Workspace) -> Iterator[Finding]:
+    """Report local messages of C++ that nothing but plain assignments to other fields has touched."""
+    for functions in workspace.linker.program.functions.values():
+        for func in functions:
+            if func.file.language == "cpp" and func.file.package in workspace.by_name:
+                yield from _of(func)
+
+
+def _of(func: Func) -> Iterator[Finding]:
+    body = func.fact.body
+    for statement in body:
+        made = statement.value
+        kind = _made_type(statement.type, made)
+        if statement.kind != "let" or not isinstance(statement.target, Name) or not _is_stamped(kind):
+            continue
+        name = statement.target.id
+        if made is not None and not (isinstance(made, Call) and not made.args):
+            continue  # a copy may bring a header
+        sent = [other for other in body if other.value is not None and _sends(other.value, name)]
+        if sent and not any(_touches(other.target, other.value, name) for other in body if other not in sent):
+            text = f"{kind} {name} is sent and its header is never written"
+            evidence = [Evidence(func.file.path, sent[0].line), Evidence(func.file.path, statement.line)]
+            entity = Entity("message", f"{func.fact.scope}::{func.fact.name}", name)
+            yield RULE.finding(text, entity, func.file.package, evidence, certainty="likely")
+
+
+def _made_type(written: str, made: Expr | None) -> str:
+    """The message type of a declaration: of the object behind a pointer, of what `make_shared` makes for `auto`."""
+    types = made.types if isinstance(made, Call) else ()
+    bare = plain(types[0]) if types and plain(written) in {"auto", ""} else plain(written)
+    for suffix in ("::Ptr", "::SharedPtr", "::UniquePtr", "Ptr"):
+        bare = bare.removesuffix(suffix)
+    return bare
+
+
+def _is_stamped(kind: str) -> bool:
+    parts = [part for part in kind.split("::") if part]
+    return len(parts) > 1 and (parts[-1].endswith("Stamped") or parts[-1] in _STAMPED)
+
+
+def _sends(expr: Expr, name: str) -> bool:
+    calls = (call for call in walk(expr) if _called(call) in _SENDERS)
+    return any(isinstance(arg, Name) and arg.id == name for call in calls for arg in call.args)
+
+
+def _called(call: Call) -> str:
+    callee = call.callee
+    return (
+        callee.name if isinstance(callee, Member) else callee.id.rsplit("::", 1)[-1] if isinstance(callee, Name) else ""
+    )
+
+
+def _touches(target: Expr | None, value: Expr | None, name: str) -> bool:
+    """Tell whether a statement writes the header, the whole message, or hands the message to somebody."""
+    if (
+        target is not None
+        and _root(target) == name
+        and ((isinstance(target, Name) and value is not None) or "header" in _path(target))
+    ):
+        return not (isinstance(target, Name) and isinstance(value, Call) and not value.args)
+    for call in walk(value) if value is not None else ():
+        if any(_root(arg) == name for arg in call.args) or (
+            "header" in _path(call.callee) and _root(call.callee) == name
+        ):
+            return True
+    return False
+
+
+def _path(expr: Expr) -> list[str]:
+    parts = []
+    node: Expr = expr
+    while isinstance(node, Member):
+        parts.append(node.name)
+        node = node.base
+    return parts
+
+
+def _root(expr: Expr) -> str:
+    node: Expr = expr
+    while isinstance(node, Member):
+        node = node.base
+    if hasattr(node, "operands") and len(node.operands) == 1:
+        return _root(node.operands[0])
+    return node.id if isinstance(node, Name) else ""
