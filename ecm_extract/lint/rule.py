@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Iterator
 from typing import Final
 
@@ -75,7 +76,11 @@ Check = Callable[[Workspace], Iterator[Finding]]
 
 
 class Entry(msgspec.Struct, frozen=True):
-    """A rule of the catalogue with the function that checks it."""
+    """A rule of the catalogue with the function that checks it.
+
+    `rename` finds `old` and `new` in a message of the rule when the one can surely be written for the other.
+    """
 
     rule: LintRule
     check: Check
+    rename: re.Pattern[str] | None = None

@@ -190,3 +190,24 @@ def test_unknown_rule(bad: Path) -> None:
     """A misspelt rule selects nothing, which would look like success."""
     assert lint(bad, "--select", "LNT999") == 2
     assert lint(bad, "--select", "LNT001") == 0
+
+
+@pytest.mark.parametrize("rule", ["LNT003", "LNT004", "LNT005", "LNT010", "LNT017", "LNT020"])
+def test_fix(rule: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The change is shown, made, and is what makes the finding go away; a second run changes nothing."""
+    folder = tmp_path / rule
+    shutil.copytree(FIXTURES / rule / "bad", folder)
+    lint(folder, "--select", rule, "--fix")
+    assert "+++ b/demo/" in capsys.readouterr().err
+    assert lint(folder, "--select", rule, "--fix", "--fail-on", "info") == 0
+    assert "+++" not in capsys.readouterr().err
+
+
+def test_fix_leaves_the_rest_alone(tmp_path: Path) -> None:
+    """Line ends, other lines and findings without a sure correction stay."""
+    folder = tmp_path / "ws"
+    shutil.copytree(BAD, folder)
+    path = folder / LAUNCH
+    path.write_bytes(path.read_bytes().replace(b"\n", b"\r\n"))
+    lint(folder, "--fix")
+    assert path.read_bytes() == b'<launch>\r\n  <node pkg="demo" exec="base"/>\r\n</launch>\r\n'

@@ -42,6 +42,7 @@ class Request(msgspec.Struct, frozen=True):
     fail_on: Literal["error", "warning", "info", "never"]
     baseline: str | None
     write_baseline: bool
+    fix: bool
     include_tests: bool
     config: str | None
     jobs: int | None
@@ -63,6 +64,7 @@ class Request(msgspec.Struct, frozen=True):
 )
 @click.option("--baseline", metavar="FILE", help="Findings to leave out.  [default: ecm-baseline.txt in PATH]")
 @click.option("--write-baseline", is_flag=True, help="Write all findings of now into the baseline and exit.")
+@click.option("--fix", is_flag=True, help="Correct what is sure, after showing the change.")
 @click.option("--include-tests", is_flag=True, help="Read test folders too.")
 @click.option("--config", metavar="FILE", help="Use this ecm.toml.  [default: the one in PATH]")
 @click.option("--jobs", type=click.IntRange(min=1), help="Worker processes.  [default: one per core]")
@@ -76,6 +78,8 @@ def command(**options: Any) -> int:
     if request.write_baseline:
         return _write_baseline(findings, request)
     answered = _answered(findings, workspace, request)
+    if request.fix:
+        _fix(answered.findings, workspace, request)
     _print(answered.findings, request)
     _say(answered)
     return int(_is_failure(answered.findings, request.fail_on))
@@ -172,6 +176,18 @@ def _write_baseline(findings: list[Finding], request: Request) -> int:
     target.write_text(baseline_text(findings), "utf-8")
     click.echo(f"written: {target} with {len({each.fingerprint for each in findings})} findings", err=True)
     return 0
+
+
+def _fix(findings: tuple[Finding, ...], workspace: Workspace, request: Request) -> None:
+    from ecm_extract.lint.fixes import fixed_texts, fixes_of, shown
+
+    root = Path(request.path)
+    if not root.is_dir() or workspace.tree.label.count("@"):
+        message = "--fix changes files, so it needs a folder"
+        raise InputError(message, "name the folder of the work tree")
+    for path, before, after in fixed_texts(fixes_of(findings, workspace), workspace):
+        click.echo(shown(path, before, after), err=True, nl=False)
+        (root / path).write_text(after, "utf-8", errors="surrogateescape", newline="")
 
 
 def _print(findings: tuple[Finding, ...], request: Request) -> None:

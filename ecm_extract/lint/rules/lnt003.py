@@ -23,6 +23,7 @@ RULE = LintRule(
     consequence="the node never starts, and the launch goes on without it",
     resolution="correct the name, or install the program",
 )
+RENAME = re.compile(r"builds no program (?P<old>\S+); it builds (?P<new>[^\s:]+)")
 
 _OUTPUT_NAME = re.compile(rb"OUTPUT_NAME\s+\"?([\w.-]+)")
 

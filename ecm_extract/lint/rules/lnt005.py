@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from difflib import SequenceMatcher
 
@@ -21,6 +22,7 @@ RULE = LintRule(
     consequence="the value has no effect and the node runs with its default",
     resolution="correct the name, or remove the line",
 )
+RENAME = re.compile(r"does not read (?P<old>\S+); it reads (?P<new>[^\s:]+)")
 _ALWAYS = ("use_sim_time", "qos_overrides", "start_type_description_service", "robot_description", "use_intra_process")
 NEAR = 0.86
 

@@ -23,6 +23,7 @@ RULE = LintRule(
     consequence="the module cannot be imported or compiled, and its node never starts",
     resolution="correct the name, or add the interface file",
 )
+RENAME = re.compile(r"has no \w+/(?P<old>\w+); it has (?P<new>\w+)")
 _KINDS = {"msg": ("",), "srv": ("", "Request", "Response", "_Request", "_Response"), "action": ("",)}
 _ACTION_PARTS = ("Action", "Goal", "Result", "Feedback", "ActionGoal", "ActionResult", "ActionFeedback")
 _PYTHON = re.compile(r"(\w+)\.(msg|srv|action)")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from ecm_checker.contract import Evidence
@@ -22,6 +23,7 @@ RULE = LintRule(
     consequence="the interface package does not build, and nothing that uses it does",
     resolution="correct the type, or add the message",
 )
+RENAME = re.compile(r"defines no message (?P<old>\w+); there is \w+/(?P<new>\w+)")
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:

@@ -1,0 +1,105 @@
+"""Corrections of findings where they are sure: one word on one line, or a missing line of a package.xml."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from difflib import unified_diff
+
+import msgspec
+from ecm_checker.finding import Finding
+
+from ecm_extract.lint.catalogue import catalogue
+from ecm_extract.lint.workspace import Workspace
+
+_HEAD = re.compile(r"^\s*<(?:version|license|author|url)\b.*</\w+>\s*$")
+_DEPENDENCY = re.compile(r"^(?P<indent>\s*)<(?:exec_depend|run_depend|depend|build_depend|buildtool_depend)>")
+
+
+class Fix(msgspec.Struct, frozen=True):
+    """A line of a file that becomes another; with `insert` the new line comes after it."""
+
+    path: str
+    line: int
+    before: str
+    after: str
+    insert: bool = False
+
+
+def fixes_of(findings: Iterable[Finding], workspace: Workspace) -> list[Fix]:
+    """Return the corrections that findings allow, each line at most once."""
+    found: dict[tuple[str, int, str], Fix] = {}
+    for finding in findings:
+        for fix in (_renamed(finding, workspace), _declared(finding, workspace)):
+            if fix is not None:
+                key = (fix.path, fix.line, fix.after if fix.insert else "")
+                found.setdefault(key, fix)
+    return list(found.values())
+
+
+def _renamed(finding: Finding, workspace: Workspace) -> Fix | None:
+    """The rule's `RENAME` finds old and new name in its own message; the line must hold the old one exactly once."""
+    pattern = next((entry.rename for entry in catalogue() if entry.rule.id == finding.rule), None)
+    match = pattern.search(finding.message) if pattern is not None else None
+    if match is None or not finding.evidence:
+        return None
+    place = finding.evidence[0]
+    line = _line(place.path, place.line, workspace)
+    word = re.compile(rf"(?<![\w.]){re.escape(match['old'])}(?![\w.])")
+    if line is None or len(word.findall(line)) != 1:
+        return None
+    return Fix(place.path, place.line, line, word.sub(match["new"], line))
+
+
+def _declared(finding: Finding, workspace: Workspace) -> Fix | None:
+    """A dependency goes behind the last one that the package.xml names."""
+    if finding.rule not in {"LNT004", "LNT020"}:
+        return None
+    package = workspace.by_name.get(finding.subjects[0])
+    name = finding.message.partition(" uses ")[2].partition(",")[0]
+    path = package.root.manifest if package is not None else None
+    data = workspace.files.read(path) if path is not None else None
+    if package is None or package.manifest is None or path is None or data is None or not name:
+        return None
+    lines = data.decode("utf-8", "replace").splitlines()
+    last = _last(lines, _DEPENDENCY) or _last(lines, _HEAD)
+    if last is None:
+        return None
+    match = _DEPENDENCY.match(lines[last])
+    tag = "run_depend" if package.manifest.format == 1 else "exec_depend" if finding.rule == "LNT004" else "depend"
+    indent = match["indent"] if match is not None else "  "
+    return Fix(path, last + 1, lines[last], f"{indent}<{tag}>{name}</{tag}>", insert=True)
+
+
+def _last(lines: list[str], pattern: re.Pattern[str]) -> int | None:
+    return next((at for at in range(len(lines) - 1, -1, -1) if pattern.match(lines[at])), None)
+
+
+def _line(path: str, number: int, workspace: Workspace) -> str | None:
+    data = workspace.files.read(path)
+    lines = data.decode("utf-8", "replace").splitlines() if data is not None else []
+    return lines[number - 1] if 0 < number <= len(lines) else None
+
+
+def fixed_texts(fixes: Iterable[Fix], workspace: Workspace) -> Iterator[tuple[str, str, str]]:
+    """Yield (path, text before, text after) of every file that fixes change."""
+    by_path: dict[str, list[Fix]] = {}
+    for fix in fixes:
+        by_path.setdefault(fix.path, []).append(fix)
+    for path, group in sorted(by_path.items()):
+        before = (workspace.files.read(path) or b"").decode("utf-8", "surrogateescape")
+        lines = before.splitlines(keepends=True)
+        for fix in sorted(group, key=lambda entry: -entry.line):
+            end = "\r\n" if lines[fix.line - 1].endswith("\r\n") else "\n"
+            if fix.insert:
+                lines.insert(fix.line, fix.after + end)
+            else:
+                lines[fix.line - 1] = lines[fix.line - 1].replace(fix.before, fix.after)
+        yield path, before, "".join(lines)
+
+
+def shown(path: str, before: str, after: str) -> str:
+    """Return a change as a unified diff."""
+    return "".join(
+        unified_diff(before.splitlines(keepends=True), after.splitlines(keepends=True), f"a/{path}", f"b/{path}")
+    )
