@@ -17,6 +17,8 @@ from lxml import etree
 from ecm_parsers.result import Diagnostic, Parsed
 from ecm_parsers.xml_tree import children, line_of, local_name, parse_xml
 
+MAX_NODES = 100_000
+MAX_DIAGNOSTICS = 100
 PortDirection = Literal["input", "output", "inout"]
 NodeKind = Literal["action", "condition", "control", "decorator", "subtree", ""]
 _KINDS: Final[dict[str, NodeKind]] = {
@@ -122,7 +124,7 @@ def parse_behavior_tree(data: bytes) -> Parsed[BehaviorTreeFile]:
     named = _attribute(root, "main_tree_to_execute")
     file = BehaviorTreeFile(reader.format, named, trees, models, tuple(_includes(root)))
     file = msgspec.structs.replace(file, main_tree=_main_tree(file, line_of(root), problems))
-    return Parsed(file, tuple(problems))
+    return Parsed(file, tuple(problems[:MAX_DIAGNOSTICS]))
 
 
 def retries(file: BehaviorTreeFile) -> Iterator[tuple[TreeNode, int]]:
@@ -147,6 +149,7 @@ class _Reader:
         self._trees = trees
         self._models = models
         self._problems = problems
+        self._left = MAX_NODES
 
     def tree(self, element: etree._Element) -> BehaviorTree:
         tree = BehaviorTree(_attribute(element, "ID"), tuple(self._nodes(element)), line_of(element))
@@ -158,7 +161,12 @@ class _Reader:
     def _nodes(self, tree: etree._Element) -> Iterator[TreeNode]:
         places: dict[etree._Element, int] = {}
         for element in tree.iterdescendants(etree.Element):
-            node = self._node(element, self._parent(element, tree, places))
+            self._left -= 1
+            if self._left < 0:
+                self._stop(element)
+                return
+            parent = next((places[each] for each in element.iterancestors() if each in places), None)
+            node = self._node(element, parent)
             if not node.id:
                 message = f"<{node.element}> has no ID, so nothing says which node it is. Add ID."
                 self._problems.append(Diagnostic("error", "bt-no-id", node.line, message))
@@ -166,16 +174,11 @@ class _Reader:
             places[element] = len(places)
             yield node
 
-    def _parent(
-        self, element: etree._Element, tree: etree._Element, places: Mapping[etree._Element, int]
-    ) -> int | None:
-        """The nearest node around that could be read."""
-        around = element.getparent()
-        while around is not None and around is not tree:
-            if around in places:
-                return places[around]
-            around = around.getparent()
-        return None
+    def _stop(self, element: etree._Element) -> None:
+        """Report once that nodes are left out, before what would crowd it out."""
+        if self._left == -1:
+            message = f"The file has more than {MAX_NODES} nodes; the rest is not read. Split it."
+            self._problems.insert(0, Diagnostic("error", "bt-too-many-nodes", line_of(element), message))
 
     def _node(self, element: etree._Element, parent: int | None) -> TreeNode:
         tag = local_name(element)

@@ -16,6 +16,7 @@ from lxml import etree
 from ecm_parsers.result import Diagnostic, Parsed
 from ecm_parsers.xml_tree import children, line_of, local_name, parse_xml
 
+MAX_DIAGNOSTICS = 100
 Access = Literal["publish", "subscribe", "request", "reply", "call", "execute"]
 GrantKind = Literal["topic", "service", "action"]
 _ACCESS: Final[dict[str, tuple[GrantKind, tuple[Access, ...]]]] = {
@@ -68,7 +69,7 @@ def parse_policy(data: bytes) -> Parsed[tuple[Grant, ...]]:
         problems.append(Diagnostic("error", "policy-wrong-root", line_of(tree.root), message))
         return Parsed((), tuple(problems))
     grants = [grant for profile in _profiles(tree.root, problems) for grant in _grants(profile, problems)]
-    return Parsed(tuple(grants), tuple(problems))
+    return Parsed(tuple(grants), tuple(problems[:MAX_DIAGNOSTICS]))
 
 
 class _Profile(msgspec.Struct, frozen=True):

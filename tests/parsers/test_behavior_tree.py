@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 
 import pytest
-from ecm_parsers.behavior_tree import is_behavior_tree, parse_behavior_tree, retries
+from ecm_parsers.behavior_tree import MAX_DIAGNOSTICS, MAX_NODES, is_behavior_tree, parse_behavior_tree, retries
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -153,6 +153,14 @@ def test_hostile(data: bytes, code: str) -> None:
     found = [entry.code for entry in parse_behavior_tree(data).diagnostics]
     assert time.perf_counter() - started < 1
     assert any(entry.startswith(code) for entry in found)
+
+
+def test_bounds() -> None:
+    """Nodes and diagnostics of one file are bounded, and what is left out is told once."""
+    many = b"<BehaviorTree ID='A'>" + b"<Action/>" * (MAX_NODES // 2 + 1) + b"</BehaviorTree>"
+    parsed = parse_behavior_tree(b"<root>" + many * 3 + b"</root>")
+    codes = [found.code for found in parsed.diagnostics]
+    assert (codes.count("bt-too-many-nodes"), len(codes)) == (1, MAX_DIAGNOSTICS)
 
 
 @settings(max_examples=50, deadline=None)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 
 import pytest
-from ecm_parsers.sros_policy import is_policy, parse_policy
+from ecm_parsers.sros_policy import MAX_DIAGNOSTICS, is_policy, parse_policy
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -123,6 +123,12 @@ def test_hostile(data: bytes, code: str) -> None:
     found = [entry.code for entry in parse_policy(data).diagnostics]
     assert time.perf_counter() - started < 1
     assert any(entry.startswith(code) for entry in found)
+
+
+def test_diagnostics_are_bounded() -> None:
+    """A file of mistakes does not fill the report."""
+    text = b"<policy><profiles>" + b"<profile/>" * 1000 + b"</profiles></policy>"
+    assert len(parse_policy(text).diagnostics) == MAX_DIAGNOSTICS
 
 
 @settings(max_examples=50, deadline=None)
