@@ -135,14 +135,21 @@ def _brought_in(found: list[Finding], workspace: Workspace, request: Request) ->
     from ecm_extract.lint.base import change_findings, new_findings
 
     base = str(request.base)
-    old = open_side(base, Path(request.path))
+    folder = _folder(request)
+    old = open_side(base, folder)
     before = _run(_workspace(old, request), request)
     options = Options(request.include_tests, request.config, request.jobs)
     infos = RefInfo(base, old.commit, "named"), RefInfo(request.path, workspace.tree.commit, "named")
-    comparison = compare(Comparing(old, workspace.tree, Path(request.path), "", infos, options=options))
+    comparison = compare(Comparing(old, workspace.tree, folder, "", infos, options=options))
     click.echo(f"base: {base} {(old.commit or '')[:12]}", err=True)
     changes = [] if request.select else list(change_findings(comparison, old, workspace.tree))
     return [*new_findings(found, before), *changes]
+
+
+def _folder(request: Request) -> Path:
+    """The folder of `DIR` or `DIR@REF`."""
+    whole = Path(request.path)
+    return whole if whole.exists() else Path(request.path.rpartition("@")[0] or request.path)
 
 
 def _text_of(name: str) -> str:
@@ -160,7 +167,7 @@ def _answered(findings: list[Finding], workspace: Workspace, request: Request) -
     from ecm_extract.lint.suppressions import FILE_NAME as ACCEPTED
     from ecm_extract.lint.suppressions import answered, parse_accepted
 
-    folder = Path(request.path)
+    folder = _folder(request)
     baseline = Path(request.baseline) if request.baseline else folder / FILE_NAME
     known = read_baseline(baseline.read_text("utf-8", errors="replace")) if baseline.is_file() else frozenset()
     left = [each for each in findings if each.fingerprint not in known]
@@ -172,7 +179,7 @@ def _answered(findings: list[Finding], workspace: Workspace, request: Request) -
 def _write_baseline(findings: list[Finding], request: Request) -> int:
     from ecm_extract.lint.baseline_file import FILE_NAME, baseline_text
 
-    target = Path(request.baseline) if request.baseline else Path(request.path) / FILE_NAME
+    target = Path(request.baseline) if request.baseline else _folder(request) / FILE_NAME
     target.write_text(baseline_text(findings), "utf-8")
     click.echo(f"written: {target} with {len({each.fingerprint for each in findings})} findings", err=True)
     return 0
