@@ -24,7 +24,7 @@ _CONTROLLER: Final = re.compile(r"(?!\w*_msgs/).*(?:controller|broadcaster)", re
 _NO_CONTROLLER: Final = re.compile(r"\w*_msgs/|filters/|.*(?:HW|Analyzer|AnalyzerGroup)$")
 # Parameters that only controllers have, for files that leave the types to the manager's file.
 _TELLING: Final = re.compile(
-    r"(?:command|state)_interfaces?|interface_names?|command_joints|(?:\w*_)?wheels?_names"
+    r"(?:command|state)_interfaces?|interface_names?|command_joints|fallback_controllers|(?:\w*_)?wheels?_names"
     r"|(?:\w*_)?(?:traction|steering|wheel_command)_joints?_names?"
 )
 

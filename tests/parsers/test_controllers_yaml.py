@@ -108,6 +108,7 @@ OTHER = "{ros__parameters: {arm: {type: my_controllers/Other}}}"
         ),
         ("arm: {ros__parameters: {command_interfaces: [a/position]}}", [("/arm", "")]),
         ("arm: {ros__parameters: {front_left_wheel_command_joint_name: a}}", [("/arm", "")]),
+        ("arm: {ros__parameters: {fallback_controllers: [safe]}}", [("/arm", "")]),
         ("base: {ros__parameters: {interface_name_of_bus: can0}}", []),
         ("server: {ros__parameters: {FollowPath: {type: my_controllers/Path}}}", []),
         ("own: {ros__parameters: {update_rate: 5, arm: {type: my_controllers/Arm}}}\narm: {ros__parameters: {}}", []),
