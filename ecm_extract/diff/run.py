@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import msgspec
@@ -13,7 +14,7 @@ from ecm_extract.diff.history import History
 from ecm_extract.diff.model import Comparison, Located, RefInfo
 from ecm_extract.diff.pair import Evidence, Pairing
 from ecm_extract.diff.verdict import package_verdicts, repository_verdict
-from ecm_extract.entities.side import Side, read_workspace, side_of
+from ecm_extract.entities.side import Side, Workspace, read_workspace, side_of
 from ecm_extract.extraction_model import Options
 from ecm_extract.tree import Tree
 from ecm_extract.uses.collect import uses_of
@@ -42,23 +43,28 @@ class Request(msgspec.Struct, frozen=True):
     options: Options = Options()
 
 
-def compare(request: Request) -> Comparison:
+def compare(request: Request, read: Callable[[Tree], Workspace] | None = None) -> Comparison:
     """Read both sides, pair their entities and match the uses of consumers.
+
+    Args:
+        request: what is compared.
+        read: gives a tree read and linked, for callers that already have; None reads it here.
 
     Raises:
         TreeError: a tree cannot be listed.
         ConfigError: an `ecm.toml` is wrong.
     """
     parsed: dict[str, SourceFile] = {}
-    old = side_of(read_workspace(request.old, request.options, parsed))
-    workspace = read_workspace(request.new, request.options, parsed)
+    reader = read or (lambda tree: read_workspace(tree, request.options, parsed))
+    old = side_of(reader(request.old))
+    workspace = reader(request.new)
     new = side_of(workspace)
     located = _changes(request, old, new)
     index = ChangeIndex(located, old, new)
     uses = list(uses_of(workspace, index, own=True))
     del workspace
     for tree in request.consumers:
-        uses += uses_of(read_workspace(tree, request.options, parsed), index)
+        uses += uses_of(reader(tree), index)
     findings = findings_of(uses)
     changes = tuple(entry.change for entry in located)
     return Comparison(

@@ -74,6 +74,7 @@ class Linker:
         self.generated = GeneratedParameters(self.program, packages)
         registry = build_registry(self.program, packages)
         self.registry = registry
+        self.parameter_sites: list[Site] = []
         self.references = References(self.sites)
         self.modules = Modules(self.program, self.references, registry)
         self._observed: dict[int, list[Observation]] = defaultdict(list)
@@ -84,7 +85,7 @@ class Linker:
         """Return all modules with their endpoints, in a stable order."""
         self.generated.declare(self.parameters)
         self._declare_ports()
-        declared = self.sites.find(parameters=True)
+        declared = self.parameter_sites = self.sites.find(parameters=True)
         self._declare_defaults(declared)
         self.folder.forget()
         nodes = self._class_nodes()

@@ -9,16 +9,18 @@ from functools import cached_property
 
 from ecm_checker.contract import Evidence
 from ecm_parsers.launch.model import Action, Group, Include, LaunchFile, Node, Template
+from ecm_parsers.source.facts import SourceFile
 
 from ecm_extract.assemble.contracts import assemble
 from ecm_extract.description.model import Description
 from ecm_extract.description.read import read_description
 from ecm_extract.discover import is_test_path
+from ecm_extract.entities.shared_reader import SharedReader
+from ecm_extract.entities.side import Workspace as Side
 from ecm_extract.extraction_model import Options
 from ecm_extract.link.composition import composition_of
 from ecm_extract.link.forms import form_table
 from ecm_extract.link.linker import Linker
-from ecm_extract.read.reader import Reader
 from ecm_extract.settings import config_of
 from ecm_extract.system.files import Files
 from ecm_extract.system.launch_files import is_launch_file, read_launch
@@ -38,14 +40,18 @@ class Workspace:
         tree: where files are read. config: what the project sets.
         packages: their facts. linker: with all that it found. index: of modules.
         files: as launch files and descriptions name them.
+
+    `parsed` holds facts by blob id, shared with other workspaces of the run: what is in it is not parsed again.
     """
 
-    def __init__(self, tree: Tree, options: Options) -> None:
+    def __init__(self, tree: Tree, options: Options, parsed: dict[str, SourceFile] | None = None) -> None:
         self.tree = tree
         self.config = config = config_of(tree, options)
         with _without_collector():
             include_tests = options.include_tests or config.extract.include_tests
-            self.packages = Reader(tree, include_tests, config.extract.exclude).read(options.jobs, options.progress)
+            reader = SharedReader(tree, include_tests, config.extract.exclude)
+            reader.parsed = {} if parsed is None else parsed
+            self.packages = reader.read(options.jobs, options.progress)
             self.linker = Linker(self.packages, form_table(config.forms))
             self.linked = self.linker.link()
         self.externals = frozenset(config.externals)
@@ -98,6 +104,10 @@ class Workspace:
     def diagnostics(self, *codes: str) -> Iterator[FileDiagnostic]:
         """Yield what reading has reported under these codes."""
         return (entry for entry in self.tree.diagnostics if entry.code in codes)
+
+    def as_side(self) -> Side:
+        """Return the workspace as a comparison reads it."""
+        return Side(self.tree, self.packages, self.linked, self.linker.program)
 
     def package_of(self, path: str) -> str:
         """Return the name of the package that a file belongs to; empty for none."""

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fnmatch import fnmatchcase
 from pathlib import PurePosixPath
+from typing import cast
+
+from ecm_parsers.result import Facts, Parsed
 
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.tree import Tree
@@ -25,6 +28,7 @@ class Files:
         for path in sorted(self._paths):
             self._by_name.setdefault(PurePosixPath(path).name, []).append(path)
         self._contents: dict[str, bytes | None] = {}
+        self._parsed: dict[tuple[str, str], object] = {}
 
     def share(self, package: str) -> str | None:
         """Return the marked path of a package's share folder, None when the tree does not hold the package."""
@@ -66,6 +70,14 @@ class Files:
         if path not in self._contents:
             self._contents[path] = next((data for _, data in self._tree.read_many([path])), None)
         return self._contents[path]
+
+    def parsed(self, path: str, parser: Callable[[bytes], Parsed[Facts]]) -> Parsed[Facts] | None:
+        """Return what a parser makes of a file, once for each parser; None when the file cannot be read."""
+        key = (path, parser.__qualname__)
+        if key not in self._parsed:
+            data = self.read(path)
+            self._parsed[key] = parser(data) if data is not None else None
+        return cast("Parsed[Facts] | None", self._parsed[key])
 
     def package_path(self, name: str) -> str | None:
         """Return the folder of a package in the tree, None when the tree does not hold it."""

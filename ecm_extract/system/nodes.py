@@ -59,6 +59,7 @@ class NodeMaker:
     def __init__(self, index: ModuleIndex, launched: Launched, files: Files) -> None:
         self.index = index
         self.files = files
+        self._set: dict[int, tuple[SystemNode, Sequence[Setting]]] = {}
         self.launched = launched
 
     def nodes(self) -> list[SystemNode]:
@@ -146,6 +147,12 @@ class NodeMaker:
 
     def _settings(self, node: SystemNode) -> Sequence[Setting]:
         """What the launch sets for a node, later ones win; names are the node's own."""
+        known = self._set.get(id(node))
+        if known is None or known[0] is not node:
+            known = self._set[id(node)] = (node, self._read_settings(node))
+        return known[1]
+
+    def _read_settings(self, node: SystemNode) -> Sequence[Setting]:
         instance = node.instance
         if instance.ros == 2:
             return [entry for entry in instance.settings if node_matches(entry.node, node.name)]

@@ -85,11 +85,10 @@ class Settings:
     def _sets(self, source: ParameterFile) -> tuple[str, tuple[ParameterSet, ...]]:
         text = self.substituter.text(source.path)
         path = self.files.find(text.text) if text.known else None
-        data = self.files.read(path) if path is not None else None
-        if path is None or data is None:
+        parsed = self.files.parsed(path, parse_parameter_yaml) if path is not None else None
+        if path is None or parsed is None:
             self._not_found(source, text)
             return self.path, ()
-        parsed = parse_parameter_yaml(data)
         for entry in parsed.diagnostics:
             self.tree.report(FileDiagnostic(entry.severity, entry.code, path, entry.line, entry.message))
         return path, parsed.facts.sets

@@ -89,10 +89,11 @@ def _findings(request: Request) -> tuple[list[Finding], Workspace]:
     from ecm_extract.tree import open_tree
 
     tree = open_tree(request.path)
-    workspace = _workspace(tree, request)
+    parsed: dict[str, Any] = {}
+    workspace = _workspace(tree, request, parsed)
     found = _run(workspace, request)
     if request.base is not None:
-        found = _brought_in(found, workspace, request)
+        found = _brought_in(found, workspace, request, parsed)
     if request.patch is not None:
         from ecm_extract.lint.hunks import touched_lines
 
@@ -103,13 +104,13 @@ def _findings(request: Request) -> tuple[list[Finding], Workspace]:
     return found, workspace
 
 
-def _workspace(tree: Any, request: Request) -> Workspace:
+def _workspace(tree: Any, request: Request, parsed: dict[str, Any]) -> Workspace:
     from ecm_extract.cli.progress import progress_bar
     from ecm_extract.extraction_model import Options
     from ecm_extract.lint.workspace import Workspace
 
     with progress_bar() as progress:
-        return Workspace(tree, Options(request.include_tests, request.config, request.jobs, progress))
+        return Workspace(tree, Options(request.include_tests, request.config, request.jobs, progress), parsed)
 
 
 def _run(workspace: Workspace, request: Request) -> list[Finding]:
@@ -126,21 +127,21 @@ def _run(workspace: Workspace, request: Request) -> list[Finding]:
     return [each for each in found if not config.promise or each.who in config.promise]
 
 
-def _brought_in(found: list[Finding], workspace: Workspace, request: Request) -> list[Finding]:
+def _brought_in(found: list[Finding], workspace: Workspace, request: Request, parsed: dict[str, Any]) -> list[Finding]:
     from ecm_extract.diff.baseline import open_side
     from ecm_extract.diff.model import RefInfo
     from ecm_extract.diff.run import Request as Comparing
     from ecm_extract.diff.run import compare
-    from ecm_extract.extraction_model import Options
     from ecm_extract.lint.base import change_findings, new_findings
 
     base = str(request.base)
     folder = _folder(request)
     old = open_side(base, folder)
-    before = _run(_workspace(old, request), request)
-    options = Options(request.include_tests, request.config, request.jobs)
+    earlier = _workspace(old, request, parsed)
+    before = _run(earlier, request)
     infos = RefInfo(base, old.commit, "named"), RefInfo(request.path, workspace.tree.commit, "named")
-    comparison = compare(Comparing(old, workspace.tree, folder, "", infos, options=options))
+    read = {id(each.tree): each.as_side() for each in (earlier, workspace)}
+    comparison = compare(Comparing(old, workspace.tree, folder, "", infos), lambda tree: read[id(tree)])
     click.echo(f"base: {base} {(old.commit or '')[:12]}", err=True)
     changes = [] if request.select else list(change_findings(comparison, old, workspace.tree))
     return [*new_findings(found, before), *changes]

@@ -29,7 +29,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     """Report ROS 1 parameters `a/a/b`, and reads of one name into different variables of one function."""
     yield from _doubled(workspace)
     reads: dict[tuple[int, str, str], dict[str, Site]] = {}
-    for site in workspace.linker.sites.find(parameters=True):
+    for site in workspace.linker.parameter_sites:
         target = _variable(next(positions(site.form.out, site.call), None))
         handle = repr(site.call.receiver)
         for value in workspace.linker.sites.names(site):
