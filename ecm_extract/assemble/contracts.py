@@ -10,6 +10,7 @@ from ecm_checker.contract import Contract, Identity, Source
 from ecm_checker.fields import missing_fields
 
 from ecm_extract.assemble.behavior import behavior_of
+from ecm_extract.assemble.controller_settings import ControllerSettings
 from ecm_extract.assemble.definitions import Definitions
 from ecm_extract.assemble.permissions import permissions_of
 from ecm_extract.assemble.recovery import recovery_of
@@ -31,12 +32,19 @@ def assemble(
     for entry in linked:
         by_package[entry.module.package].append(entry)
     definitions = Definitions(packages)
-    return tuple(_package(tree, facts, by_package[facts.name], definitions) for facts in packages)
+    settings = ControllerSettings(packages)
+    return tuple(_package(tree, facts, by_package[facts.name], definitions, settings) for facts in packages)
 
 
-def _package(tree: Tree, facts: PackageFacts, linked: list[LinkedModule], definitions: Definitions) -> PackageContracts:
+def _package(
+    tree: Tree,
+    facts: PackageFacts,
+    linked: list[LinkedModule],
+    definitions: Definitions,
+    settings: ControllerSettings,
+) -> PackageContracts:
     version = facts.manifest.version if facts.manifest is not None else None
-    contracts = [_contract(tree, facts, entry, definitions) for entry in linked]
+    contracts = [_contract(tree, facts, entry, definitions, settings) for entry in linked]
     if facts.interfaces or not contracts:
         contracts.append(_package_contract(tree, facts, definitions))
     if facts.overlay is not None:
@@ -46,14 +54,16 @@ def _package(tree: Tree, facts: PackageFacts, linked: list[LinkedModule], defini
     return PackageContracts(facts.name, version, facts.root.path or ".", ros, modules)  # type: ignore[arg-type]
 
 
-def _contract(tree: Tree, facts: PackageFacts, entry: LinkedModule, definitions: Definitions) -> Contract:
+def _contract(
+    tree: Tree, facts: PackageFacts, entry: LinkedModule, definitions: Definitions, settings: ControllerSettings
+) -> Contract:
     module = entry.module
     identity = _identity(tree, facts, module.name, module.kind, module.path)
     contract = Contract(
         ecm=identity,
         signature=signature_of(entry, definitions),
         behavior=behavior_of(entry),
-        resources=resources_of(entry, facts),
+        resources=resources_of(entry, facts, settings),
         permissions=permissions_of(entry, facts),
         recovery=recovery_of(entry, facts, definitions),
         versioning=versioning_of(facts),

@@ -31,7 +31,7 @@ def recovery_of(entry: LinkedModule, facts: PackageFacts, definitions: Definitio
         rollback_state=_rollback(entry),
         retry=_retry(entry.interfaces) or _retry_of_trees(entry.interfaces, facts),
         safe_stop=_safe_stop(entry.interfaces),
-        escalation=_escalation(entry.interfaces),
+        escalation=_escalation(entry.interfaces, facts),
     )
 
 
@@ -80,6 +80,13 @@ def _safe_stop(interfaces: Iterable[Interface]) -> Value | None:
     return of_interfaces([f"stop after {entry.name}" for entry in found], found)
 
 
-def _escalation(interfaces: Iterable[Interface]) -> Value | None:
+def _escalation(interfaces: Iterable[Interface], facts: PackageFacts) -> Value | None:
+    """Who publishes diagnostics tells of failures; an aggregator that the package configures passes them on."""
     found = [entry for entry in interfaces if entry.role == "publisher" and entry.name in _ALARMS]
-    return of_interfaces([f"failure -> {name}" for name in sorted({entry.name for entry in found})], found)
+    steps = [f"failure -> {name}" for name in sorted({entry.name for entry in found})]
+    lines = [entry.evidence[0] for entry in found]
+    for path, file in facts.aggregators.items() if found else ():
+        for aggregator in file.aggregators:
+            steps.append(f"stale -> {aggregator.base_path or '/diagnostics_agg'}")
+            lines.append(Evidence(path, aggregator.line))
+    return inferred(list(dict.fromkeys(steps)), lines)

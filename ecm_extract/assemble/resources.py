@@ -11,7 +11,9 @@ from importlib import resources
 import msgspec
 from ecm_checker.contract import Evidence, Interface, Resources, Value
 
+from ecm_extract.assemble.controller_settings import ControllerSettings
 from ecm_extract.assemble.evidence import inferred, number_of, of_interfaces, parameters_where
+from ecm_extract.link.filling import filled
 from ecm_extract.link.linker import LinkedModule
 from ecm_extract.read.facts import PackageFacts
 
@@ -41,14 +43,14 @@ def hardware_table() -> HardwareTable:
     return msgspec.convert(tomllib.loads(text), HardwareTable)
 
 
-def resources_of(entry: LinkedModule, facts: PackageFacts) -> Resources:
+def resources_of(entry: LinkedModule, facts: PackageFacts, settings: ControllerSettings) -> Resources:
     """Return the resources section of a module."""
     return Resources(
         sensors=_sensors(entry.interfaces),
         actuators=actuators_of(entry),
         compute=_compute(facts),
         timing=_timing(entry.interfaces),
-        exclusive_locks=locks_of(entry),
+        exclusive_locks=configured_locks(entry, settings) or locks_of(entry),
     )
 
 
@@ -102,6 +104,22 @@ def locks_of(entry: LinkedModule) -> Value | None:
     confidence = "pattern" if any("{" in name for name in names) else "folded"
     evidence = tuple(dict.fromkeys(claim.evidence for claim in commands))
     return Value(names, "inferred", confidence, evidence)  # type: ignore[arg-type]
+
+
+def configured_locks(entry: LinkedModule, settings: ControllerSettings) -> Value | None:
+    """Return what a controller claims with the parameters of the one YAML file that configures it.
+
+    With several configurations the claims stay as the code writes them: which one holds, only a launch tells.
+    """
+    found = settings.of(entry) if entry.claims else []
+    if len(found) != 1:
+        return None
+    path, controller = found[0]
+    values = {each.name: each.value for each in controller.parameters}
+    commands = [claim for claim in entry.claims or () if claim.kind == "command"]
+    names = [name for claim in commands for name in filled(claim.name, values.get)]
+    lines = [Evidence(path, controller.line), *(claim.evidence for claim in commands)]
+    return inferred([name for name in dict.fromkeys(names) if "{" not in name], lines, "folded")
 
 
 def shown_claim(name: str) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import PurePosixPath
 
-from ecm_checker.contract import Entity, Evidence, Value, Versioning
+from ecm_checker.contract import Entity, Evidence, Use, Value, Versioning
 from ecm_parsers.interface_facts import Definition
 
 from ecm_extract.assemble.definitions import Definitions
@@ -21,8 +21,9 @@ def versioning_of(facts: PackageFacts, definitions: Definitions | None = None) -
     """
     manifest = facts.manifest
     entities = tuple(_entities(facts, definitions)) if definitions is not None else ()
+    uses = tuple(_uses(facts)) if definitions is not None else ()
     if manifest is None or facts.root.manifest is None:
-        return Versioning(entities=entities)
+        return Versioning(entities=entities, uses=uses)
     path = facts.root.manifest
     ranges: dict[str, str] = {}
     for entry in manifest.dependencies:
@@ -36,7 +37,21 @@ def versioning_of(facts: PackageFacts, definitions: Definitions | None = None) -
         dependencies=Value(ranges, "inferred", "literal", evidence),
         deprecated=deprecated,
         entities=entities,
+        uses=uses,
     )
+
+
+def _uses(facts: PackageFacts) -> Iterator[Use]:
+    """Topics that recorders of the package record, and diagnostics that its aggregators expect."""
+    for path, recorders in sorted(facts.recorders.items()):
+        for recorder in recorders:
+            for topic in recorder.topics:
+                yield Use("topic", topic, (Evidence(path, recorder.line),))
+    for path, file in sorted(facts.aggregators.items()):
+        for aggregator in file.aggregators:
+            for analyzer in aggregator.analyzers:
+                for name in (*analyzer.expected, *analyzer.names):
+                    yield Use("diagnostic", name, (Evidence(path, analyzer.line),))
 
 
 def _entities(facts: PackageFacts, definitions: Definitions) -> Iterator[Entity]:

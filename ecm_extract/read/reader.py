@@ -9,8 +9,11 @@ from typing import Any, cast
 
 from ecm_parsers import dynamic_reconfigure, interface, package_xml, parameter_library, plugin_xml
 from ecm_parsers.behavior_tree import is_behavior_tree, parse_behavior_tree
+from ecm_parsers.controllers_yaml import parse_controllers
+from ecm_parsers.diagnostics_yaml import is_diagnostics, parse_diagnostics
 from ecm_parsers.interface_facts import Shape
 from ecm_parsers.overlay_yaml import Overlay, parse_overlay
+from ecm_parsers.recorder_topics import is_recorder, parse_recorder
 from ecm_parsers.result import Diagnostic, Parsed
 from ecm_parsers.sros_policy import is_policy, parse_policy
 
@@ -101,10 +104,12 @@ class Reader:
             reconfigure = self.parse(path, dynamic_reconfigure.parse_dynamic_reconfigure)
             if reconfigure is not None:
                 package.reconfigure[path] = reconfigure
-        elif suffix == ".xml" and self._is_other_xml(path, package.root):
+        elif suffix == ".xml" and self._is_other(path, package.root):
             self._read_xml(package, path)
+        elif suffix in {".yaml", ".yml"} and self._is_other(path, package.root):
+            self._read_yaml(package, path)
 
-    def _is_other_xml(self, path: str, root: PackageRoot) -> bool:
+    def _is_other(self, path: str, root: PackageRoot) -> bool:
         """Behaviour trees and policies have no name of their own; manifests and launch files have."""
         named = path == root.manifest or path.endswith(".launch.xml")
         return not named and (self.include_tests or not is_test_path(path, root.path))
@@ -115,6 +120,15 @@ class Reader:
             package.trees[path] = self._taken(path, data, parse_behavior_tree(data))
         elif is_policy(data):
             package.grants[path] = self._taken(path, data, parse_policy(data))
+
+    def _read_yaml(self, package: PackageFacts, path: str) -> None:
+        data = next((data for _, data in self.tree.read_many([path])), b"")
+        if is_diagnostics(data):
+            package.aggregators[path] = self._taken(path, data, parse_diagnostics(data))
+        elif is_recorder(data):
+            package.recorders[path] = self._taken(path, data, parse_recorder(data))
+        elif b"controller" in data and b"type:" in data:
+            package.controllers[path] = self._taken(path, data, parse_controllers(data))
 
     def _taken(self, path: str, data: bytes, parsed: Parsed[Any]) -> Any:
         self._count(path, len(data), parsed.diagnostics)

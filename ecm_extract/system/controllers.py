@@ -16,10 +16,11 @@ from typing import Any
 
 from ecm_parsers.parameter_yaml import parse_parameter_yaml
 
+from ecm_extract.link.filling import filled
 from ecm_extract.system.files import Files
 from ecm_extract.system.model import Launched, Place, Setting, join
 from ecm_extract.system.modules import ModuleIndex
-from ecm_extract.system.names import filled, node_matches
+from ecm_extract.system.names import node_matches
 from ecm_extract.system.spawners import Spawned, spawned
 
 MAX_CLAIMS = 300

@@ -9,9 +9,9 @@ import re
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
+from ecm_extract.link.filling import filled
 from ecm_extract.system.model import Remapping, join
 
-MAX_ITEMS = 60
 _PARAMETER = re.compile(r"\$\{([^={}]+)=((?:[^{}]|\{[^{}]*\})*)\}")
 
 
@@ -45,23 +45,6 @@ def resolve(local: str, around: Around) -> list[Resolved]:
     """
     used = tuple(match[1] for match in _PARAMETER.finditer(local))
     return [_remapped(text.replace("{node}", around.node), used, around) for text in filled(local, around.parameter)]
-
-
-def filled(local: str, parameter: Callable[[str], Any]) -> list[str]:
-    """Return a name with each `${parameter=default}` replaced by its value, once for each item of a list.
-
-    Args:
-        local: the name.
-        parameter: gives the value of a parameter, None when it is not set.
-    """
-    match = _PARAMETER.search(local)
-    if match is None:
-        return [local]
-    given = parameter(match[1])
-    values = given[:MAX_ITEMS] if isinstance(given, list) else [match[2] if given is None else given]
-    texts = [str(value) for value in values if not isinstance(value, list | dict)] or [match[2]]
-    names = [local[: match.start()] + text + local[match.end() :] for text in texts]
-    return [entry for name in names[:MAX_ITEMS] for entry in filled(name, parameter)][:MAX_ITEMS]
 
 
 def _remapped(text: str, used: tuple[str, ...], around: Around) -> Resolved:

@@ -14,6 +14,8 @@ from ecm_parsers.yaml_tree import Entry, Mapping, Node, Scalar, parse_yaml, plai
 
 MARKER = "ros__parameters"
 MAX_NAMESPACES = 12
+MAX_NAME = 500
+"""Nested keys are joined for each leaf, so long ones would multiply."""
 _TYPES = {bool: "bool", int: "int", float: "double", str: "string", type(None): "null"}
 
 
@@ -82,8 +84,8 @@ class _Scope(msgspec.Struct, frozen=True):
     def name(self, key: str) -> str:
         """Return the full name of `key` in this scope."""
         if not self.prefix:
-            return key
-        return f"{self.prefix.rstrip(self.separator)}{self.separator}{key.lstrip(self.separator)}"
+            return key[:MAX_NAME]
+        return f"{self.prefix.rstrip(self.separator)}{self.separator}{key.lstrip(self.separator)}"[:MAX_NAME]
 
 
 def _has_marker(node: Node, depth: int = 0) -> bool:

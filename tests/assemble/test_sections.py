@@ -227,3 +227,27 @@ def test_policy_tells_what_a_node_may_touch(workspace: Workspace) -> None:
     )
     found = workspace.package({"policies/p.xml": policy, "src/n.cpp": _node("")}).modules()["ecm.pkg.n"]
     assert value(found.permissions.data) == ["write:/odom"]
+
+
+def test_controller_yaml_tells_which_joints_are_locked(workspace: Workspace) -> None:
+    """One configuration gives the names; with two of them only a launch tells which one holds."""
+    body = 'for (const auto & joint : joints_) { config.names.push_back(joint + "/velocity"); }'
+    member = 'void init() { joints_ = auto_declare<std::vector<std::string>>("joints", joints_); } std::vector<std::string> joints_;'
+    source = CONTROLLER.replace("{kind}", "INDIVIDUAL").replace("{body}", body).replace("public:", f"public: {member}")
+    plugin = '<library path="c"><class name="pkg/C" type="C" base_class_type="controller_interface::ControllerInterface"/></library>'
+    yaml = "controller_manager:\n  ros__parameters:\n    {0}: {{type: pkg/C}}\n{0}:\n  ros__parameters: {{joints: [left, right]}}\n"
+    cmake = "project(pkg)\npluginlib_export_plugin_description_file(controller_interface plugins.xml)\n"
+    files = {"src/c.cpp": source, "plugins.xml": plugin, "CMakeLists.txt": cmake, "config/a.yaml": yaml.format("base")}
+    (module,) = workspace.package(files).modules().values()
+    assert module.resources.exclusive_locks is not None
+    assert module.resources.exclusive_locks.value == ["left/velocity", "right/velocity"]
+    (module,) = workspace.package({**files, "config/b.yaml": yaml.format("other")}).modules().values()
+    assert module.resources.exclusive_locks is not None
+    assert module.resources.exclusive_locks.value == ["{joints}/velocity"]
+
+
+def test_recorders_and_aggregators_use_names(workspace: Workspace) -> None:
+    """What a bag records, and what diagnostics are expected, depends on names of others."""
+    recorder = "recorder:\n  ros__parameters:\n    record: {topics: [/scan, /odom]}\n"
+    modules = workspace.package({"config/record.yaml": recorder}).modules()
+    assert [use.name for module in modules.values() for use in module.versioning.uses] == ["/scan", "/odom"]
