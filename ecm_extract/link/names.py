@@ -32,7 +32,7 @@ def local_name(value: Value, handle: Handle) -> str:
     if not name.startswith("~"):
         return name
     private = name[1:].lstrip("/")
-    return f"~/{private}" if handle.node is None else f"/{handle.node.text}/{private}"
+    return f"~/{private}" if handle.node is None else f"{handle.node.text}/{private}"
 
 
 def endpoint_name(value: Value, handle: Handle, node: str | None, ros: int | None) -> RosName:

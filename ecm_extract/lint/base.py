@@ -30,8 +30,9 @@ def change_findings(comparison: Comparison, old: Tree, new: Tree) -> Iterator[Fi
 
 def _changed(change: Change, old: Tree, new: Tree) -> Finding:
     name = change.old or change.new or ""
-    became = f"becomes {change.new}" if change.old and change.new and change.old != change.new else change.change
-    text = f"{change.kind} {name} of {change.package} {became.replace('_', ' ')}"
+    renamed = change.old and change.new and change.old != change.new
+    became = f"becomes {change.new}" if renamed else change.change.replace("_", " ")
+    text = f"{change.kind} {name} of {change.package} {became}"
     entity = Entity(change.kind, change.old or "", change.new or "")
     return RULE.finding(text, entity, change.package, _places(change, old, new), certainty="likely")
 

@@ -53,10 +53,15 @@ def _used(files: list[File], package: PackageFacts, workspace: Workspace) -> dic
     own = {
         entry.path.rsplit("/", 1)[-1].removesuffix(".py") for entry in package.root.files if entry.path.endswith(".py")
     }
+    built = {entry.name for cmake in package.cmake.values() for entry in cmake.dependencies}
     found: dict[str, list[Evidence]] = {}
     for file in files:
         for entry in file.facts.imports:
-            name = _python(entry.module, own, workspace) if file.language == "python" else _cpp(entry.module, workspace)
+            name = (
+                _python(entry.module, own, workspace)
+                if file.language == "python"
+                else _cpp(entry.module, built, workspace)
+            )
             if name is not None:
                 found.setdefault(name, []).append(Evidence(file.path, entry.line))
     return found
@@ -71,7 +76,8 @@ def _python(module: str, own: set[str], workspace: Workspace) -> str | None:
     return python_packages().get(top)
 
 
-def _cpp(path: str, workspace: Workspace) -> str | None:
-    """The first folder of an include is its package, when that is in the tree or holds messages."""
+def _cpp(path: str, built: set[str], workspace: Workspace) -> str | None:
+    """The first folder of an include is its package, when that is in the tree, holds messages, or is found by CMake."""
     top, slash, _ = path.partition("/")
-    return top if slash and (top in workspace.by_name or top.endswith("_msgs")) else None
+    known = top in workspace.by_name or top.endswith("_msgs") or (top in built and top.islower())
+    return top if slash and known else None

@@ -1,0 +1,49 @@
+"""LNT025: a robot description names a mesh that is not in its package."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from ecm_checker.contract import Evidence
+from ecm_checker.finding import Entity, Finding
+
+from ecm_extract.discover import is_test_path
+from ecm_extract.lint.rule import LintRule
+from ecm_extract.lint.workspace import Workspace
+
+RULE = LintRule(
+    id="LNT025",
+    name="mesh_missing",
+    dimension="resources",
+    severity="error",
+    who="config",
+    consequence="the robot has no shape there: it is not drawn, and collisions with it are not seen",
+    resolution="correct the path, or add the file",
+)
+_MESH = re.compile(rb"package://(\w+)/([\w./-]+\.(?:stl|dae|obj|STL|DAE|OBJ))\b")
+
+
+def check(workspace: Workspace) -> Iterator[Finding]:
+    """Report paths without substitutions into packages of the tree that have such files at all."""
+    for package in workspace.packages:
+        for entry in package.root.files:
+            if entry.path.endswith((".urdf", ".xacro", ".sdf")) and not is_test_path(entry.path, package.root.path):
+                data = workspace.files.read(entry.path) or b""
+                for match in _MESH.finditer(data):
+                    owner, name = match[1].decode(), match[2].decode()
+                    if _is_missing(owner, name, workspace):
+                        line = data.count(b"\n", 0, match.start()) + 1
+                        text = f"{owner} has no {name}"
+                        evidence = [Evidence(entry.path, line)]
+                        yield RULE.finding(text, Entity("file", f"{owner}/{name}"), package.name, evidence)
+
+
+def _is_missing(owner: str, name: str, workspace: Workspace) -> bool:
+    package = workspace.by_name.get(owner)
+    if package is None:
+        return False
+    root = f"{package.root.path}/" if package.root.path else ""
+    listed = {entry.path for entry in package.root.files}
+    suffix = name.rpartition(".")[2].lower()
+    return f"{root}{name}" not in listed and any(path.lower().endswith(f".{suffix}") for path in listed)

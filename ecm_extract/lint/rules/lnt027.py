@@ -1,0 +1,60 @@
+"""LNT027: a checked-in URDF differs from the xacro beside it that it was made from."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ecm_checker.contract import Evidence
+from ecm_checker.finding import Entity, Finding
+
+from ecm_extract.description.model import Description, Joint
+from ecm_extract.description.read import read_description
+from ecm_extract.lint.rule import LintRule
+from ecm_extract.lint.workspace import Workspace
+
+RULE = LintRule(
+    id="LNT027",
+    name="urdf_drifted",
+    dimension="resources",
+    severity="warning",
+    who="safety",
+    consequence="who loads the one plans with other limits than who loads the other",
+    resolution="make the URDF anew from the xacro, or correct the xacro",
+)
+_TOLERANCE = 1e-3
+
+
+def check(workspace: Workspace) -> Iterator[Finding]:
+    """Report joints whose kind, links or limits differ between `x.urdf` and `x.xacro` or `x.urdf.xacro`."""
+    for package in workspace.packages:
+        listed = {entry.path for entry in package.root.files}
+        for path in sorted(listed):
+            stem = path.removesuffix(".urdf")
+            source = next((stem + end for end in (".urdf.xacro", ".xacro") if stem + end in listed), None)
+            if path.endswith(".urdf") and source is not None:
+                made, written = (read_description(name, {}, workspace.files) for name in (source, path))
+                if made.links and written.links and not made.problems:
+                    yield from _compared(made, written, package.name)
+
+
+def _compared(made: Description, written: Description, package: str) -> Iterator[Finding]:
+    joints = {joint.name: joint for joint in made.joints}
+    for joint in written.joints:
+        source = joints.get(joint.name)
+        what = _difference(source, joint) if source is not None else None
+        if source is not None and what is not None:
+            text = f"{joint.name} of {written.path} has {what}"
+            evidence = [Evidence(*joint.where), Evidence(*source.where)]
+            entity = Entity("joint", joint.name, what.partition(" ")[0])
+            yield RULE.finding(text, entity, package, evidence, certainty="likely")
+
+
+def _difference(source: Joint, joint: Joint) -> str | None:
+    for name in ("kind", "parent", "child"):
+        if getattr(source, name) != getattr(joint, name):
+            return f"{name} {getattr(joint, name)}, its xacro {getattr(source, name)}"
+    for name, value in joint.limits.items():
+        other = source.limits.get(name)
+        if other is not None and abs(other - value) > _TOLERANCE * max(1.0, abs(value)):
+            return f"{name} {value:g}, its xacro {other:g}"
+    return None
