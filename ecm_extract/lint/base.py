@@ -7,11 +7,16 @@ from collections.abc import Iterable, Iterator
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 from ecm_checker.release import Change
+from ecm_parsers.package_xml import parse
 
-from ecm_extract.diff.model import Comparison
+from ecm_extract.diff.model import Comparison, PackageVerdict
+from ecm_extract.discover import discover
 from ecm_extract.lint.hunks import landing_line
 from ecm_extract.lint.rules.lnt019 import RULE
+from ecm_extract.lint.rules.lnt030 import RULE as BUMP
 from ecm_extract.tree import Tree
+
+_BUMPS = ("none", "patch", "minor", "major")
 
 
 def new_findings(now: Iterable[Finding], before: Iterable[Finding]) -> list[Finding]:
@@ -26,6 +31,31 @@ def change_findings(comparison: Comparison, old: Tree, new: Tree) -> Iterator[Fi
     for change in comparison.changes:
         if change.breaking:
             yield _changed(change, old, new)
+    for package in comparison.packages:
+        yield from _bumped(package, new)
+
+
+def _bumped(package: PackageVerdict, new: Tree) -> Iterator[Finding]:
+    """A change that leaves the version alone is no release, so it asks for nothing."""
+    required, declared = package.verdict.required_bump, package.verdict.declared_bump
+    if package.old_version == package.new_version or declared not in _BUMPS or required not in _BUMPS:
+        return
+    if _BUMPS.index(declared) < _BUMPS.index(required):
+        text = (
+            f"{package.package} goes from {package.old_version} to {package.new_version}, its changes need {required}"
+        )
+        entity = Entity("package", f"{package.old_version} {package.new_version}", required)
+        yield BUMP.finding(text, entity, package.package, _manifest(package.package, new), certainty="likely")
+
+
+def _manifest(package: str, tree: Tree) -> list[Evidence]:
+    """The line of the version in the package.xml of a package."""
+    for root in discover(tree):
+        data = _read(tree, root.manifest) if root.manifest else None
+        found = parse(data).facts if data is not None else None
+        if found is not None and found.name == package and root.manifest:
+            return [Evidence(root.manifest, found.version_line or 1)]
+    return []
 
 
 def _changed(change: Change, old: Tree, new: Tree) -> Finding:

@@ -64,6 +64,19 @@ def test_removed_interface_stands_where_it_stood(repository: Path, capsys: pytes
     assert ("LNT019", "demo/src/base.cpp", at + 1) in found
 
 
+@pytest.mark.parametrize(("version", "said"), [("1.0.0", False), ("1.0.1", True), ("2.0.0", False)])
+def test_version_that_is_raised_too_little(
+    version: str, said: bool, repository: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A release that breaks somebody is a major one; a change that is no release asks for nothing."""
+    source = repository / "demo" / "src" / "base.cpp"
+    source.write_text("\n".join(line for line in source.read_text().splitlines() if "max_speed" not in line))
+    manifest = repository / "demo" / "package.xml"
+    manifest.write_text(manifest.read_text().replace("1.0.0", version))
+    found = lint(repository, capsys)
+    assert (("LNT030", "demo/package.xml", 4) in found) is said
+
+
 @pytest.mark.parametrize(
     ("old", "new", "line", "lands"),
     [
