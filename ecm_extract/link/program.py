@@ -134,7 +134,7 @@ class Program:
 
     def _headers(self, file: File) -> Iterator[File]:
         for entry in file.facts.imports:
-            for other in self._by_suffix.get(PurePosixPath(entry.module).name, ()):
+            for other in self._by_suffix.get(entry.module.rpartition("/")[2], ()):
                 if other.path.endswith("/" + entry.module):
                     yield other
 
