@@ -22,12 +22,13 @@ from ecm_extract.errors import InputError
 
 
 class Given(msgspec.Struct, frozen=True):
-    """Profiles that the user gave."""
+    """Profiles that the user gave, and whether source trees may be taken from the cache."""
 
     embodiment: Embodiment | None = None
     policy: Policy | None = None
     runtime: Runtime | None = None
     call: Call | None = None
+    cache: bool = True
 
     @property
     def profiles(self) -> Profiles:
@@ -52,7 +53,7 @@ def decide(operation: str, paths: Sequence[str], given: Given, dimensions: Dimen
     Raises:
         InputError: paths or profiles do not fit the operation.
     """
-    groups = [contracts(path) for path in paths]
+    groups = [contracts(path, given.cache) for path in paths]
     if operation == "system":
         return system(_flat(groups), given.profiles, dimensions, together=together)
     return _DECISIONS[operation](groups, given, dimensions)

@@ -20,12 +20,13 @@ _YAML: Final = frozenset({".yaml", ".yml"})
 _Profile = TypeVar("_Profile", bound=msgspec.Struct)
 
 
-def contracts(path: str) -> tuple[Contract, ...]:
+def contracts(path: str, cache: bool = True) -> tuple[Contract, ...]:
     """Contracts that a path names.
 
     Args:
         path: a manifest, an extract document (`.json`), a folder with manifests below it, or else a source tree
             or `DIR@REF`, which is then extracted.
+        cache: let the extraction use the cache.
 
     Raises:
         InputError: nothing is there, or it holds no contract.
@@ -36,7 +37,7 @@ def contracts(path: str) -> tuple[Contract, ...]:
     manifests = sorted(found for found in place.rglob(f"*{MANIFEST_SUFFIX}") if found.is_file())
     if manifests:
         return tuple(contract for file in manifests for contract in _of_file(file))
-    return _extracted(path)
+    return _extracted(path, cache)
 
 
 def profile(path: str | None, kind: type[_Profile]) -> _Profile | None:
@@ -101,11 +102,12 @@ def _yaml(path: Path, data: bytes) -> Iterator[Any]:
     yield from map(plain, parsed.facts)
 
 
-def _extracted(path: str) -> tuple[Contract, ...]:
+def _extracted(path: str, cache: bool) -> tuple[Contract, ...]:
     from ecm_extract.extraction import extract
+    from ecm_extract.extraction_model import Options
     from ecm_extract.tree import open_tree
 
-    extraction = extract(open_tree(path, None))
+    extraction = extract(open_tree(path, None), Options(cache=cache))
     found = tuple(module for package in extraction.packages for module in package.modules)
     if not found:
         message = f"{path} holds neither manifests nor ROS packages"

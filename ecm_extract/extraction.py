@@ -29,7 +29,7 @@ def extract(tree: Tree, options: Options | None = None) -> Extraction:
     config: Config = config_of(tree, options)
     with _without_collector():
         include_tests = options.include_tests or config.extract.include_tests
-        reader = Reader(tree, include_tests, config.extract.exclude)
+        reader = Reader(tree, include_tests, config.extract.exclude, options.cache)
         packages = reader.read(options.jobs, options.progress)
         linked = Linker(packages, form_table(config.forms)).link()
         contracts = assemble(tree, packages, linked)

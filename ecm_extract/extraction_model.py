@@ -86,9 +86,11 @@ class Options(msgspec.Struct, frozen=True):
         config: path of an `ecm.toml`; None looks for one at the root of the tree.
         jobs: worker processes; None takes one per core.
         progress: called with (files done, files in all) now and then; must be cheap.
+        cache: take from the user's cache what was read before, and add to it.
     """
 
     include_tests: bool = False
     config: str | None = None
     jobs: int | None = None
     progress: Progress | None = None
+    cache: bool = True

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any, Final
 
 from ecm_parsers.result import Parsed
 from ecm_parsers.source.facts import SourceFile
 
+from ecm_extract.cache.blobs import Blob
 from ecm_extract.read.facts import PackageFacts
-from ecm_extract.read.parallel import Task
+from ecm_extract.read.parsed_file import BlobFacts
 from ecm_extract.read.reader import Progress, Reader
 
 _DECLARATIVE: Final = (".msg", ".srv", ".action", ".xml", ".cfg", "CMakeLists.txt", "setup.py", "setup.cfg")
@@ -26,35 +27,34 @@ class SharedReader(Reader):
 
     def read(self, jobs: int | None, progress: Progress | None = None) -> list[PackageFacts]:
         """Return the facts of every package, those of known blobs included."""
-        self._known: dict[str, SourceFile] = {}
         packages = super().read(jobs, progress)
         for package in packages:
-            own = {entry.path: entry.identity for entry in package.root.files}
             for path, facts in package.sources.items():
-                if own[path] is not None:
-                    self.parsed[own[path] or ""] = facts
-            known = {path: self._known[path] for path in own if path in self._known}
-            package.sources = dict(sorted({**package.sources, **known}.items()))
+                if path in self.blobs:
+                    self.parsed[self.blobs[path]] = facts
         return packages
 
-    def _tasks(self, packages: list[PackageFacts]) -> list[Task]:
-        self._fetch(packages)
-        identity = {entry.path: entry.identity for package in packages for entry in package.root.files}
-        remaining = []
-        for task in super()._tasks(packages):
-            facts = self.parsed.get(identity[task[0]] or "")
-            if facts is None:
-                remaining.append(task)
-            else:
-                self._known[task[0]] = facts
-        return remaining
+    def _wants_blobs(self) -> bool:
+        return True
 
-    def _fetch(self, packages: list[PackageFacts]) -> None:
+    def _known(self, wanted: Mapping[str, Blob]) -> dict[str, BlobFacts]:
+        shared = {path: facts for path, blob in wanted.items() if (facts := self._shared(blob)) is not None}
+        rest = {path: blob for path, blob in wanted.items() if path not in shared}
+        return super()._known(rest) | shared
+
+    def _shared(self, blob: Blob) -> BlobFacts | None:
+        kind, name = blob
+        facts = self.parsed.get(name)
+        language = "cpp" if kind == "cpp" else "python"
+        return None if facts is None or facts.language != language else BlobFacts(0, facts)
+
+    def _read_packages(self, packages: list[PackageFacts]) -> None:
         """Read the small declarative files at once: a process for each costs more than parsing it."""
         paths = [
             entry.path for package in packages for entry in package.root.files if entry.path.endswith(_DECLARATIVE)
         ]
         self._contents = dict(self.tree.read_many(paths))
+        super()._read_packages(packages)
 
     def parse(self, path: str, parser: Callable[[bytes], Parsed[Any]]) -> Any:
         """Return the facts of one file, None when it cannot be read."""

@@ -71,7 +71,8 @@ def read_workspace(tree: Tree, options: Options, parsed: dict[str, SourceFile]) 
     enabled = gc.isenabled()
     gc.disable()
     try:
-        reader = SharedReader(tree, options.include_tests or config.extract.include_tests, config.extract.exclude)
+        include_tests = options.include_tests or config.extract.include_tests
+        reader = SharedReader(tree, include_tests, config.extract.exclude, options.cache)
         reader.parsed = parsed
         packages = reader.read(options.jobs, options.progress)
         linker = Linker(packages, form_table(config.forms))

@@ -14,24 +14,15 @@ from multiprocessing.connection import Connection
 from multiprocessing.process import BaseProcess
 
 import msgspec
-from ecm_parsers.result import Diagnostic, Parsed
+from ecm_parsers.result import Parsed
 from ecm_parsers.source.facts import SourceFile
 
+from ecm_extract.read.parsed_file import BlobFacts, ParsedFile, Task
 from ecm_extract.read.select import SourceKind, is_python_script
-from ecm_extract.tree import FileDiagnostic, Tree, printable
+from ecm_extract.tree import FileDiagnostic, Tree, blob_id, printable
 
-Task = tuple[str, SourceKind]
 MIN_PARALLEL = 40
 BATCH = 12
-
-
-class ParsedFile(msgspec.Struct, frozen=True, array_like=True):
-    """One parsed source file on its way between processes."""
-
-    path: str
-    facts: SourceFile
-    diagnostics: tuple[Diagnostic, ...]
-    size: int = 0
 
 
 class _Batch(msgspec.Struct, frozen=True, array_like=True):
@@ -109,8 +100,8 @@ class SourceParse:
         if all(worker.exitcode == 0 for worker in self._workers):
             return
         unread = {diagnostic.path for diagnostic in self.tree.diagnostics}
-        for path, kind in self.tasks:
-            if path not in results and kind != "script" and printable(path) not in unread:
+        for path, _ in self.tasks:
+            if path not in results and printable(path) not in unread:
                 message = "The process that read this file was stopped. Run again with --jobs 1 to see why."
                 self.tree.report(FileDiagnostic("error", "worker-lost", printable(path), 0, message))
 
@@ -142,9 +133,11 @@ def _parse(tree: Tree, tasks: Sequence[Task], done: Callable[[int], None]) -> It
     kinds = dict(tasks)
     for path, data in tree.read_many([path for path, _ in tasks]):
         done(1)
-        parsed = parse_source(data, kinds[path])
-        if parsed is not None:
-            yield ParsedFile(path, parsed.facts, parsed.diagnostics, len(data))
+        yield ParsedFile(path, blob_id(data), _content(data, parse_source(data, kinds[path])))
+
+
+def _content(data: bytes, parsed: Parsed[SourceFile] | None) -> BlobFacts:
+    return BlobFacts(len(data), None) if parsed is None else BlobFacts(len(data), parsed.facts, parsed.diagnostics)
 
 
 def parse_source(data: bytes, kind: SourceKind) -> Parsed[SourceFile] | None:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import suppress
 from fnmatch import fnmatch
 from pathlib import PurePosixPath
 from typing import Any, cast
@@ -17,11 +18,14 @@ from ecm_parsers.recorder_topics import is_recorder, parse_recorder
 from ecm_parsers.result import Diagnostic, Parsed
 from ecm_parsers.sros_policy import is_policy, parse_policy
 
+from ecm_extract.cache.blobs import Blob, BlobCache
 from ecm_extract.discover import PackageRoot, discover, is_test_path
+from ecm_extract.errors import TreeReadError
 from ecm_extract.read import select
 from ecm_extract.read.build_files import read_cmake, read_setups
 from ecm_extract.read.facts import PackageFacts
-from ecm_extract.read.parallel import SourceParse, Task
+from ecm_extract.read.parallel import SourceParse
+from ecm_extract.read.parsed_file import BlobFacts, ParsedFile, Task
 from ecm_extract.tree import FileDiagnostic, Tree, printable
 
 OVERLAY = "ecm.yaml"
@@ -31,51 +35,92 @@ Progress = Callable[[int, int], None]
 class Reader:
     """Reads the packages of one tree.
 
-    Attributes:
+    Args:
         tree: where files are read.
-        files: how many were parsed. bytes: how much that was.
+        include_tests: also read test folders.
+        exclude: globs of paths that are not read.
+        cached: take facts of contents that were parsed before, and keep those of new ones.
+
+    Attributes:
+        files: how many were parsed or known. bytes: how much that was.
+        blobs: git blob id of each source file, of the bytes that its facts were read from.
     """
 
-    def __init__(self, tree: Tree, include_tests: bool = False, exclude: Iterable[str] = ()) -> None:
+    def __init__(
+        self, tree: Tree, include_tests: bool = False, exclude: Iterable[str] = (), cached: bool = True
+    ) -> None:
         self.tree = tree
         self.include_tests = include_tests
         self.exclude = tuple(exclude)
         self.files = 0
         self.bytes = 0
+        self.blobs: dict[str, str] = {}
+        self._cache = BlobCache() if cached else None
 
     def read(self, jobs: int | None, progress: Progress | None = None) -> list[PackageFacts]:
         """Return the facts of every package, sorted by path."""
         packages = [PackageFacts(self._wanted(root)) for root in discover(self.tree)]
-        tasks = self._tasks(packages)
-        sources = SourceParse(self.tree, tasks, jobs)
+        tasks = [task for package in packages for task in select.sources(package.root, self.include_tests)]
+        known = self._known(self._identified(packages, tasks))
+        missing = [task for task in tasks if task[0] not in known]
+        sources = SourceParse(self.tree, missing, jobs)
         sources.start()
-        for package in packages:
-            self._read_package(package)
-        count = 0
-
-        def done(finished: int) -> None:
-            nonlocal count
-            count += finished
-            if progress is not None:
-                progress(count, len(tasks))
-
-        parsed = sources.finish(done)
+        self._read_packages(packages)
+        parsed = sources.finish(_counting(progress, len(missing)))
+        self._keep(dict(missing), parsed)
+        contents = known | {file.path: file.content for file in parsed}
         owner = {entry.path: package for package in packages for entry in package.root.files}
-        for file in parsed:
-            owner[file.path].sources[file.path] = file.facts
-            self._count(file.path, file.size, file.diagnostics)
+        for path, _ in tasks:
+            if path in contents:
+                self._take_source(owner[path], path, contents[path])
         for package in packages:
             package.ros = _ros(package)
         return packages
+
+    def _read_packages(self, packages: list[PackageFacts]) -> None:
+        for package in packages:
+            self._read_package(package)
+
+    def _take_source(self, package: PackageFacts, path: str, content: BlobFacts) -> None:
+        if content.facts is not None:
+            package.sources[path] = content.facts
+            self._count(path, content.size, content.diagnostics)
+
+    def _identified(self, packages: list[PackageFacts], tasks: Sequence[Task]) -> dict[str, Blob]:
+        """Blob of each source file that can be read; a folder's files must be read for it, which is cheap."""
+        if not self._wants_blobs():
+            return {}
+        listed = {entry.path: entry for package in packages for entry in package.root.files}
+        found: dict[str, Blob] = {}
+        for path, kind in tasks:
+            # A blob that the repository lacks has no size: the reader must come across it and say so.
+            if listed[path].identity is None or listed[path].size is not None:
+                with suppress(TreeReadError):
+                    found[path] = (kind, self.tree.identity(path))
+        self.blobs = {path: blob for path, (_, blob) in found.items()}
+        return found
+
+    def _wants_blobs(self) -> bool:
+        return self._cache is not None
+
+    def _known(self, wanted: Mapping[str, Blob]) -> dict[str, BlobFacts]:
+        """Facts by path of files that need not be parsed."""
+        if self._cache is None:
+            return {}
+        known = self._cache.known(wanted.values())
+        return {path: known[blob] for path, blob in wanted.items() if blob in known}
+
+    def _keep(self, kinds: Mapping[str, select.SourceKind], parsed: Sequence[ParsedFile]) -> None:
+        """Remember what was parsed, by the bytes that were: a file may change between two looks at it."""
+        self.blobs.update((file.path, file.blob) for file in parsed)
+        if self._cache is not None:
+            self._cache.add({(kinds[file.path], file.blob): file.content for file in parsed})
 
     def _wanted(self, root: PackageRoot) -> PackageRoot:
         if not self.exclude:
             return root
         kept = tuple(e for e in root.files if not any(fnmatch(e.path, pattern) for pattern in self.exclude))
         return PackageRoot(root.path, root.manifest, kept)
-
-    def _tasks(self, packages: list[PackageFacts]) -> list[Task]:
-        return [task for package in packages for task in select.sources(package.root, self.include_tests)]
 
     def _read_package(self, package: PackageFacts) -> None:
         root = package.root
@@ -169,6 +214,18 @@ class Reader:
         for entry in diagnostics:
             located = FileDiagnostic(entry.severity, entry.code, printable(path), entry.line, entry.message)
             self.tree.report(located)
+
+
+def _counting(progress: Progress | None, total: int) -> Callable[[int], None]:
+    count = 0
+
+    def done(finished: int) -> None:
+        nonlocal count
+        count += finished
+        if progress is not None:
+            progress(count, total)
+
+    return done
 
 
 def _beside(path: str, relative: str) -> str:

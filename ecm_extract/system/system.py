@@ -67,7 +67,8 @@ def read_system(tree: Tree, launches: Sequence[str], given: Given, options: Opti
     enabled = gc.isenabled()
     gc.disable()  # see `extraction`: records without cycles
     try:
-        reader = Reader(tree, options.include_tests or config.extract.include_tests, config.extract.exclude)
+        include_tests = options.include_tests or config.extract.include_tests
+        reader = Reader(tree, include_tests, config.extract.exclude, options.cache)
         packages = reader.read(options.jobs, options.progress)
         linker = Linker(packages, form_table(config.forms))
         linked = linker.link()

@@ -41,6 +41,7 @@ class Request(msgspec.Struct, frozen=True, kw_only=True):
     format: Literal["text", "json"]
     fail_on: Literal["error", "warning", "info", "never"]
     freeze: bool
+    no_cache: bool
     quiet: bool
 
 
@@ -63,6 +64,7 @@ class Request(msgspec.Struct, frozen=True, kw_only=True):
     help="Least severity that gives exit status 1.",
 )
 @click.option("--freeze", is_flag=True, help="Pin the content hash of this checker and exit.")
+@click.option("--no-cache", is_flag=True, help="Take nothing from the cache and add nothing to it.")
 @click.option("-q", "--quiet", is_flag=True, help="Print no summary.")
 @click.pass_context
 def command(ctx: click.Context, /, **options: Any) -> None:
@@ -109,6 +111,7 @@ def _profiles(request: Request) -> Any:
         profile(request.policy, Policy),
         profile(request.runtime, Runtime),
         profile(request.call, Call),
+        not request.no_cache,
     )
 
 

@@ -39,6 +39,7 @@ class Asked(msgspec.Struct, frozen=True):
     include_tests: bool
     config: str | None
     jobs: int | None
+    no_cache: bool
 
 
 @click.command(short_help="Say what changed between two releases, and whom it breaks.", epilog=_EPILOG)
@@ -70,6 +71,7 @@ class Asked(msgspec.Struct, frozen=True):
 @click.option("--include-tests", is_flag=True, help="Read test folders too.")
 @click.option("--config", metavar="FILE", help="Use this ecm.toml.  [default: the one in each tree]")
 @click.option("--jobs", type=click.IntRange(min=1), help="Worker processes.  [default: one per core]")
+@click.option("--no-cache", is_flag=True, help="Take nothing from the cache and add nothing to it.")
 def command(**options: Any) -> int:
     """Compare the public entities of OLD and NEW: tags, branches, commits, `REF:subdir` or folders.
 
@@ -105,7 +107,7 @@ def _request(asked: Asked) -> Request:
     _say_baseline(infos)
     repo = find_repo(folder)
     with progress_bar() as progress:
-        options = Options(asked.include_tests, asked.config, asked.jobs, progress)
+        options = Options(asked.include_tests, asked.config, asked.jobs, progress, not asked.no_cache)
     return Request(
         old=old,
         new=new,

@@ -39,6 +39,7 @@ class Request(msgspec.Struct, frozen=True):
     include_tests: bool
     config: str | None
     jobs: int | None
+    no_cache: bool
     quiet: bool
 
 
@@ -61,6 +62,7 @@ class Request(msgspec.Struct, frozen=True):
 @click.option("--include-tests", is_flag=True, help="Read test folders too.")
 @click.option("--config", metavar="FILE", help="Use this ecm.toml.  [default: the one in PATH]")
 @click.option("--jobs", type=click.IntRange(min=1), help="Worker processes.  [default: one per core]")
+@click.option("--no-cache", is_flag=True, help="Take nothing from the cache and add nothing to it.")
 @click.option("-q", "--quiet", is_flag=True, help="Print no summary.")
 def command(**options: Any) -> None:
     """Read the ROS packages below PATH and write the contract of every module.
@@ -92,7 +94,7 @@ def _extract(request: Request) -> Extraction:
     from ecm_extract.tree import open_tree
 
     with progress_bar() as progress:
-        options = Options(request.include_tests, request.config, request.jobs, progress)
+        options = Options(request.include_tests, request.config, request.jobs, progress, not request.no_cache)
         extraction = extract(open_tree(request.path, request.ref), options)
     if not extraction.packages:
         message = f"no ROS package in {extraction.path}"

@@ -30,6 +30,7 @@ class Request(msgspec.Struct, frozen=True):
     print_only: bool
     config: str | None
     jobs: int | None
+    no_cache: bool
 
 
 @click.command(short_help="Write an ecm.yaml with what no tool can know.", epilog=_EPILOG)
@@ -38,6 +39,7 @@ class Request(msgspec.Struct, frozen=True):
 @click.option("--print", "print_only", is_flag=True, help="Print the overlays, write nothing.")
 @click.option("--config", metavar="FILE", help="Use this ecm.toml.  [default: the one in PATH]")
 @click.option("--jobs", type=click.IntRange(min=1), help="Worker processes.  [default: one per core]")
+@click.option("--no-cache", is_flag=True, help="Take nothing from the cache and add nothing to it.")
 def command(**options: Any) -> None:
     """Write an `ecm.yaml` beside the package.xml of each package below PATH.
 
@@ -66,7 +68,8 @@ def _extract(request: Request) -> Extraction:
     from ecm_extract.tree import open_tree
 
     with progress_bar() as progress:
-        return extract(open_tree(request.path), Options(False, request.config, request.jobs, progress))
+        options = Options(False, request.config, request.jobs, progress, not request.no_cache)
+        return extract(open_tree(request.path), options)
 
 
 def _write(package: PackageContracts, request: Request) -> None:

@@ -33,6 +33,7 @@ class Request(msgspec.Struct, frozen=True):
     include_tests: bool
     config: str | None
     jobs: int | None
+    no_cache: bool
 
 
 @click.command(short_help="Show what launch files start, and how it is connected.", epilog=_EPILOG)
@@ -50,6 +51,7 @@ class Request(msgspec.Struct, frozen=True):
 @click.option("--include-tests", is_flag=True, help="Read test folders too.")
 @click.option("--config", metavar="FILE", help="Use this ecm.toml.  [default: the one in the workspace]")
 @click.option("--jobs", type=click.IntRange(min=1), help="Worker processes.  [default: one per core]")
+@click.option("--no-cache", is_flag=True, help="Take nothing from the cache and add nothing to it.")
 def command(**options: Any) -> None:
     """Evaluate launch files without running them and show the instance graph.
 
@@ -75,7 +77,7 @@ def _read(request: Request) -> System:
     arguments = dict(word.split(":=", 1) for word in request.launch if ":=" in word)
     environment = dict(_pair(word) for word in request.env)
     with progress_bar() as progress:
-        options = Options(request.include_tests, request.config, request.jobs, progress)
+        options = Options(request.include_tests, request.config, request.jobs, progress, not request.no_cache)
         tree = open_tree(request.workspace, request.ref)
         return read_system(tree, launches, Given(arguments, environment), options)
 
