@@ -2,18 +2,11 @@
 
 from __future__ import annotations
 
-import gc
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
 
-from ecm_extract.assemble.contracts import assemble
-from ecm_extract.config import Config
-from ecm_extract.extraction_model import Counts, Extraction, LocatedDiagnostic, Options
-from ecm_extract.link.forms import form_table
-from ecm_extract.link.linker import Linker
-from ecm_extract.read.reader import Reader
-from ecm_extract.settings import config_of
+import msgspec
+
+from ecm_extract.extraction_model import Extraction, Options
 from ecm_extract.tree import Tree
 
 
@@ -26,35 +19,32 @@ def extract(tree: Tree, options: Options | None = None) -> Extraction:
     """
     options = options or Options()
     started = time.perf_counter()
-    config: Config = config_of(tree, options)
-    with _without_collector():
-        include_tests = options.include_tests or config.extract.include_tests
-        reader = Reader(tree, include_tests, config.extract.exclude, options.cache)
-        packages = reader.read(options.jobs, options.progress)
-        linked = Linker(packages, form_table(config.forms)).link()
-        contracts = assemble(tree, packages, linked)
-    return Extraction(
-        path=tree.label,
-        commit=tree.commit,
-        packages=contracts,
-        diagnostics=_diagnostics(tree),
-        elapsed=time.perf_counter() - started,
-        counts=Counts(reader.files, reader.bytes),
-    )
+    extraction = _remembered(tree, options) if options.cache else _read(tree, options)
+    return msgspec.structs.replace(extraction, elapsed=time.perf_counter() - started)
 
 
-@contextmanager
-def _without_collector() -> Iterator[None]:
-    """Millions of small records without cycles: the cycle collector finds nothing and costs a quarter of the time."""
-    enabled = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if enabled:
-            gc.enable()
+def _read(tree: Tree, options: Options) -> Extraction:
+    # Half of a warm run would go into importing what only a cold one needs.
+    from ecm_extract.extraction_run import read_contracts
+
+    return read_contracts(tree, options)[0]
 
 
-def _diagnostics(tree: Tree) -> tuple[LocatedDiagnostic, ...]:
-    found = {LocatedDiagnostic(d.severity, d.code, d.path, d.line, d.message) for d in tree.diagnostics}
-    return tuple(sorted(found, key=lambda entry: (entry.path, entry.line, entry.code, entry.message)))
+def _remembered(tree: Tree, options: Options) -> Extraction:
+    """Take the extraction from the cache, or read the tree and keep it."""
+    from ecm_extract.cache.extractions import ExtractionCache
+
+    cache = ExtractionCache(tree, options)
+    known = cache.known()
+    if known is not None:
+        return known
+    from ecm_extract.cache.recorded_tree import RecordedTree
+    from ecm_extract.extraction_run import read_contracts
+
+    recorded = RecordedTree(tree)
+    extraction, sources = read_contracts(recorded, options)
+    for path, blob in sources.items():
+        recorded.saw(path, blob)
+    if recorded.stable:
+        cache.add(extraction, recorded.blobs)
+    return extraction

@@ -1,0 +1,60 @@
+"""Extraction by reading: packages, facts, links, contracts."""
+
+from __future__ import annotations
+
+import gc
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from ecm_extract.assemble.contracts import assemble
+from ecm_extract.config import Config
+from ecm_extract.extraction_model import Counts, Extraction, LocatedDiagnostic, Options
+from ecm_extract.link.forms import form_table
+from ecm_extract.link.linker import Linker
+from ecm_extract.read.reader import Reader
+from ecm_extract.settings import config_of
+from ecm_extract.tree import Tree
+
+
+def read_contracts(tree: Tree, options: Options) -> tuple[Extraction, dict[str, str]]:
+    """Read the contracts of every package of a tree.
+
+    Returns:
+        The extraction, and the git blob id of each source file, of the bytes that its facts were read from.
+
+    Raises:
+        TreeError: the tree cannot be listed.
+        ConfigError: `ecm.toml` is wrong.
+    """
+    config: Config = config_of(tree, options)
+    with _without_collector():
+        include_tests = options.include_tests or config.extract.include_tests
+        reader = Reader(tree, include_tests, config.extract.exclude, options.cache)
+        packages = reader.read(options.jobs, options.progress)
+        linked = Linker(packages, form_table(config.forms)).link()
+        contracts = assemble(tree, packages, linked)
+    extraction = Extraction(
+        path=tree.label,
+        commit=tree.commit,
+        packages=contracts,
+        diagnostics=_diagnostics(tree),
+        counts=Counts(reader.files, reader.bytes),
+    )
+    return extraction, reader.blobs
+
+
+@contextmanager
+def _without_collector() -> Iterator[None]:
+    """Millions of small records without cycles: the cycle collector finds nothing and costs a quarter of the time."""
+    enabled = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if enabled:
+            gc.enable()
+
+
+def _diagnostics(tree: Tree) -> tuple[LocatedDiagnostic, ...]:
+    found = {LocatedDiagnostic(d.severity, d.code, d.path, d.line, d.message) for d in tree.diagnostics}
+    return tuple(sorted(found, key=lambda entry: (entry.path, entry.line, entry.code, entry.message)))
