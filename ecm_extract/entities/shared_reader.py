@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from typing import Any, Final
+from collections.abc import Mapping
 
-from ecm_parsers.result import Parsed
 from ecm_parsers.source.facts import SourceFile
 
 from ecm_extract.cache.blobs import Blob
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.read.parsed_file import BlobFacts
 from ecm_extract.read.reader import Progress, Reader
-
-_DECLARATIVE: Final = (".msg", ".srv", ".action", ".xml", ".cfg", "CMakeLists.txt", "setup.py", "setup.cfg")
 
 
 class SharedReader(Reader):
@@ -47,20 +43,3 @@ class SharedReader(Reader):
         facts = self.parsed.get(name)
         language = "cpp" if kind == "cpp" else "python"
         return None if facts is None or facts.language != language else BlobFacts(0, facts)
-
-    def _read_packages(self, packages: list[PackageFacts]) -> None:
-        """Read the small declarative files at once: a process for each costs more than parsing it."""
-        paths = [
-            entry.path for package in packages for entry in package.root.files if entry.path.endswith(_DECLARATIVE)
-        ]
-        self._contents = dict(self.tree.read_many(paths))
-        super()._read_packages(packages)
-
-    def parse(self, path: str, parser: Callable[[bytes], Parsed[Any]]) -> Any:
-        """Return the facts of one file, None when it cannot be read."""
-        data = self._contents.pop(path, None)
-        if data is None:
-            return super().parse(path, parser)
-        parsed = parser(data)
-        self._count(path, len(data), parsed.diagnostics)
-        return parsed.facts

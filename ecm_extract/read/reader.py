@@ -26,6 +26,7 @@ from ecm_extract.read.build_files import read_cmake, read_setups
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.read.parallel import SourceParse
 from ecm_extract.read.parsed_file import BlobFacts, ParsedFile, Task
+from ecm_extract.read.prefetch import Prefetch
 from ecm_extract.tree import FileDiagnostic, Tree, printable
 
 OVERLAY = "ecm.yaml"
@@ -56,6 +57,7 @@ class Reader:
         self.bytes = 0
         self.blobs: dict[str, str] = {}
         self._cache = BlobCache() if cached else None
+        self._contents = Prefetch(tree)
 
     def read(self, jobs: int | None, progress: Progress | None = None) -> list[PackageFacts]:
         """Return the facts of every package, sorted by path."""
@@ -78,8 +80,10 @@ class Reader:
         return packages
 
     def _read_packages(self, packages: list[PackageFacts]) -> None:
+        self._contents.fetch(entry for package in packages for entry in package.root.files)
         for package in packages:
             self._read_package(package)
+        self._contents.drop()
 
     def _take_source(self, package: PackageFacts, path: str, content: BlobFacts) -> None:
         if content.facts is not None:
@@ -160,14 +164,14 @@ class Reader:
         return not named and (self.include_tests or not is_test_path(path, root.path))
 
     def _read_xml(self, package: PackageFacts, path: str) -> None:
-        data = next((data for _, data in self.tree.read_many([path])), b"")
+        data = self._contents.read(path) or b""
         if is_behavior_tree(data):
             package.trees[path] = self._taken(path, data, parse_behavior_tree(data))
         elif is_policy(data):
             package.grants[path] = self._taken(path, data, parse_policy(data))
 
     def _read_yaml(self, package: PackageFacts, path: str) -> None:
-        data = next((data for _, data in self.tree.read_many([path])), b"")
+        data = self._contents.read(path) or b""
         if is_diagnostics(data):
             package.aggregators[path] = self._taken(path, data, parse_diagnostics(data))
         elif is_recorder(data):
@@ -202,11 +206,10 @@ class Reader:
 
     def parse(self, path: str, parser: Callable[[bytes], Parsed[Any]]) -> Any:
         """Return the facts of one file, None when it cannot be read; diagnostics go to the tree."""
-        for _, data in self.tree.read_many([path]):
-            parsed = parser(data)
-            self._count(path, len(data), parsed.diagnostics)
-            return parsed.facts
-        return None
+        data = self._contents.read(path)
+        if data is None:
+            return None
+        return self._taken(path, data, parser(data))
 
     def _count(self, path: str, size: int, diagnostics: Iterable[Diagnostic]) -> None:
         self.files += 1
