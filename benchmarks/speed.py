@@ -3,6 +3,10 @@
 All times are of one run on one machine, each the best of three, and what counts is their ratio (DESIGN §7).
 The raw parse is tree-sitter alone, on one core, over bytes that are already in memory: of all C++ and Python
 files of the tree, and of just those that an extraction reads (product sources of packages, no tests).
+
+The cache is measured in three states: empty, so that a run fills it; knowing all source files but not the extraction,
+as after a change of any other file; and knowing everything. `--diff OLD NEW` times a diff of two refs of the repository
+against the extraction of NEW.
 """
 
 from __future__ import annotations
@@ -10,12 +14,15 @@ from __future__ import annotations
 import argparse
 import json
 import os
+import shutil
+import sqlite3
 import subprocess
 import sys
 import tempfile
 import time
 from collections import Counter
 from collections.abc import Callable
+from contextlib import closing
 from pathlib import Path
 
 import msgspec
@@ -27,12 +34,17 @@ from source_files import language, walk
 from tree_sitter import Language, Parser
 
 RUNS = 3
-COLD, WARM, MEMORY_MB, VERSION_S = 2.0, 0.15, 600.0, 0.2
-"""Figures of DESIGN §7: cold / raw parse, warm / cold, peak memory, `--version`."""
+COLD, WARM, DIFF, MEMORY_MB, VERSION_S = 2.0, 0.15, 1.3, 600.0, 0.2
+"""Figures of DESIGN §7: cold / raw parse, warm / cold, diff / cold, peak memory, `--version`."""
 
 
 class Timing(msgspec.Struct, frozen=True):
-    """Seconds, all best of three; `warm` is None when the tool has no cache."""
+    """Seconds, all best of three.
+
+    Attributes:
+        cold: without the cache. filled: with an empty one. known: with the facts of all source files.
+        warm: with everything.
+    """
 
     files: int
     megabytes: float
@@ -40,14 +52,25 @@ class Timing(msgspec.Struct, frozen=True):
     parse_read: float
     files_read: int
     cold: float
-    warm: float | None
+    filled: float
+    known: float
+    warm: float
     version: float
 
 
-def best(action: Callable[[], None]) -> float:
-    """Seconds of the fastest of three runs."""
+class DiffTiming(msgspec.Struct, frozen=True):
+    """Seconds of a diff and of the extraction of its new side, all best of three."""
+
+    cold: float
+    warm: float
+    extraction: float
+
+
+def best(action: Callable[[], None], before: Callable[[], None] = lambda: None) -> float:
+    """Seconds of the fastest of three runs; what is done `before` each does not count."""
     times = []
     for _ in range(RUNS):
+        before()
         start = time.perf_counter()
         action()
         times.append(time.perf_counter() - start)
@@ -77,11 +100,13 @@ def sources(root: Path) -> tuple[list[tuple[str, bytes]], list[tuple[str, bytes]
 class Tool:
     """The installed command, run in an environment whose cache folder is a temporary one."""
 
-    def __init__(self, root: Path, cache: str) -> None:
-        self.environment = {**os.environ, "XDG_CACHE_HOME": cache}
-        self.line = [command(), str(root), "--format", "json", "-o", "-"]
-        self.has_cache = any("--no-cache" in _help(of) for of in ([], ["extract"]))
-        self.cold_line = [*self.line, "--no-cache"] if self.has_cache else self.line
+    def __init__(self, cache: Path) -> None:
+        self.cache = cache
+        self.environment = {**os.environ, "ECM_CACHE_DIR": str(cache)}
+
+    def extraction(self, root: str, *options: str) -> list[str]:
+        """Command line of an extraction."""
+        return [command(), "extract", root, "--format", "json", "-o", "-", *options]
 
     def run(self, line: list[str]) -> None:
         """Run once; a status above 1 ends the benchmark."""
@@ -89,32 +114,58 @@ class Tool:
         if done.returncode > 1:
             sys.exit(f"{' '.join(line)} ended with status {done.returncode}:\n{done.stderr.decode()[-2000:]}")
 
-    def warm(self) -> float | None:
+    def cold(self, line: list[str]) -> float:
+        """Seconds without the cache."""
+        return best(lambda: self.run([*line, "--no-cache"]))
+
+    def filled(self, line: list[str]) -> float:
+        """Seconds of a run that finds the cache empty and fills it."""
+        return best(lambda: self.run(line), before=self.forget)
+
+    def known(self, line: list[str]) -> float:
+        """Seconds of a run that finds the facts of all source files, and nothing else."""
+        self.run(line)
+        return best(lambda: self.run(line), before=self.forget_results)
+
+    def warm(self, line: list[str]) -> float:
         """Seconds of a run after one that filled the cache."""
-        if not self.has_cache:
-            return None
-        self.run(self.line)
-        return best(lambda: self.run(self.line))
+        self.run(line)
+        return best(lambda: self.run(line))
 
+    def forget(self) -> None:
+        """Empty the cache."""
+        shutil.rmtree(self.cache, ignore_errors=True)
 
-def _help(subcommand: list[str]) -> str:
-    line = [command(), *subcommand, "--help"]
-    return subprocess.run(line, capture_output=True, text=True, check=False).stdout
+    def forget_results(self) -> None:
+        """Leave only the facts of source files in the cache."""
+        for file in self.cache.glob("*.sqlite"):
+            with closing(sqlite3.connect(file)) as connection, connection:
+                connection.execute("DELETE FROM entries WHERE key NOT LIKE 'facts %'")
 
 
 def measure(root: Path, tool: Tool) -> Timing:
     """Take all times, one after the other."""
     everything, read = sources(root)
+    line = tool.extraction(str(root))
     return Timing(
         files=len(everything),
         megabytes=sum(len(data) for _, data in everything) / 1e6,
         parse_all=best(lambda: parse(everything)),
         parse_read=best(lambda: parse(read)),
         files_read=len(read),
-        cold=best(lambda: tool.run(tool.cold_line)),
-        warm=tool.warm(),
+        cold=tool.cold(line),
+        filled=tool.filled(line),
+        known=tool.known(line),
+        warm=tool.warm(line),
         version=best(lambda: tool.run([command(), "--version"])),
     )
+
+
+def measure_diff(root: Path, refs: tuple[str, str], tool: Tool) -> DiffTiming:
+    """Times of a diff between two refs of a repository."""
+    line = [command(), "diff", *refs, "--repo", str(root), "--format", "json", "--fail-on", "never"]
+    extraction = tool.cold(tool.extraction(str(root), "--ref", refs[1]))
+    return DiffTiming(cold=tool.cold(line), warm=tool.warm(line), extraction=extraction)
 
 
 def _verdict(label: str, value: float, limit: float, unit: str = "") -> tuple[str, bool]:
@@ -124,21 +175,26 @@ def _verdict(label: str, value: float, limit: float, unit: str = "") -> tuple[st
 
 def verdicts(timing: Timing, peak: peak_memory.Peak) -> list[tuple[str, bool]]:
     """One line for each figure of DESIGN §7 that this script measures."""
-    found = [
+    return [
         _verdict("cold / raw parse of all files", timing.cold / timing.parse_all, COLD, " x"),
+        _verdict("warm / cold", timing.warm / timing.cold, WARM, " x"),
         _verdict("peak memory, sum over processes", peak.sum_of_peaks, MEMORY_MB, " MB"),
         _verdict("--version", timing.version, VERSION_S, " s"),
     ]
-    if timing.warm is not None:
-        found.append(_verdict("warm / cold", timing.warm / timing.cold, WARM, " x"))
-    return found
+
+
+def diff_verdicts(diff: DiffTiming) -> list[tuple[str, bool]]:
+    """The line for the figure of DESIGN §7 about diffs."""
+    return [_verdict("diff, cold / extraction of its new side, cold", diff.cold / diff.extraction, DIFF, " x")]
 
 
 def _print(timing: Timing, peak: peak_memory.Peak) -> None:
-    warm = "no cache" if timing.warm is None else f"{timing.warm:.2f} s"
     print(f"files: {timing.files} ({timing.megabytes:.1f} MB), of which an extraction reads {timing.files_read}")
     print(f"raw parse, one core: all {timing.parse_all:.2f} s, those read {timing.parse_read:.2f} s")
-    print(f"extraction: cold {timing.cold:.2f} s, warm {warm}; {os.cpu_count()} cores")
+    print(
+        f"extraction: cold {timing.cold:.2f} s, filling the cache {timing.filled:.2f} s, sources known "
+        f"{timing.known:.2f} s, warm {timing.warm:.2f} s; {os.cpu_count()} cores"
+    )
     print(f"cold / raw parse of the files read: {timing.cold / max(timing.parse_read, 1e-9):.2f} x")
     print(
         f"memory: {peak.processes} processes, peaks sum to {peak.sum_of_peaks:.0f} MB, "
@@ -146,23 +202,45 @@ def _print(timing: Timing, peak: peak_memory.Peak) -> None:
     )
 
 
+def _print_diff(diff: DiffTiming) -> None:
+    print(
+        f"diff: cold {diff.cold:.2f} s, warm {diff.warm:.2f} s ({diff.warm / diff.extraction:.2f} x); "
+        f"extraction of the new side, cold {diff.extraction:.2f} s"
+    )
+
+
 def main() -> None:
     """Run the benchmark; status 1 when a figure is not reached."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("repo", type=Path, help="a work tree")
+    parser.add_argument("repo", type=Path, help="a work tree; with --diff a repository")
+    parser.add_argument("--diff", nargs=2, metavar=("OLD", "NEW"), help="time a diff of two refs, and nothing else")
     parser.add_argument("--json", action="store_true", help="print JSON instead of text")
     options = parser.parse_args()
-    with tempfile.TemporaryDirectory() as cache:
-        tool = Tool(options.repo, cache)
-        timing = measure(options.repo, tool)
-        peak = peak_memory.run(tool.cold_line, tool.environment)
-    lines = verdicts(timing, peak)
+    with tempfile.TemporaryDirectory() as folder:
+        tool = Tool(Path(folder) / "cache")
+        lines = _diffed(options, tool) if options.diff else _extracted(options, tool)
+    if not options.json:
+        print("\n".join(line for line, _ in lines))
+    sys.exit(0 if all(good for _, good in lines) else 1)
+
+
+def _extracted(options: argparse.Namespace, tool: Tool) -> list[tuple[str, bool]]:
+    timing = measure(options.repo, tool)
+    peak = peak_memory.run([*tool.extraction(str(options.repo)), "--no-cache"], tool.environment)
     if options.json:
         print(json.dumps({"timing": msgspec.to_builtins(timing), "memory": msgspec.to_builtins(peak)}))
     else:
         _print(timing, peak)
-        print("\n".join(line for line, _ in lines))
-    sys.exit(0 if all(good for _, good in lines) else 1)
+    return verdicts(timing, peak)
+
+
+def _diffed(options: argparse.Namespace, tool: Tool) -> list[tuple[str, bool]]:
+    diff = measure_diff(options.repo, tuple(options.diff), tool)
+    if options.json:
+        print(json.dumps({"diff": msgspec.to_builtins(diff)}))
+    else:
+        _print_diff(diff)
+    return diff_verdicts(diff)
 
 
 if __name__ == "__main__":
