@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Container, Iterable, Iterator, Sequence
 from typing import Final
 
 import msgspec
@@ -49,8 +49,9 @@ def lost(old: View, new: View) -> Iterator[Lost]:
     for role in _ENDPOINTS:
         for name, before in was[role].items():
             yield from _endpoint(role, name, before, now[role].get(name, ()))
-    yield from _fields("output", old.outputs, new.outputs)
-    yield from _fields("input", old.inputs, new.inputs)
+    told = {name for named in was.values() for name in named}
+    yield from _fields("output", old.outputs, new.outputs, told)
+    yield from _fields("input", old.inputs, new.inputs, told)
     before_names = {field.name for field in old.inputs or ()}
     for field in new.inputs or ():
         if old.inputs is not None and field.name not in before_names and not field.optional:
@@ -64,7 +65,8 @@ def gained(old: View, new: View) -> Iterator[tuple[str, str]]:
         yield from ((role, name) for name in now[role] if name not in was[role])
     before = {field.name for field in old.outputs or ()}
     if old.outputs is not None:
-        yield from (("output", field.name) for field in new.outputs or () if field.name not in before)
+        told = {name for named in now.values() for name in named}
+        yield from (("output", field.name) for field in new.outputs or () if field.name not in before | told)
 
 
 def _endpoints(module: View) -> defaultdict[Role, dict[str, list[Interface]]]:
@@ -89,11 +91,14 @@ def _endpoint(role: Role, name: str, before: Sequence[Interface], after: Sequenc
         yield Lost(role, name, "|".join(sorted(new)), text, evidence)
 
 
-def _fields(kind: str, before: tuple[Field, ...] | None, after: tuple[Field, ...] | None) -> Iterator[Lost]:
+def _fields(
+    kind: str, before: tuple[Field, ...] | None, after: tuple[Field, ...] | None, told: Container[str]
+) -> Iterator[Lost]:
+    """Fields that are gone or changed; that an endpoint is gone is told of the endpoint already."""
     now = {field.name: field for field in after or ()}
     for field in before or ():
         found = now.get(field.name)
-        if found is None and kind == "output":
+        if found is None and kind == "output" and _HOLE.sub("{}", field.name) not in told:
             yield Lost(kind, field.name, "", f"{kind} {field.name!r} is gone")
         elif found is not None and _form(found) != _form(field):
             yield Lost(kind, field.name, field.name, f"{kind} {field.name!r} changed its type, unit or frame")

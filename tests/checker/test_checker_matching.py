@@ -141,6 +141,17 @@ def test_upgrade_compares_private_names_and_lists_computed_ones() -> None:
     ]
 
 
+def test_an_endpoint_that_is_gone_is_told_once() -> None:
+    """The output that restates a publisher is no second cause; one that is nobody's endpoint is."""
+    gone = msgspec.structs.replace(endpoint("publisher", None), name="/fix")
+    outputs = Value({"/fix": {"type": "a/msg/A"}, "plan": {"type": "a/msg/B"}}, "declared")
+    old = module("a", gone)
+    old = msgspec.structs.replace(old, signature=msgspec.structs.replace(old.signature, output_schema=outputs))
+    told = [each.message for each in upgrade(old, module("a")).findings if each.rule == "SIG010"]
+    assert len(told) == 2
+    assert sum("/fix" in message for message in told) == 1
+
+
 def test_frames() -> None:
     """Leading slashes and usual spellings are one frame; transforms connect over others."""
     assert frames.known("/map_frame") == "map"
