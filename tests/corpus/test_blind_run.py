@@ -1,0 +1,168 @@
+"""Blind runs over real git repositories: what they find, that they repeat, and that they cannot see the story."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import msgspec
+import pytest
+from corpus_repos import REPOSITORY, driver, make_clone, renamed_topic
+from ecm_corpus.blind import Run, results_document, run_blind, write_outcome
+from ecm_corpus.chain import broken_links
+from ecm_corpus.contracts import digest, packed, stored, unpacked
+from ecm_corpus.guard import BlindnessError
+from ecm_corpus.interface import Composition, InterfaceCase, Source
+from ecm_corpus.results import Results
+from ecm_corpus.verdict import check_findings
+
+from ecm_extract.errors import InputError
+
+
+def test_an_upgrade_names_the_consumer_that_keeps_the_old_name(tmp_path: Path) -> None:
+    states = run_blind([renamed_topic(tmp_path)], Run(tmp_path)).results.cases[0].states
+    broken = [finding for finding in states["a"].findings["diff"] if finding.severity == "error"]
+    assert [finding.rule for finding in broken] == ["VER001"]
+    assert broken[0].evidence[0].path == "reader/reader/main.py"
+    assert [f.rule for f in states["a"].findings["check"] if f.severity == "error"] == ["SIG010"]
+
+
+def test_the_consumer_that_followed_is_quiet(tmp_path: Path) -> None:
+    states = run_blind([renamed_topic(tmp_path)], Run(tmp_path)).results.cases[0].states
+    assert states["b"].findings["diff"] == ()
+    assert [f for f in states["b"].findings["check"] if f.severity == "error"] == []
+
+
+def test_two_runs_give_the_same_bytes(tmp_path: Path) -> None:
+    case = renamed_topic(tmp_path)
+    one = run_blind([case], Run(tmp_path, cache=False, jobs=1))
+    two = run_blind([case], Run(tmp_path, cache=True, jobs=2))
+    three = run_blind([case], Run(tmp_path, cache=True, jobs=2))
+    assert results_document(one.results) == results_document(two.results) == results_document(three.results)
+    assert one.files == two.files == three.files
+
+
+def test_the_rebuilt_contracts_are_those_that_were_stored(tmp_path: Path, golden: object) -> None:
+    """A case rebuilt from its clone gives, byte for byte, the contracts under version control."""
+    outcome = run_blind([renamed_topic(tmp_path)], Run(tmp_path))
+    state = outcome.results.cases[0].states["a"]
+    for side in ("old/driver", "new/driver", "consumer/reader"):
+        golden(f"corpus/{side.replace('/', '_')}.json", outcome.files[state.contracts[side]].decode())  # type: ignore[operator]
+
+
+def test_the_store_holds_what_the_results_name_and_nothing_else(tmp_path: Path) -> None:
+    outcome = run_blind([renamed_topic(tmp_path / "clones")], Run(tmp_path / "clones"))
+    (tmp_path / "out" / "contracts").mkdir(parents=True)
+    (tmp_path / "out" / "contracts" / "old.json").write_text("[]")
+    write_outcome(outcome, tmp_path / "out")
+    named = {name for case in outcome.results.cases for s in case.states.values() for name in s.contracts.values()}
+    assert {file.stem for file in (tmp_path / "out" / "contracts").iterdir()} == named
+    read = msgspec.json.decode((tmp_path / "out" / "results.json").read_bytes(), type=Results)
+    assert read == outcome.results
+
+
+def test_the_checker_says_the_same_of_stored_contracts(tmp_path: Path) -> None:
+    outcome = run_blind([renamed_topic(tmp_path)], Run(tmp_path))
+    for state in outcome.results.cases[0].states.values():
+        sides: dict[str, list[object]] = {}
+        for name, mark in state.contracts.items():
+            sides.setdefault(name.partition("/")[0], []).extend(unpacked(outcome.files[mark]))
+        assert check_findings(sides) == state.findings["check"]  # type: ignore[arg-type]
+
+
+def test_a_store_file_that_was_changed_is_refused(tmp_path: Path) -> None:
+    data = packed(())
+    (tmp_path / f"{digest(data)}.json").write_bytes(data)
+    assert stored(digest(data), tmp_path) == data
+    (tmp_path / f"{digest(data)}.json").write_bytes(data + b" ")
+    with pytest.raises(InputError, match="was changed"):
+        stored(digest(data), tmp_path)
+
+
+def test_a_missing_clone_is_reported_with_its_url_and_costs_no_other_case(tmp_path: Path) -> None:
+    lost = InterfaceCase("R-lost", "robust", {"a": Composition((Source("nobody/nothing", "1.0.0"),))})
+    results = run_blind([renamed_topic(tmp_path), lost], Run(tmp_path)).results
+    assert results.cases[0].missing == ("https://github.com/nobody/nothing",)
+    assert results.cases[0].states == {}
+    assert results.cases[1].states.keys() == {"a", "b", "c", "d"}
+
+
+def test_a_clone_without_the_ref_is_reported_with_the_ref(tmp_path: Path) -> None:
+    make_clone(tmp_path, ("1.0.0", driver("fix", "1.0.0")))
+    case = InterfaceCase("R-lost", "robust", {"a": Composition((Source(REPOSITORY, "9.9.9"),))})
+    assert run_blind([case], Run(tmp_path)).results.cases[0].missing == (f"https://github.com/{REPOSITORY} at 9.9.9",)
+
+
+def test_two_repositories_are_one_workspace(tmp_path: Path) -> None:
+    """A reader in one repository meets the driver of another; a type that differs is seen by the checker."""
+    case = renamed_topic(tmp_path)
+    make_clone(tmp_path, ("2.0.0", driver("raw_fix", "2.0.0", "Int32")), repository="other/numbers")
+    both = Composition((Source(REPOSITORY, "1.2.0", ("reader",)), Source("other/numbers", "2.0.0", ("driver",))))
+    case = InterfaceCase("R-two", "robust", {"a": both})
+    found = run_blind([case], Run(tmp_path)).results.cases[0].states["a"].findings["check"]
+    assert [finding.rule for finding in found if finding.severity != "info"] == ["SIG001"]
+    assert {place.path.split("/")[0] for place in found[0].evidence} == {"driver", "numbers"}
+
+
+@pytest.mark.parametrize("what", ["finding", "interface", "order"])
+def test_the_chain_tells_what_was_changed(tmp_path: Path, what: str) -> None:
+    small = renamed_topic(tmp_path)
+    twin = msgspec.structs.replace(small, case="R-twin")
+    results = run_blind([small, twin], Run(tmp_path)).results
+    assert broken_links(results, [small, twin]) == ()
+    if what == "interface":
+        changed = msgspec.structs.replace(small, substrate="ros2")
+        assert broken_links(results, [changed, twin]) == ("R-small: its interface part is not the one that was judged",)
+        return
+    first, second = results.cases
+    if what == "order":
+        cases = (second, first)
+    else:
+        quiet = msgspec.structs.replace(first.states["a"], findings={})
+        cases = (msgspec.structs.replace(first, states={**first.states, "a": quiet}), second)
+    assert broken_links(msgspec.structs.replace(results, cases=cases), [small, twin]) != ()
+
+
+_REACH = """
+import os, subprocess, sys
+from pathlib import Path
+from ecm_corpus.guard import BlindnessError, shut_out_narratives
+story = Path(sys.argv[1])
+link = story.parents[1] / 'link.yaml'
+link.symlink_to(story)
+shut_out_narratives()
+ways = [lambda: story.read_text(), lambda: os.open(story, os.O_RDONLY), lambda: link.read_text(),
+        lambda: os.listdir(story.parent), lambda: list(os.scandir(story.parent)),
+        lambda: (os.chdir(story.parent), open(story.name))[1], lambda: os.link(story, 'copy'),
+        lambda: subprocess.run(['cat', story]), lambda: os.system('true')]
+for way in ways:
+    try:
+        way()
+    except BlindnessError:
+        continue
+    sys.exit('reached the story')
+if os.fork() == 0:
+    try:
+        story.read_text()
+    except BlindnessError:
+        os._exit(0)
+    os._exit(1)
+sys.exit(os.waitstatus_to_exitcode(os.wait()[1]))
+"""
+
+
+def test_the_process_of_a_blind_run_cannot_open_a_narrative(tmp_path: Path) -> None:
+    story = tmp_path / "cases" / "narrative" / "R-1.yaml"
+    story.parent.mkdir(parents=True)
+    story.write_text("story")
+    done = subprocess.run([sys.executable, "-c", _REACH, str(story)], capture_output=True, check=False, text=True)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_a_case_that_names_a_narrative_as_its_clone_is_stopped(tmp_path: Path) -> None:
+    """Were the clones below the narratives, the process would stop instead of reading there."""
+    make_clone(tmp_path / "narrative", ("1.0.0", driver("fix", "1.0.0")))
+    case = InterfaceCase("R-peek", "robust", {"a": Composition((Source(REPOSITORY, "1.0.0"),))})
+    with pytest.raises(Exception, match=BlindnessError.__name__):
+        run_blind([case], Run(tmp_path / "narrative"))
