@@ -21,6 +21,7 @@ from ecm_extract.extraction_model import Options
 from ecm_extract.link.composition import composition_of
 from ecm_extract.link.forms import form_table
 from ecm_extract.link.linker import Linker
+from ecm_extract.lint.service_calls import ServiceCall, request_fields, service_calls
 from ecm_extract.settings import config_of
 from ecm_extract.system.files import Files
 from ecm_extract.system.launch_files import is_launch_file, read_launch
@@ -83,6 +84,11 @@ class Workspace:
             return [
                 evaluated_system(self.tree, self.files, self.index, [path], Given()) for path in roots[:MAX_SYSTEMS]
             ]
+
+    @cached_property
+    def service_calls(self) -> Sequence[ServiceCall]:
+        """Calls of rospy service proxies whose service is known."""
+        return tuple(service_calls(self.linker.program.files, self.linked, request_fields(self.packages)))
 
     @cached_property
     def descriptions(self) -> Sequence[Description]:

@@ -1,0 +1,102 @@
+"""What libraries outside the workspace have deprecated: a table of lines and imports, and where a package has them."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Iterator
+from functools import cache
+from importlib import resources
+
+import msgspec
+
+from ecm_extract.discover import is_test_path
+from ecm_extract.read.facts import PackageFacts
+from ecm_extract.system.files import Files
+
+_KINDS = {
+    "cpp": (".h", ".hh", ".hpp", ".hxx", ".c", ".cc", ".cpp", ".cxx"),
+    "python": (".py",),
+    "launch": (".launch", ".launch.xml", ".xml.launch"),
+    "cmake": ("CMakeLists.txt", ".cmake"),
+}
+_COMMENT = re.compile(rb"\s*(?://|#(?!\s*include)|\*|<!--)")
+_BLOCK = re.compile(rb"/\*.*?\*/|<!--.*?-->", re.DOTALL)
+
+
+class DeprecatedText(msgspec.Struct, frozen=True):
+    """A line of some kinds of files; `ros` is None where it holds for both."""
+
+    files: tuple[str, ...]
+    pattern: str
+    old: str
+    new: str
+    since: str
+    ros: int | None = None
+
+
+class DeprecatedImport(msgspec.Struct, frozen=True):
+    """Names that a Python module no longer has."""
+
+    module: str
+    names: tuple[str, ...]
+    new: str
+    since: str
+
+
+class Deprecations(msgspec.Struct, frozen=True):
+    """The whole table."""
+
+    text: tuple[DeprecatedText, ...]
+    imports: tuple[DeprecatedImport, ...] = msgspec.field(name="import", default=())
+
+
+class Deprecated(msgspec.Struct, frozen=True):
+    """One place that uses something deprecated; `new` is what to write."""
+
+    path: str
+    line: int
+    old: str
+    new: str
+    since: str
+
+
+@cache
+def deprecations() -> Deprecations:
+    """Return the table."""
+    text = (resources.files("ecm_extract.lint") / "deprecations.toml").read_text("utf-8")
+    return msgspec.convert(tomllib.loads(text), Deprecations)
+
+
+def deprecated_in(package: PackageFacts, files: Files) -> Iterator[Deprecated]:
+    """Yield the uses of a package, tests left out."""
+    for entry in package.root.files:
+        if is_test_path(entry.path, package.root.path):
+            continue
+        rows = [row for row in deprecations().text if _concerns(row, entry.path, package.ros)]
+        data = files.read(entry.path) if rows else None
+        if data:
+            yield from _lines(entry.path, _BLOCK.sub(_blank, data), rows)
+    for path, facts in package.sources.items():
+        for found in facts.imports:
+            for row in deprecations().imports:
+                if found.module == row.module and found.name in row.names:
+                    yield Deprecated(path, found.line, f"{row.module}.{found.name}", row.new, row.since)
+
+
+def _concerns(row: DeprecatedText, path: str, ros: int | None) -> bool:
+    return row.ros in {None, ros} and any(path.endswith(_KINDS[kind]) for kind in row.files)
+
+
+def _lines(path: str, data: bytes, rows: list[DeprecatedText]) -> Iterator[Deprecated]:
+    for row in rows:
+        for match in re.finditer(row.pattern.encode(), data, re.MULTILINE):
+            start = data.rfind(b"\n", 0, match.start()) + 1
+            if _COMMENT.match(data, start) is None:
+                line = data.count(b"\n", 0, match.start()) + 1
+                yield Deprecated(path, line, row.old, row.new, row.since)
+
+
+def _blank(match: re.Match[bytes]) -> bytes:
+    """Lines keep their numbers when a comment goes."""
+    return b"\n" * match[0].count(b"\n")

@@ -1,0 +1,53 @@
+"""LNT031: a service request is given a field that the service does not have."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from ecm_checker.contract import Evidence
+from ecm_checker.finding import Entity, Finding
+
+from ecm_extract.lint.near import nearest
+from ecm_extract.lint.requests import Touched, touched_fields
+from ecm_extract.lint.rule import LintRule
+from ecm_extract.lint.service_calls import ServiceCall
+from ecm_extract.lint.workspace import Workspace
+
+RULE = LintRule(
+    id="LNT031",
+    name="service_field_unknown",
+    dimension="signature",
+    severity="error",
+    who="wire",
+    consequence="Python stops with AttributeError at the call, C++ does not compile",
+    resolution="write a field of the service, or add it there",
+)
+RENAME = re.compile(r"has no field (?P<old>\w+); it has (?P<new>\w+)")
+
+
+def check(workspace: Workspace) -> Iterator[Finding]:
+    """Report keywords of proxy calls, and members of request and response objects, that the definition lacks."""
+    for call in workspace.service_calls:
+        for name, _ in call.call.keywords:
+            if name and name not in call.fields:
+                yield _of_call(call, name)
+    for touched in touched_fields(workspace.linker.program.files, workspace.packages):
+        if touched.field not in touched.known:
+            yield _of_member(touched)
+
+
+def _of_call(call: ServiceCall, name: str) -> Finding:
+    place = Evidence(call.file.path, call.line)
+    return _finding(call.service, name, call.fields, call.file.package, place)
+
+
+def _of_member(touched: Touched) -> Finding:
+    place = Evidence(touched.file.path, touched.line)
+    return _finding(touched.service, touched.field, touched.fields, touched.file.package, place)
+
+
+def _finding(service: str, name: str, fields: tuple[str, ...], package: str, place: Evidence) -> Finding:
+    near = nearest(name, fields)
+    text = f"{service} has no field {name}" + (f"; it has {near}" if near else "")
+    return RULE.finding(text, Entity("message_field", f"{service}.{name}", near or ""), package, [place])

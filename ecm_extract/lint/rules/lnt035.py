@@ -1,0 +1,79 @@
+"""LNT035: package.xml names a package that no file of the package uses."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from ecm_checker.contract import Evidence
+from ecm_checker.finding import Entity, Finding
+from ecm_parsers.package_facts import Dependency
+
+from ecm_extract.lint.rule import LintRule
+from ecm_extract.lint.workspace import Workspace
+from ecm_extract.read.facts import PackageFacts
+
+RULE = LintRule(
+    id="LNT035",
+    name="dependency_unused",
+    dimension="versioning",
+    severity="info",
+    who="source",
+    consequence="everybody who installs the package installs the other one too, and waits for its builds",
+    resolution="remove the dependency from package.xml and CMakeLists.txt",
+)
+_KINDS = frozenset({"build", "build_export", "depend"})
+"""Run-time dependencies are used by names that only the launch knows."""
+_UNREAD = (".md", ".rst", ".txt", ".png", ".jpg", ".stl", ".STL", ".dae", ".pdf", ".svg", ".bag", ".pgm", ".gif")
+_GENERATORS = re.compile(r"gener|cmake|_runtime$|_default_|_common$|^ament|^rosidl|^catkin|^ros_|^roslaunch$")
+_INCLUDE = re.compile(rb"#\s*include\s*[<\"]([^>\"\n]+/[^>\"\n]+)[>\"]")
+MAX_BYTES = 2_000_000
+
+
+def check(workspace: Workspace) -> Iterator[Finding]:
+    """Report packages of the tree, and message packages, that are asked for at build time and used nowhere."""
+    headers = {package.name: _headers(package) for package in workspace.packages}
+    for package in workspace.packages:
+        manifest = package.manifest
+        if manifest is None or package.root.rosbuild or any(entry.tag == "metapackage" for entry in manifest.exports):
+            continue
+        asked = {entry.name: entry for entry in reversed(manifest.dependencies) if _is_judged(entry, workspace)}
+        if asked and _has_sources(package):
+            for name in sorted(asked.keys() - _used(workspace, package, set(asked), headers)):
+                text = f"{package.name} depends on {name} and uses nothing of it"
+                evidence = [Evidence(package.root.manifest or "", asked[name].line)]
+                yield RULE.finding(text, Entity("package", name), package.name, evidence, certainty="likely")
+
+
+def _is_judged(entry: Dependency, workspace: Workspace) -> bool:
+    """A package of the tree shows what it offers, a message package has its name in every use."""
+    known = entry.name in workspace.by_name or entry.name.endswith("_msgs")
+    return entry.kind in _KINDS and known and _GENERATORS.search(entry.name) is None
+
+
+def _has_sources(package: PackageFacts) -> bool:
+    return bool(package.sources or package.interfaces)
+
+
+def _headers(package: PackageFacts) -> tuple[str, ...]:
+    return tuple(path for path in package.sources if path.endswith((".h", ".hpp", ".hh", ".hxx")))
+
+
+def _used(
+    workspace: Workspace, package: PackageFacts, names: set[str], headers: dict[str, tuple[str, ...]]
+) -> set[str]:
+    """Names that stand in any file, tests and comments too, and packages that a header comes from."""
+    found: set[str] = {"actionlib_msgs", "action_msgs"} if _has_actions(package) else set()
+    words = re.compile(rb"\b(" + b"|".join(re.escape(name.encode()) for name in sorted(names)) + rb")\b")
+    included: set[str] = set()
+    for entry in package.root.files:
+        if entry.path != package.root.manifest and not entry.path.endswith(_UNREAD) and (entry.size or 0) < MAX_BYTES:
+            data = workspace.files.read(entry.path) or b""
+            found |= {match.decode() for match in words.findall(data)}
+            included |= {f"/{match.decode('utf-8', 'replace')}" for match in _INCLUDE.findall(data)}
+    ends = tuple(included)
+    return found | {name for name in names if any(f"/{path}".endswith(ends) for path in headers.get(name, ()))}
+
+
+def _has_actions(package: PackageFacts) -> bool:
+    return any(definition.shape == "action" for definition in package.interfaces.values())
