@@ -28,7 +28,7 @@ from ecm_extract.link.qos import QosReader
 from ecm_extract.link.references import References
 from ecm_extract.link.registry import build_registry
 from ecm_extract.link.scope import Scope
-from ecm_extract.link.sites import Site, Sites
+from ecm_extract.link.sites import Site, Sites, overrides
 from ecm_extract.link.stamps import Stamp, stamps
 from ecm_extract.link.types import Types
 from ecm_extract.link.values import Value, literal, settled, unknown, with_node
@@ -158,7 +158,7 @@ class Linker:
 
     def _only_offered(self, site: Site) -> bool:
         """A helper that nobody calls declares nothing in the modules that could call it."""
-        if site.root.is_constructor or site.form.fixed or site.form.items:
+        if site.root.is_constructor or overrides(site.root) or site.form.fixed or site.form.items:
             return False
         values = self.sites.names(site)
         given = {parameter.name for parameter in site.root.fact.params}

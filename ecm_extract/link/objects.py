@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
 
 from ecm_extract.link.calls import Invocation, dotted_name, last_name, pointee, template_arguments
+from ecm_extract.link.containers import ELEMENT_METHODS, element_type
 from ecm_extract.link.env import MAX_DEPTH, Env, Instance, bind
 from ecm_extract.link.overloads import NO, score
 from ecm_extract.link.program import Cls, Func, Program, plain
@@ -61,13 +62,16 @@ class Objects:
             return self._made_type(expr, env)
         if isinstance(expr, Op) and expr.op in {"&", "?:"}:
             return self.type_of(expr.operands[-1], env.before(env.at))
+        if isinstance(expr, Op) and expr.op == "[]":
+            return element_type(self.type_of(expr.operands[0], env.before(env.at)))
         return ""
 
     def _assigned_type(self, name: str, env: Env) -> str:
         for definition in self.scope.local(name, env):
             value = definition.statement.value
-            if value is not None and definition.statement.kind != "each":
-                return self.type_of(value, env.before(definition.at))
+            if value is not None:
+                written = self.type_of(value, env.before(definition.at))
+                return element_type(written) if definition.statement.kind == "each" else written
         return self._member_assigned_type(name, env.this or env.func.cls, env)
 
     def _member_assigned_type(self, name: str, cls: Cls | None, env: Env) -> str:
@@ -99,6 +103,8 @@ class Objects:
         inner = env.before(env.at)
         if callee.name in _ITSELF:
             return self.type_of(callee.base, inner)
+        if callee.name in ELEMENT_METHODS:
+            return element_type(self.type_of(callee.base, inner))
         cls = self.class_of(callee.base, inner)
         for owner in self.program.ancestry(cls) if cls is not None else ():
             for method in owner.methods:
@@ -135,7 +141,7 @@ class Objects:
     def base_instance(self, made: Instance, parent: Cls, written: str) -> Instance:
         """Return how a derived class makes its direct base."""
         types = dict(zip(parent.fact.template, template_arguments(written), strict=False))
-        types = {key: made.types.get(value, value) for key, value in types.items()}
+        types = {key: made.types.get(value) or self._meant(value, made.cls) for key, value in types.items()}
         for func in made.cls.methods:
             if not func.is_constructor:
                 continue
@@ -145,6 +151,10 @@ class Objects:
             if call is not None and constructor is not None:
                 return Instance(parent, bind(constructor, call, env.before(self._at(func, call))), types, constructor)
         return Instance(parent, {}, types)
+
+    def _meant(self, written: str, cls: Cls) -> str:
+        """What a template argument in the head of a class stands for where the class is."""
+        return self.program.alias(written, cls.file, cls.fact.scope) or written
 
     def _at(self, func: Func, call: Invocation) -> int:
         return next((at for at, entry in enumerate(func.fact.body) if entry is call.statement), 0)

@@ -132,13 +132,16 @@ class Sites:
 
     def _wider(self, site: Site) -> Iterator[Site]:
         params, made = self._open(site)
-        own = {parameter.name for parameter in site.root.fact.params} | set(site.root.fact.template)
-        if params & own:
+        given = {parameter.name for parameter in site.root.fact.params}
+        if params & (given | set(site.root.fact.template)):
             if site.form.role == "parameter" and id(site.root) not in self._remembered:
                 self._remembered.add(id(site.root))
                 self._remember_wrapper(site)
-            yield from self._callers(site)
-        elif made and site.owner is not None:
+            callers = list(self._callers(site))
+            yield from callers
+            if callers or (params & given and not overrides(site.root)):
+                return
+        if made and site.owner is not None:
             yield from self._makers(site, site.owner)
 
     def _open(self, site: Site) -> tuple[frozenset[str], frozenset[str]]:
@@ -292,8 +295,10 @@ class Sites:
         if func.cls is None:
             return Env(func, at, args, types)
         if func.is_constructor or self.makes(link, func.cls):
-            made = Instance(func.cls, args, self._class_types(func.cls, link, env))
-            return Env(func, at, args if func.is_constructor else {}, types, func.cls, made)
+            maker = func if func.is_constructor else self.folder.objects.constructor(func.cls, len(link.args))
+            given = bind(maker, link, env) if maker is not None else {}
+            made = Instance(func.cls, given, self._class_types(func.cls, link, env), maker)
+            return Env(func, at, given if func.is_constructor else {}, types, func.cls, made)
         same = (
             env.this is not None
             and func.cls in self.program.ancestry(env.this)
@@ -322,15 +327,23 @@ class Sites:
     def _makers(self, site: Site, cls: Cls) -> Iterator[Site]:
         """One site for each class that derives from `cls`, and for each place that makes one."""
         at = self.position(self._first(site))
-        for derived in self.derived(cls) if site.owner is site.root.cls else ():
+        own = site.owner is site.root.cls
+        for derived in self.derived(cls) if own else ():
             made = Instance(derived, {}, {})
             part = self.folder.objects.part(made, cls)
             types = dict(part.types) if part is not None else {}
             root = Env(site.root, at, {}, types, derived, made)
             yield Site(site.form, site.call, self._inside(site, root), site.chain, derived, site.root)
         for call in self.calls.get(cls.fact.name, ()):
-            if call.func.cls is not cls and self.makes(call, cls) and not any(call is link for link in site.chain):
+            if call.func.cls is cls or (own and self._is_base_of(call, cls)):
+                continue
+            if self.makes(call, cls) and not any(call is link for link in site.chain):
                 yield self._made_at(site, cls, call, at)
+
+    def _is_base_of(self, call: Invocation, cls: Cls) -> bool:
+        """Tell whether a call makes the base of a derived object, which is no object of its own."""
+        maker = call.func.cls
+        return call.statement.kind == "init" and maker is not None and cls in self.program.ancestry(maker)
 
     def _made_at(self, site: Site, cls: Cls, call: Invocation, at: int) -> Site:
         outer = self.root_env(call.func, self.position(call))
@@ -365,6 +378,11 @@ class Sites:
                     for base in self.program.ancestry(entry)[1:]:
                         self._derived[id(base)].append(entry)
         return self._derived.get(id(cls), [])
+
+
+def overrides(func: Func) -> bool:
+    """Tell whether whoever calls a function may know its base class only, as the host of a plugin does."""
+    return "override" in func.fact.traits
 
 
 def _default_constructible(cls: Cls) -> bool:

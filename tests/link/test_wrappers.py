@@ -165,3 +165,49 @@ def test_handle_that_a_function_is_given_carries_its_namespace(workspace: Worksp
     """
     workspace.package({"src/base.cpp": source}, ros=1)
     assert sorted(entry.name for entry in workspace.interfaces()) == ["/base/kept", "/base/passed"]
+
+
+PLUGINS = """
+class Behavior { public: virtual void configure(const std::string & name) = 0; };
+template<typename ActionT> class Timed : public Behavior { public:
+  void configure(const std::string & name) override {
+    server_ = rclcpp_action::create_server<ActionT>(node_, name, goal, cancel, accepted); }
+  rclcpp::Node * node_; };
+using SpinAction = nav2_msgs::action::Spin;
+class Spin : public Timed<SpinAction> { };
+PLUGINLIB_EXPORT_CLASS(Spin, Behavior)
+class Host : public rclcpp::Node { Host() : Node("host") {
+    for (size_t i = 0; i != ids_.size(); i++) { behaviors_[i]->configure(ids_[i]); }
+    for (auto & each : behaviors_) { each->configure("all"); } behaviors_.front()->configure("first"); }
+  std::vector<std::string> ids_; std::vector<pluginlib::UniquePtr<Behavior>> behaviors_; };
+"""
+
+
+def test_a_plugin_is_configured_by_a_host_that_knows_its_base_only(workspace: Any) -> None:
+    """What a base class opens under the name that its host gives is of each plugin, not of the host."""
+    modules = workspace.package({"src/p.cpp": PLUGINS}).modules()
+    spin = [entry for entry in modules["ecm.pkg.spin"].signature.interfaces if entry.role == "action_server"]
+    assert [(entry.name, entry.type) for entry in spin] == [("/{name}", "nav2_msgs/action/Spin")]
+    host = [entry for entry in modules["ecm.pkg.host"].signature.interfaces if entry.role == "action_server"]
+    assert host == []
+
+
+def test_the_name_that_a_derived_class_returns_reaches_a_helper_object(workspace: Any) -> None:
+    """Base class, helper object and virtual function: each derived class has a server under its own name."""
+    text = """
+template<class ActionT> class Server { public:
+  Server(rclcpp::Node * node, const std::string & action_name) : action_name_(action_name), node_(node) {}
+  void on_configure() { server_ = rclcpp_action::create_server<ActionT>(node_, action_name_, goal, cancel, accepted); }
+  std::string action_name_; rclcpp::Node * node_; };
+template<class ActionT> class Navigator : public rclcpp::Node { public:
+  void on_configure() { server_ = std::make_unique<Server<ActionT>>(this, getName()); server_->on_configure(); }
+  virtual std::string getName() = 0;
+  std::unique_ptr<Server<ActionT>> server_; };
+class ToPose : public Navigator<nav2_msgs::action::NavigateToPose> { ToPose() : Navigator("a") {}
+  std::string getName() override { return std::string("to_pose"); } };
+class Through : public Navigator<nav2_msgs::action::NavigateThroughPoses> { Through() : Navigator("b") {}
+  std::string getName() override { return std::string("through"); } };"""
+    modules = workspace.package({"src/n.cpp": text}).modules()
+    for name, action in (("to_pose", "NavigateToPose"), ("through", "NavigateThroughPoses")):
+        found = [entry for entry in modules[f"ecm.pkg.{name}"].signature.interfaces if entry.role == "action_server"]
+        assert [(entry.name, entry.type) for entry in found] == [(f"/{name}", f"nav2_msgs/action/{action}")]
