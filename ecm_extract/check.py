@@ -17,18 +17,19 @@ from ecm_checker.operations.system import system
 from ecm_checker.outcome import Report
 from ecm_checker.profiles import Call, Embodiment, Policy, Profiles, Runtime
 
-from ecm_extract.check_inputs import contracts
+from ecm_extract.check_inputs import contracts, launched_contracts
 from ecm_extract.errors import InputError
 
 
 class Given(msgspec.Struct, frozen=True):
-    """Profiles that the user gave, and whether source trees may be taken from the cache."""
+    """Profiles that the user gave, launch files to compose by, and whether the cache may be used."""
 
     embodiment: Embodiment | None = None
     policy: Policy | None = None
     runtime: Runtime | None = None
     call: Call | None = None
     cache: bool = True
+    launch: tuple[str, ...] = ()
 
     @property
     def profiles(self) -> Profiles:
@@ -53,10 +54,20 @@ def decide(operation: str, paths: Sequence[str], given: Given, dimensions: Dimen
     Raises:
         InputError: paths or profiles do not fit the operation.
     """
+    if given.launch:
+        return _launched(operation, paths, given, dimensions)
     groups = [contracts(path, given.cache) for path in paths]
     if operation == "system":
         return system(_flat(groups), given.profiles, dimensions, together=together)
     return _DECISIONS[operation](groups, given, dimensions)
+
+
+def _launched(operation: str, paths: Sequence[str], given: Given, dimensions: Dimensions) -> Report:
+    """What launch files of a workspace start together."""
+    if operation != "system" or len(paths) != 1:
+        message = "--launch goes with the operation system and one workspace"
+        raise InputError(message, "write: check system WORKSPACE --launch package/file.launch.py")
+    return system(launched_contracts(paths[0], given.launch, given.cache), given.profiles, dimensions, together=True)
 
 
 def _flat(groups: _Groups) -> list[Contract]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any, Final, TypeVar
 
@@ -38,6 +38,32 @@ def contracts(path: str, cache: bool = True) -> tuple[Contract, ...]:
     if manifests:
         return tuple(contract for file in manifests for contract in _of_file(file))
     return _extracted(path, cache)
+
+
+def launched_contracts(path: str, words: Sequence[str], cache: bool = True) -> tuple[Contract, ...]:
+    """Contracts of the nodes that launch files start.
+
+    Args:
+        path: of the workspace, or `DIR@REF`.
+        words: launch files by path or as `package/file`, and arguments as `name:=value`.
+        cache: let the reading use the cache.
+
+    Raises:
+        InputError: there is no such tree or launch file, or it starts nothing.
+    """
+    from ecm_extract.extraction_model import Options
+    from ecm_extract.system.contracts import instance_contracts
+    from ecm_extract.system.model import Given
+    from ecm_extract.system.system import read_system
+    from ecm_extract.tree import open_tree
+
+    arguments = dict(word.split(":=", 1) for word in words if ":=" in word)
+    launches = [word for word in words if ":=" not in word]
+    found = instance_contracts(read_system(open_tree(path), launches, Given(arguments), Options(cache=cache)))
+    if not found:
+        message = f"{', '.join(launches) or path} starts no node that is known before the launch"
+        raise InputError(message, "`ecm-extract system` shows what it starts and under which conditions")
+    return found
 
 
 def profile(path: str | None, kind: type[_Profile]) -> _Profile | None:

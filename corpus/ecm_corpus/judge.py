@@ -15,13 +15,16 @@ from ecm_corpus.clones import clone_of, open_source
 from ecm_corpus.contracts import digest, packed
 from ecm_corpus.interface import Composition, Source, State, Upgrade, sources_of
 from ecm_corpus.results import StateResult, Versions
-from ecm_corpus.verdict import CONSUMER, NEW, OLD, TREE, check_findings
+from ecm_corpus.verdict import CONSUMER, LAUNCHED, NEW, OLD, TREE, check_findings
 from ecm_extract.diff.model import RefInfo
 from ecm_extract.diff.run import Request, compare
 from ecm_extract.extraction import extract
 from ecm_extract.extraction_model import Extraction, Options
 from ecm_extract.lint.run import findings_of
 from ecm_extract.lint.workspace import Workspace
+from ecm_extract.system.contracts import instance_contracts
+from ecm_extract.system.model import Given
+from ecm_extract.system.system import read_system
 from ecm_extract.tree import Tree
 from ecm_extract.tree.joined import JoinedTree
 
@@ -48,6 +51,9 @@ def _composition(state: Composition, clones: Path, options: Options) -> Judged:
     tree = _joined(state.trees, clones)
     packages = _packages(state.trees)
     contracts = {TREE: _kept(extract(tree, options), packages)}
+    if state.launch:
+        started = read_system(tree, [_inside(path, state) for path in state.launch], Given(), options)
+        contracts[LAUNCHED] = {"nodes": instance_contracts(started)}
     workspace = Workspace(tree, options)
     lint = [finding for finding in findings_of(workspace) if _concerns(finding, packages)]
     return _judged("composition", _commits(sources_of(state), clones), contracts, {"lint": ordered(lint)})
@@ -76,6 +82,11 @@ def _joined(sources: Sequence[Source], clones: Path) -> Tree:
     if len(trees) == 1:
         return trees[0]
     return JoinedTree({source.repository.rpartition("/")[2]: tree for source, tree in zip(sources, trees, strict=True)})
+
+
+def _inside(path: str, state: Composition) -> str:
+    """A launch file, written `<repository's name>/<path>`, as it lies in the tree of the state."""
+    return path if len(state.trees) > 1 else path.partition("/")[2]
 
 
 def _request(state: Upgrade, old: Tree, new: Tree, users: Sequence[Tree], clones: Path, options: Options) -> Request:

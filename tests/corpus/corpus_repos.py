@@ -28,6 +28,10 @@ class {kind}(Node):
     def __init__(self):
         super().__init__('{name}')
         {call}
+
+
+def main():
+    {kind}()
 """
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import msgspec
 import pytest
-from corpus_repos import REPOSITORY, driver, make_clone, renamed_topic
+from corpus_repos import REPOSITORY, driver, make_clone, reader, renamed_topic
 from ecm_corpus.blind import Run, results_document, run_blind, write_outcome
 from ecm_corpus.chain import broken_links
 from ecm_corpus.contracts import digest, packed, stored, unpacked
@@ -166,3 +166,25 @@ def test_a_case_that_names_a_narrative_as_its_clone_is_stopped(tmp_path: Path) -
     case = InterfaceCase("R-peek", "robust", {"a": Composition((Source(REPOSITORY, "1.0.0"),))})
     with pytest.raises(Exception, match=BlindnessError.__name__):
         run_blind([case], Run(tmp_path / "narrative"))
+
+
+_LAUNCH = """from launch import LaunchDescription
+from launch_ros.actions import Node
+def generate_launch_description():
+    return LaunchDescription([
+        Node(package='driver', executable='driver', remappings=[('raw_fix', '{name}')]),
+        Node(package='reader', executable='reader'),
+    ])
+"""
+
+
+@pytest.mark.parametrize(("name", "rules"), [("fix", ["SIG001"]), ("other", [])])
+def test_a_launch_file_says_what_is_composed(tmp_path: Path, name: str, rules: list[str]) -> None:
+    """The same two modules conflict in a launch that brings them together, and in no other."""
+    files = {**driver("raw_fix", "1.0.0", "Int32"), **reader("fix"), "driver/launch/x.launch.py": _LAUNCH}
+    files["driver/launch/x.launch.py"] = _LAUNCH.replace("{name}", name)
+    make_clone(tmp_path, ("1.0.0", files))
+    state = Composition((Source(REPOSITORY, "1.0.0"),), ("driver/driver/launch/x.launch.py",))
+    results = run_blind([InterfaceCase("R-launch", "robust", {"a": state})], Run(tmp_path)).results
+    found = results.cases[0].states["a"].findings["check"]
+    assert [finding.rule for finding in found if finding.severity == "error"] == rules

@@ -21,6 +21,7 @@ _EPILOG: Final = """\b
 Examples:
   ecm-extract check src/my_robot                      what of this repository would not run together
   ecm-extract check contracts --together              these modules do run together
+  ecm-extract check . --launch my_bringup/robot.launch.py     what this launch file composes
   ecm-extract check upgrade old.ecm.yaml new.ecm.yaml --embodiment robot.yaml
   ecm-extract check chain a.ecm.yaml b.ecm.yaml --policy ward.yaml --without recovery
 """
@@ -41,6 +42,7 @@ class Request(msgspec.Struct, frozen=True, kw_only=True):
     format: Literal["text", "json"]
     fail_on: Literal["error", "warning", "info", "never"]
     freeze: bool
+    launch: tuple[str, ...]
     no_cache: bool
     quiet: bool
 
@@ -55,6 +57,12 @@ class Request(msgspec.Struct, frozen=True, kw_only=True):
 @click.option("--dimensions", metavar="DIM,...", help="Consult these dimensions only.")
 @click.option("--without", metavar="DIM", multiple=True, help="Do not consult this dimension; may be repeated.")
 @click.option("--together", is_flag=True, help="The modules of a system are known to run together.")
+@click.option(
+    "--launch",
+    metavar="FILE|NAME:=VALUE",
+    multiple=True,
+    help="Check what this launch file of the workspace PATH starts, under its own names; may be repeated.",
+)
 @click.option("--format", type=click.Choice(["text", "json"]), default="text", show_default=True, help="For whom.")
 @click.option(
     "--fail-on",
@@ -112,6 +120,7 @@ def _profiles(request: Request) -> Any:
         profile(request.runtime, Runtime),
         profile(request.call, Call),
         not request.no_cache,
+        request.launch,
     )
 
 
