@@ -44,15 +44,16 @@ class Xacro:
             self.arguments,
             lambda name: self.files.yaml(name, self._place[0]),
             lambda word, rest: self.files.substitute(word, rest, self._place[0]),
-            self.problem,
+            self._value_problem,
         )
-        self.text = XacroText(self._expression, self._command, self.problem)
+        self.text = XacroText(self._expression, self._command, self._value_problem)
         self.symbols = Symbols(self.text.value)
         self._macros = Macros()
         self._place = ("", 0)
         self._steps = 0
         self._nesting = 0
         self._stopped = False
+        self._unvalued = 0
         self._namespace: tuple[str, Symbols | None] = ("", None)
 
     def expand(self, path: str) -> Element | None:
@@ -63,7 +64,14 @@ class Xacro:
     def problem(self, message: str) -> None:
         """Note what could not be expanded, with the place that is being read."""
         entry = (*self._place, message)
-        if len(self.problems) < MAX_PROBLEMS and entry not in self.problems:
+        if len(self.problems) - self._unvalued < MAX_PROBLEMS and entry not in self.problems:
+            self.problems.append(entry)
+
+    def _value_problem(self, message: str) -> None:
+        """Note a value that is not known; these have a bound of their own, for one missing file makes many."""
+        entry = (*self._place, message)
+        if self._unvalued < MAX_PROBLEMS and entry not in self.problems:
+            self._unvalued += 1
             self.problems.append(entry)
 
     def below(self, parent: etree._Element, path: str, symbols: Symbols) -> list[Element]:

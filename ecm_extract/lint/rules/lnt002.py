@@ -31,9 +31,12 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     for description in workspace.descriptions:
         outside = any("is known at launch only" in message for _, _, message in description.problems)
         for path, line, message in description.problems:
-            match = _BROKEN.search(message) or _MISSING.search(message)
-            if match is None or (outside and "macro" in match.groupdict() and match["macro"]):
+            match = _BROKEN.search(message)
+            if outside and match is not None and match["macro"]:
                 continue  # the file that defines the macro may be the one that is outside
+            match = match or _MISSING.search(message)
+            if match is None:
+                continue
             name = next(part for part in match.groups() if part)
             if _OPEN & set(name):
                 continue

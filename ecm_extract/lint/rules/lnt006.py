@@ -46,6 +46,34 @@ def check(workspace: Workspace) -> Iterator[Finding]:
                 if all(_is_dead(remap, other) for other in process) and remap not in seen:
                     seen.add(remap)
                     yield _finding(remap, node, workspace)
+    yield from _outvoted(workspace)
+
+
+def _outvoted(workspace: Workspace) -> Iterator[Finding]:
+    """Report remaps of names that a node lacks, where a second launch of its program remaps a name that it has.
+
+    This holds for nodes of which some names are not known, too.
+    """
+    nodes = [node for system in workspace.systems for node in system.nodes if node.modules and node.instance.remaps]
+    seen = set()
+    for node in nodes:
+        if _is_known(node):
+            continue
+        alive = {
+            remap.target
+            for other in nodes
+            if _program(other) == _program(node) and other.instance.place != node.instance.place
+            for remap in other.instance.remaps
+            if not _is_dead(remap, other)
+        }
+        for remap in node.instance.remaps:
+            if remap.target in alive and _is_dead(remap, node) and remap not in seen:
+                seen.add(remap)
+                yield _finding(remap, node, workspace)
+
+
+def _program(node: SystemNode) -> tuple[str, str, str]:
+    return node.instance.package, node.instance.executable, node.instance.plugin
 
 
 def _is_known(node: SystemNode) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from ecm_checker.contract import Evidence
@@ -23,11 +24,16 @@ RULE = LintRule(
     resolution="use the name that the module binds, or restore it",
 )
 MAX_DEPTH = 30
+_GENERATED = frozenset({"msg", "srv", "action", "cfg"})
+_BUILDS_MODULES = re.compile(
+    rb"pybind|python_add_module|swig|sip_|boost_python|MODULE\b|generate_parameter", re.IGNORECASE
+)
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
     """Report imports from, and attributes of, Python modules whose every name is known."""
     modules = _modules(workspace)
+    yield from _missing_modules(workspace, modules)
     seen = set()
     for file in workspace.linker.program.files:
         if file.language != "python":
@@ -57,6 +63,30 @@ def _modules(workspace: Workspace) -> dict[str, set[str]]:
         if parent in found:
             found[parent].add(last)
     return found
+
+
+def _missing_modules(workspace: Workspace, modules: dict[str, set[str]]) -> Iterator[Finding]:
+    """Imports of modules that a Python package of the workspace does not hold; what a build makes is left out."""
+    files = [file for file in workspace.linker.program.files if file.language == "python"]
+    names = {name for file in files if (name := _module_name(file, workspace)) is not None}
+    for file in files:
+        for entry in file.facts.imports:
+            parent, _, last = entry.module.rpartition(".")
+            if parent not in modules or last in modules[parent] | _GENERATED or entry.module in names:
+                continue
+            if _is_compiled(parent.partition(".")[0], workspace):
+                continue
+            near = next((name for name in sorted(names) if name.rpartition(".")[2] == last), None)
+            text = f"there is no module {entry.module}" + (f"; there is {near}" if near else "")
+            entity = Entity("function", entry.module, near or "")
+            yield RULE.finding(text, entity, file.package, [Evidence(file.path, entry.line)])
+
+
+def _is_compiled(name: str, workspace: Workspace) -> bool:
+    """Tell whether the build of a package may add modules to it."""
+    package = workspace.by_name.get(name)
+    texts = (workspace.files.read(path) or b"" for path in package.cmake) if package is not None else ()
+    return any(_BUILDS_MODULES.search(text) for text in texts)
 
 
 def _module_name(file: File, workspace: Workspace) -> str | None:

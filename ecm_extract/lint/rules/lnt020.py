@@ -39,17 +39,32 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     files: dict[str, list[File]] = {}
     for file in workspace.linker.program.files:
         files.setdefault(file.package, []).append(file)
+    homes = _homes(workspace)
     for package in workspace.packages:
         if package.manifest is None or package.root.rosbuild:
             continue
         declared = {entry.name for entry in package.manifest.dependencies} | {package.name} | workspace.externals
-        for name, lines in _used(files.get(package.name, []), package, workspace).items():
+        for name, lines in _used(files.get(package.name, []), package, workspace, homes).items():
             if name not in declared and name.replace("python3-", "python-") not in declared:
                 text = f"{package.name} uses {name}, which its package.xml does not name"
                 yield RULE.finding(text, Entity("package", name), package.name, lines[:5])
 
 
-def _used(files: list[File], package: PackageFacts, workspace: Workspace) -> dict[str, list[Evidence]]:
+def _homes(workspace: Workspace) -> dict[str, str]:
+    """Return the package of each installed header whose path does not begin with its package, by what includes say."""
+    found: dict[str, set[str]] = {}
+    for package in workspace.packages:
+        for path in package.sources:
+            inside = path.rpartition("/include/")[2] if "/include/" in path else ""
+            for written in (inside, inside.removeprefix(f"{package.name}/")):
+                if "/" in written and written.partition("/")[0] != package.name:
+                    found.setdefault(written, set()).add(package.name)
+    return {written: next(iter(names)) for written, names in found.items() if len(names) == 1}
+
+
+def _used(
+    files: list[File], package: PackageFacts, workspace: Workspace, homes: Mapping[str, str]
+) -> dict[str, list[Evidence]]:
     own = {
         entry.path.rsplit("/", 1)[-1].removesuffix(".py") for entry in package.root.files if entry.path.endswith(".py")
     }
@@ -60,7 +75,7 @@ def _used(files: list[File], package: PackageFacts, workspace: Workspace) -> dic
             name = (
                 _python(entry.module, own, workspace)
                 if file.language == "python"
-                else _cpp(entry.module, built, workspace)
+                else homes.get(entry.module) or _cpp(entry.module, built, workspace)
             )
             if name is not None:
                 found.setdefault(name, []).append(Evidence(file.path, entry.line))

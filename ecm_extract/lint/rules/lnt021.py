@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import tomllib
 from collections.abc import Iterator
+from functools import cache
+from importlib import resources
 
 import networkx as nx
 from ecm_checker.contract import Evidence
@@ -24,16 +27,27 @@ RULE = LintRule(
 _BUILDS = frozenset({"build", "build_export", "buildtool", "buildtool_export", "depend", "exec", "run"})
 
 
+@cache
+def known_metapackages() -> frozenset[str]:
+    """Return the metapackages of ROS 1 distributions."""
+    text = (resources.files("ecm_extract.lint") / "metapackages.toml").read_text("utf-8")
+    return frozenset(tomllib.loads(text)["ros1"]["names"])
+
+
 def check(workspace: Workspace) -> Iterator[Finding]:
     """Report circles once, and each dependency on a metapackage."""
     graph: nx.DiGraph[str] = nx.DiGraph()
-    meta = {package.name for package in workspace.packages if _is_meta(package)}
+    meta = {package.name for package in workspace.packages if is_meta(package)}
+    known = known_metapackages() - workspace.by_name.keys()
     for package in workspace.packages:
         for entry in package.manifest.dependencies if package.manifest is not None else ():
-            if entry.name in workspace.by_name and entry.kind in _BUILDS:
+            if entry.kind not in _BUILDS:
+                continue
+            if entry.name in workspace.by_name:
                 graph.add_edge(package.name, entry.name)
-                if entry.name in meta and package.name not in meta:
-                    yield _on_meta(package, entry.name, entry.line)
+            on_known = package.ros == 1 and entry.name in known
+            if (entry.name in meta or on_known) and package.name not in meta and not package.root.rosbuild:
+                yield _on_meta(package, entry.name, entry.line)
     for circle in nx.strongly_connected_components(graph):
         if len(circle) > 1:
             yield _circle(sorted(circle), workspace)
@@ -41,7 +55,8 @@ def check(workspace: Workspace) -> Iterator[Finding]:
         yield from _unbuildable(workspace.by_name[name])
 
 
-def _is_meta(package: PackageFacts) -> bool:
+def is_meta(package: PackageFacts) -> bool:
+    """Tell whether a package only names others."""
     manifest = package.manifest
     return manifest is not None and any(entry.tag == "metapackage" for entry in manifest.exports)
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 from ecm_parsers.source.expr import Call, Expr, Member, Name
+from ecm_parsers.source.facts import Statement
 
 from ecm_extract.link.calls import walk
 from ecm_extract.link.program import Func, plain
@@ -38,21 +39,29 @@ def check(workspace: Workspace) -> Iterator[Finding]:
 
 
 def _of(func: Func) -> Iterator[Finding]:
-    body = func.fact.body
-    for statement in body:
+    for at, statement in enumerate(func.fact.body):
         made = statement.value
         kind = _made_type(statement.type, made)
         if statement.kind != "let" or not isinstance(statement.target, Name) or not _is_stamped(kind):
             continue
         name = statement.target.id
-        if made is not None and not (isinstance(made, Call) and not made.args):
+        if made is not None and not _is_fresh(made):
             continue  # a copy may bring a header
+        body = _life(func.fact.body[at:], name)
         sent = [other for other in body if other.value is not None and _sends(other.value, name)]
         if sent and not any(_touches(other.target, other.value, name) for other in body if other not in sent):
             text = f"{kind} {name} is sent and its header is never written"
             evidence = [Evidence(func.file.path, sent[0].line), Evidence(func.file.path, statement.line)]
             entity = Entity("message", f"{func.fact.scope}::{func.fact.name}", name)
             yield RULE.finding(text, entity, func.file.package, evidence, certainty="likely")
+
+
+def _life(body: tuple[Statement, ...], name: str) -> tuple[Statement, ...]:
+    """The statements up to the next variable of the same name, which is another one."""
+    for at, statement in enumerate(body[1:], 1):
+        if statement.kind == "let" and isinstance(statement.target, Name) and statement.target.id == name:
+            return body[:at]
+    return body
 
 
 def _made_type(written: str, made: Expr | None) -> str:
@@ -88,13 +97,18 @@ def _touches(target: Expr | None, value: Expr | None, name: str) -> bool:
         and _root(target) == name
         and ((isinstance(target, Name) and value is not None) or "header" in _path(target))
     ):
-        return not (isinstance(target, Name) and isinstance(value, Call) and not value.args)
+        return not (isinstance(target, Name) and _is_fresh(value))
     for call in walk(value) if value is not None else ():
         if any(_root(arg) == name for arg in call.args) or (
             "header" in _path(call.callee) and _root(call.callee) == name
         ):
             return True
     return False
+
+
+def _is_fresh(made: Expr | None) -> bool:
+    """Tell whether an expression makes an empty message; what a method returns may have a header."""
+    return isinstance(made, Call) and isinstance(made.callee, Name) and not made.args
 
 
 def _path(expr: Expr) -> list[str]:
@@ -108,8 +122,8 @@ def _path(expr: Expr) -> list[str]:
 
 def _root(expr: Expr) -> str:
     node: Expr = expr
-    while isinstance(node, Member):
-        node = node.base
+    while isinstance(node, Member) or (isinstance(node, Call) and isinstance(node.callee, Member)):
+        node = node.base if isinstance(node, Member) else node.callee  # `message.get()` hands it on
     if hasattr(node, "operands") and len(node.operands) == 1:
         return _root(node.operands[0])
     return node.id if isinstance(node, Name) else ""

@@ -1,0 +1,62 @@
+"""What catkin targets wait for, and which generated headers their sources include."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from ecm_parsers.cmake_facts import CmakeFile
+from ecm_parsers.cmake_tokens import parse_commands
+
+from ecm_extract.lint.workspace import Workspace
+from ecm_extract.read.facts import PackageFacts
+
+_ACTION_PARTS = ("Action", "Goal", "Result", "Feedback", "ActionGoal", "ActionResult", "ActionFeedback")
+_SERVICE_PARTS = ("", "Request", "Response")
+_ORDERING = frozenset({"add_dependencies", "target_link_libraries"})
+MAX_HEADERS = 400
+
+
+def generated_headers(packages: Sequence[PackageFacts]) -> dict[str, str]:
+    """Return the package of each header that ROS 1 generates from files of the tree."""
+    found = {}
+    for package in packages:
+        for path, definition in package.interfaces.items():
+            stem = path.rpartition("/")[2].rpartition(".")[0]
+            parts = {"msg": ("",), "srv": _SERVICE_PARTS, "action": _ACTION_PARTS}[definition.shape]
+            found.update({f"{package.name}/{stem}{part}.h": package.name for part in parts})
+        for path in package.reconfigure:
+            stem = path.rpartition("/")[2].rpartition(".")[0]
+            found[f"{package.name}/{stem}Config.h"] = package.name
+    return found
+
+
+def build_dependencies(data: bytes, file: CmakeFile, package: str) -> dict[str, set[str]]:
+    """Return what each target waits for, as far as its file says: by add_dependencies, and by what it links."""
+    found: dict[str, set[str]] = {target.name: set(target.links) for target in file.targets}
+    for command in parse_commands(data).facts or ():
+        if command.name in _ORDERING and command.args:
+            names = [_folded(argument.text, file, package) for argument in command.args]
+            for name in names[0].split(";"):
+                found.setdefault(name, set()).update(names[1:])
+    return found
+
+
+def _folded(text: str, file: CmakeFile, package: str) -> str:
+    """Put the project and the variables of the file in; what is not known stays a reference."""
+    for name, value in (("PROJECT_NAME", package), *file.variables.items()):
+        text = text.replace(f"${{{name}}}", value) if len(text) + len(value) < MAX_HEADERS else text
+    return text
+
+
+def included(workspace: Workspace, package: PackageFacts, source: str) -> Iterator[str]:
+    """Yield what a source includes, also through headers of its own package."""
+    headers = {path: facts for path, facts in package.sources.items() if "/include/" in f"/{path}"}
+    pending, seen = [source], {source}
+    while pending and len(seen) < MAX_HEADERS:
+        facts = package.sources.get(pending.pop())
+        for entry in facts.imports if facts is not None else ():
+            yield entry.module
+            for path in headers:
+                if path not in seen and path.endswith(f"/include/{entry.module}"):
+                    seen.add(path)
+                    pending.append(path)

@@ -1,0 +1,41 @@
+"""Robot description files as they are written, before xacro expands them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from ecm_parsers.xml_tree import children, line_of, parse_xml
+from lxml import etree
+
+from ecm_extract.discover import is_test_path
+from ecm_extract.lint.workspace import Workspace
+
+
+@dataclass(frozen=True, slots=True)
+class WrittenJoint:
+    """A joint element with its children by tag, and where it stands."""
+
+    package: str
+    path: str
+    line: int
+    name: str
+    kind: str
+    parts: dict[str, dict[str, str]]
+
+
+def written_joints(workspace: Workspace) -> Iterator[WrittenJoint]:
+    """Yield the joints of all description files and macros; tests left out."""
+    for package in workspace.packages:
+        for entry in package.root.files:
+            if entry.path.endswith((".urdf", ".xacro")) and not is_test_path(entry.path, package.root.path):
+                root = parse_xml(workspace.files.read(entry.path) or b"").root
+                for element in root.iter("joint") if root is not None else ():
+                    parts = {tag: _attributes(child) for tag, child in children(element)}
+                    own = _attributes(element)
+                    name, kind = own.get("name", ""), own.get("type", "")
+                    yield WrittenJoint(package.name, entry.path, line_of(element), name, kind, parts)
+
+
+def _attributes(element: etree._Element) -> dict[str, str]:
+    return {str(name): str(value) for name, value in element.attrib.items()}

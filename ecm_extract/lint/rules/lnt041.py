@@ -1,0 +1,87 @@
+"""LNT041: a target is compiled against generated headers and may be compiled before they are made."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+
+from ecm_checker.contract import Evidence
+from ecm_checker.finding import Entity, Finding
+from ecm_parsers.cmake_facts import Target
+
+from ecm_extract.lint.catkin_targets import build_dependencies, generated_headers, included
+from ecm_extract.lint.rule import LintRule
+from ecm_extract.lint.workspace import Workspace
+from ecm_extract.read.facts import PackageFacts
+
+RULE = LintRule(
+    id="LNT041",
+    name="generated_header_unordered",
+    dimension="versioning",
+    severity="warning",
+    who="source",
+    consequence="a clean or parallel build stops now and then, because the header is not there yet",
+    resolution="add_dependencies(TARGET ${${PROJECT_NAME}_EXPORTED_TARGETS} ${catkin_EXPORTED_TARGETS})",
+)
+
+
+def check(workspace: Workspace) -> Iterator[Finding]:
+    """Report targets of catkin packages; headers of another package are made first unless all is built at once."""
+    headers = generated_headers(workspace.packages)
+    if not headers:
+        return
+    for package in workspace.packages:
+        if package.ros != 1 or package.root.rosbuild:
+            continue
+        for path, file in package.cmake.items():
+            ordered = build_dependencies(workspace.files.read(path) or b"", file, package.name)
+            for target in file.targets:
+                if target.kind in {"executable", "library"} and not target.is_test:
+                    yield from _of(target, path, package, ordered, _used(workspace, package, path, target, headers))
+
+
+def _used(
+    workspace: Workspace, package: PackageFacts, path: str, target: Target, headers: Mapping[str, str]
+) -> dict[str, str]:
+    """Packages whose generated headers a target includes, directly or through headers, each with one of them."""
+    folder = path.rpartition("/")[0]
+    found: dict[str, str] = {}
+    for source in target.sources:
+        for header in included(workspace, package, f"{folder}/{source}" if folder else source):
+            if header in headers:
+                found.setdefault(headers[header], header)
+    return found
+
+
+def _of(
+    target: Target, path: str, package: PackageFacts, ordered: Mapping[str, set[str]], used: Mapping[str, str]
+) -> Iterator[Finding]:
+    names = _closure(target.name, ordered)
+    for owner, header in used.items():
+        own = owner == package.name
+        if any(_makes(name, owner, own) for name in names):
+            continue
+        text = f"target {target.name} includes {header} and does not wait for {owner} to make it"
+        evidence = [Evidence(path, target.line)]
+        entity = Entity("library", target.name, owner)
+        yield RULE.finding(
+            text, entity, package.name, evidence, certainty="likely", severity="warning" if own else "info"
+        )
+
+
+def _closure(target: str, ordered: Mapping[str, set[str]]) -> set[str]:
+    found: set[str] = set()
+    pending = [target]
+    while pending:
+        name = pending.pop()
+        new = ordered.get(name, set()) - found
+        found |= new
+        pending += new
+    return found
+
+
+def _makes(name: str, owner: str, own: bool) -> bool:
+    """Tell whether a name in add_dependencies stands for the headers of a package."""
+    if re.match(rf"{re.escape(owner)}_(?:gen|EXPORTED)|\$\{{{re.escape(owner)}_EXPORTED", name):
+        return True
+    return not own and "catkin_EXPORTED_TARGETS" in name

@@ -1,0 +1,58 @@
+"""LNT042: a launch file names a node of the workspace by its absolute name, where the node itself is relative."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ecm_checker.finding import Entity, Finding
+
+from ecm_extract.lint.rule import LintRule
+from ecm_extract.lint.workspace import Workspace, evidence_of
+from ecm_extract.system.model import Instance, Place
+
+RULE = LintRule(
+    id="LNT042",
+    name="absolute_name_of_node",
+    dimension="signature",
+    severity="info",
+    who="graph",
+    consequence="started in a namespace, for a second robot, the two no longer meet",
+    resolution="leave the leading / out",
+)
+_MANAGER = 2
+"""Of `load pkg/Class manager`, the arguments of a nodelet."""
+
+
+def check(workspace: Workspace) -> Iterator[Finding]:
+    """Report remaps to topics of a node, and nodelet managers, each line once."""
+    owners = {
+        instance.full_name: instance.place
+        for system in workspace.systems
+        for instance in (node.instance for node in system.nodes)
+        if instance.full_name and instance.namespace == "/" and instance.kind not in {"component", "controller"}
+    }
+    seen = set()
+    for system in workspace.systems:
+        for node in system.nodes:
+            for name, place in _absolute(node.instance):
+                owner = "/" + name.split("/")[1]
+                if owner in owners and owner != node.name and (name, place) not in seen:
+                    seen.add((name, place))
+                    yield _finding(name, owner, [place, owners[owner]], workspace)
+
+
+def _absolute(instance: Instance) -> Iterator[tuple[str, Place]]:
+    for remap in instance.remaps:
+        if remap.target.startswith("/") and remap.target.count("/") > 1:
+            yield remap.target, remap.place
+    words = [word.text for word in instance.arguments]
+    manager = words[_MANAGER] if instance.executable == "nodelet" and words[:1] == ["load"] and words[_MANAGER:] else ""
+    if manager.startswith("/"):
+        yield manager, instance.place
+
+
+def _finding(name: str, owner: str, places: list[Place], workspace: Workspace) -> Finding:
+    text = f"{name} is absolute, and the node {owner.strip('/')} is started by a relative name"
+    package = workspace.package_of(places[0].path)
+    evidence = [evidence_of(place) for place in places]
+    return RULE.finding(text, Entity("topic", name), package, evidence, certainty="likely")
