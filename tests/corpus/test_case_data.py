@@ -9,8 +9,8 @@ from typing import Any
 
 import pytest
 import yaml
-from ecm_corpus.interface import InterfaceCase, Source, read_interface, sources_of
-from ecm_corpus.narrative import Narrative, read_narrative
+from ecm_corpus.interface import InterfaceCase, Source, read_interface, read_record, sources_of
+from ecm_corpus.narrative import ExcludedList, Narrative, read_narrative
 
 CASES = Path(__file__).resolve().parents[2] / "corpus" / "cases"
 IDS = sorted(path.stem for path in (CASES / "interface").glob("*.yaml"))
@@ -127,3 +127,49 @@ def test_the_buggy_states_are_not_always_at_the_same_place() -> None:
     several = [parts for parts in PARTS if len(parts[0].states) > 1]
     first = sum("a" in narrative.buggy for _, narrative in several)
     assert len(several) // 5 <= first <= len(several) - len(several) // 5
+
+
+def of(substrate: str) -> list[Narrative]:
+    return [narrative for interface, narrative in PARTS if interface.substrate == substrate]
+
+
+@pytest.mark.parametrize(("substrate", "cases", "fired"), [("robust", 32, 10), ("ros2", 16, 10), ("replication", 4, 4)])
+def test_the_ledger_is_complete(substrate: str, cases: int, fired: int) -> None:
+    """The paper's table of recall: every scored bug is here, with what its checker said of it."""
+    found = of(substrate)
+    assert len(found) == cases
+    assert sum(bool(set(narrative.paper_fired or ()) & set(narrative.gold)) for narrative in found) == fired
+
+
+@pytest.mark.parametrize(
+    ("substrate", "dimension", "hits", "total"),
+    [
+        ("robust", "signature", 4, 14),
+        ("robust", "behavior", 0, 8),
+        ("robust", "resources", 0, 0),
+        ("robust", "recovery", 0, 0),
+        ("robust", "versioning", 6, 18),
+        ("ros2", "signature", 0, 5),
+        ("ros2", "behavior", 3, 6),
+        ("ros2", "resources", 2, 4),
+        ("ros2", "recovery", 0, 2),
+        ("ros2", "versioning", 5, 7),
+        ("replication", "signature", 1, 1),
+        ("replication", "versioning", 3, 3),
+    ],
+)
+def test_each_dimension_has_the_paper_s_count(substrate: str, dimension: str, hits: int, total: int) -> None:
+    """The paper's table per dimension; a bug of two dimensions counts under each."""
+    gold = [narrative for narrative in of(substrate) if dimension in narrative.gold]
+    assert len(gold) == total
+    assert sum(dimension in (narrative.paper_fired or ()) for narrative in gold) == hits
+
+
+def test_the_excluded_bugs_are_not_in_the_ledger() -> None:
+    excluded = read_record(CASES / "excluded.yaml", ExcludedList).excluded
+    names = [each.case for each in excluded]
+    assert len(set(names)) == len(names)
+    ledger = {interface.case for interface, _ in PARTS if interface.substrate != "wider"}
+    assert not ledger & set(names)
+    assert sum(name.startswith("R-") for name in names) == 221 - 32
+    assert all(each.source and each.reason for each in excluded)
