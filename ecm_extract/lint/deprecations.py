@@ -11,8 +11,8 @@ from importlib import resources
 import msgspec
 
 from ecm_extract.discover import is_test_path
+from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
-from ecm_extract.system.files import Files
 
 _KINDS = {
     "cpp": (".h", ".hh", ".hpp", ".hxx", ".c", ".cc", ".cpp", ".cxx"),
@@ -36,12 +36,13 @@ class DeprecatedText(msgspec.Struct, frozen=True):
 
 
 class DeprecatedImport(msgspec.Struct, frozen=True):
-    """Names that a Python module no longer has."""
+    """Names that a Python module no longer has; `holds` is the package and the versions in which it is so."""
 
     module: str
     names: tuple[str, ...]
     new: str
     since: str
+    holds: tuple[str, str] | None = None
 
 
 class Deprecations(msgspec.Struct, frozen=True):
@@ -68,8 +69,9 @@ def deprecations() -> Deprecations:
     return msgspec.convert(tomllib.loads(text), Deprecations)
 
 
-def deprecated_in(package: PackageFacts, files: Files) -> Iterator[Deprecated]:
+def deprecated_in(package: PackageFacts, workspace: Workspace) -> Iterator[Deprecated]:
     """Yield the uses of a package, tests left out."""
+    files = workspace.files
     for entry in package.root.files:
         if is_test_path(entry.path, package.root.path):
             continue
@@ -80,8 +82,16 @@ def deprecated_in(package: PackageFacts, files: Files) -> Iterator[Deprecated]:
     for path, facts in package.sources.items():
         for found in facts.imports:
             for row in deprecations().imports:
+                if row.holds is not None and _is_other(row.holds, workspace):
+                    continue
                 if found.module == row.module and found.name in row.names:
                     yield Deprecated(path, found.line, f"{row.module}.{found.name}", row.new, row.since)
+
+
+def _is_other(holds: tuple[str, str], workspace: Workspace) -> bool:
+    """Tell whether the workspace holds the package in a version in which the row does not hold."""
+    name, versions = holds
+    return name in workspace.by_name and not workspace.provides(name, versions)
 
 
 def _concerns(row: DeprecatedText, path: str, ros: int | None) -> bool:

@@ -8,6 +8,7 @@ from contextlib import contextmanager
 from functools import cached_property
 
 from ecm_checker.contract import Evidence
+from ecm_checker.versions import in_range
 from ecm_parsers.launch.model import Action, Group, Include, LaunchFile, Node, Template
 from ecm_parsers.source.facts import SourceFile
 
@@ -76,10 +77,14 @@ class Workspace:
         return found
 
     @cached_property
+    def included(self) -> frozenset[str]:
+        """Names, without folders, of launch files that another one includes."""
+        return frozenset(name for facts in self.launches.values() for name in _included(facts.actions))
+
+    @cached_property
     def systems(self) -> Sequence[System]:
         """What each launch file that no other includes starts, with the defaults of its arguments."""
-        included = {name for facts in self.launches.values() for name in _included(facts.actions)}
-        roots = [path for path in self.launches if path.rsplit("/", 1)[-1] not in included]
+        roots = [path for path in self.launches if path.rsplit("/", 1)[-1] not in self.included]
         with _without_collector():
             return [
                 evaluated_system(self.tree, self.files, self.index, [path], Given()) for path in roots[:MAX_SYSTEMS]
@@ -114,6 +119,12 @@ class Workspace:
     def as_side(self) -> Side:
         """Return the workspace as a comparison reads it."""
         return Side(self.tree, self.packages, self.linked, self.linker.program)
+
+    def provides(self, package: str, versions: str) -> bool:
+        """Tell whether the tree itself holds a package in a range of versions, such as `<1.11.1`."""
+        facts = self.by_name.get(package)
+        held = facts.manifest.version if facts is not None and facts.manifest is not None else None
+        return held is not None and in_range(held, versions) is True
 
     def package_of(self, path: str) -> str:
         """Return the name of the package that a file belongs to; empty for none."""

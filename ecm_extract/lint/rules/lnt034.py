@@ -22,12 +22,16 @@ RULE = LintRule(
     consequence="publishing waits for the slowest subscriber, and rospy warns at each start",
     resolution="give queue_size, 1 for commands and the latest state, more for what must not be lost",
 )
+_SINCE = "1.11.1"
+"""rospy that warns; queue_size came with 1.11.0 (ros_comm changelog)."""
 _POSITION = 6
 """Of queue_size among the arguments of rospy.Publisher."""
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
     """Report publishers without queue_size, whether or not their topic can be told."""
+    if workspace.provides("rospy", f"<{_SINCE}"):
+        return
     for file in workspace.linker.program.files:
         if file.language == "python" and any(name.startswith("rospy") for name in file.imported.values()):
             yield from _of(file)

@@ -28,7 +28,7 @@ _PRIVATE = "_"
 def check(workspace: Workspace) -> Iterator[Finding]:
     """Report lines that the table of deprecations knows, and what the workspace itself has marked."""
     for package in workspace.packages:
-        for found in deprecated_in(package, workspace.files):
+        for found in deprecated_in(package, workspace):
             text = f"{found.old} is deprecated since {found.since}; {found.new} replaces it"
             entity = Entity("function", found.old, found.new)
             place = [Evidence(found.path, found.line)]

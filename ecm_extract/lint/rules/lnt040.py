@@ -42,7 +42,9 @@ def _of(analyzer: Analyzer, path: str, package: str, names: set[str]) -> Iterato
         node = prefix.strip("/: ")
         if node.replace("_", "").isalnum() and node not in names:
             near = nearest(node, names)
-            text = f"analyzer {analyzer.key} removes the prefix {node}, and no launch file starts a node of that name"
+            text = (
+                f"remove_prefix of the analyzer {analyzer.key} is {node}, and no launch file starts a node of that name"
+            )
             text += f"; one starts {near}" if near else ""
             evidence = [Evidence(path, analyzer.line)]
             yield RULE.finding(text, Entity("parameter", analyzer.key, node), package, evidence, certainty="likely")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ecm_checker.finding import Entity, Finding
+from ecm_checker.finding import Entity, Finding, Severity
 
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace, evidence_of
@@ -19,6 +19,8 @@ RULE = LintRule(
     consequence="started in a namespace, for a second robot, the two no longer meet",
     resolution="leave the leading / out",
 )
+_IN_INCLUDED: Severity = "warning"
+"""Who includes a file may put it in a namespace; a file that is started itself chooses its own."""
 _MANAGER = 2
 """Of `load pkg/Class manager`, the arguments of a nodelet."""
 
@@ -32,13 +34,15 @@ def check(workspace: Workspace) -> Iterator[Finding]:
         if instance.full_name and instance.namespace == "/" and instance.kind not in {"component", "controller"}
     }
     seen = set()
+    included = workspace.included
     for system in workspace.systems:
         for node in system.nodes:
             for name, place in _absolute(node.instance):
                 owner = "/" + name.split("/")[1]
                 if owner in owners and owner != node.name and (name, place) not in seen:
                     seen.add((name, place))
-                    yield _finding(name, owner, [place, owners[owner]], workspace)
+                    level = _IN_INCLUDED if place.path.rpartition("/")[2] in included else None
+                    yield _finding(name, [place, owners[owner]], workspace, level)
 
 
 def _absolute(instance: Instance) -> Iterator[tuple[str, Place]]:
@@ -51,8 +55,8 @@ def _absolute(instance: Instance) -> Iterator[tuple[str, Place]]:
         yield manager, instance.place
 
 
-def _finding(name: str, owner: str, places: list[Place], workspace: Workspace) -> Finding:
-    text = f"{name} is absolute, and the node {owner.strip('/')} is started by a relative name"
+def _finding(name: str, places: list[Place], workspace: Workspace, level: Severity | None) -> Finding:
+    text = f"{name} is absolute, and the node {name.split('/')[1]} is started by a relative name"
     package = workspace.package_of(places[0].path)
     evidence = [evidence_of(place) for place in places]
-    return RULE.finding(text, Entity("topic", name), package, evidence, certainty="likely")
+    return RULE.finding(text, Entity("topic", name), package, evidence, certainty="likely", severity=level)

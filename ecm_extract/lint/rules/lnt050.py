@@ -30,19 +30,23 @@ RULE = LintRule(
     resolution="compare the whole name `joint/interface` with the interfaces that the component exports",
 )
 _METHOD: Final = "prepare_command_mode_switch"
+_SCOPED: Final = (">=4.31,<5", ">=5.1")
+"""Versions whose resource manager hands each component its own interfaces only (ros2_control changelog)."""
 _OWN: Final = re.compile(r"^info_$|joint|gpio|sensor|export|prefix|^names?_?$", re.IGNORECASE)
 """Identifiers by which a component knows what is its own."""
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
     """Report mode switches that take names apart at the slash and never look at the component's own names."""
+    if any(workspace.provides("hardware_interface", versions) for versions in _SCOPED):
+        return
     program = workspace.linker.program
     for func in program.functions.get(_METHOD, ()):
         if func.fact.body and func.file.language == "cpp" and func.file.package in workspace.by_name:
             bodies = [func, *_lambdas(program, func)]
             if _by_type_only(bodies) and not _hands_on(bodies):
                 owner = func.fact.scope
-                text = f"{owner or func.fact.name} judges a mode switch by interface types alone"
+                text = f"{owner}::{_METHOD} looks at the types of the interfaces alone"
                 evidence = [Evidence(func.file.path, func.fact.line)]
                 entity = Entity("method", f"{owner}::{_METHOD}")
                 yield RULE.finding(text, entity, func.file.package, evidence, certainty="likely")
