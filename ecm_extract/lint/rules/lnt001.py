@@ -20,6 +20,8 @@ RULE = LintRule(
     consequence="the launch stops there with an error, and nothing after it starts",
     resolution="correct the path, or add the file",
 )
+_OPEN = frozenset("{}[]<>$!")
+"""In a name that somebody fills in: of a template, or the default of a variable that has to be set."""
 _NAMED = re.compile(r"`([^`]*)`")
 
 
@@ -29,6 +31,8 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     for entry in workspace.diagnostics("launch-include-missing", "launch-file-missing"):
         match = _NAMED.search(entry.message)
         name = match[1] if match else entry.message
+        if _OPEN & set(name):
+            continue
         package = workspace.package_of(entry.path)
         evidence = [Evidence(entry.path, entry.line)]
         yield RULE.finding(f"{entry.path} names {name}, which is not there", Entity("file", name), package, evidence)

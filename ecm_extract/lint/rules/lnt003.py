@@ -25,7 +25,7 @@ RULE = LintRule(
 )
 RENAME = re.compile(r"builds no program (?P<old>\S+); it builds (?P<new>[^\s:]+)")
 
-_OUTPUT_NAME = re.compile(rb"OUTPUT_NAME\s+\"?([\w.-]+)")
+_OUTPUT_NAME = re.compile(rb"OUTPUT_NAME\s+\"?([\w.${}-]+)")
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
@@ -56,7 +56,8 @@ def executables(workspace: Workspace, package: PackageFacts) -> set[str]:
     found |= {entry.name for setup in package.setups.values() for entry in setup.entry_points}
     found |= {name for owner, name in workspace.programs if owner == package.name}
     for path in package.cmake:
-        found |= {match.decode() for match in _OUTPUT_NAME.findall(workspace.files.read(path) or b"")}
+        names = _OUTPUT_NAME.findall(workspace.files.read(path) or b"")
+        found |= {match.decode().replace("${PROJECT_NAME}", package.name) for match in names}
     return found
 
 

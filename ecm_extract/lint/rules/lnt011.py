@@ -32,8 +32,9 @@ _BUILDS_MODULES = re.compile(
 
 def check(workspace: Workspace) -> Iterator[Finding]:
     """Report imports from, and attributes of, Python modules whose every name is known."""
-    modules = _modules(workspace)
-    yield from _missing_modules(workspace, modules)
+    names = _names(workspace)
+    modules = _modules(workspace, names)
+    yield from _missing_modules(workspace, modules, names)
     seen = set()
     for file in workspace.linker.program.files:
         if file.language != "python":
@@ -49,7 +50,13 @@ def check(workspace: Workspace) -> Iterator[Finding]:
                 yield RULE.finding(text, entity, file.package, [Evidence(file.path, line)], certainty="proved")
 
 
-def _modules(workspace: Workspace) -> dict[str, set[str]]:
+def _names(workspace: Workspace) -> set[str]:
+    """Every importable module of the workspace."""
+    files = [file for file in workspace.linker.program.files if file.language == "python"]
+    return {name for file in files if (name := _module_name(file, workspace)) is not None}
+
+
+def _modules(workspace: Workspace, names: set[str]) -> dict[str, set[str]]:
     """Return the names that each importable module of the workspace binds; open modules are left out."""
     files = [file for file in workspace.linker.program.files if file.language == "python"]
     found: dict[str, set[str]] = {}
@@ -58,19 +65,17 @@ def _modules(workspace: Workspace) -> dict[str, set[str]]:
         if module is None or any(entry.name == "*" for entry in file.facts.imports) or _is_dynamic(file):
             continue
         found[module] = _bound(file)
-    for module in list(found):  # a package binds its modules
+    for module in names:  # a package binds its modules
         parent, _, last = module.rpartition(".")
         if parent in found:
             found[parent].add(last)
     return found
 
 
-def _missing_modules(workspace: Workspace, modules: dict[str, set[str]]) -> Iterator[Finding]:
+def _missing_modules(workspace: Workspace, modules: dict[str, set[str]], names: set[str]) -> Iterator[Finding]:
     """Imports of modules that a Python package of the workspace does not hold; what a build makes is left out."""
-    files = [file for file in workspace.linker.program.files if file.language == "python"]
-    names = {name for file in files if (name := _module_name(file, workspace)) is not None}
-    for file in files:
-        for entry in file.facts.imports:
+    for file in workspace.linker.program.files:
+        for entry in file.facts.imports if file.language == "python" else ():
             parent, _, last = entry.module.rpartition(".")
             if parent not in modules or last in modules[parent] | _GENERATED or entry.module in names:
                 continue

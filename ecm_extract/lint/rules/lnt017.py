@@ -30,7 +30,9 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     """Report fields whose type names a package of the tree that has messages."""
     known = {
         package.name: {
-            path.rpartition("/")[2].removesuffix(".msg") for path in package.interfaces if path.endswith(".msg")
+            path.rpartition("/")[2].rpartition(".")[0]
+            for path in (*package.interfaces, *(entry.path for entry in package.root.files))
+            if path.endswith((".msg", ".idl"))
         }
         for package in workspace.packages
         if package.interfaces
