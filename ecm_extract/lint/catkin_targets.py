@@ -35,13 +35,13 @@ def build_dependencies(data: bytes, file: CmakeFile, package: str) -> dict[str, 
     found: dict[str, set[str]] = {target.name: set(target.links) for target in file.targets}
     for command in parse_commands(data).facts or ():
         if command.name in _ORDERING and command.args:
-            names = [_folded(argument.text, file, package) for argument in command.args]
+            names = [folded(argument.text, file, package) for argument in command.args]
             for name in names[0].split(";"):
                 found.setdefault(name, set()).update(names[1:])
     return found
 
 
-def _folded(text: str, file: CmakeFile, package: str) -> str:
+def folded(text: str, file: CmakeFile, package: str) -> str:
     """Put the project and the variables of the file in; what is not known stays a reference."""
     for name, value in (("PROJECT_NAME", package), *file.variables.items()):
         text = text.replace(f"${{{name}}}", value) if len(text) + len(value) < MAX_HEADERS else text

@@ -1,0 +1,122 @@
+"""LNT043: a package builds programs, or holds launch files, and does not install them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from ecm_checker.contract import Evidence
+from ecm_checker.finding import Entity, Finding, Severity
+from ecm_parsers.launch.model import Node
+
+from ecm_extract.discover import is_test_path
+from ecm_extract.lint.rule import LintRule
+from ecm_extract.lint.workspace import Workspace, all_actions, plain_text
+from ecm_extract.read.facts import PackageFacts
+
+RULE = LintRule(
+    id="LNT043",
+    name="not_installed",
+    dimension="versioning",
+    severity="warning",
+    who="config",
+    consequence="it is there where it was built and missing where the package is installed",
+    resolution="add install(TARGETS ...), install(PROGRAMS ...) or install(DIRECTORY ...) to CMakeLists.txt",
+)
+_MAKES_PACKAGE = re.compile(rb"^\s*(?:catkin|ament)_package\s*\(", re.MULTILINE | re.IGNORECASE)
+_SHOWN = 5
+_BUILD = frozenset({"setup.py", "conf.py"})
+_SCRIPTS = (".py", ".sh", ".bash")
+
+
+def check(workspace: Workspace) -> Iterator[Finding]:
+    """Report what a CMake package leaves out of its install rules, once for programs and once for launch files."""
+    launched = _launched(workspace)
+    for package in workspace.packages:
+        path = f"{package.root.path}/CMakeLists.txt".lstrip("/")
+        if path not in package.cmake or package.root.rosbuild or package.setups or is_open(package, workspace):
+            continue
+        started = launched.get(package.name, set())
+        missing = sorted(_programs(package) - installed_targets(package) | _scripts(package, started))
+        if missing:
+            used = sorted(set(missing) & started)
+            yield _finding(package, path, "program", used or missing, "warning" if used else "info")
+        files = sorted(_launch_files(package, workspace))
+        if files:
+            yield _finding(package, path, "launch file", files, "warning")
+
+
+def _launched(workspace: Workspace) -> dict[str, set[str]]:
+    """Programs that launch files of the workspace start, by package."""
+    found: dict[str, set[str]] = {}
+    for facts in workspace.launches.values():
+        for action in all_actions(facts.actions):
+            package, name = (
+                (plain_text(action.package), plain_text(action.executable))
+                if isinstance(action, Node)
+                else (None, None)
+            )
+            if package and name:
+                found.setdefault(package, set()).add(name)
+    return found
+
+
+def is_open(package: PackageFacts, workspace: Workspace) -> bool:
+    """Tell whether a rule installs what only CMake knows, or nothing makes a package of the folder."""
+    texts = [workspace.files.read(path) or b"" for path in package.cmake]
+    if not any(_MAKES_PACKAGE.search(text) for text in texts):
+        return True
+    items = [item for file in package.cmake.values() for install in file.installs for item in install.items]
+    return any(b"ament_auto_package" in text or b"include(" in text for text in texts) or any("$" in i for i in items)
+
+
+def _programs(package: PackageFacts) -> set[str]:
+    root = package.root.path
+    targets = [
+        target for path, file in package.cmake.items() if not is_test_path(path, root) for target in file.targets
+    ]
+    return {target.name for target in targets if target.kind == "executable" and not target.is_test}
+
+
+def installed_targets(package: PackageFacts) -> set[str]:
+    """Return the targets that install rules name."""
+    installs = [install for file in package.cmake.values() for install in file.installs]
+    return {item for install in installs if install.kind == "targets" for item in install.items}
+
+
+def _scripts(package: PackageFacts, started: set[str]) -> set[str]:
+    """Scripts that launch files start, or that have a #! line and are no module, and that no rule installs."""
+    found = set()
+    for entry in package.root.files:
+        folder, _, name = entry.path.rpartition("/")
+        facts = package.sources.get(entry.path)
+        is_program = facts is not None and bool(facts.shebang) and f"{folder}/__init__.py" not in package.sources
+        if (is_program or (name in started and name.endswith(_SCRIPTS))) and name not in _BUILD:
+            found |= set() if _is_covered(entry.path, package) else {name}
+    return found
+
+
+def _launch_files(package: PackageFacts, workspace: Workspace) -> set[str]:
+    own = [path for path in workspace.launches if workspace.package_of(path) == package.name and ".test." not in path]
+    root = f"{package.root.path}/" if package.root.path else ""
+    return {path.removeprefix(root) for path in own if not _is_covered(path, package)}
+
+
+def _is_covered(path: str, package: PackageFacts) -> bool:
+    for file, facts in package.cmake.items():
+        folder = file.rpartition("/")[0]
+        for install in facts.installs:
+            for item in install.items if install.kind != "targets" else ():
+                full = f"{folder}/{item}".strip("/").removesuffix("/.").removesuffix("/")
+                if path == full or path.startswith(f"{full}/") or item in {".", "./", ""}:
+                    return True
+    return False
+
+
+def _finding(package: PackageFacts, path: str, what: str, names: list[str], severity: Severity) -> Finding:
+    shown = ", ".join(names[:_SHOWN]) + (f" and {len(names) - _SHOWN} more" if len(names) > _SHOWN else "")
+    text = f"{package.name} does not install its {what}{'s' if len(names) > 1 else ''} {shown}"
+    line = next((target.line for target in package.cmake[path].targets if target.name in names), 1)
+    entity = Entity("file", what, " ".join(names))
+    evidence = [Evidence(path, line)]
+    return RULE.finding(text, entity, package.name, evidence, certainty="likely", severity=severity)
