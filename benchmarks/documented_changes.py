@@ -92,7 +92,12 @@ def _is_about(row: Row, change: Change) -> bool:
     name = change.new if row.change == "added" else change.old
     if change.kind != row.kind or name is None or row.package not in {"", change.package}:
         return False
-    return row.owner in change.owner and same_name(row.old or row.new, name)
+    return _folded(row.owner) in _folded(change.owner) and same_name(row.old or row.new, name)
+
+
+def _folded(owner: str) -> str:
+    """`point_cloud_xyz` and `PointCloudXyz` are one owner."""
+    return owner.replace("_", "").lower()
 
 
 def _same_new(row: Row, change: Change) -> bool:

@@ -37,8 +37,8 @@ def _cause(located: Located) -> object:
     if change.kind not in _SHARED:
         return None
     name = last_part(change.old or change.new or "")
-    roots = tuple(entity.root for entity in (located.pair.old, located.pair.new) if entity is not None)
-    return change.kind, change.change, name, roots
+    lines = tuple((entity.path, entity.line) for entity in (located.pair.old, located.pair.new) if entity is not None)
+    return change.kind, change.change, name, lines
 
 
 def _joined(group: list[Located]) -> Located:

@@ -12,6 +12,9 @@ from ecm_extract.tree.git_repo import GitRepo, find_repo
 
 _SIMILARITY = "-M50%"
 _LIMIT = "-l2000"
+_DECLARING = ("*.[ch]", "*.[ch]pp", "*.[ch]xx", "*.cc", "*.hh", "*.py", "*.msg", "*.srv", "*.action", "*.cfg", "*.xml")
+_DECLARING += ("*.yaml", "*.yml", "*.launch", "*.xacro", "*.urdf", "*.srdf", "*.txt")
+"""Only files that can declare something: pictures and meshes cost time, and partial clones do not hold them."""
 
 
 def renamed_files(old: Side, new: Side, repo_folder: Path | None) -> Mapping[str, str]:
@@ -27,8 +30,9 @@ def renamed_files(old: Side, new: Side, repo_folder: Path | None) -> Mapping[str
 
 
 def _by_git(repo: GitRepo, old: str, new: str) -> dict[str, str]:
+    options = ("-r", "-z", _SIMILARITY, _LIMIT, "--diff-filter=R", "--name-status")
     try:
-        _, out = repo.run("diff-tree", "-r", "-z", _SIMILARITY, _LIMIT, "--diff-filter=R", "--name-status", old, new)
+        _, out = repo.run("diff-tree", *options, old, new, "--", *_DECLARING)
     except EcmError:
         return {}
     fields = out.decode("utf-8", "surrogateescape").split("\0")

@@ -108,21 +108,21 @@ class Pairing:
         for entity in list(self.old.values()):
             if entity.kind == "parameter":
                 tail = last_part(entity.name)
-                places = [f"{entity.package}/{entity.owner}", _GENERATED]
-                if len(entity.via) > 1 or (entity.kind, entity.package, entity.owner) not in self._modules:
-                    places += [self.evidence.files.get(path, path) for path in entity.via]
+                places = [f"{entity.package}/{entity.owner}", f"{entity.package}/{_GENERATED}"]
+                if len(entity.chain) > 1 or (entity.kind, entity.package, entity.owner) not in self._modules:
+                    places.append(self.evidence.files.get(entity.path, entity.path))
                 alike = (other for place in places for other in index.get((place, tail), ()))
                 found = next((other for other in alike if is_reshaped(entity, other)), None)
                 if found is not None:
                     self.take(Pair(entity, found))
 
     def _parameter_index(self) -> dict[tuple[str, str], list[PublicEntity]]:
-        """New parameters by owner, by the files that make them, and those of generated libraries."""
+        """New parameters by owner, by the file that names them, and those of generated libraries."""
         index: dict[tuple[str, str], list[PublicEntity]] = defaultdict(list)
         for entity in self.all_new.values():
             if entity.kind == "parameter":
-                generated = (_GENERATED,) if entity.path.endswith((".yaml", ".yml")) else ()
-                for place in (f"{entity.package}/{entity.owner}", *entity.via, *generated):
+                generated = (f"{entity.package}/{_GENERATED}",) if entity.path.endswith((".yaml", ".yml")) else ()
+                for place in (f"{entity.package}/{entity.owner}", entity.path, *generated):
                     index[place, last_part(entity.name)].append(entity)
         return index
 

@@ -9,6 +9,7 @@ from ecm_extract.entities.cpp import cpp_entities
 from ecm_extract.entities.endpoints import endpoint_entities
 from ecm_extract.entities.interfaces import interface_entities
 from ecm_extract.entities.model import Key, PublicEntity
+from ecm_extract.entities.naming import at_their_names
 from ecm_extract.entities.packaging import packaging_entities
 from ecm_extract.entities.python import python_entities
 from ecm_extract.link.linker import LinkedModule
@@ -23,10 +24,10 @@ def public_entities(
     modules: dict[str, list[LinkedModule]] = defaultdict(list)
     for entry in linked:
         modules[entry.module.package].append(entry)
+    every = [entity for facts in packages for entity in _of_package(tree, facts, modules[facts.name])]
     found: dict[Key, PublicEntity] = {}
-    for facts in packages:
-        for entity in sorted(_of_package(tree, facts, modules[facts.name]), key=lambda e: (e.path, e.line)):
-            found.setdefault(entity.key, entity)
+    for entity in sorted(at_their_names(every), key=lambda e: (e.package, e.path, e.line)):
+        found.setdefault(entity.key, entity)
     return _at_home(found, packages)
 
 

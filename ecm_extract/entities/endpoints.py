@@ -68,8 +68,7 @@ def _entity(
         deprecated=deprecated.get(bare) or deprecated.get(name),
         path=at.path,
         line=at.line,
-        via=tuple(dict.fromkeys(place.path for place in entry.evidence)),
-        root=f"{entry.evidence[-1].path}:{entry.evidence[-1].line}",
+        chain=tuple(dict.fromkeys((place.path, place.line) for place in entry.evidence)),
     )
 
 

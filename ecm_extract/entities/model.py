@@ -8,6 +8,8 @@ import msgspec
 from ecm_checker.contract import Qos
 
 Key = tuple[str, str, str, str, str]
+Line = tuple[str, int]
+"""A path and a line, 1-based."""
 
 
 class Form(msgspec.Struct, frozen=True):
@@ -55,8 +57,7 @@ class PublicEntity(msgspec.Struct, frozen=True, kw_only=True):
         qos: of a topic. ros: 1, 2 or None.
         deprecated: what its own source says about its end; None when it is not deprecated.
         path, line: where it is declared.
-        root: `path:line` of the innermost call that makes it, which several declarations may share.
-        via: files of all calls between the two; more than one when a wrapper or library makes it.
+        chain: the calls from the module to the one that makes it; more than one when a wrapper or library does.
     """
 
     kind: str
@@ -66,8 +67,7 @@ class PublicEntity(msgspec.Struct, frozen=True, kw_only=True):
     path: str
     line: int
     facet: str = ""
-    root: str = ""
-    via: tuple[str, ...] = ()
+    chain: tuple[Line, ...] = ()
     type: str | None = None
     default: Any = None
     forms: tuple[Form, ...] = ()

@@ -83,7 +83,9 @@ class MemberFolder:
         if not self.folder.reads.is_declared(name, package):
             return None
         known = self.folder.reads.default(name, package)
-        return set_by(name, self.folder.calls.default_value(name, known, None, env))
+        label = f"{package}.{name}"  # a default may be the parameter itself: declare_parameter("a", params_.a)
+        values = self.folder.guarded(label, Env(env.func), lambda: self.folder.calls.default_value(name, known, None, env))
+        return set_by(name, values)
 
     def member_value(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
         """Return the values that the methods of a class and its bases give one of its data members."""

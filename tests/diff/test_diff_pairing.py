@@ -131,9 +131,9 @@ def test_another_idiom_of_a_computed_prefix_is_no_change(old: str, new: str, pat
 
 def test_a_parameter_of_a_library_outlives_one_of_its_users() -> None:
     """A program that is gone takes along no parameter that a library declares for everybody."""
-    library = ("src/tool.cpp", "lib/loader.cpp")
+    line = ("lib/loader.cpp", 7)
     old = [
-        entity("parameter", "robot.timeout", "tool", via=library),
-        entity("parameter", "robot.timeout", "server", path="src/server.cpp", via=("src/server.cpp", library[1])),
+        entity("parameter", "robot.timeout", "tool", path=line[0], chain=(("src/tool.cpp", 3), line)),
+        entity("parameter", "robot.timeout", "server", path=line[0], chain=(("src/server.cpp", 5), line)),
     ]
     assert all(pair.old and pair.new for pair in paired(old, old[1:]))
