@@ -11,6 +11,7 @@ from ecm_checker.release import Change
 from ecm_extract.diff.causes import one_cause
 from ecm_extract.diff.effects import EFFECTS, Difference, added_breaks
 from ecm_extract.diff.model import Located, Pair
+from ecm_extract.diff.pair import CONTAINERS
 from ecm_extract.diff.wire import nested_changes, wire_note
 from ecm_extract.entities.model import PublicEntity
 from ecm_extract.entities.side import Side
@@ -28,6 +29,10 @@ _REASONS = {
     "plugin": "gone; loading it by this name fails at run time",
     "executable": "gone; launch files that start it fail",
     "file": "gone; code that includes or imports it fails",
+    "launch_file": "gone; launch files that include it and people who start it fail",
+    "launch_argument": "gone; a value given for it is ignored or refused",
+    "bt_node": "gone; behaviour trees that name it fail to load",
+    "bt_port": "gone; behaviour trees that set it fail to load",
 }
 
 
@@ -63,7 +68,7 @@ def _of_pair(pair: Pair, gone: Names, fresh: Names) -> Iterator[Located]:
 def _is_covered(entity: PublicEntity, containers: Names) -> bool:
     """Whether the whole that holds an entity came or went too: one cause, one change."""
     package = ("package", entity.package, "", entity.package)
-    owners = {("class", entity.package, "", entity.owner), ("message", entity.package, "", entity.owner)}
+    owners = {(kind, entity.package, "", entity.owner) for kind in CONTAINERS}
     return (entity.kind != "package" and package in containers) or not owners.isdisjoint(containers)
 
 

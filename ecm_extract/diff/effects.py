@@ -18,6 +18,7 @@ from ecm_extract.entities.model import Form, PublicEntity
 
 _RELIABILITY: Final = ("best_effort", "reliable")
 _DURABILITY: Final = ("volatile", "transient_local")
+_WITH_DEFAULT: Final = frozenset({"parameter", "constant", "message_field", "launch_argument", "bt_port"})
 _ENDPOINTS: Final = frozenset({"topic", "service", "action"})
 _RECOVERY: Final = frozenset({"retry", "retries", "recovery", "fallback", "watchdog", "timeout"})
 _RESOURCE: Final = frozenset({"thread", "threads", "gpu", "memory", "cpu"})
@@ -73,7 +74,10 @@ def type_changed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[D
 
 def default_changed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[Difference]:
     """Another value where nobody states one; of a message constant, another meaning of the same number."""
-    if old.default == new.default or old.kind not in {"parameter", "constant", "message_field", "launch_argument"}:
+    if old.default == new.default or old.kind not in _WITH_DEFAULT:
+        return
+    if old.kind == "launch_argument" and new.default is None:
+        yield Difference("default_changed", True, f"default {old.default!r} is gone: a value must be given now")
         return
     if old.default is None or new.default is None:
         return
@@ -130,7 +134,6 @@ def signature_changed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Itera
         shown_old = " | ".join(form.text for form in lost)
         shown_new = " | ".join(form.text for form in new.forms)
         yield Difference("signature_changed", True, f"{shown_old} became {shown_new}"[:400])
-        return
     outdated = [form for form in new.forms if form.deprecated]
     before = {form.types for form in old.forms if form.deprecated}
     fresh = [form for form in outdated if form.types not in before]
@@ -166,6 +169,8 @@ def added_breaks(entity: PublicEntity) -> str | None:
     """Return why an addition breaks somebody; None when it does not."""
     if entity.kind == "message_field":
         return "a new field changes the layout: old and new sides of this type do not talk, bags need migration"
+    if entity.kind == "launch_argument" and entity.default is None:
+        return "a new argument without a default: whoever starts or includes the file must give it"
     if entity.kind == "method" and any(form.pure for form in entity.forms):
         return "a new pure virtual method: classes that derive from it no longer build"
     return None

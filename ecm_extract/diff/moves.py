@@ -9,7 +9,9 @@ from ecm_extract.diff.similarity import name_similarity, shape_equal
 from ecm_extract.entities.endpoints import HOLE
 from ecm_extract.entities.model import PublicEntity
 
-_NEVER = frozenset({"member", "method", "package", "library"})
+_NEVER = frozenset({"member", "method", "package", "library", "bt_port", "launch_argument"})
+_BY_FILE = frozenset({"launch_file", "executable"})
+"""Names that say little by themselves: the same one elsewhere is another thing unless its file moved there."""
 _ENDPOINTS = frozenset({"topic", "service", "action", "parameter"})
 
 
@@ -73,6 +75,8 @@ def _is_likely(old: PublicEntity, new: PublicEntity, files: Mapping[str, str]) -
         return old.package == new.package and shape_equal(old, new) >= 0.5 and not old.name.startswith(HOLE)
     if old.kind == "file":
         return old.package == new.package or old.name == new.name
+    if old.kind in _BY_FILE and old.package != new.package:
+        return False
     if old.kind == "message_field":
         return old.owner == new.owner and old.type == new.type
     if old.kind == "constant":

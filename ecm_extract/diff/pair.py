@@ -12,16 +12,18 @@ from dataclasses import dataclass, field
 
 from ecm_extract.diff.assignment import assign
 from ecm_extract.diff.bases import Bases
+from ecm_extract.diff.file_moves import alone_in_moved_files
 from ecm_extract.diff.history import History
 from ecm_extract.diff.model import How, Pair
 from ecm_extract.diff.moves import best_home, is_reshaped
+from ecm_extract.diff.same_form import given_away, only_ones
 from ecm_extract.diff.scores import score
 from ecm_extract.diff.similarity import last_part
 from ecm_extract.diff.successors import stated_successor
 from ecm_extract.entities.model import Key, PublicEntity
 
-CONTAINERS = ("package", "message", "class")
-_FOLLOWING = frozenset({"message_field", "member", "method", "constant"})
+CONTAINERS = ("package", "message", "class", "bt_node", "launch_file")
+_FOLLOWING = frozenset({"message_field", "member", "method", "constant", "bt_port", "launch_argument"})
 _GENERATED = "*.yaml"
 _IN_MODULES = frozenset({"topic", "service", "action", "parameter"})
 
@@ -44,6 +46,7 @@ class Pairing:
         self.pairs = [Pair(old[key], new[key]) for key in old if key in new]
         self.owners: dict[str, str] = {}
         self.packages: dict[str, str] = {}
+        self.homes: dict[str, str] = {}
         self.bases = Bases(new)
         self._modules = {(key[0], key[1], key[2]) for key in new if key[0] in _IN_MODULES}
 
@@ -52,6 +55,7 @@ class Pairing:
         for kind in CONTAINERS:
             self._moved({kind})
             self._renamed({kind})
+            self._by_file(kind)
             self._learn(kind)
         self._follow()
         kinds = {key[0] for key in self.old} - set(CONTAINERS)
@@ -60,6 +64,7 @@ class Pairing:
         self._moved(kinds)
         self._successors()
         self._renamed(kinds)
+        self._by_signature()
         removed = [Pair(entity, None) for entity in self.old.values()]
         return [*self.pairs, *removed, *(Pair(None, entity) for entity in self.new.values())]
 
@@ -71,12 +76,18 @@ class Pairing:
         if pair.new is not None:
             self.new.pop(pair.new.key, None)
 
+    def _by_file(self, kind: str) -> None:
+        """What its file alone declared of a kind has moved with the file, however it is called now."""
+        for found in list(alone_in_moved_files(kind, self.old.values(), self.new.values(), self.evidence.files)):
+            self.take(found)
+
     def _learn(self, kind: str) -> None:
         for pair in self.pairs:
             if pair.old is None or pair.new is None or pair.old.kind != kind or pair.how == "same":
                 continue
             names = self.packages if kind == "package" else self.owners
             names[pair.old.name] = pair.new.name
+            self.homes[pair.old.name] = pair.new.package
 
     def _follow(self) -> None:
         """Members of a container that moved or was renamed are the same members."""
@@ -84,7 +95,8 @@ class Pairing:
             kind, package, owner, name, facet = key
             if kind in _FOLLOWING and owner in self.owners:
                 home = self.owners[owner]
-                wanted = {(kind, other, home, name, facet) for other in (package, home.split("/")[0])}
+                others = (package, self.homes.get(owner, package), home.split("/")[0])
+                wanted = {(kind, other, home, name, facet) for other in others}
                 wanted |= {(kind, found.package, home, name, facet) for found in self.bases.named(home)}
                 target = next((self.new[key] for key in wanted if key in self.new), None)
                 if target is not None:
@@ -161,6 +173,16 @@ class Pairing:
                     groups[self._neighbourhood(entity, old=side == 0)][side].append(entity)
         for before, after in groups.values():
             self._assign(before, after)
+
+    def _by_signature(self) -> None:
+        """A method whose name alone changed is the one with its very signature."""
+        for pair, better in list(given_away(self.pairs, self.new.values())):
+            self.pairs.remove(pair)
+            self.take(better)
+            if pair.new is not None:
+                self.new[pair.new.key] = pair.new
+        for found in list(only_ones(self.old.values(), self.new.values(), self.evidence.history)):
+            self.take(found)
 
     def _neighbourhood(self, entity: PublicEntity, old: bool) -> object:
         package = self.packages.get(entity.package, entity.package) if old else entity.package

@@ -5,9 +5,12 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 
+from ecm_extract.entities.announced import announced
+from ecm_extract.entities.bt_nodes import bt_entities
 from ecm_extract.entities.cpp import cpp_entities
 from ecm_extract.entities.endpoints import endpoint_entities
 from ecm_extract.entities.interfaces import interface_entities
+from ecm_extract.entities.launch import launch_entities
 from ecm_extract.entities.model import Key, PublicEntity
 from ecm_extract.entities.naming import at_their_names
 from ecm_extract.entities.packaging import packaging_entities
@@ -26,7 +29,8 @@ def public_entities(
         modules[entry.module.package].append(entry)
     every = [entity for facts in packages for entity in _of_package(tree, facts, modules[facts.name])]
     found: dict[Key, PublicEntity] = {}
-    for entity in sorted(at_their_names(every), key=lambda e: (e.package, e.path, e.line)):
+    placed = announced(tree, packages, at_their_names(every))
+    for entity in sorted(placed, key=lambda e: (e.package, e.path, e.line)):
         found.setdefault(entity.key, entity)
     return _at_home(found, packages)
 
@@ -47,8 +51,10 @@ def _line(entity: PublicEntity) -> tuple[str, str, str, str, int]:
 
 
 def _of_package(tree: Tree, facts: PackageFacts, modules: list[LinkedModule]) -> Iterator[PublicEntity]:
-    yield from packaging_entities(facts)
+    yield from packaging_entities(tree, facts)
     yield from interface_entities(facts)
     yield from endpoint_entities(tree, facts, modules)
     yield from cpp_entities(facts)
     yield from python_entities(facts)
+    yield from bt_entities(facts)
+    yield from launch_entities(tree, facts)

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 
 from ecm_parsers.source.expr import Constant as Literal
 from ecm_parsers.source.expr import Number, Text
-from ecm_parsers.source.facts import Class, Constant, Function, SourceFile
+from ecm_parsers.source.facts import Class, Constant, Field, Function, SourceFile
 
 from ecm_extract.entities.model import PublicEntity
 from ecm_extract.entities.public_files import HIDDEN, public_headers
@@ -20,10 +20,12 @@ _CLOSED = frozenset({"private", "anonymous", "deleted"})
 
 def cpp_entities(facts: PackageFacts) -> Iterator[PublicEntity]:
     """Yield the public symbols of the headers of a package."""
-    for path in public_headers(facts):
-        source = facts.sources.get(path)
-        if source is not None:
-            yield from _Header(facts.name, path, source).entities()
+    sources = ((path, facts.sources.get(path)) for path in public_headers(facts))
+    headers = [_Header(facts.name, path, source) for path, source in sources if source is not None]
+    classes = {name for header in headers for name in header.classes}
+    for header in headers:
+        yield from header.entities()
+        yield from header.aliases(classes)
 
 
 class _Header:
@@ -68,7 +70,7 @@ class _Header:
             path=self.path,
             line=entry.line,
         )
-        for field in entry.fields:
+        for field in (*entry.fields, *self._hidden_fields(entry)):
             if {"private", "protected", "static"}.isdisjoint(field.traits) and not field.name.startswith("_"):
                 yield PublicEntity(
                     kind="member",
@@ -78,6 +80,29 @@ class _Header:
                     type=normal_type(field.type),
                     path=self.path,
                     line=field.line,
+                )
+
+    def _hidden_fields(self, entry: Class) -> Iterator[Field]:
+        """Fields of bases whose own name is private (`_Point`): users see them in the class alone."""
+        names = {plain(base) for base in entry.bases}
+        for base in self.source.classes:
+            if base.name.startswith("_") and base.scope == entry.scope and not names.isdisjoint({base.name, qualified(base)}):
+                yield from base.fields
+
+    def aliases(self, classes: set[str]) -> Iterator[PublicEntity]:
+        """Yield the other names of classes: whoever uses `using A = B` has a class A with all that B has."""
+        for alias in self.source.aliases:
+            name = f"{alias.scope}::{alias.name}".lstrip(":")
+            targets = {alias.target, f"{alias.scope}::{alias.target}"} & classes
+            if targets and name not in classes and self._is_open(name, ()):
+                yield PublicEntity(
+                    kind="class",
+                    package=self.package,
+                    owner="",
+                    name=name,
+                    bases=(alias.target,),
+                    path=self.path,
+                    line=alias.line,
                 )
 
     def _functions(self) -> Iterator[PublicEntity]:

@@ -16,7 +16,7 @@ _PIECE = re.compile(_LITERAL)
 _MARK = re.compile(r"deprecat", re.IGNORECASE)
 _OLD = re.compile(r"(.{0,200})\bdeprecat\w*(.{0,200})", re.IGNORECASE | re.DOTALL)
 _INSTEAD = re.compile(r"\b(?:use|replaced by|in favou?r of|instead)\b", re.IGNORECASE)
-_QUOTED = re.compile(r"[\"'`]([\w./~-]+)[\"'`]")
+_QUOTED = re.compile(r"[\"'`]([\w./~:-]+)[\"'`]")
 _WORD = re.compile(r"[\w./~-]+")
 
 

@@ -4,17 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ecm_extract.entities.deprecations import deprecated_names
 from ecm_extract.entities.model import PublicEntity
 from ecm_extract.entities.public_files import public_headers
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.tree import Tree
 
 
-def packaging_entities(facts: PackageFacts) -> Iterator[PublicEntity]:
+def packaging_entities(tree: Tree, facts: PackageFacts) -> Iterator[PublicEntity]:
     """Yield the entities that build files and descriptions name."""
     yield from _package(facts)
     yield from _targets(facts)
     yield from _scripts(facts)
-    yield from _plugins(facts)
+    yield from _plugins(tree, facts)
     for path, include in public_headers(facts).items():
         yield PublicEntity(kind="file", package=facts.name, owner="", name=include, path=path, line=1)
 
@@ -44,7 +46,7 @@ def _targets(facts: PackageFacts) -> Iterator[PublicEntity]:
                     kind=target.kind,
                     package=facts.name,
                     owner="",
-                    name=target.name,
+                    name=target.output or target.name,
                     path=path,
                     line=target.line,
                 )
@@ -93,7 +95,9 @@ def _setup_programs(facts: PackageFacts) -> Iterator[tuple[str, str, int]]:
         yield from ((script, path, 1) for script in setup.scripts)
 
 
-def _plugins(facts: PackageFacts) -> Iterator[PublicEntity]:
+def _plugins(tree: Tree, facts: PackageFacts) -> Iterator[PublicEntity]:
+    named = deprecated_names(tree, facts.sources) if facts.plugins else {}
+    outdated = {name.replace("::", "/"): text for name, text in named.items()}
     for path, classes in facts.plugins.items():
         for entry in classes:
             yield PublicEntity(
@@ -102,6 +106,7 @@ def _plugins(facts: PackageFacts) -> Iterator[PublicEntity]:
                 owner="",
                 name=entry.lookup_name,
                 type=entry.base_class_type,
+                deprecated=outdated.get(entry.lookup_name.replace("::", "/")),
                 path=path,
                 line=entry.line,
             )

@@ -12,7 +12,7 @@ from ecm_parsers.source.facts import Function
 
 from ecm_extract.link.program import File
 from ecm_extract.read.facts import PackageFacts
-from ecm_extract.uses.walk import dotted, expressions
+from ecm_extract.link.walk import dotted, expressions
 
 _CPP = re.compile(r"(?:^|[<\s(])(?:::)?(\w+)::(?:srv::)?(\w+)(?:::(Request|Response))?(?=$|[>&*\s:)])")
 _PYTHON_PART = re.compile(r"(?P<name>.+?)\.?(?P<part>Request|Response)")

@@ -20,7 +20,7 @@ from ecm_parsers.source.facts import Function
 from ecm_extract.link.linker import LinkedModule
 from ecm_extract.link.program import File
 from ecm_extract.read.facts import PackageFacts
-from ecm_extract.uses.walk import dotted, expressions
+from ecm_extract.link.walk import dotted, expressions
 
 _OWN = "this"
 

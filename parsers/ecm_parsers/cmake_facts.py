@@ -22,6 +22,7 @@ class Target(msgspec.Struct, frozen=True):
             (CMake tries .cpp and others); generated and unknown ones stay references.
         links: libraries and packages it is linked with.
         is_test: whether it is built only with tests.
+        output: OUTPUT_NAME, the name of the file that is built where it is not that of the target; else empty.
     """
 
     name: str
@@ -30,6 +31,7 @@ class Target(msgspec.Struct, frozen=True):
     sources: tuple[str, ...] = ()
     links: tuple[str, ...] = ()
     is_test: bool = False
+    output: str = ""
 
 
 class Component(msgspec.Struct, frozen=True):

@@ -76,6 +76,7 @@ def targets(calls: tuple[Call, ...]) -> tuple[Target, ...]:
     found: dict[str, Target] = {}
     links: dict[str, list[str]] = {}
     sources: dict[str, list[str]] = {}
+    outputs: dict[str, str] = {}
     for call in calls:
         target = _built(call)
         if target is not None:
@@ -84,14 +85,26 @@ def targets(calls: tuple[Call, ...]) -> tuple[Target, ...]:
             links.setdefault(call.args[0], []).extend(_without(call.args[1:], _LINK_WORDS))
         elif call.name == "target_sources" and call.args:
             sources.setdefault(call.args[0], []).extend(_sources(_without(call.args[1:], _SOURCE_WORDS)))
+        elif call.name == "set_target_properties":
+            outputs.update(_outputs(call.args))
     return tuple(
         msgspec.structs.replace(
             target,
             links=tuple(dict.fromkeys(links.get(name, ()))),
             sources=tuple(dict.fromkeys((*target.sources, *sources.get(name, ())))),
+            output=outputs.get(name, ""),
         )
         for name, target in found.items()
     )
+
+
+def _outputs(args: tuple[str, ...]) -> dict[str, str]:
+    """`set_target_properties(a b PROPERTIES OUTPUT_NAME c)` -> c of a and b."""
+    if "PROPERTIES" not in args:
+        return {}
+    at = args.index("PROPERTIES")
+    pairs = dict(zip(args[at + 1 :: 2], args[at + 2 :: 2], strict=False))
+    return {name: pairs["OUTPUT_NAME"] for name in args[:at]} if "OUTPUT_NAME" in pairs else {}
 
 
 def components(calls: tuple[Call, ...]) -> tuple[Component, ...]:

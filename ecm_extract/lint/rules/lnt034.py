@@ -11,7 +11,7 @@ from ecm_parsers.source.expr import Call, Text
 from ecm_extract.link.program import File
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
-from ecm_extract.uses.walk import dotted, expressions
+from ecm_extract.link.walk import dotted, expressions
 
 RULE = LintRule(
     id="LNT034",

@@ -1,0 +1,56 @@
+"""What moved together with the only file that declares it."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping
+
+from ecm_extract.diff.model import Pair
+from ecm_extract.entities.model import PublicEntity
+
+_ALONE = 0.75
+_MOST = 0.5
+_LEAST_FILES = 3
+
+
+def alone_in_moved_files(
+    kind: str, removed: Iterable[PublicEntity], added: Iterable[PublicEntity], files: Mapping[str, str]
+) -> Iterator[Pair]:
+    """Yield the pairs of a kind that stand alone in a file that moved, under whatever name.
+
+    A package is what moved when most of the files that left its folder went to the folder of a new package.
+    """
+    gone, came = _by_place(kind, removed), _by_place(kind, added)
+    for place, before in gone.items():
+        target = _folder_moved(place, files) if kind == "package" else files.get(place)
+        after = came.get(target, []) if target is not None else []
+        if len(before) == 1 and len(after) == 1 and before[0].name != after[0].name:
+            where = "its files move there" if kind == "package" else "its file moves, and declares no other"
+            yield Pair(before[0], after[0], "renamed", _ALONE, f"gone and new; git sees that {where}")
+
+
+def _by_place(kind: str, entities: Iterable[PublicEntity]) -> dict[str, list[PublicEntity]]:
+    found: dict[str, list[PublicEntity]] = defaultdict(list)
+    for entity in entities:
+        if entity.kind == kind:
+            found[_folder(entity.path) if kind == "package" else entity.path].append(entity)
+    return found
+
+
+def _folder(path: str) -> str:
+    return path.rpartition("/")[0]
+
+
+def _folder_moved(folder: str, files: Mapping[str, str]) -> str | None:
+    """The folder with a manifest or sources that most files of a folder moved to; None when they scattered."""
+    targets: dict[str, int] = defaultdict(int)
+    total = 0
+    for old, new in files.items():
+        if old.startswith(f"{folder}/"):
+            total += 1
+            parts = new.split("/")
+            for depth in range(1, len(parts)):
+                targets["/".join(parts[:depth])] += 1
+    depth = folder.count("/")
+    likely = [name for name, count in targets.items() if name.count("/") == depth and count > total * _MOST]
+    return likely[0] if total >= _LEAST_FILES and likely else None

@@ -1,0 +1,90 @@
+"""Ends that a declaration announces where it stands: in the comment above it, its description, its header.
+
+Attributes and decorators are facts of the source file already; comments are not, so public headers that speak of
+deprecation are searched as they stand.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Iterable, Sequence
+
+import msgspec
+
+from ecm_extract.entities.model import Line, PublicEntity
+from ecm_extract.read.facts import PackageFacts
+from ecm_extract.tree import Tree
+
+_MARK = re.compile(r"deprecat|obsolete", re.IGNORECASE)
+_DIRECTIVE = re.compile(rb"^[ \t]*#[ \t]*(?:warning|pragma[ \t]+message)\b(.{0,400})$", re.MULTILINE)
+_COMMENT = re.compile(r"^\s*(?://|/\*|\*)")
+_HEADERS = (".h", ".hh", ".hpp", ".hxx")
+_IN_HEADERS = frozenset({"class", "member", "method", "function", "constant"})
+MAX_COMMENT = 40
+
+
+def announced(tree: Tree, packages: Iterable[PackageFacts], entities: Sequence[PublicEntity]) -> list[PublicEntity]:
+    """Return the entities, with what their declarations say about their end."""
+    texts = _descriptions(packages)
+    lines: dict[str, list[str]] = defaultdict(list)
+    headers = {entity.path for entity in entities if entity.kind == "file" and entity.path.endswith(_HEADERS)}
+    for path, data in tree.read_many(sorted(headers)):
+        if _MARK.search(data.decode("utf-8", "replace")):
+            lines[path] = data.decode("utf-8", "replace").splitlines()
+            directive = next((found for found in _DIRECTIVE.findall(data) if _MARK.search(found.decode("latin-1"))), None)
+            if directive is not None:
+                texts[path, 0] = " ".join(directive.decode("utf-8", "replace").split()).strip("()\"'")
+    return [_told(entity, texts, lines) for entity in entities]
+
+
+def _descriptions(packages: Iterable[PackageFacts]) -> dict[Line, str]:
+    """Texts of generated parameters and plugin descriptions that speak of the end of what they describe."""
+    found: dict[Line, str] = {}
+    for facts in packages:
+        for path, namespaces in facts.parameters.items():
+            for namespace in namespaces:
+                for entry in namespace.parameters:
+                    if _MARK.search(entry.description):
+                        found[path, entry.line] = " ".join(entry.description.split())
+        for path, classes in facts.plugins.items():
+            for described in classes:
+                if _MARK.search(described.description):
+                    found[path, described.line] = described.description
+    return found
+
+
+def _told(entity: PublicEntity, texts: dict[Line, str], lines: dict[str, list[str]]) -> PublicEntity:
+    """The entity with its announcement; of several overloads each has its own."""
+    if entity.deprecated:
+        return entity
+    if entity.kind in {"parameter", "plugin"}:
+        text = texts.get((entity.path, entity.line))
+    elif entity.kind == "file":
+        text = texts.get((entity.path, 0))
+    elif entity.kind in _IN_HEADERS and entity.path in lines:
+        if len(entity.forms) > 1:
+            return _overloads_told(entity, lines[entity.path])
+        text = _comment_above(lines[entity.path], entity.line)
+    else:
+        text = None
+    return msgspec.structs.replace(entity, deprecated=text) if text else entity
+
+
+def _overloads_told(entity: PublicEntity, lines: list[str]) -> PublicEntity:
+    forms = tuple(
+        msgspec.structs.replace(form, deprecated=form.deprecated or bool(_comment_above(lines, form.line)))
+        for form in entity.forms
+    )
+    return msgspec.structs.replace(entity, forms=forms)
+
+
+def _comment_above(lines: list[str], line: int) -> str | None:
+    """The sentence on the end of a declaration in the comment right above it; None when there is none."""
+    for above in range(line - 2, max(-1, line - 2 - MAX_COMMENT), -1):
+        if above >= len(lines) or not _COMMENT.match(lines[above]):
+            return None
+        text = lines[above].strip(" \t/*!<")
+        if re.search(r"(?i)(?:^|[@\\\[\s])deprecated", text):
+            return text
+    return None

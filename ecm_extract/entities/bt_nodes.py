@@ -1,0 +1,85 @@
+"""Behaviour tree nodes that a package registers, and their ports: the names that behaviour tree files use."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ecm_parsers.source.expr import Call, Constant, Number, Text
+from ecm_parsers.source.facts import Function, SourceFile
+
+from ecm_extract.entities.model import Line, PublicEntity
+from ecm_extract.entities.signatures import normal_type
+from ecm_extract.link.walk import dotted, expressions
+from ecm_extract.read.facts import PackageFacts
+
+_REGISTERS = frozenset(
+    {"registerNodeType", "registerBuilder", "registerSimpleAction", "registerSimpleCondition", "registerSimpleDecorator"}
+)
+_PORTS = frozenset({"InputPort", "OutputPort", "BidirectionalPort"})
+_LISTS_PORTS = "providedPorts"
+"""Static method in which BehaviorTree.CPP asks a node class for its ports."""
+Port = tuple[Call, Text, Line]
+
+
+def bt_entities(facts: PackageFacts) -> Iterator[PublicEntity]:
+    """Yield the registered nodes of a package, each with the ports that its own class lists."""
+    ports = _ports_by_class(facts)
+    for path, source in facts.sources.items():
+        if source.language == "cpp":
+            for call, name in _named_calls(source, _REGISTERS):
+                yield PublicEntity(
+                    kind="bt_node", package=facts.name, owner="", name=name.value, path=path, line=call.line
+                )
+                cls = call.types[0].rsplit("::", 1)[-1] if call.types else ""
+                yield from (_port(facts.name, name.value, port) for port in ports.get(cls, ()))
+
+
+def _ports_by_class(facts: PackageFacts) -> dict[str, list[Port]]:
+    """The calls that make ports, by the own name of the class that lists them."""
+    found: dict[str, list[Port]] = {}
+    for path, source in facts.sources.items():
+        for function in source.functions:
+            if function.name == _LISTS_PORTS and function.body:
+                calls = _named_calls_of(function, _PORTS)
+                listed = [(call, name, (path, call.line or function.line)) for call, name in calls]
+                found.setdefault(function.scope.rsplit("::", 1)[-1], listed)
+    return found
+
+
+def _port(package: str, node: str, port: Port) -> PublicEntity:
+    call, name, (path, line) = port
+    default = call.args[1] if len(call.args) == 3 else None
+    return PublicEntity(
+        kind="bt_port",
+        package=package,
+        owner=node,
+        name=name.value,
+        type=normal_type(call.types[0]) if call.types else None,
+        default=_plain(default),
+        path=path,
+        line=line,
+    )
+
+
+def _plain(expr: object) -> object:
+    """A default as data; None where it is computed, or there is none."""
+    if isinstance(expr, Call) and len(expr.args) == 1:
+        return _plain(expr.args[0])
+    if isinstance(expr, Constant):
+        return {"true": True, "false": False}.get(expr.name)
+    return expr.value if isinstance(expr, Text | Number) else None
+
+
+def _named_calls(source: SourceFile, names: frozenset[str]) -> Iterator[tuple[Call, Text]]:
+    for function in source.functions:
+        yield from _named_calls_of(function, names)
+
+
+def _named_calls_of(function: Function, names: frozenset[str]) -> Iterator[tuple[Call, Text]]:
+    """Calls of these names whose first argument is a literal."""
+    for statement in function.body:
+        for expr, _ in expressions(statement):
+            if isinstance(expr, Call) and expr.args and isinstance(expr.args[0], Text):
+                called = (dotted(expr.callee) or "").replace("::", ".").rsplit(".", 1)[-1]
+                if called in names:
+                    yield expr, expr.args[0]

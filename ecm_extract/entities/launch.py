@@ -1,0 +1,66 @@
+"""Launch files that a package offers, and the arguments that whoever includes them can give."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from pathlib import PurePosixPath
+
+from ecm_parsers.launch.model import Action, Argument, Group, LaunchFile, Substitution, Template
+
+from ecm_extract.discover import is_test_path
+from ecm_extract.entities.model import PublicEntity
+from ecm_extract.read.facts import PackageFacts
+from ecm_extract.system.launch_files import is_launch_file, read_launch
+from ecm_extract.tree import Tree
+
+MAX_BYTES = 1_000_000
+
+
+def launch_entities(tree: Tree, facts: PackageFacts) -> Iterator[PublicEntity]:
+    """Yield the launch files of a package and their arguments; a file goes by its name, as for `ros2 launch`."""
+    for path, file in launch_files(tree, facts):
+        name = PurePosixPath(path).name
+        yield PublicEntity(kind="launch_file", package=facts.name, owner="", name=name, path=path, line=1)
+        for argument in arguments(file.actions):
+            if argument.value is None:
+                yield PublicEntity(
+                    kind="launch_argument",
+                    package=facts.name,
+                    owner=name,
+                    name=argument.name,
+                    default=None if argument.default is None else written(argument.default),
+                    deprecated=argument.description if "deprecat" in argument.description.lower() else None,
+                    path=path,
+                    line=argument.line,
+                )
+
+
+def launch_files(tree: Tree, facts: PackageFacts) -> Iterator[tuple[str, LaunchFile]]:
+    """Yield the launch files of a package that can be read, by path, without those of tests."""
+    paths = [
+        entry.path
+        for entry in facts.root.files
+        if is_launch_file(entry.path) and not is_test_path(entry.path, facts.root.path)
+    ]
+    for path, data in tree.read_many(sorted(paths)):
+        file = read_launch(path, data, facts.ros).facts if len(data) <= MAX_BYTES else None
+        if file is not None:
+            yield path, file
+
+
+def arguments(actions: Iterable[Action]) -> Iterator[Argument]:
+    """Yield all arguments that actions declare, those of groups included."""
+    for action in actions:
+        if isinstance(action, Argument):
+            yield action
+        elif isinstance(action, Group):
+            yield from arguments(action.actions)
+
+
+def written(template: Template) -> str:
+    """Return a text in one writing, whatever the syntax of the launch file: `$(find a)/b`."""
+    return "".join(part if isinstance(part, str) else _substitution(part) for part in template)
+
+
+def _substitution(part: Substitution) -> str:
+    return f"$({' '.join([part.kind, *(written(arg) for arg in part.args)])})"
