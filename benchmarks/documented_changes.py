@@ -11,7 +11,7 @@ from comparisons import Change
 
 _FOUND_BY = {
     "removed": {"removed"},
-    "renamed": {"renamed", "moved"},
+    "renamed": {"renamed", "moved", "deprecated"},
     "moved": {"moved", "renamed"},
     "replaced": {"removed", "renamed", "moved", "deprecated"},
     "added": {"added"},

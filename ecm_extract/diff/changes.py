@@ -12,6 +12,7 @@ from ecm_extract.diff.causes import one_cause
 from ecm_extract.diff.effects import EFFECTS, Difference, added_breaks
 from ecm_extract.diff.model import Located, Pair
 from ecm_extract.diff.pair import CONTAINERS
+from ecm_extract.diff.successors import stated_successor
 from ecm_extract.diff.wire import nested_changes, wire_note
 from ecm_extract.entities.model import PublicEntity
 from ecm_extract.entities.side import Side
@@ -43,7 +44,7 @@ def changes_of(pairs: Iterable[Pair], old: Side, new: Side) -> list[Located]:
     fresh = {pair.new.key[:4] for pair in listed if pair.new is not None and pair.old is None}
     found = [located for pair in listed for located in _of_pair(pair, gone, fresh)]
     found += [_nested(pair, path) for pair, path in nested_changes(listed, old, new)]
-    told = [_with_wire(located, old, new) for located in found]
+    told = [_with_successor(_with_wire(located, old, new), new) for located in found]
     return sorted(one_cause(told, new), key=_order)
 
 
@@ -110,6 +111,17 @@ def _name(entity: PublicEntity | None, difference: Difference, pair: Pair) -> st
     if pair.old.package != pair.new.package and not place:
         place = entity.package
     return f"{place}: {entity.name}" if place else entity.name
+
+
+def _with_successor(located: Located, new: Side) -> Located:
+    """Name what a deprecation tells to use, where it names one."""
+    entity = located.pair.new
+    if located.change.change != "deprecated" or entity is None:
+        return located
+    successor = stated_successor(entity, new.entities)
+    if successor is None:
+        return located
+    return Located(msgspec.structs.replace(located.change, new=successor.name), located.pair)
 
 
 def _nested(pair: Pair, path: str) -> Located:

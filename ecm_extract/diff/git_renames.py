@@ -12,8 +12,8 @@ from ecm_extract.tree.git_repo import GitRepo, find_repo
 
 _SIMILARITY = "-M50%"
 _LIMIT = "-l2000"
-_DECLARING = ("*.[ch]", "*.[ch]pp", "*.[ch]xx", "*.cc", "*.hh", "*.py", "*.msg", "*.srv", "*.action", "*.cfg", "*.xml")
-_DECLARING += ("*.yaml", "*.yml", "*.launch", "*.xacro", "*.urdf", "*.srdf", "*.txt")
+_SOURCES = ("*.[ch]", "*.[ch]pp", "*.[ch]xx", "*.cc", "*.hh", "*.py", "*.msg", "*.srv", "*.action", "*.cfg", "*.xml")
+_OTHERS = ("*.yaml", "*.yml", "*.launch", "*.xacro", "*.urdf", "*.srdf", "*.txt")
 """Only files that can declare something: pictures and meshes cost time, and partial clones do not hold them."""
 
 
@@ -32,7 +32,7 @@ def renamed_files(old: Side, new: Side, repo_folder: Path | None) -> Mapping[str
 def _by_git(repo: GitRepo, old: str, new: str) -> dict[str, str]:
     options = ("-r", "-z", _SIMILARITY, _LIMIT, "--diff-filter=R", "--name-status")
     try:
-        _, out = repo.run("diff-tree", *options, old, new, "--", *_DECLARING)
+        _, out = repo.run("diff-tree", *options, old, new, "--", *_SOURCES, *_OTHERS)
     except EcmError:
         return {}
     fields = out.decode("utf-8", "surrogateescape").split("\0")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 
 from ecm_extract.diff.model import Pair
@@ -60,6 +61,8 @@ def is_reshaped(old: PublicEntity, new: PublicEntity) -> bool:
 
     The prefix of a generated parameter is given where its listener is made, so its own file shows none.
     """
+    if new.name == f"{HOLE}.{old.name}" and not re.search(r"[./]", old.name):
+        return False  # it had no prefix at all, now users must write one
     if old.name.removeprefix(f"{HOLE}.") == new.name.removeprefix(f"{HOLE}."):
         return True
     if new.path.endswith((".yaml", ".yml")) and old.name.endswith(f".{new.name}"):

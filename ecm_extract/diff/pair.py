@@ -124,7 +124,7 @@ class Pairing:
                 if len(entity.chain) > 1 or (entity.kind, entity.package, entity.owner) not in self._modules:
                     places.append(self.evidence.files.get(entity.path, entity.path))
                 alike = (other for place in places for other in index.get((place, tail), ()))
-                found = next((other for other in alike if is_reshaped(entity, other)), None)
+                found = next((other for other in alike if is_reshaped(entity, other) and _may_be(entity, other)), None)
                 if found is not None:
                     self.take(Pair(entity, found))
 
@@ -216,3 +216,8 @@ def _move_key(entity: PublicEntity) -> tuple[str, str, str]:
     elif entity.kind in {"message_field", "constant"}:
         return entity.kind, "", name.rsplit(".", 1)[-1]
     return entity.kind, entity.facet, name
+
+
+def _may_be(old: PublicEntity, new: PublicEntity) -> bool:
+    """A full name that another module has as well, on another line, is that module's own."""
+    return old.name != new.name or old.owner == new.owner or bool(old.chain[1:])

@@ -20,6 +20,13 @@ _LEAST_NAME = 0.5
 _NAME, _SHAPE, _PLACE = 0.5, 0.25, 0.25
 _WRITTEN = 0.12
 _SURE_NAME = 0.85
+_SURE_LIBRARY = 0.68
+"""Every library of a package stands in the one CMakeLists.txt, so only its name can tell."""
+_GENERIC = frozenset(
+    ("use", "enable", "enabled", "is", "has", "get", "set", "on", "new", "do", "default", "num", "max")
+)
+_GENERIC |= {"min", "publish", "callback", "handler", "node", "server", "type", "name"}
+"""Words that half of all names hold: two names that share no other word are two things."""
 
 
 def score(
@@ -34,7 +41,9 @@ def score(
     total = _NAME * name + _SHAPE * shape + _PLACE * place
     if _is_other_structure(old, new) or (shape == 0 and (name < _SURE_NAME or _parts(old) != _parts(new))):
         return None
-    if name < _LEAST_NAME or total + _WRITTEN < _THRESHOLD:
+    if name < _LEAST_NAME or total + _WRITTEN < _THRESHOLD or (old.kind == "library" and name < _SURE_LIBRARY):
+        return None
+    if name < _SURE_NAME and not (words(old.name) & words(new.name)) - _GENERIC:
         return None
     written = history.mentions(old.name, new.name) if history is not None else None
     if written:

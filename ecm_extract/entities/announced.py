@@ -32,7 +32,9 @@ def announced(tree: Tree, packages: Iterable[PackageFacts], entities: Sequence[P
     for path, data in tree.read_many(sorted(headers)):
         if _MARK.search(data.decode("utf-8", "replace")):
             lines[path] = data.decode("utf-8", "replace").splitlines()
-            directive = next((found for found in _DIRECTIVE.findall(data) if _MARK.search(found.decode("latin-1"))), None)
+            directive = next(
+                (found for found in _DIRECTIVE.findall(data) if _MARK.search(found.decode("latin-1"))), None
+            )
             if directive is not None:
                 texts[path, 0] = " ".join(directive.decode("utf-8", "replace").split()).strip("()\"'")
     return [_told(entity, texts, lines) for entity in entities]

@@ -13,7 +13,13 @@ from ecm_extract.link.walk import dotted, expressions
 from ecm_extract.read.facts import PackageFacts
 
 _REGISTERS = frozenset(
-    {"registerNodeType", "registerBuilder", "registerSimpleAction", "registerSimpleCondition", "registerSimpleDecorator"}
+    {
+        "registerNodeType",
+        "registerBuilder",
+        "registerSimpleAction",
+        "registerSimpleCondition",
+        "registerSimpleDecorator",
+    }
 )
 _PORTS = frozenset({"InputPort", "OutputPort", "BidirectionalPort"})
 _LISTS_PORTS = "providedPorts"

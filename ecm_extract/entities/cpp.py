@@ -86,7 +86,11 @@ class _Header:
         """Fields of bases whose own name is private (`_Point`): users see them in the class alone."""
         names = {plain(base) for base in entry.bases}
         for base in self.source.classes:
-            if base.name.startswith("_") and base.scope == entry.scope and not names.isdisjoint({base.name, qualified(base)}):
+            if (
+                base.name.startswith("_")
+                and base.scope == entry.scope
+                and not names.isdisjoint({base.name, qualified(base)})
+            ):
                 yield from base.fields
 
     def aliases(self, classes: set[str]) -> Iterator[PublicEntity]:

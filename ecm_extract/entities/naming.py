@@ -7,7 +7,7 @@ the call that sets a plugin up; the line that the fewest pass through says the n
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import msgspec
 
@@ -22,11 +22,12 @@ def at_their_names(entities: Sequence[PublicEntity]) -> list[PublicEntity]:
         for line in entity.chain:
             names[line].add(entity.name)
             users[line].add(f"{entity.package}/{entity.owner}")
-    found = []
-    for entity in entities:
-        if len(entity.chain) > 1:
-            # of lines that say one name each, the one that more modules share is the library's
-            path, line = min(entity.chain, key=lambda each: (len(names[each]), -len(users[each])))
-            entity = msgspec.structs.replace(entity, path=path, line=line)
-        found.append(entity)
-    return found
+    return [_placed(entity, names, users) for entity in entities]
+
+
+def _placed(entity: PublicEntity, names: Mapping[Line, set[str]], users: Mapping[Line, set[str]]) -> PublicEntity:
+    if len(entity.chain) < 2:
+        return entity
+    # of lines that say one name each, the one that more modules share is the library's
+    path, line = min(entity.chain, key=lambda each: (len(names[each]), -len(users[each])))
+    return msgspec.structs.replace(entity, path=path, line=line)

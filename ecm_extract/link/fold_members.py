@@ -84,7 +84,9 @@ class MemberFolder:
             return None
         known = self.folder.reads.default(name, package)
         label = f"{package}.{name}"  # a default may be the parameter itself: declare_parameter("a", params_.a)
-        values = self.folder.guarded(label, Env(env.func), lambda: self.folder.calls.default_value(name, known, None, env))
+        values = self.folder.guarded(
+            label, Env(env.func), lambda: self.folder.calls.default_value(name, known, None, env)
+        )
         return set_by(name, values)
 
     def member_value(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:

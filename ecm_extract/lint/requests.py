@@ -11,8 +11,8 @@ from ecm_parsers.source.expr import Call, Expr, Member
 from ecm_parsers.source.facts import Function
 
 from ecm_extract.link.program import File
-from ecm_extract.read.facts import PackageFacts
 from ecm_extract.link.walk import dotted, expressions
+from ecm_extract.read.facts import PackageFacts
 
 _CPP = re.compile(r"(?:^|[<\s(])(?:::)?(\w+)::(?:srv::)?(\w+)(?:::(Request|Response))?(?=$|[>&*\s:)])")
 _PYTHON_PART = re.compile(r"(?P<name>.+?)\.?(?P<part>Request|Response)")

@@ -19,8 +19,8 @@ from ecm_parsers.source.facts import Function
 
 from ecm_extract.link.linker import LinkedModule
 from ecm_extract.link.program import File
-from ecm_extract.read.facts import PackageFacts
 from ecm_extract.link.walk import dotted, expressions
+from ecm_extract.read.facts import PackageFacts
 
 _OWN = "this"
 

@@ -11,9 +11,9 @@ from ecm_parsers.source.facts import Function
 from ecm_extract.diff.model import Located
 from ecm_extract.entities.side import Workspace
 from ecm_extract.link.program import File
+from ecm_extract.link.walk import dotted, expressions
 from ecm_extract.uses.index import ChangeIndex
 from ecm_extract.uses.model import Place, Use, use_at
-from ecm_extract.link.walk import dotted, expressions
 
 _CPP = re.compile(r"(?:(\w+)::)?(?:(msg|srv|action)::)?(\w+)(?:::(Goal|Result|Feedback|Request|Response))?\b")
 _POINTER = re.compile(

@@ -104,7 +104,7 @@ def _outputs(args: tuple[str, ...]) -> dict[str, str]:
         return {}
     at = args.index("PROPERTIES")
     pairs = dict(zip(args[at + 1 :: 2], args[at + 2 :: 2], strict=False))
-    return {name: pairs["OUTPUT_NAME"] for name in args[:at]} if "OUTPUT_NAME" in pairs else {}
+    return dict.fromkeys(args[:at], pairs["OUTPUT_NAME"]) if "OUTPUT_NAME" in pairs else {}
 
 
 def components(calls: tuple[Call, ...]) -> tuple[Component, ...]:

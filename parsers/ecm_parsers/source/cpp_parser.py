@@ -39,7 +39,7 @@ def parse_tree(data: bytes) -> tuple[Tree, bytes]:
     A missing `;` after a macro spoils nothing, so only real errors are worth a second parse.
     """
     tree = _parse(data)
-    if first_error(tree.root_node) is None:
+    if first_error(tree.root_node) is None and not cpp_text.hides_class(data):
         return tree, data
     rewritten = cpp_text.without_macros(data)
     if rewritten != data:

@@ -9,6 +9,7 @@ import re
 from collections.abc import Callable
 
 _EXPORT_WORD = re.compile(rb"\b[A-Z][A-Z0-9_]*_(?:PUBLIC|EXPORT|LOCAL|API|IMPORT|HIDDEN|DEPRECATED)\b(?!\s*\()")
+_CLASS_WORD = re.compile(rb"((?:class|struct) )([A-Z][A-Z0-9_]{2,})(?= \w+\s*(?:final\s*)?[:{])")
 _MACRO_LINE = re.compile(
     rb"(?<=[;{}:\n])([ \t]*)([A-Z][A-Z0-9_]{3,}(?:\([^;{}]{0,400}?\))?)(?=[ \t]*\r?\n[ \t\r\n]*[^\s,).&|+*/?:<=\[-])"
 )
@@ -27,8 +28,14 @@ def without_macros(data: bytes) -> bytes:
     """Return `data` with export words, macro-only lines and odd `typename`s blanked, length unchanged."""
     kept = _outside_directives(data, lambda text: _EXPORT_WORD.sub(_blank, text))
     kept = _outside_directives(kept, lambda text: _MACRO_LINE.sub(_blank, text))
+    kept = _CLASS_WORD.sub(lambda match: match[1] + b" " * len(match[2]), kept)
     kept = _TYPENAME.sub(_blank, kept)
     return _EMPTY_BRACES.sub(lambda match: b"= 0".ljust(len(match.group())), kept)
+
+
+def hides_class(data: bytes) -> bool:
+    """Tell whether a macro before its name makes a class look like a function: `struct ALIGNED Point {`."""
+    return _CLASS_WORD.search(data) is not None
 
 
 def without_conditionals(data: bytes) -> bytes:

@@ -1,0 +1,210 @@
+"""Changes that guides describe, each in a small repository with two releases."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from diff_repos import node, package, release
+
+from ecm_extract.cli.run import run
+
+CMAKE = "project(arm)\nadd_executable(arm src/arm.cpp)\ninstall(TARGETS arm DESTINATION lib)\n"
+Told = set[tuple[str, str, str | None, str | None]]
+Files = dict[str, str | None]
+HELPER = (
+    "#pragma once\nnamespace util {\ntemplate<typename N, typename T>\n"
+    "void declare(N node, const std::string & name, T v) {\n"
+    "  node->declare_parameter(name, v);\n}\n}\n"
+)
+
+
+@pytest.fixture
+def told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> object:
+    """A function from the files of two releases to what is told: kind, change, old, new."""
+
+    def compare(old: Files, new: Files) -> Told:
+        folder = tmp_path / "repo"
+        release(folder, {"arm/package.xml": package("arm"), **old}, "1.0.0")
+        release(folder, new, "2.0.0")
+        run(["diff", "1.0.0", "2.0.0", "--repo", str(folder), "--format", "json", "--no-cache"])
+        changes = json.loads(capsys.readouterr().out)["changes"]
+        return {(each["kind"], each["change"], each["old"], each["new"]) for each in changes}
+
+    return compare
+
+
+def _header(*lines: str) -> Files:
+    return {"arm/include/arm/driver.hpp": "\n".join(("#pragma once", "namespace arm {", *lines, "}")) + "\n"}
+
+
+def _class(*lines: str) -> Files:
+    return _header("class Driver {", "public:", *lines, "};")
+
+
+HEADERS = {
+    "another name with the very signature": (
+        _class("virtual void setPlan(const Path & path) = 0;"),
+        _class("virtual void newPathReceived(const Path & raw) = 0;"),
+        {("method", "renamed", "setPlan", "newPathReceived")},
+    ),
+    "a name that was given to something else": (
+        _class("const State & get_state() const;"),
+        _class("const State & get_lifecycle_state() const;", "double get_state(const std::string & name) const;"),
+        {("method", "renamed", "get_state", "get_lifecycle_state"), ("method", "added", None, "get_state")},
+    ),
+    "an alias has all that its class has": (
+        _header("class Actuator {", "public:", "void start(int rate);", "};"),
+        _header("class Component {", "public:", "void start(double rate);", "};", "using Actuator = Component;"),
+        {("method", "signature_changed", "start", "start")},
+    ),
+    "fields of a base with a private name": (
+        _header(
+            "struct ALIGN16 _Point {", "uint32_t signal;", "MAKE_ALIGNED_NEW", "};", "struct Point : public _Point {};"
+        ),
+        _header(
+            "struct ALIGN16 _Point {", "uint16_t signal;", "MAKE_ALIGNED_NEW", "};", "struct Point : public _Point {};"
+        ),
+        {("member", "type_changed", "signal", "signal")},
+    ),
+    "a comment announces the end": (
+        _class("void stop();", "void halt();"),
+        _class("/// deprecated: use halt()", "void stop();", "void halt();"),
+        {("method", "deprecated", "stop", "halt")},
+    ),
+    "a header announces its end": (
+        {"arm/include/arm/old.h": "#pragma once\n", "arm/include/arm/old.hpp": "#pragma once\n"},
+        {"arm/include/arm/old.h": "#pragma once\n#warning This is obsolete, please include arm/old.hpp instead\n"},
+        {("file", "deprecated", "arm/old.h", "arm/old.hpp")},
+    ),
+}
+
+
+@pytest.mark.parametrize("case", HEADERS)
+def test_headers(told, case: str) -> None:  # type: ignore[no-untyped-def]
+    """Each way in which a public symbol changes is one change of its kind."""
+    old, new, expected = HEADERS[case]
+    assert expected <= told(old, new)
+
+
+def test_parameters_that_share_a_helper_are_told_apart(told) -> None:  # type: ignore[no-untyped-def]
+    """The line of a helper says nothing of the parameters of the packages that use it."""
+    user = node('util::declare(this, "transform_tolerance", 0.1);', 'util::declare(this, "rate", 1.0);')
+    less = node('util::declare(this, "rate", 1.0);')
+    other = {"leg/package.xml": package("leg"), "leg/src/leg.cpp": user.replace("Arm", "Leg").replace("arm", "leg")}
+    old = {"arm/include/util/helper.hpp": HELPER, "arm/src/arm.cpp": user, "arm/CMakeLists.txt": CMAKE, **other}
+    found = told(old, {"arm/src/arm.cpp": less})
+    assert ("parameter", "removed", "transform_tolerance", None) in found
+
+
+def test_a_common_word_makes_no_rename(told) -> None:  # type: ignore[no-untyped-def]
+    """`use_interpolation` and `use_cancel_deceleration` share the word `use`, which says nothing."""
+    old = {"arm/CMakeLists.txt": CMAKE, "arm/src/arm.cpp": node('declare_parameter("use_interpolation", true);')}
+    new = {"arm/src/arm.cpp": node('declare_parameter("use_cancel_deceleration", false);')}
+    assert ("parameter", "removed", "use_interpolation", None) in told(old, new)
+
+
+def test_a_description_announces_the_end(told) -> None:  # type: ignore[no-untyped-def]
+    """Generated parameters say in their description that they will go, and what to use."""
+    yaml = 'arm:\n  front: {{type: bool, default_value: true, description: "{}"}}\n'
+    yaml += "  side: {{type: bool, default_value: true}}\n"
+    sources = {
+        "arm/CMakeLists.txt": f"{CMAKE}generate_parameter_library(arm_parameters src/arm.yaml)\n",
+        "arm/src/arm.cpp": node("param_listener_ = std::make_shared<arm::ParamListener>(this);").replace(
+            "#include <rclcpp", "#include <arm/arm_parameters.hpp>\n#include <rclcpp", 1
+        ),
+    }
+    found = told(
+        {**sources, "arm/src/arm.yaml": yaml.format("Front.")},
+        {"arm/src/arm.yaml": yaml.format("DEPRECATED: use side")},
+    )
+    assert ("parameter", "deprecated", "front", "side") in found
+
+
+def test_the_output_name_of_a_target_is_the_executable(told) -> None:  # type: ignore[no-untyped-def]
+    """`ros2 run` knows the file that is built, not the target."""
+    old = {
+        "arm/CMakeLists.txt": f"{CMAKE}set_target_properties(arm PROPERTIES OUTPUT_NAME arm_driver)\n",
+        "arm/src/arm.cpp": node(),
+    }
+    assert ("executable", "removed", "arm_driver", None) in told(old, {"arm/CMakeLists.txt": "project(arm)\n"})
+
+
+def test_a_package_moves_with_most_of_its_files(told) -> None:  # type: ignore[no-untyped-def]
+    """A package whose files went to the folder of a new package has its name."""
+    files = {f"src/part{number}.cpp": f"int part{number}() {{ return {number}; }}\n" * 5 for number in range(4)}
+    old: Files = {
+        "nav_recoveries/package.xml": package("nav_recoveries"),
+        **{f"nav_recoveries/{p}": t for p, t in files.items()},
+    }
+    new: Files = {
+        "nav_behaviors/package.xml": package("nav_behaviors"),
+        **{f"nav_behaviors/{p}": t for p, t in files.items()},
+    }
+    assert ("package", "renamed", "nav_recoveries", "nav_behaviors") in told(old, {**dict.fromkeys(old), **new})
+
+
+LAUNCH = """from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+def generate_launch_description():
+    return LaunchDescription([
+        DeclareLaunchArgument("use_fake_hardware", default_value="false"),
+        DeclareLaunchArgument("rate", default_value="10"),
+        DeclareLaunchArgument("speed", default_value="1"),
+    ])
+"""
+
+
+def test_launch_arguments(told) -> None:  # type: ignore[no-untyped-def]
+    """An argument is renamed, has another default, or must be given from now on."""
+    changed = LAUNCH.replace("fake", "mock").replace('"10"', '"20"').replace('"speed", default_value="1"', '"speed"')
+    changed = changed.replace("    ])", '        DeclareLaunchArgument("robot_ip"),\n    ])')
+    found = told({"arm/launch/arm.launch.py": LAUNCH}, {"arm/launch/arm.launch.py": changed})
+    assert found == {
+        ("launch_argument", "renamed", "use_fake_hardware", "use_mock_hardware"),
+        ("launch_argument", "default_changed", "rate", "rate"),
+        ("launch_argument", "default_changed", "speed", "speed"),
+        ("launch_argument", "added", None, "robot_ip"),
+    }
+
+
+def test_a_launch_file_takes_its_arguments_along(told) -> None:  # type: ignore[no-untyped-def]
+    """A file that goes is one change; one that is renamed keeps its arguments."""
+    old: Files = {"arm/launch/arm.launch.py": LAUNCH, "arm/launch/view.launch.py": LAUNCH.replace('"rate"', '"fps"')}
+    new: Files = {
+        "arm/launch/arm.launch.py": None,
+        "arm/launch/arm_bringup.launch.py": LAUNCH,
+        "arm/launch/view.launch.py": None,
+    }
+    assert told(old, new) == {
+        ("launch_file", "renamed", "arm.launch.py", "arm_bringup.launch.py"),
+        ("launch_file", "removed", "view.launch.py", None),
+    }
+
+
+TREE_NODE = """#include "behaviortree_cpp/bt_factory.h"
+namespace arm {
+class Wait : public BT::SyncActionNode {
+public:
+  static BT::PortsList providedPorts() {
+    return {BT::InputPort<int>("wait_duration", 1, "seconds"), BT::InputPort<std::string>("frame", "frame")};
+  }
+};
+}
+BT_REGISTER_NODES(factory)
+{
+  factory.registerNodeType<arm::Wait>("Wait");
+}
+"""
+
+
+def test_behaviour_tree_nodes_and_ports(told) -> None:  # type: ignore[no-untyped-def]
+    """The names that behaviour tree files use: a port of another type, one that is gone, a node of another name."""
+    ports = TREE_NODE.replace("InputPort<int>", "InputPort<double>").replace(
+        ', BT::InputPort<std::string>("frame", "frame")', ""
+    )
+    assert told({"arm/src/wait.cpp": TREE_NODE}, {"arm/src/wait.cpp": ports}) >= {
+        ("bt_port", "type_changed", "wait_duration", "wait_duration"),
+        ("bt_port", "removed", "frame", None),
+    }
