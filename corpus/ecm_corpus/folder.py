@@ -4,7 +4,11 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import msgspec
+
 from ecm_corpus.interface import InterfaceCase, read_interface
+from ecm_corpus.narrative import Narrative, read_narrative
+from ecm_corpus.results import Results
 from ecm_extract.errors import InputError
 
 
@@ -37,3 +41,25 @@ def interface_of(case: str, folder: Path) -> InterfaceCase:
 def interfaces(folder: Path) -> list[InterfaceCase]:
     """The interface parts of all cases, by id."""
     return [read_interface(path) for path in sorted((folder / "cases" / "interface").glob("*.yaml"))]
+
+
+def narratives(folder: Path) -> dict[str, Narrative]:
+    """The narrative parts of all cases, by id. A blind run must not call this."""
+    found = [read_narrative(path) for path in sorted((folder / "cases" / "narrative").glob("*.yaml"))]
+    return {narrative.case: narrative for narrative in found}
+
+
+def read_results(path: Path) -> Results:
+    """Results of a blind run.
+
+    Raises:
+        InputError: the file cannot be read, or is something else.
+    """
+    try:
+        return msgspec.json.decode(path.read_bytes(), type=Results)
+    except OSError as error:
+        message = f"cannot read {path}: {error.strerror}"
+        raise InputError(message, "ecm-extract blind --all --clones DIR -o corpus writes it") from error
+    except (msgspec.DecodeError, RecursionError) as error:
+        message = f"{path}: {error}"
+        raise InputError(message, "results are what `ecm-extract blind` writes") from error

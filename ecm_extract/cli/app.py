@@ -13,14 +13,19 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from importlib import import_module
 from pathlib import Path
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import click
 
 from ecm_extract.cli import commands
 
+if TYPE_CHECKING:
+    from importlib.metadata import EntryPoints
+
 PROGRAM: Final = "ecm-extract"
 DEFAULT_COMMAND: Final = "extract"
+PLUGINS: Final = "ecm_extract.commands"
+"""Group of entry points whose objects are click commands, called as the entry point is."""
 
 _EPILOG: Final = """\b
 Examples:
@@ -46,16 +51,20 @@ class App(click.Group):
     """A group whose first argument may be the path of a tree: then the command is `extract`."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:
-        """Names of the commands, sorted."""
-        return sorted(found.name.replace("_", "-") for found in pkgutil.iter_modules(commands.__path__))
+        """Names of the commands, sorted: ours and those of plugins."""
+        return sorted({*_own_commands(), *(entry.name for entry in _plugin_commands())})
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        """The command of a name; None when there is none."""
-        if cmd_name not in self.list_commands(ctx):
-            return None
-        module = import_module(f"{commands.__name__}.{cmd_name.replace('-', '_')}")
-        command: click.Command = module.command
-        return command
+        """The command of a name; None when there is none. Ours win over those of plugins."""
+        if cmd_name in _own_commands():
+            module = import_module(f"{commands.__name__}.{cmd_name.replace('-', '_')}")
+            command: click.Command = module.command
+            return command
+        for entry in _plugin_commands():
+            if entry.name == cmd_name:
+                loaded: click.Command = entry.load()
+                return loaded
+        return None
 
     def make_context(
         self, info_name: str | None, args: list[str], parent: click.Context | None = None, **extra: Any
@@ -85,6 +94,17 @@ class App(click.Group):
         if close and not Path(argument).exists():
             message = f"{argument!r} is neither a command nor a path; did you mean {close[0]!r}?"
             raise click.UsageError(message, ctx)
+
+
+def _own_commands() -> list[str]:
+    return [found.name.replace("_", "-") for found in pkgutil.iter_modules(commands.__path__)]
+
+
+def _plugin_commands() -> EntryPoints:
+    """Commands that installed packages bring, the evaluation of the corpus among them."""
+    from importlib.metadata import entry_points
+
+    return entry_points(group=PLUGINS)
 
 
 def _print_version(ctx: click.Context, _parameter: click.Parameter, wanted: bool) -> None:

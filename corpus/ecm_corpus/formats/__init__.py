@@ -1,0 +1,1 @@
+"""The score in words, as data, and as a plot."""
