@@ -10,7 +10,7 @@ PYTHON ?= $(shell for each in python3 python3.14 python3.13 python3.12 python3.1
 PIP := $(BIN)/python -m pip --disable-pip-version-check install --quiet
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test check format schemas clean
+.PHONY: help demo test check format schemas corpus clean
 
 help: ## Show this list.
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)/  make \1\t\2/p' Makefile
@@ -35,6 +35,10 @@ format: $(VENV)/.dev ## Format the code and fix what lint can fix.
 
 schemas: $(VENV)/.dev ## Write golden files and JSON Schemas anew.
 	@$(BIN)/python -m pytest --update-golden
+
+corpus: $(VENV)/.run ## Judge the documented bugs anew: make corpus CLONES=DIR
+	@test -n "$(CLONES)" || { echo "Name the folder of the clones: make corpus CLONES=DIR" >&2; exit 2; }
+	@$(BIN)/ecm-extract blind --all --clones "$(CLONES)" -o corpus
 
 clean: ## Remove the environment and what was built.
 	rm -rf $(VENV) build
