@@ -33,6 +33,7 @@ from ecm_extract.tree import FileDiagnostic, Tree
 
 MAX_SYSTEMS = 80
 MAX_DESCRIPTIONS = 120
+_BURIED = frozenset({"graveyard", "attic", "obsolete"})
 
 
 class Workspace:
@@ -65,11 +66,12 @@ class Workspace:
 
     @cached_property
     def launches(self) -> Mapping[str, LaunchFile]:
-        """Launch files by path, test files left out."""
+        """Launch files by path; those of tests, and those that their authors have buried, are left out."""
         found = {}
         for package in self.packages:
             for entry in package.root.files:
-                if is_launch_file(entry.path) and not is_test_path(entry.path, package.root.path):
+                buried = not _BURIED.isdisjoint(entry.path.split("/")[:-1])
+                if is_launch_file(entry.path) and not buried and not is_test_path(entry.path, package.root.path):
                     data = self.files.read(entry.path)
                     parsed = read_launch(entry.path, data, package.ros) if data is not None else None
                     if parsed is not None and parsed.facts is not None:

@@ -25,7 +25,7 @@ RULE = LintRule(
 _USED = re.compile(
     rb"""\$\(find(?:-pkg-share|-pkg-prefix)?\s+(\w+)\s*\)|package://(\w+)/"""
     rb"""|(?:FindPackageShare|get_package_share_directory|get_package_share_path)\(\s*['"](\w+)['"]"""
-    rb"""|\bpkg\s*=\s*"(\w+)"|\bpackage\s*=\s*['"](\w+)['"]"""
+    rb"""|\bpkg\s*=\s*"(\w+)"|\bpackage\s*=\s*['"](\w+)['"]|\bargs\s*=\s*"\s*(?:load|standalone)\s+(\w+)/\w"""
 )
 _FILES = (".launch", ".launch.xml", ".launch.py", "_launch.py", ".xacro", ".urdf", ".launch.yaml")
 

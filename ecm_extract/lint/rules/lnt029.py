@@ -41,6 +41,9 @@ def check(workspace: Workspace) -> Iterator[Finding]:
         near = _elsewhere(names, providers)
         if near is not None:
             yield _finding(names[0], near, packages[place])
+            continue
+        for name, other in _lost(names, providers):
+            yield _finding(name, other, packages[place])
 
 
 def _elsewhere(names: list[Interface], providers: list[Interface]) -> Interface | None:
@@ -52,6 +55,17 @@ def _elsewhere(names: list[Interface], providers: list[Interface]) -> Interface 
     found = {each.name: each for each in providers if _last(each.name) == last}
     deep = all(len(_parts(name.name)) > 2 for name in names)
     return next(iter(found.values())) if deep and 0 < len(found) <= MAX_PROVIDERS and "{" not in last else None
+
+
+def _lost(names: list[Interface], providers: list[Interface]) -> Iterator[tuple[Interface, Interface]]:
+    """Of several names that a line chooses from, those that nothing offers while another one is offered."""
+    meant = [each for each in providers if any(_may_mean(name.name, each.name) for name in names)]
+    free = [each for each in providers if each not in meant]
+    for name in names if meant and len(names) > 1 else ():
+        lost = name.confidence != "pattern" and not any(_may_mean(name.name, each.name) for each in meant)
+        near = _elsewhere([name], free) if lost else None
+        if near is not None:
+            yield name, near
 
 
 def _may_mean(used: str, offered: str) -> bool:

@@ -1,0 +1,53 @@
+"""LNT045: a launch file names a topic of a node by a path where nothing starts that node."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ecm_checker.finding import Entity, Finding
+
+from ecm_extract.lint.rule import LintRule
+from ecm_extract.lint.workspace import Workspace, evidence_of
+from ecm_extract.system.model import Instance, Remapping
+
+RULE = LintRule(
+    id="LNT045",
+    name="node_in_other_namespace",
+    dimension="signature",
+    severity="warning",
+    who="graph",
+    consequence="the two sides never meet, without an error",
+    resolution="put both into one namespace, or name the whole path",
+)
+
+
+def check(workspace: Workspace) -> Iterator[Finding]:
+    """Report absolute remap targets whose first part is a node that is started in namespaces only."""
+    instances = [node.instance for system in workspace.systems for node in system.nodes]
+    places: dict[str, list[Instance]] = {}
+    for instance in instances:
+        if instance.full_name and "{" not in instance.full_name:
+            places.setdefault(instance.full_name.rpartition("/")[2], []).append(instance)
+    roots = {instance.full_name.split("/")[1] for instance in instances if instance.full_name}
+    seen = set()
+    for instance in instances:
+        for remap in instance.remaps:
+            name = _first(remap)
+            others = places.get(name, [])
+            if name and name not in roots and others and remap not in seen:
+                seen.add(remap)
+                yield _finding(remap, name, others[0], workspace)
+
+
+def _first(remap: Remapping) -> str:
+    """The first part of `/node/topic`."""
+    parts = remap.target.split("/")
+    return parts[1] if remap.target.startswith("/") and len(parts) > 2 and "{" not in remap.target else ""
+
+
+def _finding(remap: Remapping, name: str, other: Instance, workspace: Workspace) -> Finding:
+    text = f"{remap.target} is a name of the node /{name}, and only {other.full_name} is started"
+    package = workspace.package_of(remap.place.path)
+    evidence = [evidence_of(remap.place), evidence_of(other.place)]
+    entity = Entity("remap", remap.target, other.full_name or "")
+    return RULE.finding(text, entity, package, evidence, certainty="likely")
