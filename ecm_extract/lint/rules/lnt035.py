@@ -24,7 +24,48 @@ RULE = LintRule(
 )
 _KINDS = frozenset({"build", "build_export", "depend"})
 """Run-time dependencies are used by names that only the launch knows."""
-_UNREAD = (".md", ".rst", ".txt", ".png", ".jpg", ".stl", ".STL", ".dae", ".pdf", ".svg", ".bag", ".pgm", ".gif")
+_READ = frozenset(
+    {
+        "",
+        "h",
+        "hh",
+        "hpp",
+        "hxx",
+        "c",
+        "cc",
+        "cpp",
+        "cxx",
+        "ipp",
+        "tpp",
+        "inl",
+        "cu",
+        "cuh",
+        "py",
+        "pyx",
+        "pyi",
+        "sh",
+        "js",
+    }
+    | {
+        "msg",
+        "srv",
+        "action",
+        "idl",
+        "cfg",
+        "yaml",
+        "yml",
+        "json",
+        "toml",
+        "xml",
+        "launch",
+        "test",
+        "urdf",
+        "xacro",
+        "srdf",
+    }
+    | {"sdf", "world", "rviz", "perspective", "ui", "in", "em", "cmake", "ini", "repos"}
+)
+"""Suffixes of files that can use a package; lists in CMakeLists.txt and prose are no use."""
 _GENERATORS = re.compile(r"gener|cmake|_runtime$|_default_|_common$|^ament|^rosidl|^catkin|^ros_|^roslaunch$")
 _INCLUDE = re.compile(rb"#\s*include\s*[<\"]([^>\"\n]+/[^>\"\n]+)[>\"]")
 MAX_BYTES = 2_000_000
@@ -67,7 +108,8 @@ def _used(
     words = re.compile(rb"\b(" + b"|".join(re.escape(name.encode()) for name in sorted(names)) + rb")\b")
     included: set[str] = set()
     for entry in package.root.files:
-        if entry.path != package.root.manifest and not entry.path.endswith(_UNREAD) and (entry.size or 0) < MAX_BYTES:
+        suffix = entry.path.rpartition("/")[2].partition(".")[2].rpartition(".")[2]
+        if entry.path != package.root.manifest and suffix in _READ and (entry.size or 0) < MAX_BYTES:
             data = workspace.files.read(entry.path) or b""
             found |= {match.decode() for match in words.findall(data)}
             included |= {f"/{match.decode('utf-8', 'replace')}" for match in _INCLUDE.findall(data)}
