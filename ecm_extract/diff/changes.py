@@ -59,7 +59,7 @@ def _of_pair(pair: Pair, gone: Names, fresh: Names) -> Iterator[Located]:
         for effect in EFFECTS:
             for difference in effect(pair.old, pair.new, pair):
                 yield Located(_record(pair, difference), pair)
-    elif pair.old is not None and not _is_covered(pair.old, gone):
+    elif pair.old is not None and not _is_covered(pair.old, gone) and not _is_implicit(pair.old):
         yield Located(_record(pair, _removal(pair.old)), pair)
     elif pair.new is not None and not _is_covered(pair.new, fresh):
         why = added_breaks(pair.new)
@@ -71,6 +71,12 @@ def _is_covered(entity: PublicEntity, containers: Names) -> bool:
     package = ("package", entity.package, "", entity.package)
     owners = {(kind, entity.package, "", entity.owner) for kind in CONTAINERS}
     return (entity.kind != "package" and package in containers) or not owners.isdisjoint(containers)
+
+
+def _is_implicit(entity: PublicEntity) -> bool:
+    """Whether a class has a constructor without being told: its only ones took no argument, and none replaced them."""
+    is_constructor = entity.kind == "method" and entity.owner.rsplit("::", 1)[-1] == entity.name
+    return is_constructor and all(not form.types for form in entity.forms)
 
 
 def _removal(entity: PublicEntity) -> Difference:
@@ -133,8 +139,8 @@ def _with_wire(located: Located, old: Side, new: Side) -> Located:
     """Add to a change of an interface what its users see at run time."""
     change, pair = located.change, located.pair
     kinds = {"message_field"} if change.change in {"removed", "added"} else _ON_WIRE
-    if change.kind not in kinds:
-        return located
+    if change.kind not in kinds or (change.kind == "constant" and pair.old is not None and pair.old.ros == 2):
+        return located  # the hash of ROS 2 covers no constants
     entity = pair.old or pair.new
     after = pair.new or pair.old
     if entity is None or after is None or not change.breaking:

@@ -5,7 +5,7 @@ Each takes a pair and yields the differences that it knows; `changes.py` makes r
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import Final
 
 import msgspec
@@ -129,7 +129,7 @@ def signature_changed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Itera
     """A call or an override that was right no longer is; an overload that went takes its users with it."""
     if not old.forms or not new.forms or pair.how == "renamed":
         return
-    lost = [form for form in old.forms if not any(accepts(other, form) for other in new.forms)]
+    lost = [form for form in old.forms if not is_answered(form, new.forms)]
     if lost:
         shown_old = " | ".join(form.text for form in lost)
         shown_new = " | ".join(form.text for form in new.forms)
@@ -140,6 +140,21 @@ def signature_changed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Itera
     if fresh and not new.deprecated:
         others = " | ".join(form.text for form in new.forms if not form.deprecated)
         yield Difference("deprecated", False, f"{fresh[0].text} is marked deprecated; use {others}"[:400])
+
+
+def is_answered(form: Form, news: Iterable[Form]) -> bool:
+    """Whether each call that was right, however many optional arguments it gives, is right with a new form."""
+    after = tuple(news)
+    if any(accepts(other, form) for other in after):
+        return True
+    if form.virtual:
+        return False
+    calls = (_with_arguments(form, count) for count in range(form.required, len(form.types) + 1))
+    return all(any(accepts(other, call) for other in after) for call in calls)
+
+
+def _with_arguments(form: Form, count: int) -> Form:
+    return msgspec.structs.replace(form, types=form.types[:count], names=form.names[:count], required=count)
 
 
 def accepts(new: Form, old: Form) -> bool:

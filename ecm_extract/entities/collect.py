@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 
+import msgspec
+
 from ecm_extract.entities.announced import announced
 from ecm_extract.entities.bt_nodes import bt_entities
 from ecm_extract.entities.cpp import cpp_entities
@@ -31,8 +33,18 @@ def public_entities(
     found: dict[Key, PublicEntity] = {}
     placed = announced(tree, packages, at_their_names(every))
     for entity in sorted(placed, key=lambda e: (e.package, e.path, e.line)):
-        found.setdefault(entity.key, entity)
+        known = found.get(entity.key)
+        found[entity.key] = entity if known is None else _joined(known, entity)
     return _at_home(found, packages)
+
+
+def _joined(first: PublicEntity, other: PublicEntity) -> PublicEntity:
+    """The first of two with one key; overloads that stand in several headers are all its forms."""
+    if not first.forms or not other.forms or first.path == other.path:
+        return first
+    forms = {(form.types, form.returns): form for form in (*other.forms, *first.forms)}
+    ordered = tuple(sorted(forms.values(), key=lambda form: (form.types, form.returns)))
+    return msgspec.structs.replace(first, forms=ordered)
 
 
 def _at_home(found: dict[Key, PublicEntity], packages: Sequence[PackageFacts]) -> dict[Key, PublicEntity]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import defaultdict
 from collections.abc import Iterable, Iterator
 
@@ -15,6 +16,8 @@ from ecm_extract.entities.signatures import form_of, normal_type
 from ecm_extract.link.program import plain
 from ecm_extract.read.facts import PackageFacts
 
+_MACRO = re.compile(r"[A-Z][A-Z0-9]*(?:_[A-Z0-9]+){2,}")
+"""`SMART_PTR_DEFINITIONS(Name)` looks like a member of that type."""
 _CLOSED = frozenset({"private", "anonymous", "deleted"})
 
 
@@ -71,7 +74,8 @@ class _Header:
             line=entry.line,
         )
         for field in (*entry.fields, *self._hidden_fields(entry)):
-            if {"private", "protected", "static"}.isdisjoint(field.traits) and not field.name.startswith("_"):
+            hidden = not {"private", "protected", "static"}.isdisjoint(field.traits) or field.name.startswith("_")
+            if not hidden and not _MACRO.fullmatch(field.type):
                 yield PublicEntity(
                     kind="member",
                     package=self.package,

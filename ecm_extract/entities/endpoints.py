@@ -39,6 +39,8 @@ def endpoint_entities(tree: Tree, facts: PackageFacts, modules: Sequence[LinkedM
             if found is None:
                 continue
             if found.path.endswith(".cfg"):
+                if facts.ros == 2:
+                    continue  # dynamic_reconfigure is of ROS 1: a port left the file behind
                 found = _below(found, namespaces.get(found.path, "~"))
             mark = (found.kind, found.facet, found.name, found.path, found.line)
             if mark not in seen:
@@ -59,6 +61,7 @@ def _entity(
         kind=kind,
         package=facts.name,
         owner=module.module.name,
+        node=module.node,
         name=name,
         facet=_FACETS.get(entry.role, ""),
         type=entry.type,

@@ -57,6 +57,7 @@ class PublicEntity(msgspec.Struct, frozen=True, kw_only=True):
         qos: of a topic. ros: 1, 2 or None.
         deprecated: what its own source says about its end; None when it is not deprecated.
         path, line: where it is declared.
+        node: name of the node that has an endpoint; None where no source says it.
         chain: the calls from the module to the one that makes it; more than one when a wrapper or library does.
     """
 
@@ -67,6 +68,7 @@ class PublicEntity(msgspec.Struct, frozen=True, kw_only=True):
     path: str
     line: int
     facet: str = ""
+    node: str | None = None
     chain: tuple[Line, ...] = ()
     type: str | None = None
     default: Any = None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import msgspec
 from ecm_parsers.source.expr import Number, Text
 from ecm_parsers.source.facts import Function, SourceFile
 
@@ -57,6 +58,8 @@ def _function(package: str, path: str, dotted: str, function: Function, classes:
     if function.scope and not is_method:
         return
     form = form_of(function, virtual=False)
+    # annotations bind nobody: only the names and the number of parameters count
+    form = msgspec.structs.replace(form, types=("",) * len(form.names), returns="")
     yield PublicEntity(
         kind="method" if is_method else "function",
         package=package,

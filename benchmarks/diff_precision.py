@@ -1,0 +1,116 @@
+"""Judged breaking changes: `python benchmarks/diff_precision.py [FILE...]`; `--sample SEED --clones DIR` draws some.
+
+Each file of benchmarks/diff_precision is one sample over the comparisons of `diff_precision/comparisons.toml`: breaking
+changes that `diff` reported, each read in the sources of both refs and judged. Printed is the share that is true, by
+kind and change, with a line for each false one. Status 1 when the share of the newest sample is below the figure.
+"""
+
+from __future__ import annotations
+
+import argparse
+import random
+import sys
+import tomllib
+from collections import defaultdict
+from pathlib import Path
+from typing import Literal
+
+import msgspec
+from comparisons import Change, changes_between
+
+FOLDER = Path(__file__).parent / "diff_precision"
+FIGURE = 0.90
+COUNT = 100
+
+
+class Judgement(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """One reported change; `verdict` tells whether the sources of both refs bear it out, `reason` why."""
+
+    project: str
+    refs: tuple[str, str]
+    kind: str
+    change: str
+    package: str
+    owner: str
+    old: str | None
+    new: str | None
+    verdict: Literal["true", "false", ""]
+    reason: str
+
+
+class Sample(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """The changes that a seed drew; `note` tells of which state of the program they are."""
+
+    seed: int
+    note: str
+    judged: tuple[Judgement, ...]
+
+
+def drawn(seed: int, clones: Path, saved: Path | None) -> Sample:
+    """Draw breaking changes at random, the same number from each comparison as far as it has them."""
+    chosen = random.Random(seed)
+    pools = {pair: _breaking(pair, clones, saved) for pair in _comparisons(seed)}
+    for pool in pools.values():
+        chosen.shuffle(pool)
+    found: list[Judgement] = []
+    while len(found) < COUNT and any(pools.values()):
+        for (project, old, new), pool in pools.items():
+            if pool and len(found) < COUNT:
+                found.append(_unjudged(project, (old, new), pool.pop()))
+    return Sample(seed, "", tuple(found))
+
+
+def _comparisons(seed: int) -> list[tuple[str, str, str]]:
+    data = tomllib.loads((FOLDER / "comparisons.toml").read_text("utf-8"))
+    return [(project, old, new) for project, pairs in data[f"seed_{seed}"].items() for old, new in pairs]
+
+
+def _breaking(pair: tuple[str, str, str], clones: Path, saved: Path | None) -> list[Change]:
+    project, old, new = pair
+    changes = changes_between(clones / f"{project}.git", old, new, saved)
+    return sorted((each for each in changes if each.breaking), key=lambda each: (each.kind, each.owner, str(each.old)))
+
+
+def _unjudged(project: str, refs: tuple[str, str], each: Change) -> Judgement:
+    return Judgement(
+        project, refs, each.kind, each.change, each.package, each.owner, each.old, each.new, verdict="", reason=""
+    )
+
+
+def report(sample: Sample) -> float:
+    """Print the share of true changes and return it."""
+    groups: dict[str, list[Judgement]] = defaultdict(list)
+    for entry in sample.judged:
+        groups[f"{entry.kind} {entry.change}"].append(entry)
+    true = sum(entry.verdict == "true" for entry in sample.judged)
+    share = true / max(1, len(sample.judged))
+    print(f"seed {sample.seed}: {true} of {len(sample.judged)} true ({share:.0%}); {sample.note}")
+    for name in sorted(groups):
+        entries = groups[name]
+        print(f"  {name:36} {sum(entry.verdict == 'true' for entry in entries):3} of {len(entries):3}")
+    for entry in sample.judged:
+        if entry.verdict != "true":
+            names = f"{entry.owner or entry.package} {entry.old or ''} -> {entry.new or ''}"
+            print(f"- {entry.verdict or 'not judged'}: {entry.project} {'..'.join(entry.refs)} {entry.kind} {names}")
+            print(f"    {entry.change}: {entry.reason}")
+    return share
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("file", nargs="*", type=Path, default=sorted(FOLDER.glob("*.yaml")))
+    parser.add_argument("--sample", type=int, metavar="SEED", help="print a new sample to judge, as YAML")
+    parser.add_argument("--clones", type=Path, help="folder with <project>.git, for a sample")
+    parser.add_argument("--saved", type=Path, help="folder that keeps the documents of the comparisons")
+    arguments = parser.parse_args()
+    if arguments.sample is not None:
+        if arguments.clones is None:
+            parser.error("--sample needs --clones")
+        sys.stdout.write(msgspec.yaml.encode(drawn(arguments.sample, arguments.clones, arguments.saved)).decode())
+        return
+    shares = [report(msgspec.yaml.decode(path.read_bytes(), type=Sample)) for path in arguments.file]
+    sys.exit(0 if shares and shares[-1] >= FIGURE else 1)
+
+
+if __name__ == "__main__":
+    main()
