@@ -11,6 +11,7 @@ from ecm_checker.rule import Rule
 from ecm_extract.errors import InputError
 from ecm_extract.lint.catalogue import catalogue as lint_rules
 from ecm_extract.lint.rule import LintRule
+from ecm_extract.uses.findings import RULE as BREAK
 
 _INSTALLED = Path(sys.prefix) / "share" / "ecm-extract" / "rules"
 _BESIDE = Path(__file__).parent.parent / "docs" / "rules"
@@ -29,7 +30,7 @@ def page_of(rule: str) -> str:
     Raises:
         InputError: there is no such rule.
     """
-    if rule not in {entry.id for entry in every_rule()}:
+    if rule not in {BREAK, *(entry.id for entry in every_rule())}:
         message = f"there is no rule {rule}"
         raise InputError(message, "`ecm-extract rules` lists them")
     pages = (folder / f"{rule}.md" for folder in (_BESIDE, _INSTALLED))

@@ -67,6 +67,8 @@ def type_changed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[D
         return
     if old.kind == "plugin" and _tail(old.type) == _tail(new.type):
         return
+    if old.type.partition("/")[0] == old.package and new.type == old.type.replace(old.package, new.package, 1):
+        return  # a type of its own package, which has another name now
     reason = f"type {old.type} became {new.type}"
     widened = old.kind == "parameter" and (old.type, new.type) == ("integer", "double")
     yield Difference("type_changed", True, reason + (" and YAML integers are refused" if widened else ""))
@@ -165,8 +167,14 @@ def accepts(new: Form, old: Form) -> bool:
     if new.required > old.required or len(new.types) < count or new.returns != old.returns:
         return False
     if any(new.types[:count]) or any(old.types):
-        return new.types[:count] == old.types
+        return all(_takes(after, before) for after, before in zip(new.types, old.types, strict=False))
     return new.names[:count] == old.names
+
+
+def _takes(new: str, old: str) -> bool:
+    """Whether whatever fits the old type of a parameter fits the new one: `T&`, `T`, `const T&` fit `const T&`."""
+    bare = old.removeprefix("const ").removesuffix("&")
+    return new in {old, f"const {bare}&"} or (new == bare and not bare.endswith("&"))
 
 
 EFFECTS: Final[tuple[Effect, ...]] = (

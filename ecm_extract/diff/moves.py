@@ -51,10 +51,12 @@ def _is_unmoved(
     same_module: Callable[[PublicEntity, PublicEntity], bool],
 ) -> bool:
     """Whether only our view of the owner changed: the declaration stands where it stood."""
-    if old.kind not in _ENDPOINTS or old.package != new.package or not _same_file(old, new, files):
+    if old.kind not in _ENDPOINTS or old.package != new.package:
         return False
-    if old.kind == "parameter" and None in (old.node, new.node):
-        return True  # its owner goes by the name of a class or file, which no user writes
+    if None in (old.node, new.node) or new.owner in old.sharers or old.owner in new.sharers:
+        return True  # an owner without a node goes by the name of a class or file, which no user writes
+    if not _same_file(old, new, files):
+        return False
     return same_module(old, new) or old.name.startswith(HOLE) or old.kind != "parameter"
 
 

@@ -20,6 +20,7 @@ _LEAST_NAME = 0.5
 _NAME, _SHAPE, _PLACE = 0.5, 0.25, 0.25
 _WRITTEN = 0.12
 _SURE_NAME = 0.85
+_SURE_ALONE = 0.8
 _SURE_LIBRARY = 0.68
 """Every library of a package stands in the one CMakeLists.txt, so only its name can tell."""
 _GENERIC = frozenset(
@@ -36,6 +37,8 @@ def score(
     place, where = _place(old, new, files)
     if not may_be_alike(old, new) and place < 1:
         return None
+    if old.kind == "constant" and old.default != new.default and None not in (old.default, new.default):
+        return None  # the number is what a constant means
     name = name_similarity(old.name, new.name)
     shape = shape_equal(old, new)
     total = _NAME * name + _SHAPE * shape + _PLACE * place
@@ -46,6 +49,8 @@ def score(
     if name < _SURE_NAME and not (words(old.name) & words(new.name)) - _GENERIC:
         return None
     written = history.mentions(old.name, new.name) if history is not None else None
+    if not written and place < 1 and shape < 1 and name < _SURE_ALONE:
+        return None
     if written:
         total += _WRITTEN
     if total < _THRESHOLD:

@@ -9,6 +9,7 @@ from ecm_parsers.source.facts import Function, SourceFile
 
 from ecm_extract.entities.model import Line, PublicEntity
 from ecm_extract.entities.signatures import normal_type
+from ecm_extract.link.program import plain
 from ecm_extract.link.walk import dotted, expressions
 from ecm_extract.read.facts import PackageFacts
 
@@ -24,6 +25,8 @@ _REGISTERS = frozenset(
 _PORTS = frozenset({"InputPort", "OutputPort", "BidirectionalPort"})
 _LISTS_PORTS = "providedPorts"
 """Static method in which BehaviorTree.CPP asks a node class for its ports."""
+_ADDS_PORTS = "providedBasicPorts"
+"""What base classes by custom add to the ports of a node."""
 Port = tuple[Call, Text, Line]
 
 
@@ -41,14 +44,25 @@ def bt_entities(facts: PackageFacts) -> Iterator[PublicEntity]:
 
 
 def _ports_by_class(facts: PackageFacts) -> dict[str, list[Port]]:
-    """The calls that make ports, by the own name of the class that lists them."""
+    """The calls that make ports, by the own name of the class that lists them; those of its bases included."""
+    listed, added = _listed(facts, _LISTS_PORTS), _listed(facts, _ADDS_PORTS)
+    bases = {
+        cls.name: [plain(base) for base in cls.bases] for source in facts.sources.values() for cls in source.classes
+    }
+    return {
+        name: [*ports, *(port for base in bases.get(name, ()) for port in added.get(base.rsplit("::", 1)[-1], ()))]
+        for name, ports in listed.items()
+    }
+
+
+def _listed(facts: PackageFacts, method: str) -> dict[str, list[Port]]:
     found: dict[str, list[Port]] = {}
     for path, source in facts.sources.items():
         for function in source.functions:
-            if function.name == _LISTS_PORTS and function.body:
+            if function.name == method and function.body:
                 calls = _named_calls_of(function, _PORTS)
-                listed = [(call, name, (path, call.line or function.line)) for call, name in calls]
-                found.setdefault(function.scope.rsplit("::", 1)[-1], listed)
+                ports = [(call, name, (path, call.line or function.line)) for call, name in calls]
+                found.setdefault(function.scope.rsplit("::", 1)[-1], ports)
     return found
 
 

@@ -32,7 +32,7 @@ def endpoint_entities(tree: Tree, facts: PackageFacts, modules: Sequence[LinkedM
     paths = {at.path for module in modules for entry in module.interfaces for at in entry.evidence[:1]}
     deprecated = deprecated_names(tree, paths & set(facts.sources))
     namespaces = server_namespaces(facts)
-    seen: set[tuple[str, str, str, str, int]] = set()
+    shared: dict[tuple[str, str, str, str, int], PublicEntity] = {}
     for module in modules:
         for entry in module.interfaces:
             found = _entity(facts, module, entry, deprecated)
@@ -43,9 +43,10 @@ def endpoint_entities(tree: Tree, facts: PackageFacts, modules: Sequence[LinkedM
                     continue  # dynamic_reconfigure is of ROS 1: a port left the file behind
                 found = _below(found, namespaces.get(found.path, "~"))
             mark = (found.kind, found.facet, found.name, found.path, found.line)
-            if mark not in seen:
-                seen.add(mark)
-                yield found
+            first = shared.setdefault(mark, found)
+            if first is not found:
+                shared[mark] = msgspec.structs.replace(first, sharers=(*first.sharers, found.owner))
+    yield from shared.values()
 
 
 def _entity(

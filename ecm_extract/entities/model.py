@@ -58,6 +58,7 @@ class PublicEntity(msgspec.Struct, frozen=True, kw_only=True):
         deprecated: what its own source says about its end; None when it is not deprecated.
         path, line: where it is declared.
         node: name of the node that has an endpoint; None where no source says it.
+        sharers: owners beside `owner` that have an endpoint by the same line.
         chain: the calls from the module to the one that makes it; more than one when a wrapper or library does.
     """
 
@@ -69,6 +70,7 @@ class PublicEntity(msgspec.Struct, frozen=True, kw_only=True):
     line: int
     facet: str = ""
     node: str | None = None
+    sharers: tuple[str, ...] = ()
     chain: tuple[Line, ...] = ()
     type: str | None = None
     default: Any = None

@@ -36,8 +36,9 @@ def _package(facts: PackageFacts) -> Iterator[PublicEntity]:
 
 
 def _targets(facts: PackageFacts) -> Iterator[PublicEntity]:
+    installs = [entry for file in facts.cmake.values() for entry in file.installs if entry.kind == "targets"]
+    installed = {item for entry in installs for item in entry.items}
     for path, file in facts.cmake.items():
-        installed = {item for entry in file.installs if entry.kind == "targets" for item in entry.items}
         for target in file.targets:
             if target.kind not in {"executable", "library"} or target.is_test or "$" in target.name:
                 continue

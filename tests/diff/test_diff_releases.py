@@ -208,3 +208,9 @@ def test_behaviour_tree_nodes_and_ports(told) -> None:  # type: ignore[no-untype
         ("bt_port", "type_changed", "wait_duration", "wait_duration"),
         ("bt_port", "removed", "frame", None),
     }
+
+
+def test_the_finding_of_a_diff_has_a_page(capsys: pytest.CaptureFixture[str]) -> None:
+    """`explain` prints it like that of any other rule."""
+    assert run(["explain", "VER001"]) == 0
+    assert capsys.readouterr().out.startswith("# VER001 field_break")
