@@ -9,6 +9,7 @@ import msgspec
 from ecm_extract.entities.side import Workspace
 from ecm_extract.uses.endpoints import endpoint_uses
 from ecm_extract.uses.fields import field_uses
+from ecm_extract.uses.includes import include_uses
 from ecm_extract.uses.index import GONE, ChangeIndex
 from ecm_extract.uses.launch import is_kept_alive, launch_uses, remaps_of
 from ecm_extract.uses.model import Use
@@ -17,7 +18,7 @@ from ecm_extract.uses.parameters import parameter_uses
 from ecm_extract.uses.symbols import symbol_uses
 
 _BUILT = (".cpp", ".cc", ".cxx", ".c", ".h", ".hh", ".hpp", ".hxx", ".ipp", ".tpp")
-_MATCHERS = (endpoint_uses, parameter_uses, launch_uses, symbol_uses, override_uses, field_uses)
+_MATCHERS = (endpoint_uses, parameter_uses, launch_uses, include_uses, symbol_uses, override_uses, field_uses)
 
 
 def uses_of(workspace: Workspace, index: ChangeIndex, own: bool = False) -> Iterator[Use]:
@@ -45,6 +46,8 @@ def _is_forgotten(use: Use) -> bool:
     Its C++ was built with the change; a publisher that lost its listener in the same release is no accident.
     """
     entity = use.located.pair.old
+    if use.located.change.kind == "launch_argument":
+        return True
     if entity is None or use.located.change.change == "deprecated":
         return False
     if use.path.endswith(_BUILT):

@@ -33,6 +33,8 @@ _IGNORED: Final = {
     "action": "no error is shown: the client waits for ever for the server",
     "parameter": "no error is shown: the value is ignored and the default runs",
     "plugin": "the loader throws when the robot starts",
+    "launch_file": "the launch fails",
+    "launch_argument": "the value is ignored, or the launch fails",
     "message": "the import or include fails",
     "message_field": "the access fails when the line runs, or the build fails",
 }
@@ -90,13 +92,14 @@ def _message(change: Change, readers: list[Use]) -> str:
     if change.change == "deprecated":
         return f"{kind} {change.old}{of} in {change.package} is deprecated: {first}. It still works in this release."
     happened = {
+        "added": f"is new: {change.reason}",
         "removed": "is gone",
         "renamed": f"is now {change.new}",
         "moved": f"is now {change.new}",
         "type_changed": f"has another type: {change.reason}",
         "signature_changed": f"has another signature: {change.reason}",
     }.get(change.change, f"changed: {change.reason}")
-    told = f"{kind} {change.old}{of} in {change.package} {happened}: {first}."
+    told = f"{kind} {change.old or change.new}{of} in {change.package} {happened}: {first}."
     if all(use.remapped for use in readers):
         return f"{told} A remap in a launch file keeps the old name alive where it is used."
     return f"{told} If ignored, {ignored}."
@@ -109,6 +112,8 @@ def _resolution(change: Change) -> str:
         return f"follow the new form: {change.reason}"
     if change.change == "deprecated":
         return f"move to what its deprecation names: {change.reason}"
+    if change.kind == "launch_argument" and change.change in {"added", "default_changed"}:
+        return f"give {change.new} a value where the file is included"
     return f"stop using {change.old}; {change.reason}"
 
 

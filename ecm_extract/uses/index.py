@@ -25,8 +25,11 @@ class ChangeIndex:
         self.old, self.new = old, new
         self._by_kind: dict[str, list[Located]] = defaultdict(list)
         self._by_name: dict[tuple[str, str], list[Located]] = defaultdict(list)
+        self._added: dict[str, list[Located]] = defaultdict(list)
         for entry in located:
             entity = entry.pair.old
+            if entity is None and entry.change.breaking:
+                self._added[entry.change.kind].append(entry)
             if entity is None or not (entry.change.breaking or entry.change.change == "deprecated"):
                 continue
             if entry.pair.how != "same" and entry.change.change in _SECOND:
@@ -38,13 +41,17 @@ class ChangeIndex:
         """Return the changes of a kind of entity."""
         return self._by_kind.get(kind, ())
 
+    def additions(self, kind: str) -> Sequence[Located]:
+        """Return the additions of a kind that break who does not know of them."""
+        return self._added.get(kind, ())
+
     def named(self, kind: str, name: str) -> Sequence[Located]:
         """Return the changes of an entity by its old name."""
         return self._by_name.get((kind, name), ())
 
     def is_empty(self) -> bool:
         """Whether nothing can break."""
-        return not self._by_kind
+        return not self._by_kind and not self._added
 
     def offered(self, kind: str, facet: str) -> Iterable[PublicEntity]:
         """Return what the new side offers of a kind and facet."""

@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 
 import pytest
-from diff_repos import node, package, release
+from diff_repos import node, package, release, write
 
 from ecm_extract.cli.run import run
 
@@ -79,6 +79,45 @@ HEADERS = {
         {("file", "deprecated", "arm/old.h", "arm/old.hpp")},
     ),
 }
+
+
+QUIET = {
+    "an overload takes each call that was right": (
+        _class("Driver(const std::string & name, double * value = nullptr);"),
+        _class("Driver(const std::string & name, double * value);", "Driver(const std::string & name, int kind = 0);"),
+    ),
+    "a constant reference takes what was given": (
+        _class("void move(Pose & pose, Plan plan);"),
+        _class("void move(const Pose & pose, const Plan & plan);"),
+    ),
+    "a class has a constructor without being told": (_class("Driver();", "void stop();"), _class("void stop();")),
+    "a macro is no member": (_class("SMART_PTR_DEFINITIONS(Driver)", "void stop();"), _class("void stop();")),
+}
+
+
+@pytest.mark.parametrize("case", QUIET)
+def test_nobody_breaks(told, case: str) -> None:  # type: ignore[no-untyped-def]
+    """What callers need not notice is no change of a method."""
+    old, new = QUIET[case]
+    words = {word for kind, word, _, _ in told(old, new) if kind in {"method", "member"}}
+    assert not words & {"removed", "signature_changed", "renamed"}
+
+
+def test_annotations_change_no_signature(told) -> None:  # type: ignore[no-untyped-def]
+    """Python callers name and count arguments; nobody checks their types."""
+    files: Files = {
+        "arm/setup.py": "from setuptools import setup\nsetup(name='arm', packages=['arm'])\n",
+        "arm/arm/__init__.py": "",
+    }
+    old = {**files, "arm/arm/tool.py": "def warn(text):\n    pass\n"}
+    assert not told(old, {"arm/arm/tool.py": "def warn(text: str) -> None:\n    pass\n"})
+
+
+def test_a_constant_of_another_value_is_another_constant(told) -> None:  # type: ignore[no-untyped-def]
+    """Alike names of numbers say nothing when the numbers differ."""
+    old: Files = {"arm/msg/Frame.msg": "uint8 FRAME_VISION_NED=16\nuint8 frame\n"}
+    found = told(old, {"arm/msg/Frame.msg": "uint8 FRAME_RESERVED_NED=14\nuint8 frame\n"})
+    assert ("constant", "removed", "FRAME_VISION_NED", None) in found
 
 
 @pytest.mark.parametrize("case", HEADERS)
@@ -214,3 +253,31 @@ def test_the_finding_of_a_diff_has_a_page(capsys: pytest.CaptureFixture[str]) ->
     """`explain` prints it like that of any other rule."""
     assert run(["explain", "VER001"]) == 0
     assert capsys.readouterr().out.startswith("# VER001 field_break")
+
+
+def test_includes_that_break(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Who includes a file that is gone, gives an argument that has another name, or leaves out one that is needed."""
+    old: Files = {
+        "arm/package.xml": package("arm"),
+        "arm/launch/arm.launch.py": LAUNCH,
+        "arm/launch/view.launch.py": LAUNCH,
+    }
+    changed = LAUNCH.replace("fake", "mock").replace("    ])", '        DeclareLaunchArgument("robot_ip"),\n    ])')
+    release(tmp_path / "repo", old, "1.0.0")
+    release(tmp_path / "repo", {"arm/launch/arm.launch.py": changed, "arm/launch/view.launch.py": None}, "2.0.0")
+    lines = (
+        "<launch>",
+        '<include file="$(find-pkg-share arm)/launch/arm.launch.py">',
+        '<arg name="use_fake_hardware" value="true"/></include>',
+        '<include file="$(find-pkg-share arm)/launch/view.launch.py"/>',
+        "</launch>",
+    )
+    write(tmp_path / "user", {"package.xml": package("user"), "launch/user.launch.xml": "\n".join(lines)})
+    repo = ["--repo", str(tmp_path / "repo"), "--consumer", str(tmp_path / "user"), "--format", "json", "--no-cache"]
+    assert run(["diff", "1.0.0", "2.0.0", *repo]) == 1
+    found = json.loads(capsys.readouterr().out)["findings"]
+    assert {(each["evidence"][0]["line"], each["resolution"].split(";")[0]) for each in found} == {
+        (2, "write use_mock_hardware instead of use_fake_hardware"),
+        (2, "give robot_ip a value where the file is included"),
+        (4, "stop using view.launch.py"),
+    }
