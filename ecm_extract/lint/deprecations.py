@@ -71,14 +71,14 @@ def deprecations() -> Deprecations:
 
 def deprecated_in(package: PackageFacts, workspace: Workspace) -> Iterator[Deprecated]:
     """Yield the uses of a package, tests left out."""
-    files = workspace.files
-    for entry in package.root.files:
-        if is_test_path(entry.path, package.root.path):
-            continue
-        rows = [row for row in deprecations().text if _concerns(row, entry.path, package.ros)]
-        data = files.read(entry.path) if rows else None
-        if data:
-            yield from _lines(entry.path, _BLOCK.sub(_blank, data), rows)
+    rows = {
+        entry.path: found
+        for entry in package.root.files
+        if not is_test_path(entry.path, package.root.path)
+        and (found := [row for row in deprecations().text if _concerns(row, entry.path, package.ros)])
+    }
+    for path, data in workspace.tree.read_many(list(rows)):
+        yield from _lines(path, _BLOCK.sub(_blank, data), rows[path])
     for path, facts in package.sources.items():
         for found in facts.imports:
             for row in deprecations().imports:

@@ -107,14 +107,18 @@ def _used(
     found: set[str] = {"actionlib_msgs", "action_msgs"} if _has_actions(package) else set()
     words = re.compile(rb"\b(" + b"|".join(re.escape(name.encode()) for name in sorted(names)) + rb")\b")
     included: set[str] = set()
+    for _, data in workspace.tree.read_many(list(_read(package))):
+        found |= {match.decode() for match in words.findall(data)}
+        included |= {f"/{match.decode('utf-8', 'replace')}" for match in _INCLUDE.findall(data)}
+    ends = tuple(included)
+    return found | {name for name in names if any(f"/{path}".endswith(ends) for path in headers.get(name, ()))}
+
+
+def _read(package: PackageFacts) -> Iterator[str]:
     for entry in package.root.files:
         suffix = entry.path.rpartition("/")[2].partition(".")[2].rpartition(".")[2]
         if entry.path != package.root.manifest and suffix in _READ and (entry.size or 0) < MAX_BYTES:
-            data = workspace.files.read(entry.path) or b""
-            found |= {match.decode() for match in words.findall(data)}
-            included |= {f"/{match.decode('utf-8', 'replace')}" for match in _INCLUDE.findall(data)}
-    ends = tuple(included)
-    return found | {name for name in names if any(f"/{path}".endswith(ends) for path in headers.get(name, ()))}
+            yield entry.path
 
 
 def _has_actions(package: PackageFacts) -> bool:
