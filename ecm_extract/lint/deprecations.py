@@ -72,10 +72,10 @@ def deprecations() -> Deprecations:
 def deprecated_in(package: PackageFacts, workspace: Workspace) -> Iterator[Deprecated]:
     """Yield the uses of a package, tests left out."""
     rows = {
-        entry.path: found
+        entry.path: concerned
         for entry in package.root.files
         if not is_test_path(entry.path, package.root.path)
-        and (found := [row for row in deprecations().text if _concerns(row, entry.path, package.ros)])
+        and (concerned := [row for row in deprecations().text if _concerns(row, entry.path, package.ros)])
     }
     for path, data in workspace.tree.read_many(list(rows)):
         yield from _lines(path, _BLOCK.sub(_blank, data), rows[path])
