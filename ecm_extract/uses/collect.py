@@ -11,14 +11,25 @@ from ecm_extract.uses.endpoints import endpoint_uses
 from ecm_extract.uses.fields import field_uses
 from ecm_extract.uses.includes import include_uses
 from ecm_extract.uses.index import GONE, ChangeIndex
+from ecm_extract.uses.kept import kept_for
 from ecm_extract.uses.launch import is_kept_alive, launch_uses, remaps_of
 from ecm_extract.uses.model import Use
 from ecm_extract.uses.overrides import override_uses
 from ecm_extract.uses.parameters import parameter_uses
+from ecm_extract.uses.results import result_uses
 from ecm_extract.uses.symbols import symbol_uses
 
 _BUILT = (".cpp", ".cc", ".cxx", ".c", ".h", ".hh", ".hpp", ".hxx", ".ipp", ".tpp")
-_MATCHERS = (endpoint_uses, parameter_uses, launch_uses, include_uses, symbol_uses, override_uses, field_uses)
+_MATCHERS = (
+    endpoint_uses,
+    parameter_uses,
+    launch_uses,
+    include_uses,
+    symbol_uses,
+    override_uses,
+    field_uses,
+    result_uses,
+)
 
 
 def uses_of(workspace: Workspace, index: ChangeIndex, own: bool = False) -> Iterator[Use]:
@@ -32,12 +43,14 @@ def uses_of(workspace: Workspace, index: ChangeIndex, own: bool = False) -> Iter
     if index.is_empty():
         return
     remaps = remaps_of(workspace)
+    paths = frozenset(entry.path for entry in workspace.tree.files())
     for matcher in _MATCHERS:
         for use in matcher(workspace, index):
             if own and not _is_forgotten(use):
                 continue
             alive = is_kept_alive(use, remaps)
-            yield msgspec.structs.replace(use, commit=workspace.tree.commit, remapped=alive)
+            kept = kept_for(use.path, paths)
+            yield msgspec.structs.replace(use, commit=workspace.tree.commit, remapped=alive, kept_for=kept)
 
 
 def _is_forgotten(use: Use) -> bool:

@@ -56,7 +56,7 @@ def _rank(severity: Severity) -> int:
 def _finding(located: Located, uses: list[Use]) -> Finding:
     change = located.change
     distinct = {(use.path, use.line, use.what): use for use in uses}
-    readers = [distinct[place] for place in sorted(distinct)]
+    readers = [distinct[place] for place in sorted(distinct, key=lambda place: (bool(distinct[place].kept_for), place))]
     certainty: Certainty = "proved" if any(use.certainty == "proved" for use in readers) else "likely"
     name = change.old or ""
     packages = (change.package,)
@@ -76,7 +76,7 @@ def _finding(located: Located, uses: list[Use]) -> Finding:
 
 
 def _severity(change: Change, readers: list[Use], certainty: Certainty) -> Severity:
-    if change.change == "deprecated":
+    if change.change == "deprecated" or all(use.kept_for for use in readers):
         return "info"
     if certainty != "proved" or all(use.remapped for use in readers) or change.confidence < 0.5:
         return "warning"
@@ -102,6 +102,9 @@ def _message(change: Change, readers: list[Use]) -> str:
     told = f"{kind} {change.old or change.new}{of} in {change.package} {happened}: {first}."
     if all(use.remapped for use in readers):
         return f"{told} A remap in a launch file keeps the old name alive where it is used."
+    if all(use.kept_for for use in readers):
+        kept = ", ".join(sorted({use.kept_for for use in readers}))
+        return f"{told} The file is kept for {kept}, beside another one; right where the old release runs."
     return f"{told} If ignored, {ignored}."
 
 

@@ -17,6 +17,7 @@ class Use(msgspec.Struct, frozen=True):
         what: what the line does, as a phrase.
         certainty: `proved` when names are literal and resolved, `likely` when they match by their end.
         remapped: a launch file keeps the old name alive.
+        kept_for: the distribution that the file is kept for, beside one for the others; empty for none.
     """
 
     located: Located
@@ -27,6 +28,7 @@ class Use(msgspec.Struct, frozen=True):
     what: str
     certainty: Certainty = "proved"
     remapped: bool = False
+    kept_for: str = ""
 
 
 class Place(msgspec.Struct, frozen=True):
