@@ -55,7 +55,7 @@ def _composition(state: Composition, clones: Path, options: Options) -> Judged:
         started = read_system(tree, [_inside(path, state) for path in state.launch], Given(), options)
         contracts[LAUNCHED] = {"nodes": instance_contracts(started)}
     workspace = Workspace(tree, options)
-    lint = [finding for finding in findings_of(workspace) if _concerns(finding, packages)]
+    lint = [finding for finding in findings_of(workspace) if _is_within(finding, workspace, packages)]
     return _judged("composition", _commits(sources_of(state), clones), contracts, {"lint": ordered(lint)})
 
 
@@ -113,6 +113,12 @@ def _kept(extraction: Extraction, packages: frozenset[str]) -> dict[str, tuple[C
         if not packages or package.name in packages:
             found[package.name] += package.modules
     return dict(sorted(found.items()))
+
+
+def _is_within(finding: Finding, workspace: Workspace, packages: frozenset[str]) -> bool:
+    """Whether a finding is on the packages that are composed, and on no other of their repositories."""
+    owners = {workspace.package_of(place.path) for place in finding.evidence} - {""}
+    return not packages or (_concerns(finding, packages) and owners <= packages)
 
 
 def _concerns(finding: Finding, packages: frozenset[str]) -> bool:

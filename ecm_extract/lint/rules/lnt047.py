@@ -1,4 +1,4 @@
-"""LNT050: a hardware component answers a mode switch for interfaces that are not its own.
+"""LNT047: a hardware component answers a mode switch for interfaces that are not its own.
 
 Source: control.ros.org, "Writing a Hardware Component"; until ros2_control 4.31 and 5.1 every component is handed the
 interfaces of all components.
@@ -21,7 +21,7 @@ from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 
 RULE = LintRule(
-    id="LNT050",
+    id="LNT047",
     name="mode_switch_of_others",
     dimension="resources",
     severity="warning",
