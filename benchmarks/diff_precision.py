@@ -2,7 +2,8 @@
 
 Each file of benchmarks/diff_precision is one sample over the comparisons of `diff_precision/comparisons.toml`: breaking
 changes that `diff` reported, each read in the sources of both refs and judged. Printed is the share that is true, by
-kind and change, with a line for each false one. Status 1 when the share of the newest sample is below the figure.
+kind and change, with a line for each false one. `--again --clones DIR` judges the program of today by them: how many of
+the true and of the false ones it still tells. Status 1 when the share of the newest sample is below the figure.
 """
 
 from __future__ import annotations
@@ -77,6 +78,22 @@ def _unjudged(project: str, refs: tuple[str, str], each: Change) -> Judgement:
     )
 
 
+def again(sample: Sample, clones: Path, saved: Path | None) -> float:
+    """Print how many of the judged changes are told today and return the share of true ones among them."""
+    told = [entry for entry in sample.judged if _is_told(entry, clones, saved)]
+    true = sum(entry.verdict == "true" for entry in told)
+    all_true = sum(entry.verdict == "true" for entry in sample.judged)
+    print(f"seed {sample.seed} today: {true} of {all_true} true ones told, {len(told) - true} of", end=" ")
+    print(f"{len(sample.judged) - all_true} false ones")
+    return true / max(1, len(told))
+
+
+def _is_told(entry: Judgement, clones: Path, saved: Path | None) -> bool:
+    changes = changes_between(clones / f"{entry.project}.git", *entry.refs, saved)
+    wanted = (entry.kind, entry.change, entry.owner, entry.old, entry.new)
+    return any(each.breaking and (each.kind, each.change, each.owner, each.old, each.new) == wanted for each in changes)
+
+
 def report(sample: Sample) -> float:
     """Print the share of true changes and return it."""
     groups: dict[str, list[Judgement]] = defaultdict(list)
@@ -100,7 +117,8 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("file", nargs="*", type=Path, default=sorted(FOLDER.glob("*.yaml")))
     parser.add_argument("--sample", type=int, metavar="SEED", help="print a new sample to judge, as YAML")
-    parser.add_argument("--clones", type=Path, help="folder with <project>.git, for a sample")
+    parser.add_argument("--again", action="store_true", help="tell how many of the judged ones are told today")
+    parser.add_argument("--clones", type=Path, help="folder with <project>.git, for the two above")
     parser.add_argument("--saved", type=Path, help="folder that keeps the documents of the comparisons")
     arguments = parser.parse_args()
     if arguments.sample is not None:
@@ -108,7 +126,12 @@ def main() -> None:
             parser.error("--sample needs --clones")
         sys.stdout.write(msgspec.yaml.encode(drawn(arguments.sample, arguments.clones, arguments.saved)).decode())
         return
-    shares = [report(msgspec.yaml.decode(path.read_bytes(), type=Sample)) for path in arguments.file]
+    samples = [msgspec.yaml.decode(path.read_bytes(), type=Sample) for path in arguments.file]
+    if arguments.again and arguments.clones is None:
+        parser.error("--again needs --clones")
+    shares = [
+        again(sample, arguments.clones, arguments.saved) if arguments.again else report(sample) for sample in samples
+    ]
     sys.exit(0 if shares and shares[-1] >= FIGURE else 1)
 
 

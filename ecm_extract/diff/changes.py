@@ -74,9 +74,14 @@ def _is_covered(entity: PublicEntity, containers: Names) -> bool:
 
 
 def _is_implicit(entity: PublicEntity) -> bool:
-    """Whether a class has a constructor without being told: its only ones took no argument, and none replaced them."""
-    is_constructor = entity.kind == "method" and entity.owner.rsplit("::", 1)[-1] == entity.name
-    return is_constructor and all(not form.types for form in entity.forms)
+    """Whether callers still find a method that went: an override of a base, or a constructor that each class has."""
+    if entity.kind != "method":
+        return False
+    if all(form.override for form in entity.forms):
+        return True
+    own = entity.owner.rsplit("::", 1)[-1]
+    given = {(), (f"const {own}&",), (f"{own}&&",)}
+    return own == entity.name and all(form.types in given for form in entity.forms)
 
 
 def _removal(entity: PublicEntity) -> Difference:

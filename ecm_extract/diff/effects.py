@@ -5,6 +5,7 @@ Each takes a pair and yields the differences that it knows; `changes.py` makes r
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Iterator
 from typing import Final
 
@@ -16,6 +17,8 @@ from ecm_extract.diff.similarity import words
 from ecm_extract.entities.endpoints import HOLE
 from ecm_extract.entities.model import Form, PublicEntity
 
+_TEMPLATE: Final = re.compile(r"(?:const )?[A-Z]&{0,2}")
+"""A parameter of a template, by custom one capital."""
 _RELIABILITY: Final = ("best_effort", "reliable")
 _DURABILITY: Final = ("volatile", "transient_local")
 _WITH_DEFAULT: Final = frozenset({"parameter", "constant", "message_field", "launch_argument", "bt_port"})
@@ -174,7 +177,8 @@ def accepts(new: Form, old: Form) -> bool:
 def _takes(new: str, old: str) -> bool:
     """Whether whatever fits the old type of a parameter fits the new one: `T&`, `T`, `const T&` fit `const T&`."""
     bare = old.removeprefix("const ").removesuffix("&")
-    return new in {old, f"const {bare}&"} or (new == bare and not bare.endswith("&"))
+    same = new in {old, f"const {bare}&"} or (new == bare and not bare.endswith("&"))
+    return same or _TEMPLATE.fullmatch(new) is not None
 
 
 EFFECTS: Final[tuple[Effect, ...]] = (

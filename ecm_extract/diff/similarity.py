@@ -47,6 +47,8 @@ def shape_equal(old: PublicEntity, new: PublicEntity) -> float:
         before = {(form.types, form.returns) for form in old.forms}
         after = {(form.types, form.returns) for form in new.forms}
         return 1.0 if before & after else 0.0
+    if old.kind == "launch_argument" and (old.default is None) != (new.default is None):
+        return 0.0
     if old.type is None and new.type is None:
         return 0.5
     return float(old.type == new.type)

@@ -18,6 +18,8 @@ from ecm_extract.read.facts import PackageFacts
 
 _MACRO = re.compile(r"[A-Z][A-Z0-9]*(?:_[A-Z0-9]+){2,}")
 """`SMART_PTR_DEFINITIONS(Name)` looks like a member of that type."""
+_WORDS = frozenset({"explicit", "virtual", "inline", "static", "friend", "constexpr"})
+"""What is left of a declaration behind a macro that was misread."""
 _CLOSED = frozenset({"private", "anonymous", "deleted"})
 
 
@@ -75,7 +77,7 @@ class _Header:
         )
         for field in (*entry.fields, *self._hidden_fields(entry)):
             hidden = not {"private", "protected", "static"}.isdisjoint(field.traits) or field.name.startswith("_")
-            if not hidden and not _MACRO.fullmatch(field.type):
+            if not hidden and not _MACRO.fullmatch(field.type) and field.name not in _WORDS:
                 yield PublicEntity(
                     kind="member",
                     package=self.package,

@@ -21,6 +21,7 @@ class Form(msgspec.Struct, frozen=True):
         returns: return type in the same writing; empty where none is stated (Python, constructors).
         names: of the parameters; they count in Python only, where callers may name them.
         virtual: whether a consumer may override it. pure: whether a consumer must.
+        override: whether a base class has it as well.
         deprecated: whether it is marked so.
         line: 1-based.
     """
@@ -31,6 +32,7 @@ class Form(msgspec.Struct, frozen=True):
     names: tuple[str, ...] = ()
     virtual: bool = False
     pure: bool = False
+    override: bool = False
     deprecated: bool = False
     line: int = 0
 

@@ -7,6 +7,7 @@ from pathlib import PurePosixPath
 from ecm_extract.read.facts import PackageFacts
 
 _HEADERS = frozenset({".h", ".hh", ".hpp", ".hxx", ".ipp", ".tpp"})
+_NO_PACKAGES = frozenset({"src", "test", "tests", "example", "examples"})
 HIDDEN = frozenset({"detail", "details", "internal", "impl", "_internal", "private", "anonymous"})
 
 
@@ -61,7 +62,7 @@ def python_modules(facts: PackageFacts) -> dict[str, str]:
             continue
         below = inside(path, facts.root.path)
         root = next((root for root in roots if below.startswith(root)), None)
-        if root is None:
+        if root is None or below.removeprefix(root).split("/")[0] in _NO_PACKAGES:
             continue
         dotted = below.removeprefix(root).removesuffix(".py").replace("/", ".").removesuffix(".__init__")
         if not any(part.startswith("_") for part in dotted.split(".")):
@@ -85,7 +86,7 @@ def _import_roots(facts: PackageFacts) -> list[str]:
     found = []
     for root in [*roots, "src/", ""]:
         tops = {name.removeprefix(root).split("/")[0] for name in packages if name.startswith(root)}
-        found += [f"{root}{top}/" for top in tops if top and top not in {"src", "test", "tests"}]
+        found += [f"{root}{top}/" for top in tops if top and top not in _NO_PACKAGES]
     return [entry.rsplit("/", 2)[0] + "/" if "/" in entry.rstrip("/") else "" for entry in found]
 
 

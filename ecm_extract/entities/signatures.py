@@ -52,6 +52,7 @@ def form_of(function: Function, virtual: bool = False) -> Form:
         names=tuple(entry.name for entry in params),
         virtual=virtual or not {"virtual", "override", "pure"}.isdisjoint(function.traits),
         pure="pure" in function.traits,
+        override="override" in function.traits,
         deprecated="deprecated" in function.traits or any("eprecat" in text for text in function.decorators),
         line=function.line,
     )

@@ -107,6 +107,10 @@ def reconfigure_files(calls: tuple[Call, ...]) -> Iterator[FileReference]:
                 yield FileReference(relative(path), call.line)
 
 
+_AUTO_TARGETS = frozenset({"ament_auto_add_library", "ament_auto_add_executable"})
+"""What `ament_auto_package` installs by itself."""
+
+
 def installs(calls: tuple[Call, ...]) -> Iterator[Install]:
     """Yield what is installed where."""
     for call in calls:
@@ -114,6 +118,9 @@ def installs(calls: tuple[Call, ...]) -> Iterator[Install]:
             yield _install(call, _INSTALL_KINDS[call.args[0]], call.args[1:])
         elif call.name == "catkin_install_python":
             yield _install(call, "python", tuple(value for value in call.args if value != "PROGRAMS"))
+        elif call.name == "ament_auto_package":
+            made = (other.args[0] for other in calls if other.name in _AUTO_TARGETS and other.args)
+            yield Install("targets", tuple(made), "", call.line)
 
 
 def _install(call: Call, kind: InstallKind, args: tuple[str, ...]) -> Install:

@@ -91,6 +91,14 @@ QUIET = {
         _class("void move(const Pose & pose, const Plan & plan);"),
     ),
     "a class has a constructor without being told": (_class("Driver();", "void stop();"), _class("void stop();")),
+    "a base has what was an override": (
+        _class("void stop() override;", "void halt();"),
+        _class("void halt();"),
+    ),
+    "a template takes what was given": (
+        _class("bool get_value(double & value);"),
+        _class("template <typename T> bool get_value(T & value);"),
+    ),
     "a macro is no member": (_class("SMART_PTR_DEFINITIONS(Driver)", "void stop();"), _class("void stop();")),
 }
 
@@ -159,6 +167,13 @@ def test_a_description_announces_the_end(told) -> None:  # type: ignore[no-untyp
         {"arm/src/arm.yaml": yaml.format("DEPRECATED: use side")},
     )
     assert ("parameter", "deprecated", "front", "side") in found
+
+
+def test_what_ament_auto_installs_is_installed(told) -> None:  # type: ignore[no-untyped-def]
+    """`ament_auto_package` installs the targets that `ament_auto_add_*` made."""
+    auto = "project(arm)\nament_auto_add_executable(arm src/arm.cpp)\nament_auto_package()\n"
+    old = {"arm/CMakeLists.txt": CMAKE, "arm/src/arm.cpp": node()}
+    assert not told(old, {"arm/CMakeLists.txt": auto})
 
 
 def test_the_output_name_of_a_target_is_the_executable(told) -> None:  # type: ignore[no-untyped-def]
