@@ -17,6 +17,7 @@ from ecm_extract.read.facts import PackageFacts
 from ecm_extract.tree import Tree
 
 _MARK = re.compile(r"deprecat|obsolete", re.IGNORECASE)
+_MARK_BYTES = re.compile(rb"[Dd]eprecat|DEPRECAT|[Oo]bsolete")
 _DIRECTIVE = re.compile(rb"^[ \t]*#[ \t]*(?:warning|pragma[ \t]+message)\b(.{0,400})$", re.MULTILINE)
 _COMMENT = re.compile(r"^\s*(?://|/\*|\*)")
 _HEADERS = (".h", ".hh", ".hpp", ".hxx")
@@ -30,7 +31,7 @@ def announced(tree: Tree, packages: Iterable[PackageFacts], entities: Sequence[P
     lines: dict[str, list[str]] = defaultdict(list)
     headers = {entity.path for entity in entities if entity.kind == "file" and entity.path.endswith(_HEADERS)}
     for path, data in tree.read_many(sorted(headers)):
-        if _MARK.search(data.decode("utf-8", "replace")):
+        if _MARK_BYTES.search(data):
             lines[path] = data.decode("utf-8", "replace").splitlines()
             directive = next(
                 (found for found in _DIRECTIVE.findall(data) if _MARK.search(found.decode("latin-1"))), None

@@ -23,6 +23,8 @@ _REGISTERS = frozenset(
     }
 )
 _PORTS = frozenset({"InputPort", "OutputPort", "BidirectionalPort"})
+_LIBRARY = "behaviortree_cpp"
+"""In the path of each header of BehaviorTree.CPP, of any version."""
 _LISTS_PORTS = "providedPorts"
 """Static method in which BehaviorTree.CPP asks a node class for its ports."""
 _ADDS_PORTS = "providedBasicPorts"
@@ -32,6 +34,8 @@ Port = tuple[Call, Text, Line]
 
 def bt_entities(facts: PackageFacts) -> Iterator[PublicEntity]:
     """Yield the registered nodes of a package, each with the ports that its own class lists."""
+    if not any(_LIBRARY in entry.module for source in facts.sources.values() for entry in source.imports):
+        return
     ports = _ports_by_class(facts)
     for path, source in facts.sources.items():
         if source.language == "cpp":
