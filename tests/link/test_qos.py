@@ -29,6 +29,7 @@ CPP_ROWS = [
     ("", "rclcpp::QoS(rclcpp::KeepLast(7)).reliable()", ("reliable", "volatile", "keep_last", 7)),
     ("", "rclcpp::QoS(rclcpp::KeepAll())", ("reliable", "volatile", "keep_all", None)),
     ("", "rmw_qos_profile_sensor_data", ("best_effort", "volatile", "keep_last", 5)),
+    ("", "tf2_ros::StaticListenerQoS()", ("reliable", "transient_local", "keep_last", 100)),
     ("auto q = rclcpp::QoS(1); q.transient_local();", "q", ("reliable", "transient_local", "keep_last", 1)),
     (
         "rclcpp::QoS q{2}; q.reliability(rclcpp::ReliabilityPolicy::BestEffort);",
