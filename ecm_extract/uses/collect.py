@@ -13,6 +13,7 @@ from ecm_extract.uses.includes import include_uses
 from ecm_extract.uses.index import GONE, ChangeIndex
 from ecm_extract.uses.kept import kept_for
 from ecm_extract.uses.launch import is_kept_alive, launch_uses, remaps_of
+from ecm_extract.uses.layouts import layout_uses
 from ecm_extract.uses.model import Use
 from ecm_extract.uses.overrides import override_uses
 from ecm_extract.uses.parameters import parameter_uses
@@ -29,6 +30,7 @@ _MATCHERS = (
     override_uses,
     field_uses,
     result_uses,
+    layout_uses,
 )
 
 

@@ -97,7 +97,7 @@ def _message(change: Change, readers: list[Use]) -> str:
         "renamed": f"is now {change.new}",
         "moved": f"is now {change.new}",
         "type_changed": f"has another type: {change.reason}",
-        "signature_changed": f"has another signature: {change.reason}",
+        "signature_changed": f"has another {'layout' if change.kind == 'message' else 'signature'}: {change.reason}",
     }.get(change.change, f"changed: {change.reason}")
     told = f"{kind} {change.old or change.new}{of} in {change.package} {happened}: {first}."
     if all(use.remapped for use in readers):
@@ -105,12 +105,22 @@ def _message(change: Change, readers: list[Use]) -> str:
     if all(use.kept_for for use in readers):
         kept = ", ".join(sorted({use.kept_for for use in readers}))
         return f"{told} The file is kept for {kept}, beside another one; right where the old release runs."
+    if _is_layout(change):
+        return f"{told} If it is not, the two sides refuse to connect or wait for ever."
     return f"{told} If ignored, {ignored}."
+
+
+def _is_layout(change: Change) -> bool:
+    """Whether only the bytes changed, so that a new build is all that it takes."""
+    added = change.kind == "message_field" and change.change == "added"
+    return added or (change.kind == "message" and change.change == "signature_changed")
 
 
 def _resolution(change: Change) -> str:
     if change.change in {"renamed", "moved"} and change.new:
         return f"write {change.new} instead of {change.old}"
+    if _is_layout(change):
+        return "build both sides with the new definition, and migrate recorded bags"
     if change.change in {"signature_changed", "type_changed"}:
         return f"follow the new form: {change.reason}"
     if change.change == "deprecated":

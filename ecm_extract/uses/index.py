@@ -26,7 +26,9 @@ class ChangeIndex:
         self._by_kind: dict[str, list[Located]] = defaultdict(list)
         self._by_name: dict[tuple[str, str], list[Located]] = defaultdict(list)
         self._added: dict[str, list[Located]] = defaultdict(list)
+        self._layouts: dict[str, Located] = {}
         for entry in located:
+            self._note_layout(entry)
             entity = entry.pair.old
             if entity is None and entry.change.breaking:
                 self._added[entry.change.kind].append(entry)
@@ -36,6 +38,20 @@ class ChangeIndex:
                 continue
             self._by_kind[entry.change.kind].append(entry)
             self._by_name[entity.kind, entity.name].append(entry)
+
+    def _note_layout(self, entry: Located) -> None:
+        """The first change of each type that alters its bytes; it stands for the others."""
+        entity = entry.pair.old or entry.pair.new
+        if entity is None or not entry.change.breaking:
+            return
+        if entity.kind == "message_field":
+            self._layouts.setdefault(entity.owner, entry)
+        elif entity.kind == "message" and entry.change.change == "signature_changed":
+            self._layouts.setdefault(entity.name, entry)
+
+    def layout_of(self, name: str) -> Located | None:
+        """Return a change that alters the layout of an interface; None when it is as it was."""
+        return self._layouts.get(name)
 
     def of_kind(self, kind: str) -> Sequence[Located]:
         """Return the changes of a kind of entity."""

@@ -98,3 +98,41 @@ def test_a_result_that_is_no_longer_shared_cannot_be_taken_twice(
     found = findings(capsys, tmp_path / "lib", tmp_path / "user")
     assert [entry["evidence"][0]["line"] for entry in found] == lines
     assert all(entry["severity"] == "warning" for entry in found)
+
+
+LISTENER = """import rclpy
+from rclpy.node import Node
+from lib_msgs.msg import Outer, Other
+class Listener(Node):
+    def __init__(self):
+        super().__init__('listener')
+        self.create_subscription(Outer, 'outer', print, 10)
+        self.create_subscription(Other, 'other', print, 10)
+def main():
+    rclpy.spin(Listener())
+"""
+
+
+@pytest.mark.parametrize(
+    ("inner", "outer", "told"),
+    [
+        ("float64 x\nfloat64 y\n", "Inner[] parts\n", ["message lib_msgs/msg/Outer"]),
+        ("float64 x\n", "Inner[] parts\nbool last\n", ["message field last of lib_msgs/msg/Outer"]),
+        ("float64 x\n", "Inner[] parts\n", []),
+        ("float64 x\n# a remark\n", "Inner[] parts\n", []),
+    ],
+    ids=["nested", "own", "same", "remark"],
+)
+def test_endpoints_of_a_type_with_another_layout_must_be_built_anew(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], inner: str, outer: str, told: list[str]
+) -> None:
+    """Of the two subscriptions the one is told, with the type that carries the change; it is a condition, no error."""
+    for tag, one, two in (("1.0.0", "float64 x\n", "Inner[] parts\n"), ("2.0.0", inner, outer)):
+        files = {"package.xml": package("lib_msgs", tag), "msg/Inner.msg": one, "msg/Outer.msg": two}
+        release(tmp_path / "lib_msgs", {**files, "msg/Other.msg": "bool on\n"}, tag)
+    setup = "from setuptools import setup\nsetup(entry_points={'console_scripts': ['listen = user.listen:main']})\n"
+    write(tmp_path / "user", {"package.xml": package("user"), "setup.py": setup, "user/listen.py": LISTENER})
+    found = findings(capsys, tmp_path / "lib_msgs", tmp_path / "user")
+    assert [entry["message"].split(" in lib_msgs")[0] for entry in found] == told
+    assert all((entry["severity"], entry["evidence"][0]["line"]) == ("warning", 7) for entry in found)
+    assert all("built anew" in entry["message"] for entry in found)
