@@ -13,6 +13,7 @@ from ecm_extract.diff.git_renames import renamed_files
 from ecm_extract.diff.history import History
 from ecm_extract.diff.model import Comparison, Located, RefInfo
 from ecm_extract.diff.pair import Evidence, Pairing
+from ecm_extract.diff.sides import Sides, both_sides
 from ecm_extract.diff.verdict import package_verdicts, repository_verdict
 from ecm_extract.entities.side import Side, Workspace, read_workspace, side_of
 from ecm_extract.extraction_model import Options
@@ -56,9 +57,7 @@ def compare(request: Request, read: Callable[[Tree], Workspace] | None = None) -
     """
     parsed: dict[str, SourceFile] = {}
     reader = read or (lambda tree: read_workspace(tree, request.options, parsed))
-    old = side_of(reader(request.old))
-    workspace = reader(request.new)
-    new = side_of(workspace)
+    old, new, workspace = _sides(request, read, parsed)
     located = _changes(request, old, new)
     index = ChangeIndex(located, old, new)
     uses = list(uses_of(workspace, index, own=True))
@@ -76,6 +75,13 @@ def compare(request: Request, read: Callable[[Tree], Workspace] | None = None) -
         verdict=repository_verdict(changes, old, new),
         packages=package_verdicts(changes, old, new),
     )
+
+
+def _sides(request: Request, read: Callable[[Tree], Workspace] | None, parsed: dict[str, SourceFile]) -> Sides:
+    if read is None:
+        return both_sides(request.old, request.new, request.options, parsed)
+    old, workspace = side_of(read(request.old)), read(request.new)
+    return Sides(old, side_of(workspace), workspace)
 
 
 def _changes(request: Request, old: Side, new: Side) -> list[Located]:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import gc
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 
 from ecm_parsers.interface_facts import Definition
@@ -13,7 +15,7 @@ from ecm_extract.entities.interfaces import interface_name
 from ecm_extract.entities.model import Key, PublicEntity
 from ecm_extract.entities.shared_reader import SharedReader
 from ecm_extract.extraction_model import Options
-from ecm_extract.link.forms import form_table
+from ecm_extract.link.forms import FormTable, form_table
 from ecm_extract.link.linker import LinkedModule, Linker
 from ecm_extract.link.program import Program
 from ecm_extract.read.facts import PackageFacts
@@ -59,8 +61,22 @@ class Workspace:
     program: Program
 
 
+@dataclass(slots=True)
+class PackagesRead:
+    """A tree read and not yet linked, with the rows of forms that it adds."""
+
+    tree: Tree
+    packages: list[PackageFacts]
+    forms: FormTable
+
+
 def read_workspace(tree: Tree, options: Options, parsed: dict[str, SourceFile]) -> Workspace:
-    """Read and link a tree.
+    """Read and link a tree; see `read_packages`."""
+    return link_packages(read_packages(tree, options, parsed))
+
+
+def read_packages(tree: Tree, options: Options, parsed: dict[str, SourceFile]) -> PackagesRead:
+    """Read a tree.
 
     Args:
         tree: to read.
@@ -68,15 +84,26 @@ def read_workspace(tree: Tree, options: Options, parsed: dict[str, SourceFile]) 
         parsed: facts by blob id; what is in it is not parsed again, what is parsed is added.
     """
     config = config_of(tree, options)
-    enabled = gc.isenabled()
-    gc.disable()
-    try:
+    with _without_collector():
         include_tests = options.include_tests or config.extract.include_tests
         reader = SharedReader(tree, include_tests, config.extract.exclude, options.cache)
         reader.parsed = parsed
-        packages = reader.read(options.jobs, options.progress)
-        linker = Linker(packages, form_table(config.forms))
-        return Workspace(tree, packages, linker.link(), linker.program)
+        return PackagesRead(tree, reader.read(options.jobs, options.progress), form_table(config.forms))
+
+
+def link_packages(read: PackagesRead) -> Workspace:
+    """Link what was read."""
+    with _without_collector():
+        linker = Linker(read.packages, read.forms)
+        return Workspace(read.tree, read.packages, linker.link(), linker.program)
+
+
+@contextmanager
+def _without_collector() -> Iterator[None]:
+    enabled = gc.isenabled()
+    gc.disable()  # see `extraction`: records without cycles
+    try:
+        yield
     finally:
         if enabled:
             gc.enable()

@@ -1,0 +1,52 @@
+"""Work that another process does meanwhile: linking one side while this process links the other."""
+
+from __future__ import annotations
+
+import pickle
+import threading
+from collections.abc import Callable
+from multiprocessing import get_context
+from multiprocessing.connection import Connection
+from typing import Generic, TypeVar
+
+_Result = TypeVar("_Result")
+
+
+class Background(Generic[_Result]):
+    """A function that runs in a fork of this process, which sees everything that was read so far.
+
+    What it returns comes back pickled: it is made by our own code in a process of ours, never read from a file. A
+    fork that dies costs time, not the result: the function then runs here.
+    """
+
+    def __init__(self, work: Callable[[], _Result]) -> None:
+        self._work = work
+        self._received: bytes | None = None
+        context = get_context("fork")
+        receiver, sender = context.Pipe(duplex=False)
+        self._process = context.Process(target=_run, args=(work, sender), daemon=True)
+        self._process.start()
+        sender.close()
+        self._thread = threading.Thread(target=self._receive, args=(receiver,), daemon=True)
+        self._thread.start()
+
+    def result(self) -> _Result:
+        """Wait for the result."""
+        self._thread.join()
+        self._process.join()
+        if self._received is None:
+            return self._work()
+        result: _Result = pickle.loads(self._received)
+        return result
+
+    def _receive(self, receiver: Connection) -> None:
+        """Drain the pipe beside the work of this process, so that the other one never waits to write."""
+        try:
+            self._received = receiver.recv_bytes()
+        except (EOFError, OSError):
+            self._received = None
+
+
+def _run(work: Callable[[], object], sender: Connection) -> None:
+    sender.send_bytes(pickle.dumps(work(), pickle.HIGHEST_PROTOCOL))
+    sender.close()

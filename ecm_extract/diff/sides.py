@@ -1,0 +1,59 @@
+"""The two sides of a comparison, read one after the other so that no blob is parsed twice, linked side by side."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+from ecm_parsers.source.facts import SourceFile
+
+from ecm_extract.diff.background import Background
+from ecm_extract.entities.side import PackagesRead, Side, Workspace, link_packages, read_packages, side_of
+from ecm_extract.extraction_model import Options
+from ecm_extract.tree import FileDiagnostic, Tree
+
+
+class Sides(NamedTuple):
+    """Both sides down to their entities, and the new one linked, which uses are read off."""
+
+    old: Side
+    new: Side
+    workspace: Workspace
+
+
+def both_sides(old: Tree, new: Tree, options: Options, parsed: dict[str, SourceFile]) -> Sides:
+    """Read both sides.
+
+    Args:
+        old: the tree before.
+        new: the tree after.
+        options: of the extraction; with one job nothing is forked.
+        parsed: facts by blob id, to take from and to add to.
+    """
+    before = read_packages(old, options, parsed)
+    if options.jobs == 1:
+        return _with(lambda: side_of(link_packages(before)), read_packages(new, options, parsed))
+    told = len(old.diagnostics)
+    background = Background(lambda: _linked(before, told))
+    after = read_packages(new, options, parsed)
+    return _with(lambda: _reported(background.result(), old), after)
+
+
+def _with(old: Callable[[], Side], after: PackagesRead) -> Sides:
+    workspace = link_packages(after)
+    new = side_of(workspace)
+    return Sides(old(), new, workspace)
+
+
+def _linked(before: PackagesRead, told: int) -> tuple[Side, Sequence[FileDiagnostic]]:
+    """In the fork: what linking reports would be lost with it."""
+    side = side_of(link_packages(before))
+    return side, before.tree.diagnostics[told:]
+
+
+def _reported(result: tuple[Side, Sequence[FileDiagnostic]], tree: Tree) -> Side:
+    side, diagnostics = result
+    for diagnostic in diagnostics:
+        tree.report(diagnostic)
+    side.tree = tree
+    return side
