@@ -76,7 +76,7 @@ def _finding(located: Located, uses: list[Use]) -> Finding:
 
 
 def _severity(change: Change, readers: list[Use], certainty: Certainty) -> Severity:
-    if change.change == "deprecated" or all(use.kept_for for use in readers):
+    if change.change == "deprecated" or _is_layout(change) or all(use.kept_for for use in readers):
         return "info"
     if certainty != "proved" or all(use.remapped for use in readers) or change.confidence < 0.5:
         return "warning"
