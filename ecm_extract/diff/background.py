@@ -47,6 +47,11 @@ class Background(Generic[_Result]):
             self._received = None
 
 
+def meanwhile(work: Callable[[], _Result], jobs: int | None) -> Callable[[], _Result]:
+    """Start work in another process and return the function that waits for it; with one job that does it itself."""
+    return work if jobs == 1 else Background(work).result
+
+
 def _run(work: Callable[[], object], sender: Connection) -> None:
     sender.send_bytes(pickle.dumps(work(), pickle.HIGHEST_PROTOCOL))
     sender.close()

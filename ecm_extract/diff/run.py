@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
 
 import msgspec
@@ -15,7 +14,7 @@ from ecm_extract.diff.model import Comparison, Located, RefInfo
 from ecm_extract.diff.pair import Evidence, Pairing
 from ecm_extract.diff.sides import Sides, both_sides
 from ecm_extract.diff.verdict import package_verdicts, repository_verdict
-from ecm_extract.entities.side import Side, Workspace, read_workspace, side_of
+from ecm_extract.entities.side import Side, read_workspace
 from ecm_extract.extraction_model import Options
 from ecm_extract.tree import Tree
 from ecm_extract.uses.collect import uses_of
@@ -44,26 +43,31 @@ class Request(msgspec.Struct, frozen=True):
     options: Options = Options()
 
 
-def compare(request: Request, read: Callable[[Tree], Workspace] | None = None) -> Comparison:
+def compare(request: Request) -> Comparison:
     """Read both sides, pair their entities and match the uses of consumers.
-
-    Args:
-        request: what is compared.
-        read: gives a tree read and linked, for callers that already have; None reads it here.
 
     Raises:
         TreeError: a tree cannot be listed.
         ConfigError: an `ecm.toml` is wrong.
     """
     parsed: dict[str, SourceFile] = {}
-    reader = read or (lambda tree: read_workspace(tree, request.options, parsed))
-    old, new, workspace = _sides(request, read, parsed)
+    return compared(request, both_sides(request.old, request.new, request.options, parsed), parsed)
+
+
+def compared(request: Request, sides: Sides, parsed: dict[str, SourceFile]) -> Comparison:
+    """Compare two sides that are read already.
+
+    Args:
+        request: what is compared.
+        sides: its two trees down to their entities.
+        parsed: facts by blob id, for the consumers to take from.
+    """
+    old, new, workspace = sides
     located = _changes(request, old, new)
     index = ChangeIndex(located, old, new)
     uses = list(uses_of(workspace, index, own=True))
-    del workspace
     for tree in request.consumers:
-        uses += uses_of(reader(tree), index)
+        uses += uses_of(read_workspace(tree, request.options, parsed), index)
     findings = findings_of(uses)
     changes = tuple(entry.change for entry in located)
     return Comparison(
@@ -75,13 +79,6 @@ def compare(request: Request, read: Callable[[Tree], Workspace] | None = None) -
         verdict=repository_verdict(changes, old, new),
         packages=package_verdicts(changes, old, new),
     )
-
-
-def _sides(request: Request, read: Callable[[Tree], Workspace] | None, parsed: dict[str, SourceFile]) -> Sides:
-    if read is None:
-        return both_sides(request.old, request.new, request.options, parsed)
-    old, workspace = side_of(read(request.old)), read(request.new)
-    return Sides(old, side_of(workspace), workspace)
 
 
 def _changes(request: Request, old: Side, new: Side) -> list[Located]:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from ecm_parsers.source.facts import SourceFile
 
-from ecm_extract.diff.background import Background
+from ecm_extract.diff.background import meanwhile
 from ecm_extract.entities.side import PackagesRead, Side, Workspace, link_packages, read_packages, side_of
 from ecm_extract.extraction_model import Options
 from ecm_extract.tree import FileDiagnostic, Tree
@@ -31,22 +31,15 @@ def both_sides(old: Tree, new: Tree, options: Options, parsed: dict[str, SourceF
         parsed: facts by blob id, to take from and to add to.
     """
     before = read_packages(old, options, parsed)
-    if options.jobs == 1:
-        return _with(lambda: side_of(link_packages(before)), read_packages(new, options, parsed))
     told = len(old.diagnostics)
-    background = Background(lambda: _linked(before, told))
-    after = read_packages(new, options, parsed)
-    return _with(lambda: _reported(background.result(), old), after)
-
-
-def _with(old: Callable[[], Side], after: PackagesRead) -> Sides:
-    workspace = link_packages(after)
-    new = side_of(workspace)
-    return Sides(old(), new, workspace)
+    linked = meanwhile(lambda: _linked(before, told), options.jobs)
+    workspace = link_packages(read_packages(new, options, parsed))
+    after = side_of(workspace)
+    return Sides(_reported(linked(), old), after, workspace)
 
 
 def _linked(before: PackagesRead, told: int) -> tuple[Side, Sequence[FileDiagnostic]]:
-    """In the fork: what linking reports would be lost with it."""
+    """In a fork what linking reports would be lost with it."""
     side = side_of(link_packages(before))
     return side, before.tree.diagnostics[told:]
 

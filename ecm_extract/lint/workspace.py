@@ -10,17 +10,15 @@ from functools import cached_property
 from ecm_checker.contract import Evidence
 from ecm_checker.versions import in_range
 from ecm_parsers.launch.model import Action, Group, Include, LaunchFile, Node, Template
-from ecm_parsers.source.facts import SourceFile
 
 from ecm_extract.assemble.contracts import assemble
 from ecm_extract.description.model import Description
 from ecm_extract.description.read import read_description
 from ecm_extract.discover import is_test_path
-from ecm_extract.entities.shared_reader import SharedReader
+from ecm_extract.entities.side import PackagesRead, read_packages
 from ecm_extract.entities.side import Workspace as Side
 from ecm_extract.extraction_model import Options
 from ecm_extract.link.composition import composition_of
-from ecm_extract.link.forms import form_table
 from ecm_extract.link.linker import Linker
 from ecm_extract.lint.service_calls import ServiceCall, request_fields, service_calls
 from ecm_extract.settings import config_of
@@ -44,18 +42,16 @@ class Workspace:
         packages: their facts. linker: with all that it found. index: of modules.
         files: as launch files and descriptions name them.
 
-    `parsed` holds facts by blob id, shared with other workspaces of the run: what is in it is not parsed again.
+    `read` is what was read of the tree, for callers that have it already.
     """
 
-    def __init__(self, tree: Tree, options: Options, parsed: dict[str, SourceFile] | None = None) -> None:
+    def __init__(self, tree: Tree, options: Options, read: PackagesRead | None = None) -> None:
         self.tree = tree
         self.config = config = config_of(tree, options)
+        found = read or read_packages(tree, options, {})
+        self.packages = found.packages
         with _without_collector():
-            include_tests = options.include_tests or config.extract.include_tests
-            reader = SharedReader(tree, include_tests, config.extract.exclude)
-            reader.parsed = {} if parsed is None else parsed
-            self.packages = reader.read(options.jobs, options.progress)
-            self.linker = Linker(self.packages, form_table(config.forms))
+            self.linker = Linker(found.packages, found.forms)
             self.linked = self.linker.link()
         self.externals = frozenset(config.externals)
         self.by_name = {package.name: package for package in self.packages}

@@ -15,6 +15,9 @@ from ecm_extract.tree import Tree
 TREE = "tree:"
 """Prefix of a path that is in the tree, so that a path of the machine is never taken for one."""
 
+MAX_NEIGHBOUR = 256_000
+"""Size in bytes of a file that is read because another one of its folder is."""
+
 
 class Files:
     """Finds and reads files of one tree."""
@@ -24,10 +27,12 @@ class Files:
         self._roots = {package.name: package.root.path for package in packages}
         self._ros = {package.root.path: package.ros for package in packages}
         self._paths = {entry.path for entry in tree.files()}
+        self._stored = {entry.path: entry.size or 0 for entry in tree.files() if entry.identity is not None}
         self._by_name: dict[str, list[str]] = {}
         for path in sorted(self._paths):
             self._by_name.setdefault(PurePosixPath(path).name, []).append(path)
         self._contents: dict[str, bytes | None] = {}
+        self._folders: dict[tuple[str, str], list[str]] = {}
         self._parsed: dict[tuple[str, str], object] = {}
 
     def share(self, package: str) -> str | None:
@@ -68,8 +73,25 @@ class Files:
     def read(self, path: str) -> bytes | None:
         """Return the bytes of a file of the tree, None when it cannot be read."""
         if path not in self._contents:
-            self._contents[path] = next((data for _, data in self._tree.read_many([path])), None)
+            self._contents[path] = None
+            self._contents.update(self._tree.read_many(self._with_neighbours(path)))
         return self._contents[path]
+
+    def _with_neighbours(self, path: str) -> list[str]:
+        """Of a ref also the small files of that kind in the same folder: a git process for each costs more."""
+        if path not in self._stored:
+            return [path]
+        place = PurePosixPath(path)
+        suffix = place.suffix
+        return [path, *(name for name in self._kin(str(place.parent), suffix) if name not in self._contents)]
+
+    def _kin(self, folder: str, suffix: str) -> list[str]:
+        if not self._folders:
+            for name, size in self._stored.items():
+                head, _, last = name.rpartition("/")
+                if size <= MAX_NEIGHBOUR:
+                    self._folders.setdefault((head or ".", PurePosixPath(last).suffix), []).append(name)
+        return self._folders.get((folder, suffix), [])
 
     def parsed(self, path: str, parser: Callable[[bytes], Parsed[Facts]]) -> Parsed[Facts] | None:
         """Return what a parser makes of a file, once for each parser; None when the file cannot be read."""

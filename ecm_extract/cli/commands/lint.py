@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable
 from datetime import UTC, datetime
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final, Literal
+from typing import TYPE_CHECKING, Any, Final, Literal, NamedTuple
 
 import click
 import msgspec
@@ -16,8 +17,11 @@ from ecm_extract.errors import InputError
 if TYPE_CHECKING:
     from ecm_checker.finding import Finding
 
+    from ecm_extract.entities.side import PackagesRead, Side
+    from ecm_extract.extraction_model import Options, Progress
     from ecm_extract.lint.suppressions import Answered
     from ecm_extract.lint.workspace import Workspace
+    from ecm_extract.tree import Tree
 
 FORMATS: Final = ("text", "json", "sarif", "github", "junit", "markdown")
 
@@ -90,10 +94,12 @@ def _findings(request: Request) -> tuple[list[Finding], Workspace]:
 
     tree = open_tree(request.path)
     parsed: dict[str, Any] = {}
-    workspace = _workspace(tree, request, parsed)
+    read = _read(tree, request, parsed)
+    base = _base(request, parsed) if request.base is not None else None
+    workspace = _workspace(read, request)
     found = _run(workspace, request)
-    if request.base is not None:
-        found = _brought_in(found, workspace, request, parsed)
+    if base is not None:
+        found = _brought_in(found, workspace, request, base)
     if request.patch is not None:
         from ecm_extract.lint.hunks import touched_lines
 
@@ -104,13 +110,24 @@ def _findings(request: Request) -> tuple[list[Finding], Workspace]:
     return found, workspace
 
 
-def _workspace(tree: Any, request: Request, parsed: dict[str, Any]) -> Workspace:
+def _read(tree: Tree, request: Request, parsed: dict[str, Any]) -> PackagesRead:
     from ecm_extract.cli.progress import progress_bar
-    from ecm_extract.extraction_model import Options
-    from ecm_extract.lint.workspace import Workspace
+    from ecm_extract.entities.side import read_packages
 
     with progress_bar() as progress:
-        return Workspace(tree, Options(request.include_tests, request.config, request.jobs, progress), parsed)
+        return read_packages(tree, _options(request, progress), parsed)
+
+
+def _workspace(read: PackagesRead, request: Request) -> Workspace:
+    from ecm_extract.lint.workspace import Workspace
+
+    return Workspace(read.tree, _options(request, None), read)
+
+
+def _options(request: Request, progress: Progress | None) -> Options:
+    from ecm_extract.extraction_model import Options
+
+    return Options(request.include_tests, request.config, request.jobs, progress)
 
 
 def _run(workspace: Workspace, request: Request) -> list[Finding]:
@@ -127,23 +144,45 @@ def _run(workspace: Workspace, request: Request) -> list[Finding]:
     return [each for each in found if not config.promise or each.who in config.promise]
 
 
-def _brought_in(found: list[Finding], workspace: Workspace, request: Request, parsed: dict[str, Any]) -> list[Finding]:
+class Base(NamedTuple):
+    """The state before the change: its tree, and what gives its findings and its side once they are there."""
+
+    tree: Tree
+    result: Callable[[], tuple[list[Finding], Side]]
+
+
+def _base(request: Request, parsed: dict[str, Any]) -> Base:
+    """Lint the base in another process, while this one lints the state of now."""
+    from ecm_extract.diff.background import meanwhile
     from ecm_extract.diff.baseline import open_side
+    from ecm_extract.entities.side import side_of
+
+    tree = open_side(str(request.base), _folder(request))
+
+    def work() -> tuple[list[Finding], Side]:
+        workspace = _workspace(_read(tree, request, parsed), request)
+        return _run(workspace, request), side_of(workspace.as_side())
+
+    return Base(tree, meanwhile(work, request.jobs))
+
+
+def _brought_in(found: list[Finding], workspace: Workspace, request: Request, base: Base) -> list[Finding]:
     from ecm_extract.diff.model import RefInfo
     from ecm_extract.diff.run import Request as Comparing
-    from ecm_extract.diff.run import compare
+    from ecm_extract.diff.run import compared
+    from ecm_extract.diff.sides import Sides
+    from ecm_extract.entities.side import side_of
     from ecm_extract.lint.base import change_findings, new_findings
 
-    base = str(request.base)
-    folder = _folder(request)
-    old = open_side(base, folder)
-    earlier = _workspace(old, request, parsed)
-    before = _run(earlier, request)
-    infos = RefInfo(base, old.commit, "named"), RefInfo(request.path, workspace.tree.commit, "named")
-    read = {id(each.tree): each.as_side() for each in (earlier, workspace)}
-    comparison = compare(Comparing(old, workspace.tree, folder, "", infos), lambda tree: read[id(tree)])
-    click.echo(f"base: {base} {(old.commit or '')[:12]}", err=True)
-    changes = [] if request.select else list(change_findings(comparison, old, workspace.tree))
+    now = workspace.as_side()
+    after = side_of(now)
+    before, old = base.result()
+    name, tree = str(request.base), workspace.tree
+    click.echo(f"base: {name} {(base.tree.commit or '')[:12]}", err=True)
+    infos = RefInfo(name, base.tree.commit, "named"), RefInfo(request.path, tree.commit, "named")
+    comparing = Comparing(base.tree, tree, _folder(request), "", infos)
+    comparison = compared(comparing, Sides(old, after, now), {})
+    changes = [] if request.select else list(change_findings(comparison, base.tree, tree))
     return [*new_findings(found, before), *changes]
 
 
