@@ -19,20 +19,21 @@ def public_headers(facts: PackageFacts) -> dict[str, str]:
     installed = _installed_headers(facts)
     found: dict[str, str] = {}
     for entry in facts.root.files:
-        path = PurePosixPath(entry.path)
-        if path.suffix.lower() not in _HEADERS or not HIDDEN.isdisjoint(path.parts):
+        parts = entry.path.split("/")
+        suffix = f".{parts[-1].rpartition('.')[2].lower()}" if "." in parts[-1] else ""
+        if suffix not in _HEADERS or not HIDDEN.isdisjoint(parts):
             continue
         include = _below_include(inside(entry.path, facts.root.path))
         if include is not None:
             found[entry.path] = include
         elif entry.path in installed:
-            found[entry.path] = f"{facts.name}/{path.name}"
+            found[entry.path] = f"{facts.name}/{parts[-1]}"
     return found
 
 
 def _below_include(path: str) -> str | None:
     """`include/a/b.hpp` -> `a/b.hpp`; a doubled package folder (`include/a/a/b.hpp`) is dropped once."""
-    parts = PurePosixPath(path).parts
+    parts = path.split("/")
     if "include" not in parts[:-1]:
         return None
     rest = parts[parts.index("include") + 1 :]

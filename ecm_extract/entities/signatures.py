@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 
 from ecm_parsers.source.facts import Function
 
@@ -22,6 +23,7 @@ _POINTERS = (
 _NESTED = re.compile(r"\b(\w+)::(Const)?(SharedPtr|ConstPtr|UniquePtr|WeakPtr|Ptr)\b")
 
 
+@lru_cache(maxsize=20_000)
 def normal_type(written: str) -> str:
     """Return a type without namespaces, attributes, by-value `const` and white space that means nothing.
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import PurePosixPath
 from typing import cast
 
 from ecm_parsers.launch.files import parse_launch_xml, parse_launch_yaml
@@ -17,10 +16,11 @@ _PYTHON_SUFFIXES = (".launch.py", "_launch.py")
 
 def is_launch_file(path: str) -> bool:
     """Tell by its name whether a file is a launch file."""
-    inside_launch = "launch" in PurePosixPath(path).parts[:-1]
     if path.endswith((*_XML_SUFFIXES, *_YAML_SUFFIXES, *_PYTHON_SUFFIXES)):
         return not path.endswith(".test") or "test" in path
-    return inside_launch and path.endswith((".py", ".xml")) and not path.endswith("__init__.py")
+    if not path.endswith((".py", ".xml")) or path.endswith("__init__.py"):
+        return False
+    return "launch" in path.split("/")[:-1]
 
 
 def read_launch(path: str, data: bytes, ros: int | None = None) -> Parsed[LaunchFile | None]:
