@@ -42,3 +42,14 @@ def test_which_letter_is_broken_varies() -> None:
     """The order of the states tells nothing."""
     broken = [read_narrative(CASES / "narrative" / f"{case}.yaml").buggy[0] for case in WIDER]
     assert 8 <= broken.count("a") <= 21
+
+
+@pytest.mark.parametrize("case", WIDER)
+def test_the_facts_show_the_broken_state(case: str) -> None:
+    """Not only its repair, and no line twice."""
+    interface = read_interface(CASES / "interface" / f"{case}.yaml")
+    told = read_narrative(CASES / "narrative" / f"{case}.yaml")
+    repaired = {source.ref for name in told.controls for source in sources_of(interface.states[name])}
+    broken = {source.ref for name in told.buggy for source in sources_of(interface.states[name])} - repaired
+    assert broken & {fact.at.partition("@")[2].partition(":")[0] for fact in told.facts}
+    assert len({fact.at for fact in told.facts}) == len(told.facts)
