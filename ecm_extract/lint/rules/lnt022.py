@@ -43,7 +43,7 @@ def _of(parent: etree._Element, path: str, package: str) -> Iterator[Finding]:
         name = element.get(_NAMES[tag], "")
         if not name or parent.tag == "transmission" or (tag != "gazebo" and parent.tag not in ("robot", "macro")):
             continue
-        for said in {child for child, _ in children(element)} if tag == "gazebo" else {""}:
+        for said in sorted({child for child, _ in children(element)}) if tag == "gazebo" else [""]:
             first = seen.setdefault((tag, str(name), said), element)
             if first is not element:
                 what = f" for {said}" if said else ""
