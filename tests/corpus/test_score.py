@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -109,3 +110,21 @@ def test_agree_reads_yaml_and_needs_two_judges(tmp_path: Path) -> None:
     done = CliRunner().invoke(agree_command, [str(tmp_path / "one.yaml"), str(tmp_path / "two.yaml")])
     assert done.output == "one and two, 2 briefs: outcome 1/2, kappa 0.00; with dimension 1/2, kappa 0.00\n"
     assert "two judges" in str(CliRunner().invoke(agree_command, [str(tmp_path / "one.yaml")]).exception)
+
+
+def test_without_the_libraries_of_the_evaluation_the_way_to_get_them_is_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """They are an extra: who only extracts does not need them."""
+    found, _ = small_corpus()
+    (tmp_path / "cases" / "interface").mkdir(parents=True)
+    (tmp_path / "cases" / "narrative").mkdir()
+    (tmp_path / "cases" / "paper.yaml").write_text("recall: {}\n")
+    told = tmp_path / "cases" / "narrative" / "R-win.yaml"
+    told.write_text(
+        "{case: R-win, title: t, story: s, gold: [versioning], source: s, derivable: 'yes', buggy: [a], controls: [b]}"
+    )
+    (tmp_path / "results.json").write_bytes(msgspec.json.encode(found))
+    monkeypatch.setitem(sys.modules, "scipy.stats", None)
+    done = CliRunner().invoke(score_command, ["--corpus", str(tmp_path)])
+    assert "ecm-extract[evaluation]" in str(done.exception)

@@ -31,9 +31,16 @@ def command(ctx: click.Context, /, corpus: str | None, results: str | None, form
     """
     from importlib import import_module
 
-    scored = _score(corpus, results)
     module = import_module(f"ecm_corpus.formats.{format}")
-    click.echo(module.render(scored), nl=False)
+    try:
+        scored = _score(corpus, results)
+        text = module.render(scored)
+    except ModuleNotFoundError as error:
+        from ecm_extract.errors import InputError
+
+        message = f"{error.name} is not installed"
+        raise InputError(message, "pip install 'ecm-extract[evaluation]'") from error
+    click.echo(text, nl=False)
     ctx.exit(1 if scored.broken else 0)
 
 

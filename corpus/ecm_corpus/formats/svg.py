@@ -49,5 +49,5 @@ def _panel(panel: Any, rows: list[Recall]) -> None:
     panel.plot([at for at, _ in known], [height for _, height in known], "D", ms=4, color=_PAPER, label="paper")
     panel.set_title(f"{rows[0].substrate} (N = {rows[0].strict.total})")
     panel.set_xticks(range(len(rows)), [row.method.replace(" (", "\n(") for row in rows], rotation=30, ha="right")
-    panel.set_ylim(0, 1)
+    panel.set_ylim(0, 1.04)
     panel.spines[["top", "right"]].set_visible(False)

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Sequence
+from typing import Final
 
 from ecm_corpus.score import Score
 from ecm_corpus.tables import Table, tables
+
+WIDTH: Final = 100
 
 
 def render(score: Score) -> str:
@@ -26,7 +30,8 @@ def _table(table: Table) -> str:
     widths = [max(len(row[at]) for row in (header, *rows)) for at in range(len(header))]
     lines = [_line(header, widths), _line(["-" * width for width in widths], widths)]
     lines += [_line(row, widths) for row in rows]
-    return f"{table.title}\n{table.reading}\n\n" + "\n".join(lines) + "\n"
+    reading = textwrap.fill(table.reading, WIDTH)
+    return f"{table.title}\n{reading}\n\n" + "\n".join(lines) + "\n"
 
 
 def _line(cells: Sequence[str], widths: Sequence[int]) -> str:
