@@ -23,7 +23,11 @@ class Link:
 
 @dataclass(frozen=True, slots=True)
 class Joint:
-    """A joint of URDF; `limits` holds lower, upper, effort and velocity as numbers where they are written."""
+    """A joint of URDF; `limits` holds lower, upper, effort and velocity as numbers where they are written.
+
+    `origin` is where the child sits in the frame of its parent: x, y, z in metres, then roll, pitch and yaw in radians;
+    None where one of them is no number.
+    """
 
     name: str
     kind: str
@@ -32,6 +36,7 @@ class Joint:
     limits: dict[str, float]
     mimics: str | None
     where: Where
+    origin: tuple[float, ...] | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,6 +12,7 @@ from ecm_extract.description.element import Element
 from ecm_extract.description.model import Joint, Link, Where
 
 _LIMITS = ("lower", "upper", "effort", "velocity")
+_COORDINATES = 6
 
 
 def links_of(root: Element) -> Iterator[Link]:
@@ -33,7 +34,16 @@ def joints_of(root: Element) -> Iterator[Joint]:
             {name: number for name, text in written.items() if (number := number_of(text)) is not None},
             mimic.get("joint") if mimic is not None else None,
             Where(element.path, element.line),
+            _origin(element.first("origin")),
         )
+
+
+def _origin(element: Element | None) -> tuple[float, ...] | None:
+    """Position and angles; what is not written is zero."""
+    texts = [(element.get(name) if element is not None else "") or "0 0 0" for name in ("xyz", "rpy")]
+    numbers = [number_of(part) for text in texts for part in text.split()]
+    known = tuple(number for number in numbers if number is not None)
+    return known if len(known) == len(numbers) == _COORDINATES else None
 
 
 def number_of(text: str) -> float | None:

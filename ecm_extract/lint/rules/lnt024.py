@@ -50,7 +50,7 @@ def _of(func: Func) -> Iterator[Finding]:
         body = _life(func.fact.body[at:], name)
         sent = [other for other in body if other.value is not None and _sends(other.value, name)]
         if sent and not any(_touches(other.target, other.value, name) for other in body if other not in sent):
-            text = f"{kind} {name} is sent and its header is never written"
+            text = f"{kind} {name} is sent and its header (stamp, frame_id) is never written"
             evidence = [Evidence(func.file.path, sent[0].line), Evidence(func.file.path, statement.line)]
             entity = Entity("message", f"{func.fact.scope}::{func.fact.name}", name)
             yield RULE.finding(text, entity, func.file.package, evidence, certainty="likely")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 from ecm_checker.contract import Evidence
@@ -18,14 +19,16 @@ RULE = LintRule(
     dimension="resources",
     severity="warning",
     who="safety",
-    consequence="who loads the one plans with other limits than who loads the other",
+    consequence="who loads the one plans for another robot than who loads the other",
     resolution="make the URDF anew from the xacro, or correct the xacro",
 )
 _TOLERANCE = 1e-3
+_ANGLES = ("origin roll", "origin pitch", "origin yaw")
+_PLACE = ("origin x", "origin y", "origin z", *_ANGLES)
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
-    """Report joints whose kind, links or limits differ between `x.urdf` and `x.xacro` or `x.urdf.xacro`."""
+    """Report joints whose kind, links, place or limits differ between `x.urdf` and `x.xacro` or `x.urdf.xacro`."""
     for package in workspace.packages:
         listed = {entry.path for entry in package.root.files}
         for path in sorted(listed):
@@ -45,7 +48,7 @@ def _compared(made: Description, written: Description, package: str) -> Iterator
         if source is not None and what is not None:
             text = f"{joint.name} of {written.path} has {what}"
             evidence = [Evidence(*joint.where), Evidence(*source.where)]
-            entity = Entity("joint", joint.name, what.partition(" ")[0])
+            entity = Entity("joint", joint.name, what.partition(",")[0].rpartition(" ")[0])
             yield RULE.finding(text, entity, package, evidence, certainty="likely")
 
 
@@ -55,6 +58,14 @@ def _difference(source: Joint, joint: Joint) -> str | None:
             return f"{name} {getattr(joint, name)}, its xacro {getattr(source, name)}"
     for name, value in joint.limits.items():
         other = source.limits.get(name)
-        if other is not None and abs(other - value) > _TOLERANCE * max(1.0, abs(value)):
+        if other is not None and _differs(other, value):
+            return f"{name} {value:g}, its xacro {other:g}"
+    for name, value, other in zip(_PLACE, joint.origin or (), source.origin or (), strict=False):
+        turned = name in _ANGLES and not _differs(math.remainder(other - value, math.tau), 0.0)
+        if _differs(other, value) and not turned:
             return f"{name} {value:g}, its xacro {other:g}"
     return None
+
+
+def _differs(one: float, other: float) -> bool:
+    return abs(one - other) > _TOLERANCE * max(1.0, abs(other))
