@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+import networkx as nx
 from ecm_checker.contract import Evidence
-from ecm_checker.finding import Entity, Finding
+from ecm_checker.finding import Entity, Finding, Severity
 
 from ecm_extract.discover import is_test_path
 from ecm_extract.lint.rule import LintRule
@@ -31,7 +32,12 @@ _FILES = (".launch", ".launch.xml", ".launch.py", "_launch.py", ".xacro", ".urdf
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
-    """Report each package once for the package that uses it, with its first lines."""
+    """Report each package once for the package that uses it, with its first lines.
+
+    It is a warning where the used package is in the tree and nothing that is asked for brings it along: what is
+    installed from elsewhere may bring a package that is released, and not one of this tree.
+    """
+    reach = _Reach(workspace)
     for package in workspace.packages:
         if package.manifest is None:
             continue
@@ -39,13 +45,30 @@ def check(workspace: Workspace) -> Iterator[Finding]:
         for name, lines in _used(workspace, package).items():
             if name not in declared:
                 text = f"{package.name} uses {name}, which its package.xml does not name"
-                yield RULE.finding(text, Entity("package", name), package.name, lines[:5])
+                level: Severity = "warning" if reach.is_absent(package.name, name) else "info"
+                yield RULE.finding(text, Entity("package", name), package.name, lines[:5], severity=level)
+
+
+class _Reach:
+    """What the packages of the workspace bring along when they are installed."""
+
+    def __init__(self, workspace: Workspace) -> None:
+        manifests = [package.manifest for package in workspace.packages if package.manifest is not None]
+        self._own = frozenset(workspace.by_name)
+        self._graph: nx.DiGraph[str] = nx.DiGraph()
+        self._graph.add_nodes_from(sorted(self._own))
+        self._graph.add_edges_from((item.name, entry.name) for item in manifests for entry in item.dependencies)
+
+    def is_absent(self, package: str, used: str) -> bool:
+        """Tell whether `used` is of the tree, is not brought along, and could be asked for without a circle."""
+        pairs = ((package, used), (used, package))
+        return used in self._own and not any(nx.has_path(self._graph, *pair) for pair in pairs)
 
 
 def _used(workspace: Workspace, package: PackageFacts) -> dict[str, list[Evidence]]:
     found: dict[str, list[Evidence]] = {}
     for entry in package.root.files:
-        if not entry.path.endswith(_FILES) or is_test_path(entry.path, package.root.path):
+        if not _is_read(entry.path, package):
             continue
         data = workspace.files.read(entry.path) or b""
         for match in _USED.finditer(data):
@@ -53,3 +76,8 @@ def _used(workspace: Workspace, package: PackageFacts) -> dict[str, list[Evidenc
             line = data.count(b"\n", 0, match.start()) + 1
             found.setdefault(name, []).append(Evidence(entry.path, line))
     return found
+
+
+def _is_read(path: str, package: PackageFacts) -> bool:
+    """Launch files and descriptions that are installed as they are: no test, no template."""
+    return path.endswith(_FILES) and "/templates/" not in path and not is_test_path(path, package.root.path)
