@@ -173,7 +173,7 @@ class Program:
         if head not in file.imported:
             return next((cls for cls in candidates if cls.file is file), None)
         module = target.rpartition(".")[0].lstrip(".")
-        near = [cls for cls in candidates if module and _module_matches(cls.file.path, module)]
+        near = [cls for cls in candidates if module and module_matches(cls.file.path, module)]
         if near:
             return self._nearest(near, file)
         return next((cls for cls in candidates if cls.file.package == file.package and cls.file is not file), None)
@@ -292,6 +292,7 @@ def _dotted(module: str, name: str) -> str:
     return f"{module}.{name}" if name and name != "*" and module else name or module
 
 
-def _module_matches(path: str, module: str) -> bool:
+def module_matches(path: str, module: str) -> bool:
+    """Tell whether a Python file is what a dotted module name means, seen from some folder of the tree."""
     stem = path.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
     return stem == module or stem.endswith("." + module)
