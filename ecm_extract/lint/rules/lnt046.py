@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 
-from ecm_checker.finding import Entity, Finding
+from ecm_checker.contract import Interface
+from ecm_checker.finding import Entity, Finding, Severity
 
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
@@ -23,17 +25,33 @@ _SHARED_PREFIXES = ("/robot_description", "/run_id", "/roslaunch")
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
-    """Report parameters of ROS 1 programs that are written with a leading slash, each line once."""
+    """Report parameters of ROS 1 programs that are written with a leading slash, each line once.
+
+    It is a warning where a program reads several below one namespace: those are its own, under the name of a node that
+    it takes itself to be.
+    """
     seen = set()
     for entry in workspace.linked:
         package = workspace.by_name.get(entry.module.package)
-        if package is None or package.ros != 1:
-            continue
-        for interface in entry.interfaces:
-            place = interface.evidence[0]
+        absolute = [item for item in entry.interfaces if _is_absolute(item)] if package and package.ros == 1 else []
+        spaces = Counter(space for item in absolute for space in {_space(item.raw_name)})
+        for interface in absolute:
+            if interface.evidence[0] in seen:
+                continue
+            seen.add(interface.evidence[0])
             name = interface.raw_name
-            absolute = interface.role == "parameter" and name.startswith("/") and interface.confidence != "pattern"
-            if absolute and name not in _SHARED and not name.startswith(_SHARED_PREFIXES) and place not in seen:
-                seen.add(place)
-                text = f"{entry.module.name} reads {name}, which is absolute"
-                yield RULE.finding(text, Entity("parameter", name), entry.module.package, interface.evidence[:2])
+            level: Severity = "warning" if _space(name) and spaces[_space(name)] > 1 else "info"
+            text = f"{entry.module.name} reads {name}, which is absolute"
+            evidence = interface.evidence[:2]
+            yield RULE.finding(text, Entity("parameter", name), entry.module.package, evidence, severity=level)
+
+
+def _is_absolute(interface: Interface) -> bool:
+    name = interface.raw_name
+    own = interface.role == "parameter" and name.startswith("/") and interface.confidence != "pattern"
+    return own and name not in _SHARED and not name.startswith(_SHARED_PREFIXES)
+
+
+def _space(name: str) -> str:
+    """The namespace that a name begins with; empty where it has none."""
+    return name.split("/")[1] if name.count("/") > 1 else ""
