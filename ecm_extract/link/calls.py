@@ -9,7 +9,7 @@ from typing import NamedTuple
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op, Table, Template
 from ecm_parsers.source.facts import Statement
 
-from ecm_extract.link.program import Cls, Func, plain
+from ecm_extract.link.program import Cls, Func, is_node_interface, plain
 
 _INTERFACE_NAMES = (
     "interface",
@@ -134,27 +134,25 @@ def invocation(func: Func, statement: Statement, call: Call) -> Invocation:
     if func.file.language == "python":
         return _python(func, statement, call)
     callee = call.callee
+    args = one_node(func, call.args)
     if isinstance(callee, Member):
-        return Invocation(func, statement, callee.name, callee.base, call.args, call.keywords, call.types, call.line)
+        return Invocation(func, statement, callee.name, callee.base, args, call.keywords, call.types, call.line)
     path = callee.id if isinstance(callee, Name) else ""
-    call = _one_node(func, call)
     last = path.rsplit("::", 1)[-1]
     if last in _MAKERS and call.types:
-        return _construction(func, statement, call.types[0], call.args, call.line)
+        return _construction(func, statement, call.types[0], args, call.line)
     if last == "make_shared" and "::" in path and path not in {"std::make_shared", "boost::make_shared"}:
-        return Invocation(func, statement, path.rsplit("::", 1)[0], None, call.args, (), call.types, call.line, True)
+        return Invocation(func, statement, path.rsplit("::", 1)[0], None, args, (), call.types, call.line, True)
     made = statement.kind == "let" and statement.value is call and plain(statement.type) == path
-    return Invocation(func, statement, path, None, call.args, call.keywords, call.types, call.line, made)
+    return Invocation(func, statement, path, None, args, call.keywords, call.types, call.line, made)
 
 
-def _one_node(func: Func, call: Call) -> Call:
-    """Read several node interfaces in front as the one node that they stand for."""
+def one_node(func: Func, args: tuple[Expr, ...]) -> tuple[Expr, ...]:
+    """Read several node interfaces in front as the one node that they stand for, like `Func.params`."""
     count = 0
-    while count < len(call.args) and _is_interface(func, call.args[count]):
+    while count < len(args) and _is_interface(func, args[count]):
         count += 1
-    if count < 2:
-        return call
-    return Call(call.callee, (Name("node"), *call.args[count:]), call.keywords, call.types, call.line)
+    return args if count < 2 else (Name("node"), *args[count:])
 
 
 def _is_interface(func: Func, expr: Expr) -> bool:
@@ -163,7 +161,10 @@ def _is_interface(func: Func, expr: Expr) -> bool:
         return name.startswith("get_node_") and name.endswith("_interface")
     if not isinstance(expr, Name) or not expr.id.strip("_").endswith(_INTERFACE_NAMES):
         return False
-    if any(parameter.name == expr.id and "Interface" in parameter.type for parameter in func.fact.params):
+    field = func.cls.fields.get(expr.id) if func.cls is not None else None
+    if field is not None and is_node_interface(field.type):
+        return True
+    if any(parameter.name == expr.id and is_node_interface(parameter.type) for parameter in func.fact.params):
         return True
     values = [s.value for s in func.fact.body if s.target == expr and s.kind == "let" and s.value is not None]
     return any(not isinstance(value, Name) and _is_interface(func, value) for value in values)
@@ -206,7 +207,7 @@ def _implied(func: Func, statement: Statement) -> Invocation | None:
     value = statement.value
     same = isinstance(value, Call) and value.callee == statement.target
     args = value.args if same and isinstance(value, Call) else (value,) if value is not None else ()
-    return _construction(func, statement, pointee(field.type), args, statement.line)
+    return _construction(func, statement, pointee(field.type), one_node(func, args), statement.line)
 
 
 def by_value(written: str) -> bool:

@@ -77,7 +77,7 @@ def bind(callee: Func, call: Invocation, env: Env) -> dict[str, Bound]:
     """Return what the parameters of `callee` are at a call: arguments, keywords, then defaults."""
     bound: dict[str, Bound] = {}
     rest = list(call.args)
-    for parameter in callee.fact.params:
+    for parameter in callee.params:
         if parameter.name.startswith("*"):
             bound[parameter.name.lstrip("*")] = Bound(Items(tuple(rest)), env)
             break
@@ -85,7 +85,7 @@ def bind(callee: Func, call: Invocation, env: Env) -> dict[str, Bound]:
             bound[parameter.name] = Bound(rest.pop(0), env)
     for name, value in call.keywords:
         bound[name] = Bound(value, env)
-    for parameter in callee.fact.params:
+    for parameter in callee.params:
         if parameter.default is not None and parameter.name not in bound:
             bound[parameter.name] = Bound(parameter.default, Env(callee, depth=env.depth))
     return bound

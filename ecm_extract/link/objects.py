@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
 
-from ecm_extract.link.calls import Invocation, dotted_name, last_name, pointee, template_arguments
+from ecm_extract.link.calls import Invocation, dotted_name, last_name, one_node, pointee, template_arguments
 from ecm_extract.link.containers import ELEMENT_METHODS, element_type
 from ecm_extract.link.env import MAX_DEPTH, Env, Instance, bind
 from ecm_extract.link.overloads import NO, score
@@ -165,7 +165,7 @@ class Objects:
             target = statement.target
             if statement.kind == "init" and isinstance(target, Name) and last_name(target.id) == parent.fact.name:
                 args = value.args if isinstance(value, Call) and value.callee == target else (value,) if value else ()
-                return Invocation(func, statement, target.id, None, args, (), (), statement.line)
+                return Invocation(func, statement, target.id, None, one_node(func, args), (), (), statement.line)
             if isinstance(value, Call) and _calls_super(value, parent):
                 args = value.args[1:] if value.args[:1] == (Name("this"),) else value.args
                 return Invocation(func, statement, "super", None, args, value.keywords, (), statement.line)
@@ -174,11 +174,11 @@ class Objects:
     def constructor(self, cls: Cls, count: int) -> Func | None:
         """Return the constructor that takes `count` arguments best."""
         makers = [func for func in cls.methods if func.is_constructor and "deleted" not in func.fact.traits]
-        fitting = [func for func in makers if len(func.fact.params) >= count]
+        fitting = [func for func in makers if len(func.params) >= count]
         defined = sorted(
-            fitting or makers, key=lambda f: ("declaration" in f.fact.traits, abs(len(f.fact.params) - count))
+            fitting or makers, key=lambda f: ("declaration" in f.fact.traits, abs(len(f.params) - count))
         )
-        return min(defined, key=lambda f: abs(len(f.fact.params) - count), default=None)
+        return min(defined, key=lambda f: abs(len(f.params) - count), default=None)
 
     # --- functions -------------------------------------------------------------------------------------
 

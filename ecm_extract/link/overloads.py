@@ -21,7 +21,7 @@ def score(call: Invocation, func: Func) -> int:
     if not _deducible(call, func):
         return NO
     total = 1 if "declaration" not in func.fact.traits else 0
-    for arg, parameter in zip(call.args, func.fact.params, strict=False):
+    for arg, parameter in zip(call.args, func.params, strict=False):
         fit = _fit(arg, parameter, call.func, func)
         if fit == NO:
             return NO
@@ -30,7 +30,7 @@ def score(call: Invocation, func: Func) -> int:
 
 
 def _countable(call: Invocation, func: Func) -> bool:
-    params = func.fact.params
+    params = func.params
     count = len(call.args) + len(call.keywords)
     if params and (params[-1].name.startswith("*") or "..." in params[-1].type):
         return True
@@ -46,7 +46,7 @@ def _declared_defaults(func: Func, count: int) -> bool:
     return any(
         other.fact.name == func.fact.name
         and len(other.fact.params) == len(func.fact.params)
-        and sum(parameter.default is None for parameter in other.fact.params) <= count
+        and sum(parameter.default is None for parameter in other.params) <= count
         for other in siblings
     )
 

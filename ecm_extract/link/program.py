@@ -5,12 +5,13 @@ A name resolves to the nearest candidate: same file, included or imported file, 
 
 from __future__ import annotations
 
+import re
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import PurePosixPath
 
-from ecm_parsers.source.facts import Alias, Class, Constant, Field, Function, SourceFile
+from ecm_parsers.source.facts import Alias, Class, Constant, Field, Function, Parameter, SourceFile
 
 
 @dataclass(slots=True, eq=False, repr=False)
@@ -36,6 +37,15 @@ class Func:
     fact: Function
     file: File
     cls: Cls | None = None
+
+    @property
+    def params(self) -> tuple[Parameter, ...]:
+        """Its parameters as callers are read: several node interfaces in front are the one node they stand for."""
+        params = self.fact.params
+        if len(params) < 2 or not is_node_interface(params[0].type) or not is_node_interface(params[1].type):
+            return params
+        rest = next((at for at, entry in enumerate(params) if not is_node_interface(entry.type)), len(params))
+        return (Parameter("node"), *params[rest:])
 
     @property
     def is_constructor(self) -> bool:
@@ -235,6 +245,11 @@ class Program:
         return plain(target) if target else bare
 
 
+def is_node_interface(written: str) -> bool:
+    """Tell whether a type is one of the interfaces that a node consists of, such as `NodeTopicsInterface`."""
+    return "Interface" in written and _NODE_INTERFACE.search(written) is not None
+
+
 def snake(name: str) -> str:
     """`ControllerServer` -> `controller_server`."""
     out = []
@@ -259,6 +274,7 @@ def plain(text: str) -> str:
     return words[-1] if words else ""
 
 
+_NODE_INTERFACE = re.compile(r"\bNode\w+Interface\b")
 _QUALIFIERS = frozenset({"const", "typename", "class", "struct", "volatile", "public", "virtual", "static"})
 
 

@@ -172,8 +172,9 @@ class QosReader:
         name = expr.id if isinstance(expr, Name) else expr.name
         if isinstance(expr, Name):
             bound = env.args.get(expr.id)
-            if bound is not None:
-                return self._policies(bound.expr, bound.env, level + 1)
+            given = self._policies(bound.expr, bound.env, level + 1) if bound is not None else {}
+            if given:
+                return given  # `if qos is None: qos = ...` has not happened then
         policies: dict[str, Any] = {}
         for definition, inner in self.folder.lists.definitions(expr, env):
             if definition.statement.value is not None:

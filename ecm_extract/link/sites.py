@@ -7,7 +7,7 @@ for a class that passes a constructor argument or template argument on: each pla
 from __future__ import annotations
 
 from collections import defaultdict, deque
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 
 from ecm_parsers.source.expr import Call, Expr, Member, Name
@@ -159,16 +159,23 @@ class Sites:
         if found is not None and found.open:
             params |= found.open
             made |= found.open
-        handle, kept = self._open_handle(site)
-        return params | handle, made | handle | kept
+        for expr, accepts in ((site.call.receiver, _is_handle), (self._qos(site), _is_qos)):
+            given, kept = self._origin(expr, site, accepts)
+            params, made = params | given, made | given | kept
+        return params, made
 
-    def _open_handle(self, site: Site) -> tuple[frozenset[str], frozenset[str]]:
-        """The parameter of the outermost function, or of the constructor, that a ROS 1 node handle comes from.
+    def _qos(self, site: Site) -> Expr | None:
+        return next(positions(site.form.qos, site.call), None) if not site.form.fixed else None
 
-        Whoever passes it knows its namespace.
+    def _origin(
+        self, expr: Expr | None, site: Site, accepts: Callable[[str, Func], bool]
+    ) -> tuple[frozenset[str], frozenset[str]]:
+        """The parameter of the outermost function, or of the constructor, that a node handle or a profile comes from.
+
+        Whoever passes it knows the namespace, or the QoS.
         """
         none: frozenset[str] = frozenset()
-        env, expr = site.env, site.call.receiver
+        env = site.env
         if isinstance(expr, Member) and expr.base == Name("this"):
             expr = Name(expr.name)
         for _ in range(MAX_CHAIN):
@@ -177,15 +184,12 @@ class Sites:
             bound = env.args.get(expr.id)
             if bound is not None:
                 expr, env = bound.expr, bound.env
-            elif self._is_handle_parameter(expr.id, env.func):
+            elif accepts(expr.id, env.func):
                 found = frozenset({expr.id})
                 return (found, none) if env.func is site.root else (none, found if env.func.is_constructor else none)
             else:
                 expr, env = self._initialiser(expr.id, env)
         return none, none
-
-    def _is_handle_parameter(self, name: str, func: Func) -> bool:
-        return any(entry.name == name and "NodeHandle" in entry.type for entry in func.fact.params)
 
     def _initialiser(self, name: str, env: Env) -> tuple[Expr | None, Env]:
         """What the constructor at hand makes of a member."""
@@ -389,3 +393,14 @@ def _default_constructible(cls: Cls) -> bool:
     """Tell whether a class can be made without arguments: no constructor at all, or one that needs none."""
     makers = [func for func in cls.methods if func.is_constructor]
     return not makers or any(all(entry.default is not None for entry in maker.fact.params) for maker in makers)
+
+
+def _is_handle(name: str, func: Func) -> bool:
+    """Tell whether a function takes a node handle of ROS 1 by this name."""
+    return any(entry.name == name and "NodeHandle" in entry.type for entry in func.fact.params)
+
+
+def _is_qos(name: str, func: Func) -> bool:
+    """Tell whether a function takes a profile by this name; Python need not write its type."""
+    python = func.file.language == "python"
+    return any(entry.name == name and (python or "qos" in entry.type.lower()) for entry in func.fact.params)
