@@ -35,6 +35,8 @@ _STALE_S: Final = 3600.0
 _KEYS_A_QUERY: Final = 500
 _KEPT_SHARE: Final = 0.8
 _CHECK_BYTES: Final = 4
+_UNUSABLE: Final = (OSError, sqlite3.Error, UntrustedFolderError, UnicodeDecodeError)
+"""What a file that cannot be used gives; where its damage lies in a name, SQLite's words about it are no text."""
 
 
 @dataclass(frozen=True)
@@ -70,7 +72,7 @@ class Store:
     def get(self, keys: Sequence[str]) -> dict[str, bytes]:
         """Values that are known; one that was damaged on disk is not."""
         found: dict[str, bytes] = {}
-        with suppress(OSError, sqlite3.Error, UntrustedFolderError), self._connection(create=False) as connection:
+        with suppress(*_UNUSABLE), self._connection(create=False) as connection:
             stale: list[str] = []
             for key, used, value in _rows(connection, keys):
                 if value[:_CHECK_BYTES] == _check(key, value[_CHECK_BYTES:]):
@@ -88,7 +90,7 @@ class Store:
         if not rows or incoming > self.limit * _KEPT_SHARE:
             return
         with (
-            suppress(OSError, sqlite3.Error, UntrustedFolderError),
+            suppress(*_UNUSABLE),
             self._connection(create=True) as connection,
             _transaction(connection),
         ):
@@ -104,7 +106,7 @@ class Store:
             with self._connection(create=False) as connection:
                 (entries,) = connection.execute("SELECT count(*) FROM entries").fetchone()
                 return Info(self.folder, self.limit, entries, file.stat().st_size)
-        except (OSError, sqlite3.Error, UntrustedFolderError) as error:
+        except _UNUSABLE as error:
             return Info(self.folder, self.limit, problem=str(error))
 
     def clear(self) -> None:
@@ -137,7 +139,7 @@ class Store:
                 yield connection
         except sqlite3.OperationalError:
             raise
-        except sqlite3.DatabaseError:
+        except (sqlite3.DatabaseError, UnicodeDecodeError):  # names in a damaged schema need not be text
             self._delete()
             raise
 

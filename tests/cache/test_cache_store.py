@@ -10,7 +10,7 @@ from multiprocessing import get_context
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from ecm_extract.cache.folder import UntrustedFolderError
@@ -59,6 +59,7 @@ def test_damaged_file_is_replaced(store: Store, content: bytes) -> None:
 
 
 @settings(max_examples=30, deadline=None)
+@example(at=3825, byte=128)
 @given(at=st.integers(0, 40_000), byte=st.integers(0, 255))
 def test_damaged_bytes_give_no_wrong_value(tmp_path_factory: pytest.TempPathFactory, at: int, byte: int) -> None:
     """Whatever byte of the file changes on disk, a value is right or not known."""
