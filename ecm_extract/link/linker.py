@@ -43,7 +43,8 @@ class LinkedModule:
 
     `local` holds, by role and name of an endpoint, the name that it has for any namespace and node name
     (`names.local_name`), where the two differ. `claims` are hardware interfaces, None for what is no controller.
-    `lifecycle` tells that it works in the state active only.
+    `lifecycle` tells that it works in the state active only. `lines` are the endpoints one by one where several lines
+    make the same one, perhaps with another QoS.
     """
 
     module: Module
@@ -54,6 +55,7 @@ class LinkedModule:
     observations: tuple[Observation, ...] = ()
     lifecycle: bool = False
     stamps: tuple[Stamp, ...] = ()
+    lines: tuple[Interface, ...] = ()
 
 
 class Linker:
@@ -134,10 +136,11 @@ class Linker:
         local = self._local.get(id(module), {})
         claims = claims_of(module.cls, self.folder) if module.cls is not None else None
         seen = tuple(dict.fromkeys(self._observed.get(id(module), ())))
-        interfaces = merged(found.get(id(module), []))
+        lines = tuple(found.get(id(module), ()))
+        interfaces = merged(lines)
         managed = module.cls is not None and is_managed(module.cls, self.program)
         stamped = tuple(dict.fromkeys(self._stamped.get(id(module), ())))
-        return LinkedModule(module, self._node(module, nodes), interfaces, local, claims, seen, managed, stamped)
+        return LinkedModule(module, self._node(module, nodes), interfaces, local, claims, seen, managed, stamped, lines)
 
     def _node(self, module: Module, nodes: Mapping[int, str]) -> str | None:
         if module.cls is not None:

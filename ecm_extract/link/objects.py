@@ -175,9 +175,7 @@ class Objects:
         """Return the constructor that takes `count` arguments best."""
         makers = [func for func in cls.methods if func.is_constructor and "deleted" not in func.fact.traits]
         fitting = [func for func in makers if len(func.params) >= count]
-        defined = sorted(
-            fitting or makers, key=lambda f: ("declaration" in f.fact.traits, abs(len(f.params) - count))
-        )
+        defined = sorted(fitting or makers, key=lambda f: ("declaration" in f.fact.traits, abs(len(f.params) - count)))
         return min(defined, key=lambda f: abs(len(f.params) - count), default=None)
 
     # --- functions -------------------------------------------------------------------------------------
