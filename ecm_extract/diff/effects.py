@@ -167,11 +167,17 @@ def accepts(new: Form, old: Form) -> bool:
     count = len(old.types)
     if old.virtual and new.virtual:
         return new.types == old.types and new.returns == old.returns
-    if new.required > old.required or len(new.types) < count or new.returns != old.returns:
+    if new.required > old.required or len(new.types) < count or _returns_otherwise(new, old):
         return False
     if any(new.types[:count]) or any(old.types):
         return all(_takes(after, before) for after, before in zip(new.types, old.types, strict=False))
     return new.names[:count] == old.names
+
+
+def _returns_otherwise(new: Form, old: Form) -> bool:
+    """Whether a result differs; how many values Python returns is not always known."""
+    known = (new.returns and old.returns) or any((*new.types, *old.types))
+    return bool(known) and new.returns != old.returns
 
 
 def _takes(new: str, old: str) -> bool:

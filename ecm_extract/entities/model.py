@@ -18,7 +18,7 @@ class Form(msgspec.Struct, frozen=True):
     Attributes:
         types: of its parameters, without qualification, names, marks of by-value `const` and white space.
         required: how many parameters have no default.
-        returns: return type in the same writing; empty where none is stated (Python, constructors).
+        returns: return type in the same writing, for Python how many values where that is known; else empty.
         names: of the parameters; they count in Python only, where callers may name them.
         virtual: whether a consumer may override it. pure: whether a consumer must.
         override: whether a base class has it as well.

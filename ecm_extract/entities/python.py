@@ -11,6 +11,7 @@ from ecm_parsers.source.facts import Function, SourceFile
 from ecm_extract.entities.model import PublicEntity
 from ecm_extract.entities.public_files import python_modules
 from ecm_extract.entities.signatures import form_of
+from ecm_extract.link.tuples import returned_values
 from ecm_extract.read.facts import PackageFacts
 
 
@@ -58,8 +59,10 @@ def _function(package: str, path: str, dotted: str, function: Function, classes:
     if function.scope and not is_method:
         return
     form = form_of(function, virtual=False)
-    # annotations bind nobody: only the names and the number of parameters count
-    form = msgspec.structs.replace(form, types=("",) * len(form.names), returns="")
+    values = returned_values(function)
+    returns = f"{values} value{'s'[: values - 1]}" if values is not None else ""
+    # annotations bind nobody: only the names and the number of parameters count, and how many values are unpacked
+    form = msgspec.structs.replace(form, types=("",) * len(form.names), returns=returns)
     yield PublicEntity(
         kind="method" if is_method else "function",
         package=package,

@@ -19,6 +19,7 @@ from ecm_extract.uses.overrides import override_uses
 from ecm_extract.uses.parameters import parameter_uses
 from ecm_extract.uses.results import result_uses
 from ecm_extract.uses.symbols import symbol_uses
+from ecm_extract.uses.unpacked import unpacked_uses
 
 _BUILT = (".cpp", ".cc", ".cxx", ".c", ".h", ".hh", ".hpp", ".hxx", ".ipp", ".tpp")
 _MATCHERS = (
@@ -30,6 +31,7 @@ _MATCHERS = (
     override_uses,
     field_uses,
     result_uses,
+    unpacked_uses,
     layout_uses,
 )
 

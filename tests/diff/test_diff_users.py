@@ -136,3 +136,65 @@ def test_endpoints_of_a_type_with_another_layout_must_be_built_anew(
     assert [entry["message"].split(" in lib_msgs")[0] for entry in found] == told
     assert all((entry["severity"], entry["evidence"][0]["line"]) == ("info", 7) for entry in found)
     assert all("built anew" in entry["message"] for entry in found)
+
+
+PLANNER = '''"""Plans."""
+
+
+def limits(joint):
+    """Limits of a joint."""
+    return {limits}
+
+
+class Group:
+    """A group of joints."""
+
+    def plan(self, goal):
+        """A way to a goal."""
+        if goal is None:
+            return {empty}
+        return {found}
+
+    def both(self):
+        """Not known."""
+        return self.plan(None)
+
+    def stop(self):
+        """What is left."""
+        rest = Plan()
+        return {rest}
+'''
+READER = """from lib.planner import Group, limits
+
+
+def old():
+    least, greatest = limits("elbow")
+    found, path = Group().plan(least)
+    rest = Group().stop()
+    rest.execute()
+    return found, path, greatest
+
+
+def new():
+    least, greatest, velocity = limits("elbow")
+    found, path, seconds = Group().plan(least)
+    both = Group().both()
+    left = Group().stop()
+    left[0].execute()
+    return found, path, greatest, velocity, seconds, both
+"""
+
+
+def test_python_that_unpacks_what_is_another_number_of_values_now(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Functions by import and methods by name, one object that became several; who follows already is quiet."""
+    repo, user = tmp_path / "lib", tmp_path / "user"
+    setup = {"setup.py": "from setuptools import setup\nsetup(name='lib', packages=['lib'])\n", "lib/__init__.py": ""}
+    before = PLANNER.format(limits="0, 1", empty="False, None", found="True, [goal]", rest="rest")
+    after = PLANNER.format(limits="0, 1, 2", empty="False, None, 0", found="True, [goal], 1", rest="rest, True")
+    for tag, text in (("1.0.0", before), ("2.0.0", after)):
+        release(repo, {"package.xml": package("lib", tag), **setup, "lib/planner.py": text}, tag)
+    write(user, {"package.xml": package("user"), "scripts/reader.py": READER})
+    found = {(entry["evidence"][0]["line"], entry["certainty"]) for entry in findings(capsys, repo, user)}
+    assert found == {(5, "proved"), (6, "likely"), (7, "likely")}

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Final, Literal, NamedTuple
 
-from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op, Table
-from ecm_parsers.source.facts import Statement
+from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Number, Op, Table, Template, Text
+from ecm_parsers.source.facts import Function, Statement
 
-from ecm_extract.link.calls import dotted_name, walk
+from ecm_extract.link.calls import dotted_name, last_name, walk
 from ecm_extract.link.program import Cls, Func
 
 _THIS: Final = Name("this")
@@ -33,10 +33,30 @@ class Taken(NamedTuple):
 
 
 def returned(func: Func) -> Count | None:
-    """Return how many values every `return` of a function gives; None where they differ or one is not a display."""
-    if func.fact.decorators:
-        return None
-    return _agreed((entry.value, func, entry.line) for entry in func.fact.body if entry.kind == "return")
+    """Return how many values every `return` of a function displays; None where they differ or one is no display."""
+    values = returned_values(func.fact)
+    values = values if values != 1 else None
+    lines = [entry.line for entry in func.fact.body if entry.kind == "return"]
+    return Count(values, func.file.path, lines[0]) if values is not None else None
+
+
+def returned_values(function: Function) -> int | None:
+    """Return the number alone, 1 for an object; decorators may make something else of what is returned."""
+    counts = {_values_of(entry.value, function) for entry in function.body if entry.kind == "return"}
+    return counts.pop() if len(counts) == 1 and not function.decorators else None
+
+
+def _values_of(value: Expr | None, function: Function) -> int | None:
+    if isinstance(value, Name):
+        kinds = {_is_object(entry.value) for entry in function.body if entry.target == value}
+        return 1 if kinds == {True} else None
+    return 1 if _is_object(value) else count_of(value)
+
+
+def _is_object(value: Expr | None) -> bool:
+    """Whether an expression is surely one thing: a literal, or an object of a class."""
+    made = last_name(dotted_name(value.callee)) if isinstance(value, Call) else ""
+    return isinstance(value, Text | Number | Template) or (made[:1].isupper() and not made.isupper())
 
 
 def held(taken: Taken, classes: Iterable[Cls]) -> Count | None:
