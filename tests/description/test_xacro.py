@@ -186,9 +186,9 @@ def _chain(count: int, fan: int) -> str:
 )
 def test_what_never_ends_is_cut_at_once(body: str) -> None:
     """Cycles and explosions of files, macros, blocks and texts end in a diagnostic, quickly."""
-    begin = time.perf_counter()
+    begin = time.process_time()
     found, problems = expanded(body)
-    assert time.perf_counter() - begin < 2.0
+    assert time.process_time() - begin < 2.0
     assert found is not None
     assert problems
 

@@ -149,9 +149,9 @@ BOMB = b'<!DOCTYPE r [<!ENTITY a "b"><!ENTITY c "&a;&a;">]><root>&c;</root>'
 )
 def test_hostile(data: bytes, code: str) -> None:
     """Entities, deep nesting and NULs are a diagnostic in less than a second."""
-    started = time.perf_counter()
+    started = time.process_time()
     found = [entry.code for entry in parse_behavior_tree(data).diagnostics]
-    assert time.perf_counter() - started < 1
+    assert time.process_time() - started < 1
     assert any(entry.startswith(code) for entry in found)
 
 

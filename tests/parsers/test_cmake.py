@@ -247,9 +247,9 @@ def test_subdirectories_inherit_variables() -> None:
 )
 def test_hostile_files_end_quickly(data: bytes) -> None:
     """Expansion, loops and recursion are bounded."""
-    start = time.monotonic()
+    start = time.process_time()
     parse_cmake(data)
-    assert time.monotonic() - start < 3
+    assert time.process_time() - start < 3
 
 
 _WORDS = [

@@ -170,17 +170,17 @@ MANY = b"".join(
 )
 def test_hostile(data: bytes, code: str) -> None:
     """Alias bombs, deep nesting and NULs are a diagnostic in less than a second."""
-    started = time.perf_counter()
+    started = time.process_time()
     found = [entry.code for entry in parse_controllers(data).diagnostics]
-    assert time.perf_counter() - started < 1
+    assert time.process_time() - started < 1
     assert any(entry.startswith(code) for entry in found)
 
 
 def test_many_managers() -> None:
     """Time grows with the file, not with managers times controllers."""
-    started = time.perf_counter()
+    started = time.process_time()
     file = parse_controllers(MANY).facts
-    assert time.perf_counter() - started < 2
+    assert time.process_time() - started < 2
     assert (len(file.managers), len(file.controllers)) == (2000, 2000)
 
 

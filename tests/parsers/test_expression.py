@@ -107,10 +107,10 @@ def test_what_is_wrong_or_not_allowed_is_refused(text: str) -> None:
 )
 def test_a_hostile_expression_ends_at_once(text: str) -> None:
     """Time and memory are bounded whatever the text."""
-    begin = time.perf_counter()
+    begin = time.process_time()
     with pytest.raises(ExpressionError):
         evaluate(text, NAMES)
-    assert time.perf_counter() - begin < 1.0
+    assert time.process_time() - begin < 1.0
 
 
 def test_expressions_share_a_budget() -> None:

@@ -161,10 +161,10 @@ def test_unknown_shape_is_a_diagnostic() -> None:
 def test_large_files_are_bounded(line: bytes) -> None:
     """A file beyond the limit is skipped and one just below is read in seconds."""
     assert parse(line * (MAX_BYTES // len(line) + 1), "msg").diagnostics[0].code == "interface-too-large"
-    started = time.perf_counter()
+    started = time.process_time()
     parse((line * (300_000 // len(line)))[:300_000], "msg")
     parse(((line + b"\n") * 150_000)[:300_000], "msg")
-    assert time.perf_counter() - started < 4
+    assert time.process_time() - started < 4
 
 
 @settings(max_examples=50, deadline=None)

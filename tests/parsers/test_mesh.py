@@ -90,7 +90,7 @@ def test_entities_and_depth_cost_nothing() -> None:
     """Hostile XML: no expansion, no recursion."""
     bomb = b'<!DOCTYPE a [<!ENTITY a "aaaaaaaaaa"><!ENTITY b "' + b"&a;" * 1000 + b'">]><COLLADA>&b;</COLLADA>'
     deep = b"<COLLADA>" + b"<node>" * 10_000 + b"</node>" * 10_000 + b"</COLLADA>"
-    started = time.perf_counter()
+    started = time.process_time()
     assert mesh_extent("a.dae", bomb) is None
     assert mesh_extent("a.dae", deep) is None
-    assert time.perf_counter() - started < 1
+    assert time.process_time() - started < 1

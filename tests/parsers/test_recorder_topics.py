@@ -108,9 +108,9 @@ ALIASES = b"a: &a [x,x,x,x,x,x,x,x,x]\n" + b"".join(
 )
 def test_hostile(data: bytes, code: str) -> None:
     """Alias bombs, deep nesting and NULs are a diagnostic in less than a second."""
-    started = time.perf_counter()
+    started = time.process_time()
     found = [entry.code for entry in parse_recorder(data).diagnostics]
-    assert time.perf_counter() - started < 1
+    assert time.process_time() - started < 1
     assert any(entry.startswith(code) for entry in found)
 
 

@@ -119,9 +119,9 @@ def test_other_files() -> None:
 )
 def test_hostile(data: bytes, code: str) -> None:
     """Entities, deep nesting and NULs are a diagnostic in less than a second."""
-    started = time.perf_counter()
+    started = time.process_time()
     found = [entry.code for entry in parse_policy(data).diagnostics]
-    assert time.perf_counter() - started < 1
+    assert time.process_time() - started < 1
     assert any(entry.startswith(code) for entry in found)
 
 

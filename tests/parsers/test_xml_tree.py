@@ -43,10 +43,10 @@ def test_line_is_where_the_tag_begins(noise: str, many_roots: bool) -> None:
 )
 def test_entities_are_refused_at_once(data: bytes) -> None:
     """An entity bomb, or a file read through an entity, is a diagnostic in under a second."""
-    started = time.perf_counter()
+    started = time.process_time()
     assert codes(data) == [("xml-entity", 2)]
     assert parse_xml(data).root is None
-    assert time.perf_counter() - started < 1
+    assert time.process_time() - started < 1
 
 
 def test_external_dtd_is_not_loaded() -> None:
@@ -108,10 +108,10 @@ def test_many_roots() -> None:
 @pytest.mark.parametrize("part", [b"<a", b'<a "', b"<![CDATA[", b"<!--", b"<?", b"\n", b"<a/>", b"</a>", b"&a;"])
 def test_hostile_repetition_ends_soon(part: bytes) -> None:
     """No repeated fragment makes reading more than linear."""
-    started = time.perf_counter()
+    started = time.process_time()
     parse_xml(b"<r>" + part * (500_000 // len(part)))
     parse_xml(part * (500_000 // len(part)) + b"<r/>")
-    assert time.perf_counter() - started < 2
+    assert time.process_time() - started < 2
 
 
 @settings(max_examples=50, deadline=None)

@@ -130,9 +130,9 @@ def deep_alias(levels: int) -> bytes:
 )
 def test_bombs_end_quickly_with_a_diagnostic(data: bytes) -> None:
     """Alias bombs, deep nesting and endless lists stop at a bound, in about a second."""
-    start = time.monotonic()
+    start = time.process_time()
     parsed = parse_yaml(data)
-    assert time.monotonic() - start < 3
+    assert time.process_time() - start < 3
     assert set(codes(parsed)) & {"yaml-limit", "yaml-syntax"}
     for document in parsed.facts:
         plain(document)

@@ -85,7 +85,7 @@ def test_writing_is_fast() -> None:
     evidence = [{"path": f"src/file_{i}.cpp", "line": i} for i in range(3)]
     interface = {"role": "publisher", "name": "/a/b", "type": "std_msgs/msg/String", "evidence": evidence}
     plain = {"signature": {"interfaces": [{**interface, "raw_name": f"name_{i}"} for i in range(6500)]}}
-    start = time.perf_counter()
+    start = time.process_time()
     text = yaml_document(plain)
     assert len(text) > 1_400_000
-    assert time.perf_counter() - start < 1.0
+    assert time.process_time() - start < 1.0

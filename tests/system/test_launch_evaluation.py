@@ -146,9 +146,9 @@ def test_ros1_parameters_have_absolute_names(tmp_path: Path) -> None:
 )
 def test_what_is_missing_is_told_at_once(files: dict[str, str], code: str, tmp_path: Path) -> None:
     """Cycles end, files that are not there are named."""
-    started = time.perf_counter()
+    started = time.process_time()
     assert code in codes(tmp_path, files)
-    assert time.perf_counter() - started < 1
+    assert time.process_time() - started < 1
 
 
 def test_exponential_includes_end(tmp_path: Path) -> None:
@@ -157,6 +157,6 @@ def test_exponential_includes_end(tmp_path: Path) -> None:
         f"f{at}.launch": "<launch>" + f'<include file="$(find p)/f{at + 1}.launch"/>' * 2 + "</launch>"
         for at in range(20)
     }
-    started = time.perf_counter()
+    started = time.process_time()
     assert "launch-cycle" in codes(tmp_path, files)
-    assert time.perf_counter() - started < 1
+    assert time.process_time() - started < 1

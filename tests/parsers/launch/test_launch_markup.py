@@ -191,9 +191,9 @@ def test_what_is_wrong_is_told(text: str, code: str) -> None:
 )
 def test_hostile_xml_costs_less_than_a_second(data: bytes) -> None:
     """Entities, nesting and open substitutions are bounded."""
-    started = time.perf_counter()
+    started = time.process_time()
     parse_launch_xml(data)
-    assert time.perf_counter() - started < 1
+    assert time.process_time() - started < 1
 
 
 def test_hostile_yaml_costs_less_than_a_second() -> None:
@@ -201,10 +201,10 @@ def test_hostile_yaml_costs_less_than_a_second() -> None:
     bomb = "a: &a [x, x]\n" + "".join(
         f"{chr(98 + i)}: &{chr(98 + i)} [*{chr(97 + i)}, *{chr(97 + i)}]\n" for i in range(20)
     )
-    started = time.perf_counter()
+    started = time.process_time()
     parse_launch_yaml((bomb + "launch: *u\n").encode())
     parse_launch_yaml(b"launch: " + b"[" * 10_000)
-    assert time.perf_counter() - started < 1
+    assert time.process_time() - started < 1
 
 
 @settings(max_examples=50, deadline=None)

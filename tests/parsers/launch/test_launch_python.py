@@ -159,10 +159,10 @@ return LaunchDescription([
 )
 def test_what_cannot_be_read_is_told_within_a_second(text: str, code: str) -> None:
     """Broken and hostile files give one diagnostic that says what to do."""
-    started = time.perf_counter()
+    started = time.process_time()
     parsed = parse_launch_python(text.encode())
     assert [entry.code for entry in parsed.diagnostics] == [code]
-    assert time.perf_counter() - started < 1
+    assert time.process_time() - started < 1
 
 
 @pytest.mark.parametrize(
@@ -178,9 +178,9 @@ def test_what_cannot_be_read_is_told_within_a_second(text: str, code: str) -> No
 def test_nothing_runs(body: str) -> None:
     """Endless loops, recursion and huge values end at once."""
     text = "def f():\n    return f()\ndef generate_launch_description():\n"
-    started = time.perf_counter()
+    started = time.process_time()
     parse_launch_python((text + "".join(f"    {line}\n" for line in body.splitlines())).encode())
-    assert time.perf_counter() - started < 1
+    assert time.process_time() - started < 1
 
 
 @settings(max_examples=50, deadline=None)

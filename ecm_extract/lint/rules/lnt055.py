@@ -1,0 +1,69 @@
+"""LNT055: package.xml names a dependency that no distribution and no key of rosdep has."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Final
+
+from ecm_checker.contract import Evidence
+from ecm_checker.finding import Entity, Finding, Severity
+from ecm_parsers.package_facts import Dependency
+
+from ecm_extract.lint.known_packages import known_packages
+from ecm_extract.lint.near import nearest
+from ecm_extract.lint.rule import LintRule
+from ecm_extract.lint.workspace import Workspace
+from ecm_extract.read.facts import PackageFacts
+
+RULE = LintRule(
+    id="LNT055",
+    name="dependency_unknown",
+    dimension="versioning",
+    severity="warning",
+    who="config",
+    consequence="rosdep and the build farm stop: they cannot tell what to install",
+    resolution="correct the name, remove it, or name it under externals in ecm.toml",
+)
+_NEAR: Final = 0.93
+_LONG: Final = 9
+"""Shorter names are like some other by chance."""
+
+_NO_PACKAGE: Final = frozenset({"group_depend", "member_of_group", "conflict", "replace"})
+"""Elements that do not ask for a package."""
+
+
+def check(workspace: Workspace) -> Iterator[Finding]:
+    """Report each name once for a package; what holds under a condition only is left alone."""
+    own = frozenset(workspace.by_name) | workspace.externals
+    for package in workspace.packages:
+        asked = package.manifest.dependencies if package.manifest is not None and not package.root.rosbuild else ()
+        first = {entry.name: entry for entry in reversed(asked) if entry.kind not in _NO_PACKAGE}
+        for name, entry in sorted(first.items()):
+            if name not in own and entry.condition is None:
+                yield from _of(entry, package, own)
+
+
+def _of(entry: Dependency, package: PackageFacts, own: frozenset[str]) -> Iterator[Finding]:
+    where = known_packages().get(entry.name)
+    if where is not None and not _is_of_other_ros(where, package):
+        return
+    level: Severity = "warning"
+    if where is not None:
+        text = f"{package.name} asks for {entry.name}, which was released for ROS {where} only"
+    else:
+        near = _meant(entry.name, own)
+        text = f"{package.name} asks for {entry.name}, which no distribution and no key of rosdep has"
+        text += f"; there is {near}" if near else ""
+        level = "warning" if near else "info"
+    evidence = [Evidence(package.root.manifest or "", entry.line)]
+    yield RULE.finding(text, Entity("package", entry.name), package.name, evidence, severity=level)
+
+
+def _meant(name: str, own: frozenset[str]) -> str | None:
+    """The name that a typing error made this one of."""
+    alike = (other for other in (*known_packages(), *own) if other[:1] == name[:1])
+    return nearest(name, alike, _NEAR) if len(name) >= _LONG else None
+
+
+def _is_of_other_ros(where: str, package: PackageFacts) -> bool:
+    return where in {"1", "2"} and package.ros is not None and where != str(package.ros)
