@@ -20,11 +20,13 @@ from ecm_parsers.launch.model import (
     PushNamespace,
     Remap,
     SetConfiguration,
+    Unread,
 )
 
 from ecm_extract.system.files import Files
 from ecm_extract.system.instances import InstanceMaker
 from ecm_extract.system.launch_files import read_launch
+from ecm_extract.system.launch_sources import LaunchSources
 from ecm_extract.system.model import Given, LaunchArgument, Launched, Place, Remapping, Text, join
 from ecm_extract.system.scope import Scope
 from ecm_extract.system.settings import Settings
@@ -75,6 +77,7 @@ class Evaluator:
             Node: self._node,
             Include: self._include,
             Group: self._group,
+            Unread: self._unread_action,
         }
 
     def file(self, path: str, scope: Scope, stack: tuple[str, ...]) -> None:
@@ -86,7 +89,8 @@ class Evaluator:
             self.report(stack[-1] if stack else path, 0, "launch-cycle", f"{path} {why}. Break the cycle.")
             return
         data = self.files.read(path)
-        parsed = read_launch(path, data, self.files.ros_of(path)) if data is not None else None
+        sources = LaunchSources(self.files, path)
+        parsed = read_launch(path, data, self.files.ros_of(path), sources) if data is not None else None
         if parsed is None:
             return
         for entry in parsed.diagnostics:
@@ -203,6 +207,11 @@ class Evaluator:
             return
         message = f"Included file `{shown}` is outside the tree or known at launch only; what it starts is left out."
         self.tree.report(FileDiagnostic("info", "launch-include-outside", file.path, action.line, message))
+
+    def _unread_action(self, file: _File, action: Action, scope: Scope) -> None:
+        assert isinstance(action, Unread)
+        message = f"`{action.text}` cannot be read without running it; what it starts is left out."
+        self.tree.report(FileDiagnostic("info", "launch-action-unread", file.path, action.line, message))
 
     def report(self, path: str, line: int, code: str, message: str) -> None:
         """Add a warning to the tree's diagnostics."""

@@ -70,6 +70,21 @@ class Files:
         found = [entry for entry in self._by_name.get(PurePosixPath(name).name, ()) if self._root(entry) == root]
         return min(found, key=len) if root is not None and found else None
 
+    def module(self, name: str, beside: str) -> str | None:
+        """Return the path of a Python module by its dotted name.
+
+        Args:
+            name: dotted.
+            beside: path of the file that imports it; a module of one part is sought in its folder.
+        """
+        tail = name.replace(".", "/")
+        wanted = (f"{tail}.py", f"{tail}/__init__.py")
+        folder = beside.rpartition("/")[0]
+        near = [f"{folder}/{each}".lstrip("/") for each in wanted]
+        roots = [root for parent in self._roots.values() for root in (parent, f"{parent}/src".lstrip("/"))]
+        installed = [f"{root}/{each}".lstrip("/") for root in roots for each in wanted]
+        return next((path for path in (*near, *installed) if path in self._paths), None)
+
     def read(self, path: str) -> bytes | None:
         """Return the bytes of a file of the tree, None when it cannot be read."""
         if path not in self._contents:

@@ -7,6 +7,7 @@ from typing import cast
 from ecm_parsers.launch.files import parse_launch_xml, parse_launch_yaml
 from ecm_parsers.launch.model import LaunchFile
 from ecm_parsers.launch.python import parse_launch_python
+from ecm_parsers.launch.sources import Sources
 from ecm_parsers.result import Parsed
 
 _XML_SUFFIXES = (".launch", ".launch.xml", ".test")
@@ -23,10 +24,12 @@ def is_launch_file(path: str) -> bool:
     return "launch" in path.split("/")[:-1]
 
 
-def read_launch(path: str, data: bytes, ros: int | None = None) -> Parsed[LaunchFile | None]:
-    """Read a launch file by the syntax that its name tells."""
+def read_launch(
+    path: str, data: bytes, ros: int | None = None, sources: Sources | None = None
+) -> Parsed[LaunchFile | None]:
+    """Read a launch file by the syntax that its name tells; `sources` gives what a Python file imports."""
     if path.endswith(".py"):
-        return parse_launch_python(data)
+        return parse_launch_python(data, sources)
     if path.endswith((".yaml", ".yml")):
         return parse_launch_yaml(data)
     return parse_launch_xml(data, cast("None", ros if ros in {1, 2} else None))

@@ -85,6 +85,22 @@ def test_include_passes_arguments(tmp_path: Path) -> None:
     assert names(found) == ["/in_1", "/after_1"]
 
 
+def test_python_file_follows_what_it_imports(tmp_path: Path) -> None:
+    """Modules are found in the package, beside the launch file and by path; what nobody can read is said."""
+    build = "from launch_ros.actions import Node\ndef made(name):\n    return Node(package='p', executable='e', name=name)\n"
+    text = (
+        "from p.parts import made as first\nfrom beside import made as second\nfrom nowhere import made as fourth\n"
+        "lib = load_python_launch_file_as_module(os.path.join(get_package_share_directory('p'), 'launch/lib/by_path.py'))\n"
+        "def generate_launch_description():\n"
+        "    return LaunchDescription([first('a'), second('b'), lib.made('c'), fourth('d')])\n"
+    )
+    tree = {"launch/a.launch.py": text, "p/parts.py": build, "launch/beside.py": build, "launch/lib/by_path.py": build}
+    found, diagnostics = evaluated(tmp_path, tree, Given())
+    assert names(found) == ["/a", "/b", "/c"]
+    assert {instance.place for instance in found.instances} == {("launch/a.launch.py", 6)}
+    assert diagnostics == ["launch-action-unread"]
+
+
 def test_ros1_include_sees_only_what_it_is_given(tmp_path: Path) -> None:
     """In ROS 1 the arguments of the outer file are not those of the inner one."""
     outer = '<launch><arg name="x" default="1"/><include file="$(find p)/b.launch" ns="deep"><arg name="y" value="2"/></include></launch>'

@@ -23,13 +23,14 @@ from ecm_parsers.launch.model import (
     PushNamespace,
     Remap,
     SetConfiguration,
-    Template,
 )
+from ecm_parsers.launch.spawners import controller_spawner
 from ecm_parsers.launch.values import (
     Description,
     Unknown,
     Value,
     actions_of,
+    command_words,
     data_of,
     merged_text,
     parameter_sources,
@@ -74,7 +75,8 @@ def _node(kind: NodeKind) -> Constructor:
             namespace=given.optional("namespace") or given.optional("node_namespace"),
             remaps=remaps_of(given.get("remappings"), given.line),
             parameters=parameter_sources(given.get("parameters", default=()), given.line),
-            arguments=_command(given.get("arguments", default=())) + _command(given.get("ros_arguments", default=())),
+            arguments=command_words(given.get("arguments", default=()))
+            + command_words(given.get("ros_arguments", default=())),
             components=_components(components),
             respawn=given.optional("respawn"),
         )
@@ -82,34 +84,8 @@ def _node(kind: NodeKind) -> Constructor:
     return make
 
 
-def _spawner(given: Arguments) -> Value:
-    """The helpers of `controller_manager.launch_utils`, which start one spawner for the controllers they are given."""
-    names = given.get("controller_names", 0) or given.get("controller_name", 0) or given.get("controller_info_dict", 0)
-    listed = list(names) if isinstance(names, list | tuple | dict) else [names]
-    files = given.get("controller_params_files") or given.get("controller_params_file", 1) or []
-    if isinstance(names, dict):
-        files = [file for value in names.values() for file in (value if isinstance(value, list) else [value])]
-    options = [word for file in (files if isinstance(files, list) else [files]) for word in ("--param-file", file)]
-    extra = given.get("extra_spawner_args", default=[])
-    words = [*listed, *options, *(extra if isinstance(extra, list) else [])]
-    spawner = Node(
-        line=given.line,
-        kind="node",
-        package=("controller_manager",),
-        executable=("spawner",),
-        arguments=_command([word for word in words if word is not None]),
-    )
-    return Description([spawner])
-
-
 def _components(value: Value) -> tuple[Node, ...]:
     return tuple(action for action in actions_of(value) if isinstance(action, Node))
-
-
-def _command(value: Value) -> tuple[Template, ...]:
-    if not isinstance(value, list | tuple):
-        return (template_of(value),) if value is not None else ()
-    return tuple(template_of(item) for item in value)
 
 
 def remaps_of(value: Value, line: int) -> tuple[Remap, ...]:
@@ -129,7 +105,7 @@ def _process(given: Arguments) -> Value:
         if isinstance(command, list | tuple)
         else [command]
     )
-    return Node(line=given.line, condition=given.condition, kind="process", arguments=_command(flat))
+    return Node(line=given.line, condition=given.condition, kind="process", arguments=command_words(flat))
 
 
 def _load(given: Arguments) -> Value:
@@ -169,6 +145,11 @@ def _holding(*names: str) -> Constructor:
         return Group(line=given.line, condition=given.condition, actions=tuple(found), scoped=False)
 
     return make
+
+
+def _nothing(_: Arguments) -> Value:
+    """An action that starts and changes nothing of what is read here."""
+    return None
 
 
 def _push(given: Arguments) -> Value:
@@ -241,9 +222,9 @@ ACTIONS: Mapping[str, Constructor] = MappingProxyType(
         "DeclareLaunchArgument": _argument,
         "Node": _node("node"),
         "LifecycleNode": _node("lifecycle_node"),
-        "generate_controllers_spawner_launch_description": _spawner,
-        "generate_controllers_spawner_launch_description_from_dict": _spawner,
-        "generate_load_controller_launch_description": _spawner,
+        "generate_controllers_spawner_launch_description": controller_spawner,
+        "generate_controllers_spawner_launch_description_from_dict": controller_spawner,
+        "generate_load_controller_launch_description": controller_spawner,
         "ComposableNodeContainer": _node("container"),
         "ComposableNode": _node("component"),
         "ComposableLifecycleNode": _node("component"),
@@ -270,11 +251,29 @@ ACTIONS: Mapping[str, Constructor] = MappingProxyType(
         "SetEnvironmentVariable": _setting(environment=True),
         "AppendEnvironmentVariable": _setting(environment=True),
         "TimerAction": _holding("actions"),
+        "RosTimer": _holding("actions"),
+        "ROSTimer": _holding("actions"),
+        "LogInfo": _nothing,
+        "EmitEvent": _nothing,
+        "Shutdown": _nothing,
+        "UnregisterEventHandler": _nothing,
+        "UnsetEnvironmentVariable": _nothing,
+        "UnsetLaunchConfiguration": _nothing,
+        "ResetLaunchConfigurations": _nothing,
+        "PushEnvironment": _nothing,
+        "PopEnvironment": _nothing,
+        "ResetEnvironment": _nothing,
+        "PushLaunchConfigurations": _nothing,
+        "PopLaunchConfigurations": _nothing,
+        "LifecycleTransition": _nothing,
+        "ReadyToTest": _nothing,
+        "KeepAliveProc": _nothing,
         "RegisterEventHandler": _holding("event_handler"),
         "OnProcessStart": _holding("on_start", ""),
         "OnProcessExit": _holding("on_exit", ""),
         "OnExecutionComplete": _holding("on_completion", ""),
         "OnStateTransition": _holding("entities", ""),
+        "OnShutdown": _holding("on_shutdown", ""),
         "OnProcessIO": _holding("on_stdout", "on_stderr"),
         "ParameterFile": _parameter_file,
         "ParameterValue": _parameter_value,

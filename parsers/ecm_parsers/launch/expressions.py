@@ -7,16 +7,20 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator
 
 from ecm_parsers.launch.arguments import Arguments
+from ecm_parsers.launch.classes import member
 from ecm_parsers.launch.constructors import CONSTRUCTORS
 from ecm_parsers.launch.methods import hashable
 from ecm_parsers.launch.model import Action, Group, Substitution, Template
 from ecm_parsers.launch.operators import binary, compare, negated, subscript, truth
 from ecm_parsers.launch.values import (
     MAX_ITEMS,
+    Class,
     Condition,
     Description,
     Function,
     Method,
+    Module,
+    Object,
     Reference,
     Scope,
     Text,
@@ -50,6 +54,10 @@ class Expressions(ABC):
         """Return what a call gives."""
 
     @abstractmethod
+    def call(self, function: Function, given: Arguments) -> Value:
+        """Return what a function of a launch file or of its modules returns."""
+
+    @abstractmethod
     def assign(self, target: ast.expr, value: Value, scope: Scope) -> None:
         """Bind a value to what stands on the left side."""
 
@@ -67,16 +75,30 @@ class Expressions(ABC):
         return found if known else Reference(node.id)
 
     def _attribute(self, node: ast.Attribute, scope: Scope) -> Value:
-        owner = self.value(node.value, scope)
+        found = self.attribute(self.value(node.value, scope), node.attr, node.lineno)
+        return Unknown(source_of(node)) if isinstance(found, Unknown) else found
+
+    def attribute(self, owner: Value, name: str, line: int = 0) -> Value:
+        """Return an attribute of a value, Unknown when it is not known; `line` is where it is read."""
         if isinstance(owner, Reference):
-            return Reference(f"{owner.path}.{node.attr}")
-        if node.attr == "parent" and isinstance(owner, Text | str):
-            return CONSTRUCTORS["dirname"](Arguments((owner,), {}, node.lineno))
-        if node.attr == "launch_configurations":
-            return Reference("launch_configurations")
-        if isinstance(owner, Unknown):
-            return Unknown(source_of(node))
-        return Method(owner, node.attr)
+            return Reference(f"{owner.path}.{name}")
+        if name == "parent" and isinstance(owner, Text | str):
+            return CONSTRUCTORS["dirname"](Arguments((owner,), {}, 0))
+        if name in {"launch_configurations", "perform_substitution"}:
+            return Reference(name)
+        if isinstance(owner, Module) and name != "load_module":
+            return owner.scope.names.get(name, Reference(f"{owner.name}.{name}"))
+        if isinstance(owner, Class | Object):
+            return self._member(owner, name, line)
+        return owner if isinstance(owner, Unknown) else Method(owner, name)
+
+    def _member(self, owner: Class | Object, name: str, line: int) -> Value:
+        if isinstance(owner, Object) and name in owner.attributes:
+            return owner.attributes[name]
+        found = member(owner if isinstance(owner, Class) else owner.cls, name, owner)
+        if isinstance(found, Function) and found.kind == "property" and found.first:
+            return self.call(found, Arguments((), {}, line))
+        return Unknown(name) if found is None else found
 
     def _subscript(self, node: ast.Subscript, scope: Scope) -> Value:
         owner, key = self.value(node.value, scope), self.value(node.slice, scope)

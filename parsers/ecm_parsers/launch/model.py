@@ -149,8 +149,23 @@ class Group(_Action, frozen=True, kw_only=True):
     scoped: bool = True
 
 
+class Unread(_Action, frozen=True, kw_only=True):
+    """What a file adds here cannot be read; `text` is the call as written."""
+
+    text: str
+
+
 Action: TypeAlias = (
-    Argument | SetConfiguration | PushNamespace | Remap | ParameterValue | ParameterFile | Node | Include | Group
+    Argument
+    | SetConfiguration
+    | PushNamespace
+    | Remap
+    | ParameterValue
+    | ParameterFile
+    | Node
+    | Include
+    | Group
+    | Unread
 )
 
 

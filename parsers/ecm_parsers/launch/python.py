@@ -9,6 +9,7 @@ from ecm_parsers.launch.arguments import Arguments
 from ecm_parsers.launch.expressions import TooLongError
 from ecm_parsers.launch.interpreter import Interpreter
 from ecm_parsers.launch.model import LaunchFile
+from ecm_parsers.launch.sources import Sources
 from ecm_parsers.launch.values import Description, Function, actions_of
 from ecm_parsers.result import Diagnostic, Parsed
 from ecm_parsers.text import decode
@@ -17,11 +18,12 @@ MAX_BYTES = 500_000
 ENTRY_POINTS = ("generate_launch_description", "generate_test_description")
 
 
-def parse_launch_python(data: bytes) -> Parsed[LaunchFile | None]:
+def parse_launch_python(data: bytes, sources: Sources | None = None) -> Parsed[LaunchFile | None]:
     """Read a launch file in Python.
 
     Args:
         data: its bytes, at most `MAX_BYTES`.
+        sources: gives the modules that it imports and the files that it reads; without, they stay unknown.
 
     Returns:
         The file, None when it has no `generate_launch_description`, and diagnostics.
@@ -38,7 +40,7 @@ def parse_launch_python(data: bytes) -> Parsed[LaunchFile | None]:
     except (RecursionError, MemoryError, ValueError):
         return _refused("launch-too-deep", 0, "Expressions nest too deeply to be read. Flatten them.")
     try:
-        found = _read(tree)
+        found = _read(tree, sources)
     except TooLongError:
         return _refused("launch-too-long", 0, "The file builds more than can be read without running it. Simplify it.")
     except RecursionError:
@@ -46,8 +48,8 @@ def parse_launch_python(data: bytes) -> Parsed[LaunchFile | None]:
     return Parsed(found.facts, (*doubts, *found.diagnostics))
 
 
-def _read(tree: ast.Module) -> Parsed[LaunchFile | None]:
-    interpreter = Interpreter()
+def _read(tree: ast.Module, sources: Sources | None) -> Parsed[LaunchFile | None]:
+    interpreter = Interpreter(sources)
     interpreter.run(tree.body, interpreter.module)
     entry = next(
         (interpreter.module.names.get(name) for name in ENTRY_POINTS if name in interpreter.module.names), None

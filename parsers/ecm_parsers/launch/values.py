@@ -18,6 +18,7 @@ from ecm_parsers.launch.model import (
     ParameterValue,
     Substitution,
     Template,
+    Unread,
 )
 
 MAX_ITEMS = 2_000
@@ -41,9 +42,10 @@ class Condition:
 
 @dataclass(frozen=True, slots=True)
 class Unknown:
-    """A value that is not known without running the file, as written."""
+    """A value that is not known without running the file, as written; `line` is set where a call gives it."""
 
     text: str
+    line: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,10 +62,18 @@ class Reference:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Function:
-    """A function of the file; its free names are looked up where it was defined."""
+    """A function; its free names are looked up where it was defined.
+
+    Attributes:
+        owner: class that holds it. kind: its decorator: staticmethod, classmethod, property or empty.
+        first: what it is bound to and gets before the arguments of the call.
+    """
 
     node: ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda
     scope: Scope
+    owner: Class | None = None
+    kind: str = ""
+    first: tuple[Value, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -98,6 +108,42 @@ class Scope:
         return None
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Module:
+    """A module of the tree that the file imports."""
+
+    name: str
+    scope: Scope
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Class:
+    """A class of the tree; `fields` are its annotated names, as a data class has them."""
+
+    name: str
+    bases: tuple[Value, ...]
+    body: Scope
+    fields: tuple[str, ...] = ()
+
+
+@dataclass(slots=True, eq=False)
+class Object:
+    """An object of a class of the tree; `made` is what its base of `launch` makes of it."""
+
+    cls: Class
+    line: int
+    attributes: dict[str, Value] = field(default_factory=dict)
+    made: Value = None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Super:
+    """What `super()` gives in a method of `cls`."""
+
+    holder: Value
+    cls: Class
+
+
 Value: TypeAlias = Any
 """str, int, float, bool, None, list, tuple, dict, an action of the model or a class of this file."""
 
@@ -116,11 +162,15 @@ def template_of(value: Value, depth: int = 0) -> Template:
         return tuple(part for item in value[:MAX_ITEMS] for part in template_of(item, depth + 1))
     if isinstance(value, Condition):
         return value.holds
+    if isinstance(value, Object) and value.made is not None:
+        return template_of(value.made, depth + 1)
     return (Substitution("unknown", ((shown(value),),)),)
 
 
 def shown(value: Value) -> str:
     """Return what an unknown value is called in the file."""
+    if isinstance(value, Object):
+        return value.cls.name
     return value.text if isinstance(value, Unknown) else type(value).__name__
 
 
@@ -145,6 +195,13 @@ def merged_text(parts: Template) -> Value:
     if not joined:
         return ""
     return joined[0] if len(joined) == 1 and isinstance(joined[0], str) else Text(tuple(joined))
+
+
+def command_words(value: Value) -> tuple[Template, ...]:
+    """Return the words of a command line."""
+    if not isinstance(value, list | tuple):
+        return (template_of(value),) if value is not None else ()
+    return tuple(template_of(item) for item in value)
 
 
 def data_of(value: Value, depth: int = 0) -> Data:
@@ -187,12 +244,21 @@ def _flattened(table: dict[Value, Value], prefix: Template, line: int, depth: in
 
 
 def actions_of(value: Value, depth: int = 0) -> tuple[Action, ...]:
-    """Return the actions of a list, description or single action, in order."""
+    """Return the actions of a list, description or single action, in order; a call that cannot be read is one too."""
+    if isinstance(value, Object):
+        value = value.made if value.made is not None else Unknown(value.cls.name, value.line)
     if isinstance(value, Description):
         value = value.actions
     if isinstance(value, list | tuple) and depth < MAX_DEPTH:
         return tuple(action for item in value[:MAX_ITEMS] for action in actions_of(item, depth + 1))
+    if isinstance(value, Unknown) and value.line:
+        return (Unread(line=value.line, text=value.text),)
     return (value,) if isinstance(value, Action) else ()
+
+
+def starts_something(value: Value) -> bool:
+    """Tell whether a value holds actions that can be read."""
+    return any(not isinstance(action, Unread) for action in actions_of(value))
 
 
 def guarded(actions: tuple[Action, ...], guard: Template | None, line: int) -> tuple[Action, ...]:

@@ -1,0 +1,88 @@
+"""Classes of launch files: their members, their objects, and what `super().__init__` makes of an object."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from dataclasses import replace
+
+from ecm_parsers.launch.arguments import Arguments
+from ecm_parsers.launch.constructors import CONSTRUCTORS
+from ecm_parsers.launch.values import MAX_DEPTH, Class, Function, Object, Reference, Scope, Super, Value
+
+_ABSENT = object()
+
+
+def class_of(node: ast.ClassDef, bases: tuple[Value, ...], body: Scope) -> Class:
+    """Return a class; `body` holds what its statements set."""
+    made = Class(node.name, bases, body, tuple(_fields(node)))
+    for name, value in body.names.items():
+        if isinstance(value, Function) and isinstance(value.node, ast.FunctionDef | ast.AsyncFunctionDef):
+            body.names[name] = replace(value, owner=made, kind=_kind(value.node))
+    return made
+
+
+def _fields(node: ast.ClassDef) -> Iterator[str]:
+    for statement in node.body:
+        if isinstance(statement, ast.AnnAssign) and isinstance(statement.target, ast.Name):
+            yield statement.target.id
+
+
+def _kind(node: ast.FunctionDef | ast.AsyncFunctionDef) -> str:
+    names = {entry.id for entry in node.decorator_list if isinstance(entry, ast.Name)}
+    return next((kind for kind in ("staticmethod", "classmethod", "property") if kind in names), "")
+
+
+def lineage(cls: Class, depth: int = 0) -> Iterator[Class | Reference]:
+    """Yield a class and its bases, nearest first."""
+    yield cls
+    for base in cls.bases if depth < MAX_DEPTH else ():
+        if isinstance(base, Class):
+            yield from lineage(base, depth + 1)
+        elif isinstance(base, Reference):
+            yield base
+
+
+def member(cls: Class, name: str, holder: Value, *, above: bool = False) -> Value:
+    """Return a member as a holder (object or class) sees it, None when no class of the tree has it.
+
+    Args:
+        cls: where to look first.
+        name: of the member.
+        holder: what methods are bound to.
+        above: leave out `cls` itself, as `super()` does.
+    """
+    for entry in list(lineage(cls))[1 if above else 0 :]:
+        value = entry.body.names.get(name, _ABSENT) if isinstance(entry, Class) else _ABSENT
+        if value is not _ABSENT:
+            return _bound(value, cls, holder)
+    return None
+
+
+def _bound(value: Value, cls: Class, holder: Value) -> Value:
+    if not isinstance(value, Function) or value.kind == "staticmethod":
+        return value
+    if value.kind == "classmethod":
+        return replace(value, first=(holder.cls if isinstance(holder, Object) else cls,))
+    return replace(value, first=(holder,)) if isinstance(holder, Object) else value
+
+
+def made_by_base(cls: Class, given: Arguments, *, above: bool = False) -> Value:
+    """Return what the nearest class of `launch` among the bases makes, None when there is none."""
+    for entry in list(lineage(cls))[1 if above else 0 :]:
+        if isinstance(entry, Reference) and entry.last in CONSTRUCTORS:
+            return CONSTRUCTORS[entry.last](given)
+    return None
+
+
+def filled_fields(made: Object, given: Arguments) -> None:
+    """Set the fields of a data class from what its constructor is given."""
+    names = [name for entry in reversed(list(lineage(made.cls))) if isinstance(entry, Class) for name in entry.fields]
+    made.attributes.update(zip(names, given.positional, strict=False))
+    made.attributes.update(given.keywords)
+
+
+def super_of(scope: Scope) -> Value:
+    """Return what `super()` is inside a method."""
+    holder, cls = scope.find("__holder__"), scope.find("__class__")
+    return Super(holder, cls) if isinstance(cls, Class) else Reference("super")
