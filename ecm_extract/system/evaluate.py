@@ -89,7 +89,7 @@ class Evaluator:
             self.report(stack[-1] if stack else path, 0, "launch-cycle", f"{path} {why}. Break the cycle.")
             return
         data = self.files.read(path)
-        sources = LaunchSources(self.files, path)
+        sources = LaunchSources(self.files, path, scope)
         parsed = read_launch(path, data, self.files.ros_of(path), sources) if data is not None else None
         if parsed is None:
             return

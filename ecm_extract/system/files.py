@@ -70,6 +70,12 @@ class Files:
         found = [entry for entry in self._by_name.get(PurePosixPath(name).name, ()) if self._root(entry) == root]
         return min(found, key=len) if root is not None and found else None
 
+    def names(self, text: str) -> tuple[str, ...]:
+        """Return the names of the files of a folder by its marked path."""
+        folder = (_normal(text[len(TREE) :]) + "/").lstrip("/")
+        below = (path.removeprefix(folder) for path in self._paths if path.startswith(folder))
+        return tuple(sorted(name for name in below if "/" not in name))
+
     def module(self, name: str, beside: str) -> str | None:
         """Return the path of a Python module by its dotted name.
 

@@ -51,7 +51,11 @@ class Settings:
         path, sets = self._sets(source)
         root = self.substituter.text(source.namespace).text
         rewrites = [(self.substituter.text(key).text, self.substituter.text(value)) for key, value in source.rewrites]
+        prefix = self.substituter.text(source.prefix).text
         for entry in sets:
+            if source.plain:
+                yield Setting(_dotted(prefix, entry), entry.value, Place(path, entry.line))
+                continue
             value = self._rewritten(entry.name, self._substituted(entry.value), rewrites)
             node = entry.node if entry.node is None or not root else _below(root, entry.node)
             yield Setting(entry.name, value, Place(path, entry.line), node or EVERY_NODE)
@@ -131,3 +135,9 @@ class Settings:
 
 def _below(root: str, node: str) -> str:
     return join("/" + root.strip("/"), node.lstrip("/")) if root.strip("/") else node
+
+
+def _dotted(prefix: str, entry: ParameterSet) -> str:
+    """Name of a value of a plain YAML file that is given as a map."""
+    parts = (prefix, (entry.node or "").strip("/"), entry.name)
+    return ".".join(part.replace("/", ".") for part in parts if part)

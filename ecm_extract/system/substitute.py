@@ -212,6 +212,7 @@ _KINDS: Mapping[str, Callable[[Substituter, Substitution, int], Text]] = Mapping
         "anon": Substituter._anonymous,
         "command": Substituter._unknown_command,
         "file": Substituter._file,
+        "yaml": Substituter._file,
         "eval": Substituter._expression,
         "not": Substituter._not,
         "and": Substituter._and,

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import ast
 from abc import abstractmethod
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
 
 from ecm_parsers.launch.arguments import Arguments
 from ecm_parsers.launch.classes import filled_fields, made_by_base, member, super_of
@@ -12,7 +13,8 @@ from ecm_parsers.launch.constructors import CONSTRUCTORS
 from ecm_parsers.launch.expressions import Expressions, choice, source_of
 from ecm_parsers.launch.imports import LOADERS, Imports
 from ecm_parsers.launch.methods import call_builtin, call_method
-from ecm_parsers.launch.model import Action, Group, Substitution, Template
+from ecm_parsers.launch.model import Action, Argument, Group, Substitution, Template
+from ecm_parsers.launch.reading import exists, globbed, loaded, virtual_joints
 from ecm_parsers.launch.sources import NoSources, Sources
 from ecm_parsers.launch.values import (
     Class,
@@ -32,6 +34,14 @@ from ecm_parsers.launch.values import (
 )
 
 MAX_CALLS = 20
+_OF_DATA = frozenset({"get", "items", "keys", "values"})
+_OF_PATHS: Mapping[str, Callable[[Sources, Value, Value], Value]] = MappingProxyType(
+    {
+        "exists": lambda sources, path, _: exists(sources, path),
+        "is_file": lambda sources, path, _: exists(sources, path),
+        "glob": globbed,
+    }
+)
 
 
 class Calls(Expressions):
@@ -39,7 +49,8 @@ class Calls(Expressions):
 
     def __init__(self, sources: Sources | None = None) -> None:
         super().__init__()
-        self.imports = Imports(sources or NoSources(), self._module)
+        self.sources = sources or NoSources()
+        self.imports = Imports(self.sources, self._module)
         self.module = Scope({"__file__": Text((Substitution("dirname"), "/launch.py"))})
         self._depth = 0
         self._guard: Template | None = None
@@ -48,6 +59,10 @@ class Calls(Expressions):
     @abstractmethod
     def run(self, body: list[ast.stmt], scope: Scope) -> list[tuple[Template | None, Value]]:
         """Read statements; returns what they return, each with the condition under which."""
+
+    def loaded(self, value: Value) -> Value:
+        """Return the data of a YAML file that a value names, else the value."""
+        return loaded(self.sources, value)
 
     def _module(self, tree: ast.Module, scope: Scope) -> None:
         """Read the statements of an imported module."""
@@ -99,7 +114,10 @@ class Calls(Expressions):
             return self._super_method(callee.owner, callee.name, given)
         if isinstance(callee.owner, Action) or callee.name == "get_package_share_directory":
             return Unknown(callee.name)
-        return call_method(callee.owner, callee.name, given)
+        if isinstance(callee.owner, Text | str) and callee.name in _OF_PATHS:
+            return _OF_PATHS[callee.name](self.sources, callee.owner, given.get("", 0))
+        owner = self.loaded(callee.owner) if callee.name in _OF_DATA else callee.owner
+        return call_method(owner, callee.name, given)
 
     def _under_guard(self, value: Value, line: int) -> Value:
         if isinstance(value, list | tuple):
@@ -121,10 +139,15 @@ class Calls(Expressions):
             return self._initialised(callee, given)
         constructor = CONSTRUCTORS.get(callee.last)
         if constructor is not None:
-            return constructor(given)
+            return self._noted(constructor(given))
         if callee.last in LOADERS:
             return self.imports.at(given.template("path", LOADERS[callee.last])) or Unknown(callee.last)
         return self._imported_call(callee, given) if "." in callee.path else call_builtin(callee.path, given)
+
+    def _noted(self, made: Value) -> Value:
+        if isinstance(made, Argument) and made.default is not None:
+            self.sources.declared(made.name, made.default)
+        return made
 
     def _initialised(self, callee: Reference, given: Arguments) -> None:
         """`Node.__init__(self, ...)`, as `super().__init__(...)` was written."""
@@ -218,6 +241,9 @@ class Calls(Expressions):
     _SPECIAL: dict[str, Callable[[Calls, Arguments], Value]] = {  # noqa: RUF012  # read only, one row per function
         "OpaqueFunction": _opaque,
         "getattr": _getattr,
+        "exists": lambda self, given: exists(self.sources, given.get("path", 0)),
+        "isfile": lambda self, given: exists(self.sources, given.get("path", 0)),
+        "srdf_virtual_joints": lambda self, given: virtual_joints(self.sources, given.get("", 0)),
         "perform_substitution": lambda _, given: given.get("", 0),
         "module_from_spec": lambda _, given: given.get("spec", 0),
     }

@@ -28,6 +28,7 @@ from ecm_parsers.launch.values import (
     Value,
     actions_of,
     guarded,
+    is_yaml_file,
     merged_text,
     template_of,
 )
@@ -52,6 +53,10 @@ class Expressions(ABC):
     @abstractmethod
     def call_of(self, node: ast.Call, scope: Scope) -> Value:
         """Return what a call gives."""
+
+    @abstractmethod
+    def loaded(self, value: Value) -> Value:
+        """Return the data of a YAML file that a value names, else the value."""
 
     @abstractmethod
     def call(self, function: Function, given: Arguments) -> Value:
@@ -86,6 +91,8 @@ class Expressions(ABC):
             return CONSTRUCTORS["dirname"](Arguments((owner,), {}, 0))
         if name in {"launch_configurations", "perform_substitution"}:
             return Reference(name)
+        if isinstance(owner, Description) and name == "entities":
+            return owner.actions
         if isinstance(owner, Module) and name != "load_module":
             return owner.scope.names.get(name, Reference(f"{owner.name}.{name}"))
         if isinstance(owner, Class | Object):
@@ -104,7 +111,7 @@ class Expressions(ABC):
         owner, key = self.value(node.value, scope), self.value(node.slice, scope)
         if isinstance(owner, Reference) and owner.last in {"environ", "launch_configurations"}:
             return Text((Substitution("env" if owner.last == "environ" else "arg", (template_of(key),)),))
-        found = subscript(owner, key)
+        found = subscript(self.loaded(owner), key)
         return Unknown(source_of(node)) if isinstance(found, Unknown) else found
 
     def _slice(self, node: ast.Slice, scope: Scope) -> Value:
@@ -126,7 +133,7 @@ class Expressions(ABC):
         for key_node, value_node in zip(node.keys, node.values, strict=True):
             value = self.value(value_node, scope)
             if key_node is None:
-                table.update(value if isinstance(value, dict) else {})
+                table.update(value if isinstance(value, dict) else {value: value} if is_yaml_file(value) else {})
                 continue
             key = self.value(key_node, scope)
             if isinstance(key, list | tuple):
@@ -171,6 +178,8 @@ class Expressions(ABC):
                 if holds is not conjunction:
                     return value
                 continue
+            if part is node.values[-1] and not open_parts:
+                return value
             open_parts.append(holds)
         if not open_parts:
             return value
@@ -201,6 +210,7 @@ class Expressions(ABC):
 
     def items(self, value: Value) -> list[Value] | None:
         """Return what a loop goes over, None when that is not known."""
+        value = self.loaded(value)
         if isinstance(value, Description):
             return value.actions[:MAX_ITEMS]
         return list(value)[:MAX_ITEMS] if isinstance(value, list | tuple | dict) else None

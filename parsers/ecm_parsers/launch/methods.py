@@ -19,6 +19,7 @@ from ecm_parsers.launch.values import (
     Text,
     Unknown,
     Value,
+    is_yaml_file,
     merged_text,
     template_of,
 )
@@ -83,8 +84,6 @@ def _of_description(owner: Description, name: str, given: Arguments) -> Value:
         owner.actions.append(given.get("action", 0))
     elif name == "add_entity":
         owner.actions.append(given.get("entity", 0))
-    elif name == "entities":
-        return owner.actions
     return None
 
 
@@ -108,7 +107,7 @@ def _of_dict(owner: dict[Value, Value], name: str, given: Arguments) -> Value:
     if name == "get":
         return owner.get(first, given.get("default", 1)) if hashable(first) else Unknown("get")
     if name == "update":
-        owner.update(first if isinstance(first, dict) else {})
+        owner.update(first if isinstance(first, dict) else {first: first} if is_yaml_file(first) else {})
         owner.update(given.keywords)
         return None
     if name == "setdefault" and hashable(first):

@@ -16,8 +16,8 @@ class Substitution(msgspec.Struct, frozen=True, tag=True):
     Attributes:
         kind: `arg` (name, default?), `env` (name, default?), `find` (package), `find_prefix` (package),
             `eval` (expression text), `dirname`, `anon` (name), `command` (words), `not`, `and`, `or`, `equals`, `in`,
-            `lower`, `if` (condition, then, else), `has_parameters` (file, node), `file` (path), or `unknown` (source
-            text).
+            `lower`, `if` (condition, then, else), `has_parameters` (file, node), `file` (path), `yaml` (path),
+            or `unknown` (source text).
         args: templates, in the order above.
     """
 
@@ -88,11 +88,14 @@ class ParameterFile(_Action, frozen=True, kw_only=True):
         path: of the file.
         namespace: below which its parameters are put.
         rewrites: (key, value): values that replace those of the file wherever the last part of a name is the key.
+        plain: the data of the file are parameters as they stand, below `prefix`, with no node around them (ROS 2).
     """
 
     path: Template
     namespace: Template = ()
     rewrites: tuple[tuple[Template, Template], ...] = ()
+    plain: bool = False
+    prefix: Template = ()
 
 
 ParameterSource: TypeAlias = ParameterValue | ParameterFile

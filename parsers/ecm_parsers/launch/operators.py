@@ -47,6 +47,7 @@ _COMPARE: Mapping[type[ast.cmpop], Callable[[Value, Value], bool]] = MappingProx
         ast.IsNot: operator.is_not,
     }
 )
+_NEVER_EMPTY = frozenset({"find", "find_prefix", "dirname", "file", "yaml", "command", "anon"})
 _NEGATIVE = (ast.NotEq, ast.NotIn, ast.IsNot)
 
 
@@ -139,7 +140,7 @@ def negated(condition: Template) -> Template:
 def truth(value: Value) -> bool | Template:
     """Return whether a value holds, or the condition under which it does."""
     if isinstance(value, Text):
-        return value.parts
+        return True if _is_never_empty(value.parts) else value.parts
     if isinstance(value, Condition):
         return value.holds
     if isinstance(value, Unknown):
@@ -147,6 +148,11 @@ def truth(value: Value) -> bool | Template:
     if isinstance(value, Description):
         return True
     return bool(value)
+
+
+def _is_never_empty(parts: Template) -> bool:
+    """A path or a text with a written part holds, whatever the launch decides."""
+    return any(isinstance(part, str) or part.kind in _NEVER_EMPTY for part in parts)
 
 
 def subscript(owner: Value, key: Value) -> Value:

@@ -8,7 +8,10 @@ from ecm_parsers.launch.model import Template
 
 
 class Sources(Protocol):
-    """Gives bytes of other files; None for what the tree does not hold."""
+    """Gives bytes of other files; None for what the tree does not hold. Paths may depend on launch arguments."""
+
+    def declared(self, name: str, default: Template) -> None:
+        """Take note of an argument of the launch file, for paths that depend on it."""
 
     def module(self, name: str) -> bytes | None:
         """Return the source of an importable module by its dotted name."""
@@ -16,14 +19,31 @@ class Sources(Protocol):
     def file(self, path: Template) -> bytes | None:
         """Return the content of a file by its path as the launch file writes it."""
 
+    def exists(self, path: Template) -> bool | None:
+        """Return whether the tree holds a file, None when the path does not tell."""
+
+    def names(self, folder: Template) -> tuple[str, ...] | None:
+        """Return the names of the files of a folder, None when the path does not tell."""
+
 
 class NoSources:
     """A launch file that is read alone."""
+
+    def declared(self, name: str, default: Template) -> None:
+        """Do nothing."""
 
     def module(self, name: str) -> bytes | None:
         """Return None."""
         return None
 
     def file(self, path: Template) -> bytes | None:
+        """Return None."""
+        return None
+
+    def exists(self, path: Template) -> bool | None:
+        """Return None."""
+        return None
+
+    def names(self, folder: Template) -> tuple[str, ...] | None:
         """Return None."""
         return None

@@ -11,7 +11,7 @@ from types import MappingProxyType
 
 from ecm_parsers.launch.arguments import Arguments, Constructor
 from ecm_parsers.launch.model import Substitution, Template
-from ecm_parsers.launch.values import Condition, Text, Unknown, Value, merged_text, template_of, text_of
+from ecm_parsers.launch.values import Condition, Text, Unknown, Value, merged_text, template_of
 
 
 def _sub(kind: str, *args: Template) -> Text:
@@ -74,8 +74,19 @@ def _parent(given: Arguments) -> Value:
 
 
 def _basename(given: Arguments) -> Value:
-    text = text_of(given.get("path", 0))
-    return text.rsplit("/", 1)[-1] if text is not None else Unknown("basename")
+    parts = given.template("path", 0)
+    if parts and isinstance(parts[-1], str) and ("/" in parts[-1] or len(parts) == 1):
+        return parts[-1].rsplit("/", 1)[-1]
+    return Unknown("basename")
+
+
+def _yaml(given: Arguments) -> Value:
+    """What a YAML file holds is named by its path, which is what readers of parameters look for."""
+    value = given.get("stream", 0)
+    parts = value.parts if isinstance(value, Text) else ()
+    if len(parts) == 1 and isinstance(parts[0], Substitution) and parts[0].kind == "file":
+        return _sub("yaml", *parts[0].args)
+    return value
 
 
 def _same(given: Arguments) -> Value:
@@ -166,8 +177,8 @@ SUBSTITUTIONS: Mapping[str, Constructor] = MappingProxyType(
         "LaunchConfigurationEquals": _configuration_equals,
         "LaunchConfigurationNotEquals": _configuration_differs,
         "open": _one("file", "file"),
-        "safe_load": _same,
-        "full_load": _same,
+        "safe_load": _yaml,
+        "full_load": _yaml,
         "process_file": _xacro,
         "process": _xacro,
         "Path": _os_path_join,

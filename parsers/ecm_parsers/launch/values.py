@@ -174,6 +174,11 @@ def shown(value: Value) -> str:
     return value.text if isinstance(value, Unknown) else type(value).__name__
 
 
+def is_yaml_file(value: Value) -> bool:
+    """Tell whether a value is the data of a YAML file."""
+    return isinstance(value, Text) and [getattr(part, "kind", "") for part in value.parts] == ["yaml"]
+
+
 def text_of(value: Value) -> str | None:
     """Return a value that is text without substitutions, None for any other."""
     parts = template_of(value) if isinstance(value, str | Text | list | tuple) else None
@@ -226,15 +231,18 @@ def parameter_sources(value: Value, line: int) -> tuple[ParameterSource, ...]:
         elif isinstance(item, list | tuple) and any(isinstance(entry, dict | list | ParameterFile) for entry in item):
             found += parameter_sources(item, line)
         elif item is not None:
-            found.append(ParameterFile(line=line, path=template_of(item)))
+            found.append(ParameterFile(line=line, path=template_of(item), plain=is_yaml_file(item)))
     return tuple(found)
 
 
 def _flattened(table: dict[Value, Value], prefix: Template, line: int, depth: int = 0) -> list[ParameterSource]:
     found: list[ParameterSource] = []
     for key, value in table.items():
-        name = (*prefix, ".", *template_of(key)) if prefix else template_of(key)
-        if isinstance(value, dict) and depth < MAX_DEPTH:
+        own = () if is_yaml_file(key) else template_of(key)  # what a file is updated with has no key of its own
+        name = (*prefix, ".", *own) if prefix and own else own or prefix
+        if is_yaml_file(value):
+            found.append(ParameterFile(line=line, path=template_of(value), prefix=name, plain=True))
+        elif isinstance(value, dict) and depth < MAX_DEPTH:
             found += _flattened(value, name, line, depth + 1)
         elif isinstance(value, ParameterValue):
             found.append(ParameterValue(line=line, name=name, value=value.value))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from ecm_parsers.launch.model import Action, Group, Node, Template, Unread
 from ecm_parsers.launch.python import parse_launch_python
+from ecm_parsers.launch.sources import NoSources
 
 HELPERS = """
 from launch_ros.actions import Node
@@ -63,7 +64,7 @@ class Given:
 MODULES = {"robot.helpers": HELPERS, "robot.names": "PACKAGE = 'p'\n"}
 
 
-class Tree:
+class Tree(NoSources):
     """A tree with two modules, which stand at paths too."""
 
     def module(self, name: str) -> bytes | None:
