@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import ast
+import builtins
+import sys
 from abc import abstractmethod
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
@@ -84,7 +86,7 @@ class Calls(Expressions):
             found = super_of(scope) if callee.path == "super" else self._referenced(callee, given)
             if not isinstance(found, Unknown):
                 return found
-        return Unknown(source_of(node), given.line)
+        return Unknown(source_of(node), 0 if _starts_nothing(node.func) else given.line)
 
     def _object(self, cls: Class, given: Arguments) -> Value:
         made = Object(cls, given.line)
@@ -247,6 +249,13 @@ class Calls(Expressions):
         "perform_substitution": lambda _, given: given.get("", 0),
         "module_from_spec": lambda _, given: given.get("spec", 0),
     }
+
+
+def _starts_nothing(callee: ast.expr) -> bool:
+    """Tell whether a call is one of Python itself: `print`, `os.remove`."""
+    while isinstance(callee, ast.Attribute):
+        callee = callee.value
+    return isinstance(callee, ast.Name) and (callee.id in sys.stdlib_module_names or hasattr(builtins, callee.id))
 
 
 def _returned(returned: list[tuple[Template | None, Value]], line: int) -> Value:

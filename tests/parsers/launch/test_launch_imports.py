@@ -132,7 +132,7 @@ def test_what_a_launch_file_imports_is_read(imported: str, expression: str, name
 
 def test_call_that_cannot_be_read_is_kept_and_placed() -> None:
     """What an unknown function adds is not lost without a word; what starts nothing is."""
-    body = "return LaunchDescription([LogInfo(msg='x'), EmitEvent(event=Shutdown()), build('a')])"
+    body = "return LaunchDescription([LogInfo(msg='x'), EmitEvent(event=Shutdown()), os.remove('a'), build('a')])"
     (found,) = actions(f"from other import build\ndef generate_launch_description():\n    {body}\n")
     assert found == Unread(line=3, text="build('a')")
 
