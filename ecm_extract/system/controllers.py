@@ -36,7 +36,7 @@ class Controller:
         active: whether it is activated at start.
         claims: command interfaces `joint/interface` in order; None when nothing shows them.
         known: False when a claim holds a part that only the launch knows.
-        place: of the line that loads it. typed_at: of the line that gives its type.
+        place: of the line that loads it. typed_at: of the line that gives its type. ros: 1 or 2.
     """
 
     name: str
@@ -48,6 +48,7 @@ class Controller:
     place: Place
     typed_at: Place | None
     conditional: str = ""
+    ros: int = 2
 
 
 def controllers_of(launched: Launched, files: Files, index: ModuleIndex, extra: Iterable[str] = ()) -> list[Controller]:
@@ -97,6 +98,7 @@ class _Controllers:
             place=entry.instance.place,
             typed_at=typed.place if typed is not None else None,
             conditional=entry.instance.conditional,
+            ros=entry.instance.ros,
         )
 
     def _type(self, entry: Spawned, settings: Iterable[Setting]) -> Setting | None:

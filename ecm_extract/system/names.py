@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 from ecm_extract.link.filling import filled
@@ -50,7 +51,10 @@ def resolve(local: str, around: Around) -> list[Resolved]:
 def _remapped(text: str, used: tuple[str, ...], around: Around) -> Resolved:
     before = absolute(text, around.namespace, around.node)
     for remap in around.remaps:
-        if absolute(remap.source, around.namespace, around.node) == before:
+        node, separator, name = remap.source.partition(":")
+        if separator and not name.startswith("//"):  # `node:name` is for this node of a process alone
+            remap = replace(remap, source=name if node == around.node else "")
+        if remap.source and absolute(remap.source, around.namespace, around.node) == before:
             return Resolved(absolute(remap.target, around.namespace, around.node), before, remap, used)
     return Resolved(before, before, None, used)
 

@@ -9,15 +9,18 @@ from typing import Any, NamedTuple
 
 from ecm_checker.contract import Interface, Qos
 
+from ecm_extract.description.model import Description
 from ecm_extract.link.linker import LinkedModule
 from ecm_extract.system.bridges import bridged
 from ecm_extract.system.controllers import Controller
 from ecm_extract.system.files import Files
+from ecm_extract.system.hosted import Hosts
 from ecm_extract.system.model import Instance, Launched, Place, Setting, join
 from ecm_extract.system.modules import Loaded, ModuleIndex
 from ecm_extract.system.names import Around, Resolved, node_matches, resolve
 from ecm_extract.system.node_model import Endpoint, Parameter, SystemNode
 from ecm_extract.system.public_nodes import default_name, public_endpoints
+from ecm_extract.system.settings import all_given
 
 _OWN_NAME = re.compile(r"\{(?:name|plugin_name|plugin|layer_name|prefix|plugin_id)\}")
 """Holes that stand for the name under which a plugin is loaded."""
@@ -66,18 +69,24 @@ class NodeMaker:
         """Return every node, in the order in which they are started."""
         return [node for instance in self.launched.instances for node in self._of(instance)]
 
-    def controllers(self, found: Iterable[Controller]) -> list[SystemNode]:
-        """Return the nodes that loaded controllers make."""
-        settings = tuple(entry for instance in self.launched.instances for entry in instance.settings)
+    def hosted(self, found: Iterable[Controller], robots: Sequence[Description]) -> list[SystemNode]:
+        """Return the nodes that loaded controllers and the hardware of robots make."""
+        hosts = Hosts(self.launched, robots)
         nodes = []
         for controller in found:
             module = self.index.plugin(controller.type)
-            instance = _controller_instance(controller, settings)
             if module is not None:
-                nodes.append(self._node(instance, Loaded(module), first=True))
+                nodes.append(self._node(hosts.controller(controller), Loaded(module), first=True))
             elif controller.type:
-                nodes.append(self._outside(instance))
-        return nodes
+                nodes.append(self._outside(hosts.controller(controller)))
+        return [*nodes, *self._hardware(hosts)]
+
+    def _hardware(self, hosts: Hosts) -> Iterator[SystemNode]:
+        """Drivers of the tree that have endpoints of their own; one without makes no node that could be talked to."""
+        for instance in hosts.hardware():
+            module = self.index.plugin(instance.plugin)
+            if module is not None and any(entry.role != "parameter" for entry in module.interfaces):
+                yield self._node(instance, Loaded(module), first=True)
 
     def _of(self, instance: Instance) -> Iterator[SystemNode]:
         if instance.kind == "process":
@@ -116,7 +125,8 @@ class NodeMaker:
     def _public(self, node: SystemNode) -> Iterator[Endpoint]:
         """Endpoints that a table or the configuration of a bridge tells of a node without source."""
         instance = node.instance
-        rows = [(row.role, row.name, row.type, instance.place) for row in public_endpoints(instance)]
+        known = public_endpoints(instance, lambda name: self._given(node, name))
+        rows = [(row.role, row.name, row.type, instance.place) for row in known]
         rows += [(role, topic.name, topic.type, place) for role, topic, place in bridged(instance, self.files)]
         own = node.name.rpartition("/")[2]
         around = Around(node.namespace, own, instance.remaps, lambda name: self._given(node, name))
@@ -166,6 +176,8 @@ class NodeMaker:
     def _given(self, node: SystemNode, name: str) -> Any:
         """Return the value that the launch sets for a parameter; in ROS 1 also in the namespaces around the node."""
         settings = self._settings(node)
+        if "*" in name:
+            return list(all_given(name, settings))
         bare = name.lstrip("~/")
         found = next((entry.value for entry in reversed(settings) if entry.name in {name, bare}), None)
         if found is not None or node.instance.ros == 2:
@@ -221,22 +233,6 @@ def _endpoint(
         known="{" not in resolved.name,
         place=place,
         qos=qos,
-    )
-
-
-def _controller_instance(controller: Controller, settings: tuple[Setting, ...]) -> Instance:
-    return Instance(
-        kind="controller",
-        package=controller.type.partition("/")[0],
-        executable="",
-        plugin=controller.type,
-        name=controller.name,
-        namespace=controller.namespace,
-        ros=2,
-        place=controller.place,
-        settings=settings,
-        container="controller_manager",
-        conditional=controller.conditional,
     )
 
 

@@ -21,7 +21,7 @@ def descriptions_of(launched: Launched, files: Files) -> list[Description]:
     for text in _texts(launched):
         for match in _FILE.finditer(text):
             path = files.find(match[0])
-            if path is None or len(found) >= MAX_ROBOTS:
+            if path is None or ".srdf" in path or len(found) >= MAX_ROBOTS:
                 continue
             given = tuple((name, value.strip("\"'")) for name, value in _GIVEN.findall(text[match.end() :]))
             known = {name: value for name, value in given if "{" not in value}

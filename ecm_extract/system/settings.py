@@ -6,6 +6,7 @@ Sources: wiki.ros.org/roslaunch/XML/rosparam; `launch_ros.parameter_descriptions
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from fnmatch import fnmatchcase
 from typing import Any
 
 from ecm_parsers.launch.model import Data, ParameterFile, ParameterSource, ParameterValue, Substitution
@@ -141,3 +142,13 @@ def _dotted(prefix: str, entry: ParameterSet) -> str:
     """Name of a value of a plain YAML file that is given as a map."""
     parts = (prefix, (entry.node or "").strip("/"), entry.name)
     return ".".join(part.replace("/", ".") for part in parts if part)
+
+
+def all_given(pattern: str, settings: Sequence[Setting]) -> Iterator[str]:
+    """Yield the texts of all parameters `before.*.last`; ROS 1 writes them as a list of maps `before`."""
+    before, _, last = pattern.partition(".*.")
+    for setting in settings:
+        if fnmatchcase(setting.name.replace("/", "."), pattern) and isinstance(setting.value, str):
+            yield setting.value
+        elif setting.name == before and isinstance(setting.value, list):
+            yield from (str(item[last]) for item in setting.value if isinstance(item, dict) and last in item)

@@ -98,7 +98,7 @@ def evaluated_system(tree: Tree, files: Files, index: ModuleIndex, paths: Sequen
         for path, line, message in robot.problems:
             tree.report(FileDiagnostic("info", "description-unread", path, line, f"{message}."))
     controllers = controllers_of(found, files, index, controller_files(robots))
-    nodes += maker.controllers(controllers)
+    nodes += maker.hosted(controllers, robots)
     nodes += simulated_nodes(found.instances, robots)
     return System(
         tree=tree,

@@ -1,0 +1,74 @@
+"""What runs in the process of a controller manager: its controllers and its hardware, under its remaps.
+
+Sources: control.ros.org "Controller Manager" and the pages of gz_ros2_control and gazebo_ros2_control.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from ecm_extract.description.model import Description
+from ecm_extract.system.controllers import Controller
+from ecm_extract.system.model import Instance, Launched, Place, Remapping
+
+_MANAGERS = frozenset({"ros2_control_node", "controller_manager"})
+_BRIDGE = "ros2_control"
+"""Part of the library of each simulator plugin that holds a controller manager."""
+
+
+class Hosts:
+    """The controller managers of a launch: programs of their own, or plugins of a simulator."""
+
+    def __init__(self, launched: Launched, robots: Sequence[Description]) -> None:
+        self._managers = [entry for entry in launched.instances if entry.executable in _MANAGERS and entry.ros == 2]
+        self._robots = robots
+        self._settings = tuple(entry for instance in launched.instances for entry in instance.settings)
+
+    def controller(self, controller: Controller) -> Instance:
+        """Return a controller as an instance of its manager's process."""
+        return Instance(
+            kind="controller",
+            package=controller.type.partition("/")[0],
+            executable="",
+            plugin=controller.type,
+            name=controller.name,
+            namespace=controller.namespace,
+            ros=controller.ros,
+            place=controller.place,
+            remaps=self._remaps(controller.namespace),
+            settings=self._settings,
+            container="controller_manager",
+            conditional=controller.conditional,
+        )
+
+    def hardware(self) -> Iterator[Instance]:
+        """Yield the hardware of the robots, each once, as instances of the process that holds it."""
+        found: set[tuple[str, str]] = set()
+        for manager in self._managers:
+            for entry in (entry for robot in self._robots for entry in robot.hardware):
+                if (entry.plugin, manager.namespace) not in found:
+                    found.add((entry.plugin, manager.namespace))
+                    yield Instance(
+                        kind="hardware",
+                        package=entry.plugin.partition("/")[0],
+                        executable="",
+                        plugin=entry.plugin,
+                        name=None,
+                        namespace=manager.namespace,
+                        ros=2,
+                        place=Place(*entry.where),
+                        remaps=manager.remaps,
+                        container="controller_manager",
+                        conditional=manager.conditional,
+                    )
+
+    def _remaps(self, namespace: str) -> tuple[Remapping, ...]:
+        own: Iterable[tuple[Remapping, ...]] = (each.remaps for each in self._managers if each.namespace == namespace)
+        return next(iter(own), None) or tuple(self._of_plugins())
+
+    def _of_plugins(self) -> Iterator[Remapping]:
+        for robot in self._robots:
+            for plugin in robot.plugins:
+                if _BRIDGE in plugin.library:
+                    for source, target in plugin.remaps:
+                        yield Remapping(source, target, Place(*plugin.where))

@@ -1,0 +1,79 @@
+"""Controllers and hardware run in the process of their manager, so its remaps are theirs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from ecm_extract.extraction_model import Options
+from ecm_extract.system.model import Given
+from ecm_extract.system.system import System, read_system
+from ecm_extract.tree import open_tree
+
+LAUNCH = """
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    share = get_package_share_directory('p')
+    description = {'robot_description': Command(['xacro ', share, '/robot.urdf'])}
+    manager = Node(
+        package='controller_manager', executable='ros2_control_node', parameters=[description, share + '/c.yaml'],
+        remappings=[('base/cmd_vel_unstamped', 'cmd_vel'), ('base:~/odom', 'wheels'), ('driver/stop', 'stop')])
+    spawner = Node(package='controller_manager', executable='spawner', arguments=['base'])
+    return LaunchDescription([manager, spawner])
+"""
+PARAMETERS = """
+controller_manager:
+  ros__parameters:
+    base: {type: diff_drive_controller/DiffDriveController}
+base:
+  ros__parameters: {use_stamped_vel: false}
+"""
+ROBOT = """<robot name='r'><link name='base_link'/>
+<ros2_control name='Driver' type='system'><hardware><plugin>p/Driver</plugin></hardware></ros2_control></robot>
+"""
+DRIVER = """
+#include <hardware_interface/system_interface.hpp>
+#include <std_msgs/msg/bool.hpp>
+namespace p {
+class Driver : public hardware_interface::SystemInterface {
+  hardware_interface::CallbackReturn on_init(const hardware_interface::HardwareInfo &) override {
+    node_ = std::make_shared<rclcpp::Node>("driver");
+    stop_ = node_->create_publisher<std_msgs::msg::Bool>("~/stop", 1);
+    return hardware_interface::CallbackReturn::SUCCESS;
+  }
+  rclcpp::Node::SharedPtr node_;
+  rclcpp::Publisher<std_msgs::msg::Bool>::SharedPtr stop_;
+};
+}
+PLUGINLIB_EXPORT_CLASS(p::Driver, hardware_interface::SystemInterface)
+"""
+PLUGIN = """<library path='p'><class name='p/Driver' type='p::Driver'
+base_class_type='hardware_interface::SystemInterface'/></library>
+"""
+MANIFEST = "<package format='3'><name>p</name><version>1.0.0</version><export><build_type>ament_cmake</build_type></export></package>"
+
+
+def system(folder: Path) -> System:
+    files = {
+        "package.xml": MANIFEST,
+        "a.launch.py": LAUNCH,
+        "c.yaml": PARAMETERS,
+        "robot.urdf": ROBOT,
+        "src/driver.cpp": DRIVER,
+        "plugins.xml": PLUGIN,
+        "CMakeLists.txt": "project(p)\nadd_library(p SHARED src/driver.cpp)\n"
+        "pluginlib_export_plugin_description_file(hardware_interface plugins.xml)\n",
+    }
+    for name, text in files.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+    return read_system(open_tree(str(folder)), ["a.launch.py"], Given(), Options(jobs=1, cache=False))
+
+
+def test_remaps_of_the_manager_reach_what_it_hosts(tmp_path: Path) -> None:
+    """A controller listens under the name that its manager was given, and a driver of the tree is in the graph."""
+    found = {node.name: {entry.name for entry in node.endpoints} for node in system(tmp_path).nodes}
+    assert {"/cmd_vel", "/wheels"} <= found["/base"]
+    assert found["/driver"] == {"/stop"}
