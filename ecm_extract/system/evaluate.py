@@ -30,7 +30,7 @@ from ecm_extract.system.launch_sources import LaunchSources
 from ecm_extract.system.model import Given, LaunchArgument, Launched, Place, Remapping, Text, join
 from ecm_extract.system.scope import Scope
 from ecm_extract.system.settings import Settings
-from ecm_extract.system.substitute import Substituter, hole
+from ecm_extract.system.substitute import Substituter, bare, hole
 from ecm_extract.tree import FileDiagnostic, Tree
 
 MAX_INCLUDES = 300
@@ -112,7 +112,7 @@ class Evaluator:
                 _keep_declared(scope, taken)
 
     def _condition_text(self, file: _File, action: Action, scope: Scope) -> str:
-        return file.substituter(self.files, scope).text(action.condition).text.strip("{}")
+        return bare(file.substituter(self.files, scope).text(action.condition).text)
 
     # --- actions that change the scope -------------------------------------------------------------------------
 

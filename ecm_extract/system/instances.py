@@ -9,7 +9,7 @@ from ecm_parsers.launch.model import Node, Remap, Template
 from ecm_extract.system.model import Instance, Place, Remapping, Setting, Text, join
 from ecm_extract.system.scope import Scope
 from ecm_extract.system.settings import Settings
-from ecm_extract.system.substitute import Substituter, truth_of
+from ecm_extract.system.substitute import Substituter, bare, truth_of
 
 
 class InstanceMaker:
@@ -81,7 +81,7 @@ class InstanceMaker:
     def _conditions(self, node: Node, scope: Scope) -> Iterator[str]:
         yield from scope.conditions
         if self.substituter.truth(node.condition) is None and not scope.conditions:
-            yield self.substituter.text(node.condition).text.strip("{}")
+            yield bare(self.substituter.text(node.condition).text)
 
     def _flag(self, template: Template | None) -> bool | None:
         return None if template is None else truth_of(self.substituter.text(template))

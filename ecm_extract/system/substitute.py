@@ -18,6 +18,7 @@ from ecm_extract.system.model import Text
 
 MAX_DEPTH = 40
 MAX_TEXT = 100_000
+_CALL = re.compile(r"""\b(arg|env|optenv|find)\(\s*(['"])([^'"]*)\2\s*(?:,\s*(['"])([^'"]*)\4\s*)?\)""")
 _TRUE = frozenset({"true", "1", "on", "yes"})
 _FALSE = frozenset({"false", "0", "", "off", "no"})
 
@@ -106,14 +107,15 @@ class Substituter:
             return hole(text.text.strip())
 
     def _not(self, part: Substitution, depth: int) -> Text:
-        value = truth_of(self._args(part, depth)[0]) if part.args else None
-        return hole(f"not {self._shown(part)}") if value is None else Text(str(not value).lower())
+        given = self._args(part, depth)[0] if part.args else hole("value")
+        value = truth_of(given)
+        return hole(f"not ({bare(given.text)})") if value is None else Text(str(not value).lower())
 
     def _and(self, part: Substitution, depth: int) -> Text:
-        return _all([truth_of(arg) for arg in self._args(part, depth)], part, stop=False)
+        return _all(self._args(part, depth), part.kind, stop=False)
 
     def _or(self, part: Substitution, depth: int) -> Text:
-        return _all([truth_of(arg) for arg in self._args(part, depth)], part, stop=True)
+        return _all(self._args(part, depth), part.kind, stop=True)
 
     def _equals(self, part: Substitution, depth: int) -> Text:
         first, second = (self._args(part, depth) + [hole("value")] * 2)[:2]
@@ -123,7 +125,11 @@ class Substituter:
 
     def _in(self, part: Substitution, depth: int) -> Text:
         item, items = (self._args(part, depth) + [hole("value")] * 2)[:2]
-        return Text(str(item.text in items.text).lower()) if item.known and items.known else hole(f"{item.text} in")
+        return (
+            Text(str(item.text in items.text).lower())
+            if item.known and items.known
+            else hole(f"{item.text} in {items.text}")
+        )
 
     def _lower(self, part: Substitution, depth: int) -> Text:
         text = self._args(part, depth)[0]
@@ -146,8 +152,26 @@ class Substituter:
 
 
 def hole(label: str) -> Text:
-    """A part that only the launch knows."""
-    return Text("{" + label.strip("{} ") + "}", known=False)
+    """A part that only the launch knows; braces inside it would end it too early."""
+    return Text("{" + label.replace("{", "").replace("}", "").strip() + "}", known=False)
+
+
+def bare(text: str) -> str:
+    """Return what stands in the braces around a text, the text itself where none enclose it as a whole."""
+    inner = text.strip()
+    while inner.startswith("{") and inner.endswith("}") and _is_balanced(inner[1:-1]):
+        inner = inner[1:-1].strip()
+    return inner
+
+
+def _is_balanced(text: str) -> bool:
+    """Tell whether braces are balanced."""
+    depth = 0
+    for char in text:
+        depth += (char == "{") - (char == "}")
+        if depth < 0:
+            return False
+    return depth == 0
 
 
 def truth_of(text: Text) -> bool | None:
@@ -180,26 +204,28 @@ def _same(first: str, second: str) -> bool:
     return first == second or (first.lower() in _TRUE | _FALSE and first.lower() == second.lower())
 
 
-def _all(values: list[bool | None], part: Substitution, *, stop: bool) -> Text:
-    """Join truth values: one that equals `stop` decides, an unknown one leaves it open."""
+def _all(given: list[Text], word: str, *, stop: bool) -> Text:
+    """Join conditions by `and` or `or`: one that equals `stop` decides, unknown ones leave it open."""
+    values = [truth_of(text) for text in given]
     if stop in values:
         return Text(str(stop).lower())
-    return hole(part.kind) if None in values else Text(str(not stop).lower())
+    unknown = [bare(text.text) for text, value in zip(given, values, strict=True) if value is None]
+    return hole(f" {word} ".join(unknown)) if unknown else Text(str(not stop).lower())
 
 
 def _without_calls(code: str, substituter: Substituter) -> tuple[str, dict[str, Any]]:
-    """Replace `arg('x')`, `env('x')` and `find('x')` of roslaunch's `$(eval)` by names with their values."""
+    """Replace `arg('x')`, `optenv('x', 'default')` and the like of roslaunch's `$(eval)` by names with their values."""
     names: dict[str, Any] = {}
 
     def replace(match: re.Match[str]) -> str:
-        kind = {"arg": "arg", "env": "env", "optenv": "env", "find": "find"}[match[1]]
-        value = substituter.text((Substitution(kind, ((match[3],),)),))
+        words: tuple[Template, ...] = ((match[3],), (match[5] or "",)) if match[1] == "optenv" else ((match[3],),)
+        value = substituter.text((Substitution(match[1].removeprefix("opt"), words),))
         if not value.known:
             return match[0]
         names[f"value_{len(names)}"] = typed(value.text)
         return f"value_{len(names) - 1}"
 
-    return re.sub(r"\b(arg|env|optenv|find)\(\s*(['\"])([^'\"]*)\2\s*\)", replace, code), names
+    return _CALL.sub(replace, code), names
 
 
 _KINDS: Mapping[str, Callable[[Substituter, Substitution, int], Text]] = MappingProxyType(

@@ -74,6 +74,34 @@ def test_unknown_condition_is_taken_and_said(tmp_path: Path) -> None:
     assert instance.conditional == "x"
 
 
+@pytest.mark.parametrize(
+    ("condition", "shown"),
+    [
+        ('if="$(env A)"', "env A"),
+        ('unless="$(env A)"', "not (env A)"),
+        ('if="$(equals $(env A) 1)"', "env A == 1"),
+        ('if="$(not $(equals $(env A) 1))"', "not (env A == 1)"),
+        ('if="$(and $(env A) $(env B))"', "env A and env B"),
+        ('if="$(or $(env A) true)"', ""),
+    ],
+)
+def test_condition_is_shown_as_a_person_would_say_it(condition: str, shown: str, tmp_path: Path) -> None:
+    """What decides is named, however deep it stands."""
+    text = f'<launch><node pkg="p" exec="e" name="n" {condition}/></launch>'
+    (instance,) = launch(tmp_path, {"a.launch.xml": text}).instances
+    assert instance.conditional == shown
+
+
+@pytest.mark.parametrize(
+    ("expression", "name"),
+    [("optenv('X', 'a') + 'b'", "/ab"), ("optenv('X') + 'b'", "/b"), ("env('Y') + 'b'", "/yb"), ("arg('z')", "/w")],
+)
+def test_calls_in_expressions_of_ros1(expression: str, name: str, tmp_path: Path) -> None:
+    """`$(eval)` of roslaunch asks for arguments and the environment, with defaults."""
+    text = f'<launch><arg name="z" default="w"/><node pkg="p" type="e" name="$(eval {expression})"/></launch>'
+    assert names(launch(tmp_path, {"a.launch": text}, Given({}, {"Y": "y"}))) == [name]
+
+
 def test_include_passes_arguments(tmp_path: Path) -> None:
     """In ROS 2 an included file sees what it is given, and what it sets is seen after it."""
     outer = (

@@ -197,7 +197,7 @@ class Expressions(ABC):
     def _compare(self, node: ast.Compare, scope: Scope) -> Value:
         values = [self.value(part, scope) for part in (node.left, *node.comparators)]
         results = [compare(op, values[at], values[at + 1]) for at, op in enumerate(node.ops)]
-        return results[0] if len(results) == 1 else Unknown(source_of(node))
+        return Unknown(source_of(node)) if len(results) > 1 or isinstance(results[0], Unknown) else results[0]
 
     def _if_expression(self, node: ast.IfExp, scope: Scope) -> Value:
         holds = truth(self.value(node.test, scope))
