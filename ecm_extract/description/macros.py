@@ -33,7 +33,7 @@ class MacroParameter:
     forward: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Macro:
     """A macro: its parameters, its body, the file that it is written in.
 
@@ -47,6 +47,12 @@ class Macro:
     path: str
     prefix: str = ""
     scope: Symbols | None = None
+
+    def fits(self, given: set[str]) -> bool:
+        """Tell whether an element with these attributes can be a call: all that it must give, nothing else."""
+        texts = [entry for entry in self.parameters if not entry.block]
+        needed = {entry.name for entry in texts if entry.default is None and not entry.forward}
+        return needed <= given <= {entry.name for entry in texts}
 
 
 class Macros:

@@ -18,7 +18,7 @@ from ecm_extract.description.macros import Macro, Macros, macro_parameters
 from ecm_extract.description.symbols import Block, Raw, Symbols, Unknown
 from ecm_extract.description.xacro_call import bind
 from ecm_extract.description.xacro_expression import XacroExpression
-from ecm_extract.description.xacro_files import Files, XacroFiles, shown_path
+from ecm_extract.description.xacro_files import Files, XacroFiles, is_glob, shown_path
 from ecm_extract.description.xacro_tags import elements, is_control, is_xacro, may_call, own_attributes, xacro_attribute
 from ecm_extract.description.xacro_text import XacroText
 
@@ -54,6 +54,7 @@ class Xacro:
         self._nesting = 0
         self._stopped = False
         self._unvalued = 0
+        self._open: list[Macro] = []
         self._namespace: tuple[str, Symbols | None] = ("", None)
 
     def expand(self, path: str) -> Element | None:
@@ -109,7 +110,7 @@ class Xacro:
             handler = _HANDLERS.get(name)
             return handler(self, element, path, symbols) if handler else self._call(name, element, path, symbols)
         macro = self._macros.find(name, self._namespace[0]) if may_call(element) else None
-        if macro is not None and {entry.name for entry in macro.parameters} >= set(element.attrib):
+        if macro is not None and macro not in self._open and macro.fits({str(key) for key in element.attrib}):
             return self._call(name, element, path, symbols)
         return [self._plain(element, path, symbols)]
 
@@ -165,20 +166,22 @@ class Xacro:
 
     def _include(self, element: etree._Element, path: str, symbols: Symbols) -> list[Element]:
         name = self.text.text(str(element.get("filename", "")), symbols)
-        found = self.files.find(name, path)
-        if found is None:
-            if element.get("optional") not in {"1", "true", "True"}:
-                self.problem(f"included file `{shown_path(name)}` is not in the tree")
-            return []
+        found = self.files.named(name, path)
+        unsaid = element.get("optional") in {"1", "true", "True"} or isinstance(name, Unknown)
+        if not found and not unsaid and not is_glob(name):
+            self.problem(f"included file `{shown_path(name)}` is not in the tree")
+        return [made for each in found for made in self._included(each, str(element.get("ns") or ""), symbols)]
+
+    def _included(self, found: str, space: str, symbols: Symbols) -> list[Element]:
         if len(self.files_read) >= MAX_INCLUDES:
             self._stop("files include each other without end")
         root = None if self._stopped else self._root(found)
         if root is None:
             return []
-        outer, space = self._namespace, element.get("ns")
+        outer = self._namespace
         if space:
             inner = Symbols(self.text.value, symbols)
-            symbols.own[str(space)] = inner
+            symbols.own[space] = inner
             self._namespace, symbols = (f"{outer[0]}{space}.", inner), inner
         made = self.below(root, found, symbols)
         self._namespace = outer
@@ -233,7 +236,9 @@ class Xacro:
             self.problem(f"macro `{name}` has no parameter `{extra[:80]}`")
         outer = self._namespace
         self._namespace = (macro.prefix, macro.scope)
+        self._open.append(macro)
         made = self.below(macro.body, macro.path, inner)
+        self._open.pop()
         self._namespace = outer
         return made
 
@@ -254,7 +259,8 @@ class Xacro:
         rest = self.text.text(rest, symbols).strip()
         known = self.arguments.get(rest) if word == "arg" else self.files.substitute(word, rest, self._place[0])
         if known is None:
-            self.problem(f"`$({word} {rest})` is known at launch only"[:300])
+            why = ": the package is not in the tree" if word == "find" else ""
+            self.problem(f"`$({word} {rest})` is known at launch only{why}"[:300])
             return Unknown("{" + (rest or word) + "}")
         return known
 

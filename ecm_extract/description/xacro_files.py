@@ -27,6 +27,9 @@ class Files(Protocol):
     def read(self, path: str) -> bytes | None:
         """Return the bytes of a file of the tree."""
 
+    def globbed(self, text: str) -> list[str]:
+        """Return the paths in the tree that a marked path with `*`, `?` and `[...]` means, in order."""
+
 
 class XacroFiles:
     """Looks files up for one expansion; each YAML file is read once."""
@@ -44,6 +47,13 @@ class XacroFiles:
         if isinstance(name, Unknown):
             return None
         return self._files.find(name if name.startswith(MARK) else f"{self._files.folder(beside)}/{name}")
+
+    def named(self, name: str, beside: str) -> list[str]:
+        """Return the paths of the files that an include names: several for a pattern, none for what is not there."""
+        found = self.find(name, beside)
+        if found is not None or isinstance(name, Unknown) or not is_glob(name):
+            return [] if found is None else [found]
+        return self._files.globbed(name if name.startswith(MARK) else f"{self._files.folder(beside)}/{name}")
 
     def yaml(self, name: str, beside: str) -> Any:
         """Return the data of a YAML file, an `Unknown` when the tree does not hold it."""
@@ -63,6 +73,11 @@ class XacroFiles:
         if word == "optenv" and rest:
             return rest.partition(" ")[2]
         return None
+
+
+def is_glob(name: str) -> bool:
+    """Tell whether a file name is a pattern, as xacro tells it."""
+    return any(char in name for char in "*?[")
 
 
 def shown_path(name: str) -> str:

@@ -41,16 +41,16 @@ MAX_NAMES = 40
 class LinkedModule:
     """A module with its endpoints and the name of its node.
 
-    `local` holds, by role and name of an endpoint, the name that it has for any namespace and node name
-    (`names.local_name`), where the two differ. `claims` are hardware interfaces, None for what is no controller.
-    `lifecycle` tells that it works in the state active only. `lines` are the endpoints one by one where several lines
-    make the same one, perhaps with another QoS.
+    `local` holds, by role, name and type of an endpoint, the names that it has for any namespace and node name
+    (`names.local_name`): several where only parameters tell endpoints apart. `claims` are hardware interfaces, None for
+    what is no controller. `lifecycle` tells that it works in the state active only. `lines` are the endpoints one by one
+    where several lines make the same one, perhaps with another QoS.
     """
 
     module: Module
     node: str | None
     interfaces: tuple[Interface, ...]
-    local: Mapping[tuple[str, str], str] = field(default_factory=dict)
+    local: Mapping[tuple[str, str, str | None], Sequence[str]] = field(default_factory=dict)
     claims: tuple[Claim, ...] | None = None
     observations: tuple[Observation, ...] = ()
     lifecycle: bool = False
@@ -81,7 +81,7 @@ class Linker:
         self.modules = Modules(self.program, self.references, registry)
         self._observed: dict[int, list[Observation]] = defaultdict(list)
         self._stamped: dict[int, list[Stamp]] = defaultdict(list)
-        self._local: dict[int, dict[tuple[str, str], str]] = defaultdict(dict)
+        self._local: dict[int, dict[tuple[str, str, str | None], list[str]]] = defaultdict(dict)
 
     def link(self) -> list[LinkedModule]:
         """Return all modules with their endpoints, in a stable order."""
@@ -157,7 +157,8 @@ class Linker:
             node = self._node(module, nodes)
             for interface, local in self._interfaces(site, node, origin):
                 found[id(module)].append(interface)
-                self._local[id(module)].setdefault((interface.role, interface.name), local)
+                names = self._local[id(module)].setdefault((interface.role, interface.name, interface.type), [])
+                names += [] if local in names else [local]
 
     def _only_offered(self, site: Site) -> bool:
         """A helper that nobody calls declares nothing in the modules that could call it."""

@@ -9,6 +9,7 @@ from pathlib import PurePosixPath
 
 from ecm_parsers.cmake_facts import Target
 
+from ecm_extract.link.module_kinds import class_kind
 from ecm_extract.link.modules import Registry, registration_kind
 from ecm_extract.link.program import Cls, File, Func, Program, plain, snake
 from ecm_extract.read.facts import PackageFacts
@@ -38,7 +39,7 @@ def _macros(file: File, program: Program, registry: Registry) -> None:
         for arg in macro.args:
             cls = program.class_named(plain(arg), file)
             if cls is not None:
-                _register(cls, registration_kind(macro.name), registry)
+                _register(_namesake(cls, program), registration_kind(macro.name), registry)
                 break
 
 
@@ -77,8 +78,17 @@ def _class_of(written: str, files: list[File], program: Program) -> Cls | None:
     name = plain(written)
     for cls in program.classes.get(name.rsplit("::", 1)[-1], ()):
         if cls.file in files and (cls.qualified == name or cls.qualified.endswith("::" + name) or "::" not in name):
-            return cls
+            return _namesake(cls, program)
     return None
+
+
+def _namesake(cls: Cls, program: Program) -> Cls:
+    """Return the class that can be loaded, where another one of the package has the same name."""
+    if class_kind(cls, program) is not None:
+        return cls
+    same = (each for each in program.classes.get(cls.fact.name, ()) if each.qualified == cls.qualified)
+    known = (each for each in same if each.file.package == cls.file.package and class_kind(each, program) is not None)
+    return next(known, cls)
 
 
 def _targets(package: PackageFacts, listed: set[str], registry: Registry) -> None:

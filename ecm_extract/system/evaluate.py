@@ -165,7 +165,8 @@ class Evaluator:
 
     def _group(self, file: _File, action: Action, scope: Scope) -> None:
         assert isinstance(action, Group)
-        self._run(file, action.actions, scope.inner() if action.scoped else scope)
+        taken = scope.later() if action.later else scope.inner() if action.scoped else scope
+        self._run(file, action.actions, taken)
 
     def _include(self, file: _File, action: Action, scope: Scope) -> None:
         assert isinstance(action, Include)

@@ -64,6 +64,14 @@ class Files:
         pattern = _wildcards(_normal(text[len(TREE) :]))
         return sorted(path for path in self._paths if fnmatchcase(path, pattern))
 
+    def globbed(self, text: str) -> list[str]:
+        """Return the paths in the tree that a marked path with `*`, `?` and `[...]` means, in order."""
+        if not text.startswith(TREE):
+            return []
+        pattern = _normal(text[len(TREE) :])
+        depth = pattern.count("/")
+        return sorted(path for path in self._paths if path.count("/") == depth and fnmatchcase(path, pattern))
+
     def in_package(self, package: str, name: str) -> str | None:
         """Return the file of a package with this name, as `roslaunch package file` looks it up."""
         root = self._roots.get(package)

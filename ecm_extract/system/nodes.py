@@ -198,11 +198,11 @@ class NodeMaker:
                         yield endpoint
 
     def _resolved(self, node: SystemNode, entry: Plugged, interface: Interface) -> Iterator[Endpoint]:
-        local = entry.module.local.get((interface.role, interface.name), interface.name)
+        names = entry.module.local.get((interface.role, interface.name, interface.type), (interface.name,))
         own = node.name.rpartition("/")[2]
         around = Around(node.namespace, own, node.instance.remaps, lambda name: self._given(node, entry.called(name)))
-        for resolved in resolve(entry.called(local), around):
-            place = Place(interface.evidence[0].path, interface.evidence[0].line)
+        place = Place(interface.evidence[0].path, interface.evidence[0].line)
+        for resolved in (each for local in names for each in resolve(entry.called(local), around)):
             yield _endpoint(node, interface.role, interface.type, resolved, place, interface.qos)
 
     def _parameters(self, node: SystemNode, plugged: Sequence[Plugged]) -> Iterator[Parameter]:

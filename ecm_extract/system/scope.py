@@ -17,6 +17,7 @@ class Scope:
         namespace: absolute. remaps: of the scope, in order. parameters: of the scope (ROS 2), in order.
         arguments, environment: values by name.
         conditions: that are known at launch only and under which everything here happens.
+        outermost: state outside of all groups; None for that state itself.
     """
 
     namespace: str = "/"
@@ -25,6 +26,7 @@ class Scope:
     arguments: dict[str, Text] = field(default_factory=dict)
     environment: dict[str, Text] = field(default_factory=dict)
     conditions: tuple[str, ...] = ()
+    outermost: Scope | None = None
 
     def inner(self) -> Scope:
         """Return a copy that a group changes without changing this one."""
@@ -35,7 +37,14 @@ class Scope:
             dict(self.arguments),
             dict(self.environment),
             self.conditions,
+            self.outermost or self,
         )
+
+    def later(self) -> Scope:
+        """Return the state for what is taken on an event, when all groups are left: namespace and remaps are gone."""
+        outer = self.outermost or self
+        kept = (list(outer.remaps), list(outer.parameters))
+        return replace(self.inner(), namespace=outer.namespace, remaps=kept[0], parameters=kept[1])
 
     def under(self, condition: str) -> Scope:
         """Return the same state below a condition; changes of values go to a copy, since they may not happen."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Mapping
+from fnmatch import fnmatchcase
 
 
 class MemoryFiles:
@@ -24,6 +25,11 @@ class MemoryFiles:
 
     def read(self, path: str) -> bytes | None:
         return self._texts.get(path)
+
+    def globbed(self, text: str) -> list[str]:
+        pattern = text.removeprefix("tree:")
+        fitting = (path for path in self._texts if path.count("/") == pattern.count("/"))
+        return sorted(path for path in fitting if fnmatchcase(path, pattern))
 
 
 def robot(body: str) -> str:

@@ -12,6 +12,9 @@ from ecm_extract.description.xacro import Xacro
 
 FILES = {
     "arm/config/limits.yaml": "limits:\n  elbow: {max: !degrees 180, names: [a, b]}\nwidth: 0.5\n",
+    "arm/parts/left.xacro": robot('<xacro:macro name="left" params=""><left/></xacro:macro>'),
+    "arm/parts/right.xacro": robot('<xacro:macro name="right" params=""><right/></xacro:macro>'),
+    "arm/parts/deep/right.xacro": robot("<deep/>"),
     "arm/urdf/part.xacro": robot(
         '<xacro:property name="size" value="3"/><xacro:property name="twice" value="${size * 2}"/>'
         '<xacro:macro name="helper" params="n"><h n="${n}" size="${size}"/></xacro:macro>'
@@ -58,6 +61,12 @@ EXPANSIONS = [
     ('<xacro:include filename="part.xacro"/><xacro:part n="${size}"/>', "h n=3 size=3"),
     ('<xacro:include filename="$(find arm)/urdf/part.xacro" ns="p"/><xacro:p.part n="${p.twice}"/>', "h n=6 size=3"),
     ('<xacro:include filename="none.xacro" optional="true"/><a/>', "a"),
+    ('<xacro:include filename="$(find arm)/parts/*.xacro"/><xacro:left/><xacro:right/>', "left; right"),
+    ('<xacro:include filename="$(find arm)/none/*.xacro"/><a/>', "a"),
+    (PART.replace("part", "imu").format(params="frame", body="<imu><noise/></imu>") + '<xacro:imu frame="f"/>',
+     "imu; noise"),
+    (PART.format(params="a b:=1", body='<p a="${a}" b="${b}"/>') + '<part a="2"/><part b="2"/>',
+     "p a=2 b=1; part b=2"),
     ('<xacro:element xacro:name="${1 + 1 == 2 and \'joint\'}" name="j"/>', "joint name=j"),
     ('<j><xacro:attribute name="t" value="${1 + 1}"/></j>', "j t=2"),
     (("<xacro:property name=\"y\" value=\"${xacro.load_yaml('$(find arm)/config/limits.yaml')}\"/>"

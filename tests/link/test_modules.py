@@ -28,6 +28,18 @@ def test_registered_classes_are_components_and_plugins(workspace: Any) -> None:
     }
 
 
+def test_a_registered_name_means_the_node(workspace: Any) -> None:
+    """A plain structure of the same name in another header is not what is loaded."""
+    plain = "namespace n { struct Comp { bool on; }; }"
+    node = 'namespace n { class Comp : public rclcpp::Node { public: Comp(const rclcpp::NodeOptions & o) : Node("comp", o) { create_publisher<std_msgs::msg::Bool>("on", 1); } }; }\nRCLCPP_COMPONENTS_REGISTER_NODE(n::Comp)\n'
+    cmake = (
+        'project(pkg)\nadd_library(c src/c.cpp)\nrclcpp_components_register_node(c PLUGIN "n::Comp" EXECUTABLE comp)\n'
+    )
+    files = {"include/a.hpp": plain, "src/c.cpp": node, "CMakeLists.txt": cmake}
+    assert kinds(workspace.package(files)) == {"ecm.pkg.comp": "component"}
+    assert workspace.only("publisher").name == "/on"
+
+
 def test_controllers_and_hardware_are_kinds(workspace: Any) -> None:
     """ros2_control bases decide the kind of their derived classes."""
     text = "class C : public controller_interface::ControllerInterface {};\nclass H : public hardware_interface::SystemInterface {};"

@@ -1,4 +1,4 @@
-"""Controllers and hardware run in the process of their manager, so its remaps are theirs."""
+"""Nodes of a system as its processes make them: what a manager hosts, and what parameters tell apart."""
 
 from __future__ import annotations
 
@@ -54,6 +54,39 @@ base_class_type='hardware_interface::SystemInterface'/></library>
 MANIFEST = "<package format='3'><name>p</name><version>1.0.0</version><export><build_type>ament_cmake</build_type></export></package>"
 
 
+LISTS = """
+#include <rclcpp/rclcpp.hpp>
+#include <std_msgs/msg/bool.hpp>
+struct First {
+  explicit First(rclcpp::Node & node) {
+    auto topics = node.declare_parameter("first", std::vector<std::string>());
+    for (const auto & topic : topics) { subs.push_back(node.create_subscription<std_msgs::msg::Bool>(topic, 1, cb)); }
+  }
+};
+struct Second {
+  explicit Second(rclcpp::Node & node) {
+    auto topics = node.declare_parameter("second", std::vector<std::string>());
+    for (const auto & topic : topics) { subs.push_back(node.create_subscription<std_msgs::msg::Bool>(topic, 1, cb)); }
+  }
+};
+class Inputs : public rclcpp::Node {
+public:
+  Inputs() : Node("inputs"), first(*this), second(*this) {}
+  First first;
+  Second second;
+};
+int main() { rclcpp::spin(std::make_shared<Inputs>()); }
+"""
+
+
+def written(folder: Path, files: dict[str, str]) -> System:
+    for name, text in files.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+    return read_system(open_tree(str(folder)), ["a.launch.py"], Given(), Options(jobs=1, cache=False))
+
+
 def system(folder: Path) -> System:
     files = {
         "package.xml": MANIFEST,
@@ -65,11 +98,7 @@ def system(folder: Path) -> System:
         "CMakeLists.txt": "project(p)\nadd_library(p SHARED src/driver.cpp)\n"
         "pluginlib_export_plugin_description_file(hardware_interface plugins.xml)\n",
     }
-    for name, text in files.items():
-        path = folder / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text)
-    return read_system(open_tree(str(folder)), ["a.launch.py"], Given(), Options(jobs=1, cache=False))
+    return written(folder, files)
 
 
 def test_remaps_of_the_manager_reach_what_it_hosts(tmp_path: Path) -> None:
@@ -77,3 +106,13 @@ def test_remaps_of_the_manager_reach_what_it_hosts(tmp_path: Path) -> None:
     found = {node.name: {entry.name for entry in node.endpoints} for node in system(tmp_path).nodes}
     assert {"/cmd_vel", "/wheels"} <= found["/base"]
     assert found["/driver"] == {"/stop"}
+
+
+def test_endpoints_that_only_their_parameters_tell_apart(tmp_path: Path) -> None:
+    """Two lists of topics of one type are two sets of subscriptions."""
+    given = "parameters=[{'first': ['a'], 'second': ['b', 'c']}]"
+    launch = f"def generate_launch_description():\n    return LaunchDescription([Node(package='p', executable='inputs', {given})])\n"
+    cmake = "project(p)\nadd_executable(inputs src/inputs.cpp)\n"
+    files = {"package.xml": MANIFEST, "a.launch.py": launch, "src/inputs.cpp": LISTS, "CMakeLists.txt": cmake}
+    (node,) = written(tmp_path, files).nodes
+    assert sorted(entry.name for entry in node.endpoints) == ["/a", "/b", "/c"]

@@ -129,6 +129,21 @@ def test_python_file_follows_what_it_imports(tmp_path: Path) -> None:
     assert diagnostics == ["launch-action-unread"]
 
 
+def test_what_an_event_starts_is_outside_of_groups(tmp_path: Path) -> None:
+    """A pushed namespace is popped again before a handler or timer takes its actions."""
+    text = (
+        "from launch_ros.actions import Node\n"
+        "def made(name):\n"
+        "    return Node(package='p', executable='e', name=name)\n"
+        "def generate_launch_description():\n"
+        "    later = RegisterEventHandler(OnProcessExit(target_action=None, on_exit=[made('b')]))\n"
+        "    timed = TimerAction(period=1.0, actions=[made('c')])\n"
+        "    group = GroupAction([PushRosNamespace('g'), made('a'), later, timed])\n"
+        "    return LaunchDescription([PushRosNamespace('o'), group, later])\n"
+    )
+    assert names(launch(tmp_path, {"launch/a.launch.py": text})) == ["/o/g/a", "/o/b", "/o/c", "/o/b"]
+
+
 def test_ros1_include_sees_only_what_it_is_given(tmp_path: Path) -> None:
     """In ROS 1 the arguments of the outer file are not those of the inner one."""
     outer = '<launch><arg name="x" default="1"/><include file="$(find p)/b.launch" ns="deep"><arg name="y" value="2"/></include></launch>'

@@ -1,21 +1,31 @@
-"""A system in words for a person: what runs, who talks to whom, what is connected on one side only."""
+"""A system in words for a person: what runs, who talks to whom, what must come from outside, what could not be read."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 
 import networkx as nx
 
 from ecm_extract.report.terminal import one_line
+from ecm_extract.system.files import TREE
 from ecm_extract.system.frames import FrameEdge
-from ecm_extract.system.graph import Channel, channels, graph_of
+from ecm_extract.system.graph import Channel, channels
+from ecm_extract.system.model import Instance, LaunchArgument
 from ecm_extract.system.node_model import SystemNode
 from ecm_extract.system.system import System
 
 _SIDES = {"topic": ("pub", "sub"), "service": ("client", "server"), "action": ("client", "server")}
-_OUTSIDE = {False: "source not in the tree", True: "no source in the tree, endpoints by table"}
+_TABLE = "public node, endpoints by table"
+_OUTSIDE = "source not in the tree, endpoints not known"
+_SILENT = frozenset({"rviz2/rviz2", "rviz/rviz", "controller_manager/spawner", "controller_manager/spawner.py"})
+"""Programs whose endpoints nobody connects to by name."""
+_LAUNCH_PROBLEMS = ("launch-", "description-", "params-")
+_VARIABLE = re.compile(r"\benv (\w+)")
+QUOTES = "''"
 MAX_FRAMES = 60
 MAX_DEPTH = 40
+MAX_ENTRIES = 40
 
 
 def render(system: System) -> str:
@@ -23,39 +33,89 @@ def render(system: System) -> str:
     found = channels(system.nodes)
     lines = [
         *_head(system, found),
+        *_arguments(system.launched.arguments),
+        *_environment(system),
         *_nodes(system.nodes),
+        *_processes(system.launched.instances),
         *_channels(found),
         *_controllers(system),
         *_frames(system.frames),
+        *_wanted(system.nodes, found),
+        *_problems(system),
     ]
     return "\n".join(one_line(line, 400) for line in lines) + "\n"
 
 
 def _head(system: System, found: list[Channel]) -> Iterator[str]:
     commit = f" ({system.tree.commit[:12]})" if system.tree.commit else ""
-    graph = graph_of(system.nodes)
-    groups = nx.number_weakly_connected_components(graph) if graph else 0
-    counts = {kind: sum(1 for entry in found if entry.kind == kind) for kind in _SIDES}
-    yield f"{system.tree.label}{commit}: {', '.join(system.launched.files[:1])}"
-    kinds = ", ".join(f"{counts[kind]} {kind}s" for kind in _SIDES)
-    yield f"{len(system.nodes)} nodes, {kinds}, {groups} connected groups; {len(system.launched.files)} launch files"
-    open_arguments = [entry.name for entry in system.launched.arguments if entry.value is None]
-    if open_arguments:
-        yield f"arguments without a value: {', '.join(open_arguments)} (give them as NAME:=VALUE)"
+    place = "" if system.tree.label == "." and not commit else f"{system.tree.label}{commit}: "
+    yield f"{place}{', '.join(system.launched.files[:1])}"
+    kinds = [_counted(sum(1 for entry in found if entry.kind == kind), kind) for kind in _SIDES]
+    files = _counted(len(system.launched.files), "launch file")
+    yield f"{', '.join([_counted(len(system.nodes), 'node'), *kinds])}; {files} read"
+
+
+def _counted(count: int, word: str) -> str:
+    return f"{count} {word}{'' if count == 1 else 's'}"
+
+
+def _arguments(found: list[LaunchArgument]) -> Iterator[str]:
+    entries = list({entry.name: entry for entry in found}.values())
+    if not entries:
+        return
+    yield from ("", "arguments (give them as NAME:=VALUE)")
+    for entry in entries[:MAX_ENTRIES]:
+        value = "has no value" if entry.value is None else f"= {entry.value.removeprefix(TREE) or QUOTES}"
+        choices = f"  [{', '.join(entry.choices)}]" if entry.choices else ""
+        about = f"  {entry.description}" if entry.description else ""
+        yield f"  {entry.name} {value}{choices}{about}"
+    yield from _more(len(entries))
+
+
+def _environment(system: System) -> Iterator[str]:
+    """Variables that decide something here, and that nobody gave."""
+    texts = [entry.value or "" for entry in system.launched.arguments]
+    for instance in system.launched.instances:
+        texts += [instance.conditional, instance.name or "", instance.namespace]
+        texts += [word.text for word in instance.arguments]
+        texts += [entry.value for entry in instance.settings if isinstance(entry.value, str)]
+        texts += instance.missing_files
+    names = sorted({match[1] for text in texts for match in _VARIABLE.finditer(text)})
+    if names:
+        yield from ("", f"environment variables that are not given (--env NAME=VALUE): {', '.join(names)}")
 
 
 def _nodes(nodes: Iterable[SystemNode]) -> Iterator[str]:
-    yield ""
-    yield "nodes"
+    yield from ("", "nodes")
     for node in nodes:
         instance = node.instance
-        code = instance.plugin or f"{instance.package}/{instance.executable}"
         notes = [
             *([f"in {instance.container}"] if instance.container else []),
             *([f"if {instance.conditional}"] if instance.conditional else []),
-            *([_OUTSIDE[bool(node.endpoints)]] if not node.modules and instance.kind != "simulated" else []),
+            *([note] if (note := _origin(node)) else []),
         ]
-        yield f"  {node.name}  {code}{'  [' + '; '.join(notes) + ']' if notes else ''}"
+        yield f"  {node.name}  {_code(instance)}{'  [' + '; '.join(notes) + ']' if notes else ''}"
+
+
+def _code(instance: Instance) -> str:
+    return instance.plugin or f"{instance.package}/{instance.executable}".strip("/")
+
+
+def _origin(node: SystemNode) -> str:
+    if node.modules or node.instance.kind == "simulated" or _code(node.instance) in _SILENT:
+        return ""
+    return _TABLE if node.endpoints else _OUTSIDE
+
+
+def _processes(instances: Iterable[Instance]) -> Iterator[str]:
+    found = [entry for entry in instances if entry.kind == "process"]
+    if not found:
+        return
+    yield from ("", "other processes")
+    for entry in found[:MAX_ENTRIES]:
+        words = " ".join(word.text.removeprefix(TREE) for word in entry.arguments)
+        yield f"  {one_line(words, 200)}{f'  [if {entry.conditional}]' if entry.conditional else ''}"
+    yield from _more(len(found))
 
 
 def _channels(found: list[Channel]) -> Iterator[str]:
@@ -63,19 +123,20 @@ def _channels(found: list[Channel]) -> Iterator[str]:
         entries = [entry for entry in found if entry.kind == kind]
         if not entries:
             continue
-        yield ""
-        yield f"{kind}s"
+        yield from ("", f"{kind}s")
         for entry in entries:
-            types = " | ".join(entry.types) or "type not known"
-            yield f"  {entry.name}  {types}"
+            yield f"  {entry.name}  {_types(entry)}"
             yield f"      {source}: {', '.join(entry.sources) or '-'}   {target}: {', '.join(entry.targets) or '-'}"
+
+
+def _types(entry: Channel) -> str:
+    return " | ".join(entry.types) or "type not known"
 
 
 def _controllers(system: System) -> Iterator[str]:
     if not system.controllers:
         return
-    yield ""
-    yield "controllers"
+    yield from ("", "controllers")
     for entry in system.controllers:
         claims = "claims not known" if entry.claims is None else ", ".join(entry.claims) or "claims nothing"
         state = "" if entry.active else " (inactive)"
@@ -85,8 +146,7 @@ def _controllers(system: System) -> Iterator[str]:
 def _frames(frames: list[FrameEdge]) -> Iterator[str]:
     if not frames:
         return
-    yield ""
-    yield "frames"
+    yield from ("", "frames")
     tree: nx.DiGraph[str] = nx.DiGraph()
     tree.add_edges_from((edge.parent, edge.child) for edge in frames)
     roots = [name for name in sorted(tree) if tree.in_degree(name) == 0] or sorted(tree)[:1]
@@ -109,3 +169,36 @@ def _walk(tree: nx.DiGraph[str], root: str) -> Iterator[tuple[int, str]]:
         seen.add(name)
         yield depth, name
         pending.extend((depth + 1, child) for child in sorted(tree.successors(name), reverse=True))
+
+
+def _wanted(nodes: Iterable[SystemNode], found: list[Channel]) -> Iterator[str]:
+    """What nodes listen to or call, and no node whose endpoints are known offers."""
+    wanted = [entry for entry in found if (not entry.sources if entry.kind == "topic" else not entry.targets)]
+    if not wanted:
+        return
+    unknown = sum(1 for node in nodes if _origin(node) == _OUTSIDE)
+    who = f" (or from the {_counted(unknown, 'node')} whose endpoints are not known)" if unknown else ""
+    yield from ("", f"must come from outside{who}")
+    for entry in wanted[:MAX_ENTRIES]:
+        yield f"  {entry.kind} {entry.name}  {_types(entry)}  for {', '.join(entry.sources or entry.targets)}"
+    yield from _more(len(wanted))
+
+
+def _problems(system: System) -> Iterator[str]:
+    found = list(
+        dict.fromkeys(
+            f"  {entry.path}:{entry.line}  {entry.message}"
+            for entry in system.tree.diagnostics
+            if entry.code.startswith(_LAUNCH_PROBLEMS)
+        )
+    )
+    if not found:
+        return
+    yield from ("", "not read")
+    yield from found[:MAX_ENTRIES]
+    yield from _more(len(found))
+
+
+def _more(count: int) -> Iterator[str]:
+    if count > MAX_ENTRIES:
+        yield f"  and {count - MAX_ENTRIES} more: see --format json"

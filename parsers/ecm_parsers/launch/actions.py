@@ -135,14 +135,14 @@ def _group(given: Arguments) -> Value:
     return Group(line=given.line, condition=given.condition, actions=actions, scoped=scoped)
 
 
-def _holding(*names: str) -> Constructor:
+def _holding(*names: str, later: bool = False) -> Constructor:
     """An action or event handler that takes other actions later; with no scope of its own."""
 
     def make(given: Arguments) -> Value:
         found: list[Action] = []
         for at, name in enumerate(names):
             found += actions_of(given.get(name, at if len(names) == 1 else None))
-        return Group(line=given.line, condition=given.condition, actions=tuple(found), scoped=False)
+        return Group(line=given.line, condition=given.condition, actions=tuple(found), scoped=False, later=later)
 
     return make
 
@@ -250,9 +250,9 @@ ACTIONS: Mapping[str, Constructor] = MappingProxyType(
         "SetLaunchConfiguration": _setting(environment=False),
         "SetEnvironmentVariable": _setting(environment=True),
         "AppendEnvironmentVariable": _setting(environment=True),
-        "TimerAction": _holding("actions"),
-        "RosTimer": _holding("actions"),
-        "ROSTimer": _holding("actions"),
+        "TimerAction": _holding("actions", later=True),
+        "RosTimer": _holding("actions", later=True),
+        "ROSTimer": _holding("actions", later=True),
         "LogInfo": _nothing,
         "EmitEvent": _nothing,
         "Shutdown": _nothing,
@@ -268,7 +268,7 @@ ACTIONS: Mapping[str, Constructor] = MappingProxyType(
         "LifecycleTransition": _nothing,
         "ReadyToTest": _nothing,
         "KeepAliveProc": _nothing,
-        "RegisterEventHandler": _holding("event_handler"),
+        "RegisterEventHandler": _holding("event_handler", later=True),
         "OnProcessStart": _holding("on_start", ""),
         "OnProcessExit": _holding("on_exit", ""),
         "OnExecutionComplete": _holding("on_completion", ""),

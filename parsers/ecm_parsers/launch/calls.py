@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
 from ecm_parsers.launch.arguments import Arguments
-from ecm_parsers.launch.classes import filled_fields, made_by_base, member, super_of
+from ecm_parsers.launch.classes import filled_fields, is_instance, is_substitution, made_by_base, member, super_of
 from ecm_parsers.launch.constructors import CONSTRUCTORS
 from ecm_parsers.launch.expressions import Expressions, choice, source_of
 from ecm_parsers.launch.imports import LOADERS, Imports
@@ -93,9 +93,13 @@ class Calls(Expressions):
         start = member(cls, "__init__", made)
         if isinstance(start, Function):
             self.call(start, given)
-            return made
-        made.made = made_by_base(cls, given)
-        filled_fields(made, given)
+        else:
+            made.made = made_by_base(cls, given)
+            filled_fields(made, given)
+        performed = member(cls, "perform", made) if made.made is None and is_substitution(cls) else None
+        if isinstance(performed, Function):
+            text = self.call(performed, Arguments((Unknown("context"),), {}, given.line))
+            made.made = text if isinstance(text, str | Text) else None
         return made
 
     def _super_method(self, owner: Super, name: str, given: Arguments) -> Value:
@@ -243,6 +247,7 @@ class Calls(Expressions):
     _SPECIAL: dict[str, Callable[[Calls, Arguments], Value]] = {  # noqa: RUF012  # read only, one row per function
         "OpaqueFunction": _opaque,
         "getattr": _getattr,
+        "isinstance": lambda _, given: is_instance(given.get("", 0), given.get("", 1)),
         "exists": lambda self, given: exists(self.sources, given.get("path", 0)),
         "isfile": lambda self, given: exists(self.sources, given.get("path", 0)),
         "srdf_virtual_joints": lambda self, given: virtual_joints(self.sources, given.get("", 0)),

@@ -8,9 +8,10 @@ from dataclasses import replace
 
 from ecm_parsers.launch.arguments import Arguments
 from ecm_parsers.launch.constructors import CONSTRUCTORS
-from ecm_parsers.launch.values import MAX_DEPTH, Class, Function, Object, Reference, Scope, Super, Value
+from ecm_parsers.launch.values import MAX_DEPTH, Class, Function, Object, Reference, Scope, Super, Text, Unknown, Value
 
 _ABSENT = object()
+_PLAIN = frozenset({"str", "bool", "int", "float", "list", "tuple", "dict"})
 
 
 def class_of(node: ast.ClassDef, bases: tuple[Value, ...], body: Scope) -> Class:
@@ -73,6 +74,26 @@ def made_by_base(cls: Class, given: Arguments, *, above: bool = False) -> Value:
         if isinstance(entry, Reference) and entry.last in CONSTRUCTORS:
             return CONSTRUCTORS[entry.last](given)
     return None
+
+
+def is_substitution(cls: Class) -> bool:
+    """Tell whether a class is a substitution of its own: its `perform` gives the text."""
+    return any(isinstance(entry, Reference) and entry.last == "Substitution" for entry in lineage(cls))
+
+
+def is_instance(value: Value, kinds: Value) -> Value:
+    """Return what `isinstance` says of plain data, texts with substitutions and objects; Unknown for all else."""
+    listed = kinds if isinstance(kinds, list | tuple) else (kinds,)
+    names = {entry.last if isinstance(entry, Reference) else getattr(entry, "name", "") for entry in listed}
+    if isinstance(value, Text):
+        return not names <= _PLAIN
+    if isinstance(value, Object):
+        return any(
+            (entry.last if isinstance(entry, Reference) else entry.name) in names for entry in lineage(value.cls)
+        )
+    if isinstance(value, str | bool | int | float | list | tuple | dict):
+        return type(value).__name__ in names
+    return Unknown("isinstance")
 
 
 def filled_fields(made: Object, given: Arguments) -> None:

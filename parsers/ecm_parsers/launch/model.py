@@ -146,10 +146,11 @@ class Include(_Action, frozen=True, kw_only=True):
 
 
 class Group(_Action, frozen=True, kw_only=True):
-    """Actions with a condition or a scope of their own."""
+    """Actions with a condition or a scope of their own; those taken `later`, on an event, are outside of groups."""
 
     actions: tuple[Action, ...] = ()
     scoped: bool = True
+    later: bool = False
 
 
 class Unread(_Action, frozen=True, kw_only=True):

@@ -69,7 +69,8 @@ class Ros2Reader:
                     yield action
             elif entity.tag in _CONTAINERS:
                 inner = self.actions(entity)
-                yield Group(line=entity.line, condition=condition(entity), actions=inner, scoped=False)
+                later = entity.tag in {"timer", "on_exit"}
+                yield Group(line=entity.line, condition=condition(entity), actions=inner, scoped=False, later=later)
             elif entity.tag not in _QUIET:
                 message = f"<{entity.tag}> is no known launch action and is skipped. Correct its name."
                 self.problems.append(Diagnostic("info", "launch-unknown-element", entity.line, message))

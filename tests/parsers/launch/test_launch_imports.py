@@ -56,6 +56,17 @@ class Robot:
     def start(self):
         return [self.driver]
 
+class Spaced(Substitution):
+    def __init__(self, space, name):
+        self.__space = space
+        self.__name = name
+
+    def perform(self, context=None):
+        space = str(self.__space.perform(context)) if isinstance(self.__space, Substitution) else str(self.__space)
+        if space == '':
+            return self.__name
+        return space + '_' + self.__name
+
 @dataclass
 class Given:
     name: str
@@ -111,6 +122,8 @@ def flat(found: tuple[Action, ...]) -> list[Action]:
             "Node(package=given.package, executable='e', name=given.name)",
             ["a"],
         ),
+        ("from robot.helpers import Spaced", "Node(package='p', executable='e', name=Spaced('s', 'a'))", ["s_a"]),
+        ("from robot.helpers import Spaced", "Node(package='p', executable='e', name=Spaced('', 'a'))", ["a"]),
         ("lib = load_python_launch_file_as_module('lib/helpers.py')", "lib.made('a')", ["a"]),
         ("lib = load_python_launch_file_as_module('lib/helpers.py')", "getattr(lib, 'made')('a')", ["a"]),
         (
