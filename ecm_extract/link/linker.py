@@ -41,10 +41,9 @@ MAX_NAMES = 40
 class LinkedModule:
     """A module with its endpoints and the name of its node.
 
-    `local` holds, by role, name and type of an endpoint, the names that it has for any namespace and node name
-    (`names.local_name`): several where only parameters tell endpoints apart. `claims` are hardware interfaces, None for
-    what is no controller. `lifecycle` tells that it works in the state active only. `lines` are the endpoints one by one
-    where several lines make the same one, perhaps with another QoS.
+    `local` holds, by role, name and type of an endpoint, its names for any namespace and node (`names.local_name`):
+    several where parameters tell endpoints apart. `claims` are hardware interfaces, None for no controller.
+    `lifecycle`: it works when active only. `lines`: endpoints one by one where several lines make one, with their QoS.
     """
 
     module: Module
@@ -158,7 +157,7 @@ class Linker:
             for interface, local in self._interfaces(site, node, origin):
                 found[id(module)].append(interface)
                 names = self._local[id(module)].setdefault((interface.role, interface.name, interface.type), [])
-                names += [] if local in names else [local]
+                names += [local] * (local not in names)
 
     def _only_offered(self, site: Site) -> bool:
         """A helper that nobody calls declares nothing in the modules that could call it."""
