@@ -16,12 +16,15 @@ from ecm_extract.link import formats
 from ecm_extract.link.calls import Invocation
 from ecm_extract.link.env import Env, bind, invocation_of
 from ecm_extract.link.values import (
+    PARENT_NAMESPACE,
     Value,
+    below_namespace,
     demoted,
     joined,
     literal,
     lowered,
     node_name,
+    node_namespace,
     set_by,
     unique,
     unknown,
@@ -47,6 +50,9 @@ _RESOLVERS = frozenset(
     | {"expand_topic_or_service_name"}
 )
 """Functions that apply remaps and namespaces at run time: the name itself is what was passed."""
+_NAMES = frozenset({"ros::this_node::getName", "rospy.get_name"})
+_NAMESPACES = frozenset({"ros::this_node::getNamespace", "rospy.get_namespace"})
+_LAST_SLASH = frozenset({"rfind", "find_last_of"})
 _STREAMS = frozenset({"stringstream", "ostringstream"})
 _PROPERTY_READS = frozenset({"getStdString", "getTopicStd", "getString"})
 
@@ -74,6 +80,8 @@ class CallFolder:
             return joined(self.folded_parts(formatted, env))
         if call.receiver is not None and call.last in _PROPERTY_READS:
             return self._property(call.receiver, env) or (unknown(call.last),)
+        if call.receiver is not None and _is_above(call):
+            return self._above(call.receiver, env.before(env.at)) or (unknown(call.last),)
         if call.receiver is not None and call.last in formats.VALUE_READS:
             return self.folder.fold(call.receiver, env.before(env.at))
         return self.folder.guarded(f"{call.path}()", env, lambda: self._returns(call, env))
@@ -91,6 +99,14 @@ class CallFolder:
                 return lowered(self.folder.fold(made.args[1], inner), "default") if len(made.args) > 1 else ()
         return ()
 
+    def _above(self, expr: Expr, env: Env) -> tuple[Value, ...]:
+        """The namespace above that of the node, or above a name that is known."""
+        values = self.folder.fold(expr, env)
+        if node_namespace().parts in {value.parts for value in values}:
+            return (node_namespace(PARENT_NAMESPACE),)
+        known = [value for value in values if value.confidence != "pattern"]
+        return tuple([Value((value.text.rpartition("/")[0],), "folded") for value in known])
+
     def _joined(self, separator: str, expr: Expr, env: Env) -> tuple[Value, ...]:
         groups: list[tuple[Value, ...]] = []
         for bound in self.folder.lists.flat(expr, env):
@@ -107,7 +123,7 @@ class CallFolder:
     def _returns(self, call: Invocation, env: Env) -> tuple[Value, ...]:
         callee = self.folder.objects.callee(call, env)
         if callee is None:
-            return (node_name(),) if _names_node(call) else (unknown(call.last),)
+            return (_of_node(call) or unknown(call.last),)
         returned = [
             (at, s.value) for at, s in enumerate(callee.fact.body) if s.kind == "return" and s.value is not None
         ]
@@ -120,7 +136,7 @@ class CallFolder:
             self.folder.fold(value, Env(callee, at, args, this=this, made=made, depth=env.depth + 1))
             for at, value in returned
         ]
-        return unique(demoted(value for group in values for value in group))
+        return unique(demoted(_beside_joined([value for group in values for value in group])))
 
     def parameter_value(self, name: Expr, default: Expr | None, env: Env) -> tuple[Value, ...]:
         """Return the value of a ROS parameter: its default where the call or a declaration has one."""
@@ -149,9 +165,20 @@ class CallFolder:
         return (unknown(name.rsplit("/", 1)[-1].rsplit(".", 1)[-1].strip("~{}")),)
 
 
-def _names_node(call: Invocation) -> bool:
-    """`get_name()` of a node and its ROS 1 counterparts; in-tree functions of that name were tried before."""
-    return call.last in {"get_name", "get_fully_qualified_name"} or call.path in {
-        "ros::this_node::getName",
-        "rospy.get_name",
-    }
+def _beside_joined(values: list[Value]) -> list[Value]:
+    """Drop `x` beside `namespace + "/x"`: what a helper joins when it is relative it hands back when it is absolute."""
+    joined_texts = {text for value in values if (text := below_namespace(value)) is not None}
+    return [value for value in values if value.text not in joined_texts or value.text.startswith("/")]
+
+
+def _of_node(call: Invocation) -> Value | None:
+    """`get_name()`, `get_namespace()` of a node and ROS 1 counterparts; functions of the tree were tried before."""
+    if call.last in {"get_name", "get_fully_qualified_name"} or call.path in _NAMES:
+        return node_name()
+    return node_namespace() if call.last == "get_namespace" or call.path in _NAMESPACES else None
+
+
+def _is_above(call: Invocation) -> bool:
+    """`text.substr(0, text.rfind("/"))`: what is above the last part of a name."""
+    end = call.args[1] if call.last == "substr" and len(call.args) == 2 else None
+    return isinstance(end, Call) and getattr(end.callee, "name", "") in _LAST_SLASH and Text("/") in end.args

@@ -9,11 +9,13 @@ from ecm_parsers.source.expr import (
     Member,
     Name,
 )
+from ecm_parsers.source.facts import Statement
+from msgspec.structs import replace
 
 from ecm_extract.link.calls import dotted_name
 from ecm_extract.link.env import Env, Instance
 from ecm_extract.link.formats import VALUE_READS
-from ecm_extract.link.program import Cls
+from ecm_extract.link.program import Cls, Func
 from ecm_extract.link.scope import Definition
 from ecm_extract.link.values import (
     MAX_ALTERNATIVES,
@@ -24,6 +26,7 @@ from ecm_extract.link.values import (
     unique,
     unknown,
 )
+from ecm_extract.link.walk import expressions
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
@@ -105,10 +108,7 @@ class MemberFolder:
     def _member_value(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
         values: list[Value] = []
         for entry in self.folder.program.ancestry(cls):
-            for definition in self.folder.scope.members(name, entry):
-                if len(values) < MAX_ALTERNATIVES and self.folder.objects.runs(definition.func, env.made):
-                    inner = self._method_env(definition, cls, env)
-                    values += demoted(self.folder.fold(definition.statement.value, inner))
+            values += self._assigned(name, entry, cls, env)
             for method, at, read, default in self.folder.reads.members(entry, name):
                 values += self.folder.calls.parameter_value(
                     read, default, self._method_env(Definition(method, at), cls, env)
@@ -119,6 +119,25 @@ class MemberFolder:
         filled = [value for value in values if value.text]
         return unique(filled or values) if values else ()
 
+    def _assigned(self, name: str, entry: Cls, cls: Cls, env: Env) -> list[Value]:
+        """What the methods of one class assign; `x = join(x)` takes the place of what its method assigned before."""
+        found: list[tuple[Func, tuple[Value, ...]]] = []
+        for definition in self.folder.scope.members(name, entry):
+            if len(found) >= MAX_ALTERNATIVES or not self.folder.objects.runs(definition.func, env.made):
+                continue
+            inner = self._method_env(definition, cls, env)
+            values = demoted(self.folder.fold(definition.statement.value, inner))
+            if values and _rewrites(definition.statement, name):
+                found = [(func, before) for func, before in found if func is not definition.func]
+            found.append((definition.func, values))
+        return [value for _, values in found for value in values][:MAX_ALTERNATIVES]
+
     def _method_env(self, definition: Definition, cls: Cls, env: Env) -> Env:
         made = env.made if env.made is not None and env.made.cls is cls else None
         return Env(definition.func, definition.at, this=cls, made=made or Instance(cls, {}, {}), depth=env.depth + 1)
+
+
+def _rewrites(statement: Statement, name: str) -> bool:
+    """Tell whether a statement that always runs makes a new value of a member from the one that it has."""
+    own = (Name(name), Member(Name("this"), name))
+    return statement.depth == 0 and any(expr in own for expr, _ in expressions(replace(statement, target=None)))

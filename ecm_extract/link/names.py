@@ -24,7 +24,9 @@ def local_name(value: Value, handle: Handle) -> str:
 
     `${parameter=default}` stands where a ROS parameter gives a part of it.
     """
-    own = _after_node(value)
+    if _after(value, "space") is not None:
+        return value.template or value.text
+    own = _after(value, "node")
     name = f"~/{own}" if own is not None else value.template or value.text
     prefix = handle.prefix.template or handle.prefix.text
     if prefix and not name.startswith(("/", "~")) and not value.text.startswith("/"):
@@ -38,9 +40,12 @@ def local_name(value: Value, handle: Handle) -> str:
 def endpoint_name(value: Value, handle: Handle, node: str | None, ros: int | None) -> RosName:
     """Return the name of a topic, service or action."""
     raw = value.text
-    own = _after_node(value)
+    own = _after(value, "node")
     if own is not None:
         return RosName(raw, _private(own, handle, node))
+    beside = _after(value, "space")
+    if beside is not None:
+        return RosName(raw, _clean(f"/{beside}"))
     if raw.startswith("/"):
         return RosName(raw, _clean(raw))
     if raw.startswith("~"):
@@ -51,17 +56,21 @@ def endpoint_name(value: Value, handle: Handle, node: str | None, ros: int | Non
     return RosName(relative if ros == 1 else raw, _clean(f"/{relative}"))
 
 
-def _after_node(value: Value) -> str | None:
-    """`get_name() + "/x"` is `~/x` while the node stands in the root namespace."""
-    if not is_below_node(value):
+def _after(value: Value, kind: str) -> str | None:
+    """What is below the node's own name or namespace, with which a value begins; None for other values.
+
+    `get_name() + "/x"` is `~/x` and `get_namespace() + "/x"` is `x` while the node stands in the root namespace.
+    """
+    parts = [part for part in value.parts if part]
+    if not is_below_node(value) or not isinstance(parts[0], Hole) or parts[0].kind != kind:
         return None
-    return "".join(part for part in value.parts[1:] if isinstance(part, str)).lstrip("/")
+    return "".join(part for part in parts[1:] if isinstance(part, str)).lstrip("/")
 
 
 def is_below_node(value: Value) -> bool:
-    """Tell whether a value is the node's own name followed by known text below it."""
+    """Tell whether a value is the node's own name or namespace followed by known text below it."""
     parts = [part for part in value.parts if part]
-    if len(parts) < 2 or not isinstance(parts[0], Hole) or parts[0].kind != "node":
+    if len(parts) < 2 or not isinstance(parts[0], Hole) or parts[0].kind not in {"node", "space"}:
         return False
     rest = parts[1:]
     return all(isinstance(part, str) for part in rest) and str(rest[0]).startswith("/")

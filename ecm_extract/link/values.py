@@ -8,6 +8,9 @@ from typing import Literal, NamedTuple
 from ecm_checker.contract import Confidence
 
 MAX_ALTERNATIVES = 12
+NAMESPACE = "node namespace"
+PARENT_NAMESPACE = "parent namespace"
+"""Labels with a space: no variable of a source is called so."""
 _RANK: dict[Confidence, int] = {"literal": 0, "folded": 1, "default": 2, "pattern": 3}
 
 
@@ -15,11 +18,12 @@ class Hole(NamedTuple):
     """An unknown part of a value; `default` is what it is when nobody says otherwise.
 
     `param`: a parameter of the function at hand, which its callers know; `made`: a parameter of the constructor,
-    which whoever makes the object knows; `node`: the name of the node at hand; `unknown`: nobody does.
+    which whoever makes the object knows; `node`: the name of the node at hand; `space`: its namespace, or the one above
+    that; `unknown`: nobody does.
     """
 
     label: str
-    kind: Literal["param", "made", "node", "unknown"] = "unknown"
+    kind: Literal["param", "made", "node", "space", "unknown"] = "unknown"
     default: str | None = None
 
 
@@ -72,6 +76,19 @@ def settled(value: Value) -> Value:
 def node_name() -> Value:
     """The name of the node that the code runs in."""
     return Value((Hole("node", "node"),), "pattern")
+
+
+def node_namespace(label: str = NAMESPACE) -> Value:
+    """The namespace of the node that the code runs in, or `PARENT_NAMESPACE`, the one above it."""
+    return Value((Hole(label, "space"),), "pattern")
+
+
+def below_namespace(value: Value) -> str | None:
+    """Return what comes after the namespace that a value begins with, None for other values."""
+    parts = [part for part in value.parts if part]
+    if len(parts) < 2 or not isinstance(parts[0], Hole) or parts[0].kind != "space":
+        return None
+    return Value(tuple(parts[1:])).text.removeprefix("/")
 
 
 def with_node(value: Value, node: str | None) -> Value:

@@ -6,11 +6,12 @@ Sources: wiki.ros.org/Names; design.ros2.org "Topic and Service name mapping", "
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
 from ecm_extract.link.filling import filled
+from ecm_extract.link.values import NAMESPACE, PARENT_NAMESPACE
 from ecm_extract.system.model import Remapping, join
 
 _PARAMETER = re.compile(r"\$\{([^={}]+)=((?:[^{}]|\{[^{}]*\})*)\}")
@@ -45,7 +46,18 @@ def resolve(local: str, around: Around) -> list[Resolved]:
         around: the node.
     """
     used = tuple(match[1] for match in _PARAMETER.finditer(local))
-    return [_remapped(text.replace("{node}", around.node), used, around) for text in filled(local, around.parameter)]
+    above = around.namespace.rstrip("/").rpartition("/")[0]
+    known = {"node": around.node, NAMESPACE: around.namespace.rstrip("/"), PARENT_NAMESPACE: above}
+    return [_remapped(_told(text, known), used, around) for text in filled(local, around.parameter)]
+
+
+def _told(text: str, known: Mapping[str, str]) -> str:
+    """Fill in what a node is called; a name that a parameter gives is put below a namespace only if it is relative."""
+    for label, value in known.items():
+        head, found, rest = text.partition(f"{{{label}}}")
+        if found:
+            text = rest[1:] if rest.startswith("//") else f"{head}{value}{_told(rest, known)}"
+    return text
 
 
 def _remapped(text: str, used: tuple[str, ...], around: Around) -> Resolved:

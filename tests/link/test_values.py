@@ -55,6 +55,9 @@ ROWS = [
     ),
     ('std::string n = "a"; n += "/b";', "n", "/a/b", "folded"),
     ('std::string n; if (x) { n = "first"; } else { n = "second"; }', "n", None, "folded"),
+    ("", 'std::string(get_namespace()) + "/state"', "/state", "folded"),
+    ('std::string ns = get_namespace(); auto up = ns.substr(0, ns.rfind("/"));', 'up + "/state"', "/state", "folded"),
+    ('std::string ns = "/a/b"; auto up = ns.substr(0, ns.rfind("/"));', 'up + "/state"', "/a/state", "folded"),
     ("", 'given + "/state"', "/{given}/state", "pattern"),
     ("", 'compute() + "/state"', "/{compute}/state", "pattern"),
 ]

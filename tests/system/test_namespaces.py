@@ -1,0 +1,65 @@
+"""Names that code makes of the namespace of its node, in the graph."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from ecm_extract.extraction_model import Options
+from ecm_extract.system.model import Given
+from ecm_extract.system.system import read_system
+from ecm_extract.tree import open_tree
+
+MANIFEST = "<package format='3'><name>p</name><version>1.0.0</version><export><build_type>ament_cmake</build_type></export></package>"
+LAYER = """
+#include <rclcpp/rclcpp.hpp>
+#include <nav_msgs/msg/occupancy_grid.hpp>
+class Layer : public rclcpp::Node {
+public:
+  Layer() : Node("layer") {
+    map_topic_ = declare_parameter<std::string>("map_topic", "map");
+    map_topic_ = beside(map_topic_);
+    map_ = create_subscription<nav_msgs::msg::OccupancyGrid>(map_topic_, 1, [](nav_msgs::msg::OccupancyGrid) {});
+    own_ = create_publisher<nav_msgs::msg::OccupancyGrid>(std::string(get_namespace()) + "/own", 1);
+  }
+  std::string beside(const std::string & topic) {
+    if (topic[0] != '/') {
+      std::string space = get_namespace();
+      std::string above = space.substr(0, space.rfind("/"));
+      return above + "/" + topic;
+    }
+    return topic;
+  }
+  std::string map_topic_;
+  rclcpp::Subscription<nav_msgs::msg::OccupancyGrid>::SharedPtr map_;
+  rclcpp::Publisher<nav_msgs::msg::OccupancyGrid>::SharedPtr own_;
+};
+int main(int argc, char ** argv) { rclcpp::init(argc, argv); rclcpp::spin(std::make_shared<Layer>()); }
+"""
+
+
+@pytest.mark.parametrize(
+    ("space", "topic", "names"),
+    [
+        ("", "", {"/map", "/own"}),
+        ("costmap", "", {"/map", "/costmap/own"}),
+        ("/robot/costmap", "", {"/robot/map", "/robot/costmap/own"}),
+        ("/robot/costmap", "grid", {"/robot/grid", "/robot/costmap/own"}),
+        ("/robot/costmap", "/grid", {"/grid", "/robot/costmap/own"}),
+    ],
+)
+def test_names_beside_the_namespace_of_a_node(tmp_path: Path, space: str, topic: str, names: set[str]) -> None:
+    """What a helper puts beside the namespace is not below it, whatever the launch says."""
+    given = f"<param name='map_topic' value='{topic}'/>" if topic else ""
+    files = {
+        "package.xml": MANIFEST,
+        "CMakeLists.txt": "project(p)\nadd_executable(layer src/layer.cpp)\n",
+        "src/layer.cpp": LAYER,
+        "launch/a.launch.xml": f"<launch><node pkg='p' exec='layer' namespace='{space}'>{given}</node></launch>",
+    }
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text(text)
+    system = read_system(open_tree(str(tmp_path)), ["launch/a.launch.xml"], Given(), Options())
+    assert {entry.name for node in system.nodes for entry in node.endpoints} == names
