@@ -24,6 +24,9 @@ from ecm_extract.system.settings import all_given
 
 _OWN_NAME = re.compile(r"\{(?:name|plugin_name|plugin|layer_name|prefix|plugin_id)\}")
 """Holes that stand for the name under which a plugin is loaded."""
+_OWN_STATE = frozenset({"node", "lifecycle_node", "component"})
+"""What a manager hosts has its state changed by calls, not by services."""
+_STATE_SERVICES = (("change_state", "ChangeState"), ("get_state", "GetState"))
 _HOLE = re.compile(r"\{[^{}]*\}")
 
 
@@ -196,6 +199,8 @@ class NodeMaker:
                     if key not in seen:
                         seen.add(key)
                         yield endpoint
+        if node.instance.kind in _OWN_STATE:
+            yield from _state_services(node, plugged)
 
     def _resolved(self, node: SystemNode, entry: Plugged, interface: Interface) -> Iterator[Endpoint]:
         names = entry.module.local.get((interface.role, interface.name, interface.type), (interface.name,))
@@ -217,6 +222,15 @@ class NodeMaker:
             known = declared.has(setting.name) if plugged else None
             found[setting.name] = Parameter(setting.name, setting.value, setting.place, known)
         yield from (found[name] for name in sorted(found))
+
+
+def _state_services(node: SystemNode, plugged: Sequence[Plugged]) -> Iterator[Endpoint]:
+    """The services by which the state of a managed node is changed and read; rclcpp_lifecycle makes them."""
+    own = next((entry.module.module for entry in plugged if not entry.name and entry.module.lifecycle), None)
+    for leaf, kind in _STATE_SERVICES if own is not None else ():
+        name = join(node.name, leaf)
+        place = Place(own.path, own.line) if own is not None else node.instance.place
+        yield _endpoint(node, "service_server", f"lifecycle_msgs/srv/{kind}", Resolved(name, name, None, ()), place)
 
 
 def _endpoint(

@@ -8,6 +8,7 @@ import pytest
 
 from ecm_extract.extraction_model import Options
 from ecm_extract.system.model import Given
+from ecm_extract.system.node_model import Endpoint
 from ecm_extract.system.system import read_system
 from ecm_extract.tree import open_tree
 
@@ -39,6 +40,21 @@ int main(int argc, char ** argv) { rclcpp::init(argc, argv); rclcpp::spin(std::m
 """
 
 
+def endpoints(folder: Path, source: str, launch: str) -> list[Endpoint]:
+    """The endpoints of what a launch file starts of a package with one program."""
+    files = {
+        "package.xml": MANIFEST,
+        "CMakeLists.txt": "project(p)\nadd_executable(layer src/layer.cpp)\n",
+        "src/layer.cpp": source,
+        "launch/a.launch.xml": launch,
+    }
+    for name, text in files.items():
+        (folder / name).parent.mkdir(exist_ok=True)
+        (folder / name).write_text(text)
+    system = read_system(open_tree(str(folder)), ["launch/a.launch.xml"], Given(), Options())
+    return [entry for node in system.nodes for entry in node.endpoints]
+
+
 @pytest.mark.parametrize(
     ("space", "topic", "names"),
     [
@@ -52,14 +68,16 @@ int main(int argc, char ** argv) { rclcpp::init(argc, argv); rclcpp::spin(std::m
 def test_names_beside_the_namespace_of_a_node(tmp_path: Path, space: str, topic: str, names: set[str]) -> None:
     """What a helper puts beside the namespace is not below it, whatever the launch says."""
     given = f"<param name='map_topic' value='{topic}'/>" if topic else ""
-    files = {
-        "package.xml": MANIFEST,
-        "CMakeLists.txt": "project(p)\nadd_executable(layer src/layer.cpp)\n",
-        "src/layer.cpp": LAYER,
-        "launch/a.launch.xml": f"<launch><node pkg='p' exec='layer' namespace='{space}'>{given}</node></launch>",
+    launch = f"<launch><node pkg='p' exec='layer' namespace='{space}'>{given}</node></launch>"
+    assert {entry.name for entry in endpoints(tmp_path, LAYER, launch)} == names
+
+
+def test_a_managed_node_offers_its_state(tmp_path: Path) -> None:
+    """A manager that asks for it finds somebody."""
+    managed = LAYER.replace("rclcpp::Node", "rclcpp_lifecycle::LifecycleNode")
+    launch = "<launch><node pkg='p' exec='layer' namespace='space'/></launch>"
+    services = {entry.name: entry.type for entry in endpoints(tmp_path, managed, launch) if "service" in entry.role}
+    assert services == {
+        "/space/layer/change_state": "lifecycle_msgs/srv/ChangeState",
+        "/space/layer/get_state": "lifecycle_msgs/srv/GetState",
     }
-    for name, text in files.items():
-        (tmp_path / name).parent.mkdir(exist_ok=True)
-        (tmp_path / name).write_text(text)
-    system = read_system(open_tree(str(tmp_path)), ["launch/a.launch.xml"], Given(), Options())
-    assert {entry.name for node in system.nodes for entry in node.endpoints} == names
