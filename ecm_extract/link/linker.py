@@ -16,7 +16,7 @@ from ecm_extract.link.fold import Folder
 from ecm_extract.link.forms import FormTable
 from ecm_extract.link.generated import GeneratedParameters
 from ecm_extract.link.handles import OWN, Handle, Handles
-from ecm_extract.link.match import Matcher, name_argument, positions
+from ecm_extract.link.match import Matcher, is_callback, name_argument, positions
 from ecm_extract.link.module_kinds import is_managed
 from ecm_extract.link.modules import Module, Modules
 from ecm_extract.link.names import RosName, endpoint_name, is_below_node, local_name, parameter_name
@@ -242,7 +242,8 @@ class Linker:
     def _qos(self, site: Site, ros: int | None) -> Qos | None:
         if site.form.role not in {"publisher", "subscriber"} or (site.form.fixed and site.form.fixed.startswith("/tf")):
             return None
-        expr = next(positions(site.form.qos, site.call), None)
+        given = [expr for expr in positions(site.form.qos, site.call) if not is_callback(expr)]
+        expr = given[0] if given else None
         return self.qos.depth(expr, site.env) if ros == 1 else self.qos.read(expr, site.env)
 
     def _frame(self, site: Site) -> str | None:

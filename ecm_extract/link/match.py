@@ -113,6 +113,13 @@ def name_argument(form: Form, call: Invocation) -> Expr | None:
     return None if isinstance(found, Number | Constant | Lambda) else found
 
 
+def is_callback(expr: Expr) -> bool:
+    """Tell whether an argument is a function: some overloads take the profile after it."""
+    if isinstance(expr, Call) and isinstance(expr.callee, Name):
+        return last_name(expr.callee.id) in {"bind", "bind_front", "mem_fn"}
+    return isinstance(expr, Lambda) or (isinstance(expr, Op) and expr.op == "&")
+
+
 def _handle_like(expr: Expr) -> bool:
     """Tell by its name whether an object of unknown type is a node handle or an image transport."""
     name = expr.id if isinstance(expr, Name) else expr.name if isinstance(expr, Member) else ""

@@ -1,23 +1,27 @@
 """QoS of an endpoint from the expression that gives it: presets, chains of setters, keywords, variables.
 
 Policies that source does not set keep the default of rclcpp and rclpy (reliable, volatile, keep last 10) and are
-named in `Qos.defaulted`.
+named in `Qos.defaulted`. What source sets to a value that the tree does not show is `unknown`, a depth None.
 """
 
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cache
 from importlib import resources
+from types import MappingProxyType
 from typing import Any
 
 from ecm_checker.contract import Qos
-from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Number, Op
+from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member, Name, Number, Op
 
 from ecm_extract.link.calls import dotted_name, last_name
+from ecm_extract.link.data import declared_type, plain_type
 from ecm_extract.link.env import Env, bind, invocation_of
 from ecm_extract.link.fold import Folder
+from ecm_extract.link.program import snake
+from ecm_extract.link.qos_values import milliseconds, policy_word
 
 _FLAGS: dict[str, tuple[str, str]] = {
     "reliable": ("reliability", "reliable"),
@@ -30,14 +34,18 @@ _FLAGS: dict[str, tuple[str, str]] = {
     "keep_all": ("history", "keep_all"),
 }
 _POLICIES = ("reliability", "durability", "history", "liveliness")
-_WORDS = (
-    *("best_effort", "reliable", "transient_local", "volatile", "keep_last", "keep_all"),
-    *("automatic", "manual_by_topic", "best_available"),
-)
 _TIMES = {"deadline": "deadline_ms", "lifespan": "lifespan_ms", "liveliness_lease_duration": "lease_ms"}
-_UNITS = {"s": 1000.0, "ms": 1.0, "us": 0.001, "ns": 1e-6, "min": 60000.0, "h": 3600000.0}
 _WRAPPERS = frozenset({"QoS", "QoSProfile", "QoSInitialization", "from_rmw", "KeepLast", "KeepAll", "shared_ptr"})
 _BASIC = ("reliability", "durability", "history", "depth")
+_UNSEEN: Mapping[str, Any] = MappingProxyType(
+    {"reliability": "unknown", "durability": "unknown", "history": "unknown", "depth": None}
+)
+_NUMBERS = frozenset({"depth", "queue", "size", "length", "buffer"})
+_SETTERS = frozenset({*_FLAGS, *_POLICIES, *_TIMES, "keep_last", "avoid_ros_namespace_conventions"}) | {
+    "get_rmw_qos_profile",
+    "value",
+    "get",
+}
 MAX_DEPTH = 12
 
 
@@ -78,7 +86,7 @@ class QosReader:
 
     def _policies(self, expr: Expr, env: Env, level: int) -> dict[str, Any]:
         if level > MAX_DEPTH:
-            return {}
+            return {**_UNSEEN}
         if isinstance(expr, Number):
             return {"history": "keep_last", "depth": int(expr.value)}
         preset = self._preset(expr)
@@ -89,10 +97,28 @@ class QosReader:
         if isinstance(expr, Name | Member):
             return self._variable(expr, env, level)
         if isinstance(expr, Op) and expr.op == "?:":
-            return self._policies(expr.operands[2], env, level + 1)
+            return agreed([self._policies(branch, env, level + 1) for branch in self._branches(expr, env)])
         if isinstance(expr, Items) and expr.items:
             return self._policies(expr.items[0], env, level + 1)
-        return {}
+        return {} if isinstance(expr, Items | Lambda | Constant) else self._unseen(expr, env)
+
+    def _branches(self, expr: Op, env: Env) -> tuple[Expr, ...]:
+        """What a conditional can be: one side where its condition is known, as by the default of a parameter."""
+        values = {value.text.lower() for value in self.folder.fold(expr.operands[0], env)}
+        known = {"true": expr.operands[1:2], "false": expr.operands[2:]}
+        return known.get(values.pop(), expr.operands[1:]) if len(values) == 1 else expr.operands[1:]
+
+    def _unseen(self, expr: Expr, env: Env) -> dict[str, Any]:
+        """A depth where the value is or looks like a number, else a profile of which nothing is known."""
+        number = self._number(expr, env)
+        if number is not None:
+            return {"history": "keep_last", "depth": number}
+        name = expr.id if isinstance(expr, Name) else expr.name if isinstance(expr, Member) else ""
+        returned = expr.types[0] if isinstance(expr, Call) and expr.types else ""
+        written = declared_type(plain_type(returned or self.folder.objects.type_of(expr, env)))
+        if written == "integer" or _NUMBERS & set(snake(name).split("_")):
+            return {"history": "keep_last", "depth": None}
+        return {**_UNSEEN}
 
     def _preset(self, expr: Expr) -> dict[str, Any] | None:
         text = expr.id if isinstance(expr, Name) else expr.name if isinstance(expr, Member) else ""
@@ -102,8 +128,7 @@ class QosReader:
     def _call(self, expr: Call, env: Env, level: int) -> dict[str, Any]:
         callee = expr.callee
         if isinstance(callee, Member) and not (dotted_name(callee) and env.func.file.language == "python"):
-            base = self._policies(callee.base, env, level + 1)
-            return {**base, **self._setter(callee.name, expr, env)}
+            return self._method(callee, expr, env, level)
         name = last_name(dotted_name(callee) or (callee.id if isinstance(callee, Name) else ""))
         found = presets().get(name)
         if found is not None:
@@ -113,6 +138,12 @@ class QosReader:
             return own
         if name in _WRAPPERS or name.endswith("QoS"):
             return self._profile(name, expr, env, level)
+        return self._function(expr, env, level)
+
+    def _method(self, callee: Member, expr: Call, env: Env, level: int) -> dict[str, Any]:
+        """A setter on a profile, or a method that returns a profile or a number."""
+        if callee.name in _SETTERS:
+            return {**self._policies(callee.base, env, level + 1), **self._setter(callee.name, expr, env)}
         return self._function(expr, env, level)
 
     def _own_class(self, expr: Call, env: Env, level: int) -> dict[str, Any] | None:
@@ -136,21 +167,20 @@ class QosReader:
 
     def _profile(self, name: str, expr: Call, env: Env, level: int) -> dict[str, Any]:
         policies: dict[str, Any] = {}
-        for arg in expr.args:
-            policies.update(self._policies(arg, env, level + 1))
+        for arg in expr.args if name != "KeepLast" else ():
+            word = policy_word(arg)
+            policies.update({"history": word} if word.startswith("keep_") else self._policies(arg, env, level + 1))
         if name == "KeepAll":
             return {"history": "keep_all"}
         if name == "KeepLast" and expr.args:
-            depth = self._number(expr.args[0], env)
-            policies = {"history": "keep_last"} | ({"depth": depth} if depth is not None else {})
+            policies = {"history": "keep_last", "depth": self._number(expr.args[0], env)}
         for key, value in expr.keywords:
             policies.update(self._assignment(key, value, env))
         return policies
 
     def _setter(self, name: str, expr: Call, env: Env) -> dict[str, Any]:
         if name == "keep_last" and expr.args:
-            depth = self._number(expr.args[0], env)
-            return {"history": "keep_last"} | ({"depth": depth} if depth is not None else {})
+            return {"history": "keep_last", "depth": self._number(expr.args[0], env)}
         if name in _FLAGS:
             key, value = _FLAGS[name]
             return {key: value}
@@ -158,15 +188,32 @@ class QosReader:
 
     def _assignment(self, key: str, value: Expr, env: Env) -> dict[str, Any]:
         if key == "depth":
-            number = self._number(value, env)
-            return {"depth": number} if number is not None else {}
+            return {"depth": self._number(value, env)}
         if key in _POLICIES:
-            word = _policy_word(value)
-            return {key: word} if word else {}
+            words = self._words(value, env)
+            return {key: words.pop() if len(words) == 1 else "unknown"}
         if key in _TIMES:
-            duration = _milliseconds(value)
+            duration = milliseconds(value)
             return {_TIMES[key]: duration} if duration is not None else {}
         return {}
+
+    def _words(self, value: Expr, env: Env, level: int = 0) -> set[str]:
+        """The policies that a value can be, `unknown` among them for what the tree does not show."""
+        word = policy_word(value)
+        if word or level > MAX_DEPTH:
+            return {word or "unknown"}
+        if isinstance(value, Op) and value.op == "?:":
+            return {word for branch in self._branches(value, env) for word in self._words(branch, env, level + 1)}
+        bound = env.args.get(value.id) if isinstance(value, Name) else None
+        if bound is not None:
+            return self._words(bound.expr, bound.env, level + 1)
+        found = {
+            word
+            for definition, inner in self.folder.lists.definitions(value, env)
+            if definition.statement.value is not None
+            for word in self._words(definition.statement.value, inner, level + 1)
+        }
+        return found or {"unknown"}
 
     def _variable(self, expr: Name | Member, env: Env, level: int) -> dict[str, Any]:
         name = expr.id if isinstance(expr, Name) else expr.name
@@ -175,19 +222,16 @@ class QosReader:
             given = self._policies(bound.expr, bound.env, level + 1) if bound is not None else {}
             if given:
                 return given  # `if qos is None: qos = ...` has not happened then
-        policies: dict[str, Any] = {}
         for definition, inner in self.folder.lists.definitions(expr, env):
-            if definition.statement.value is not None:
-                policies = self._policies(definition.statement.value, inner, level + 1)
-                policies |= self._mutations(name, definition.func.fact.body[definition.at :], inner)
-                break
-        if policies:
-            return policies
+            value = definition.statement.value
+            if value is not None and definition.statement.kind != "each" and not isinstance(value, Constant):
+                policies = self._policies(value, inner, level + 1)
+                return policies | self._mutations(name, definition.func.fact.body[definition.at :], inner)
         for parameter in env.func.fact.params:
             if parameter.name == name and parameter.default is not None:
                 return self._policies(parameter.default, env, level + 1)
         constant = self.folder.scope.constant(name, env)
-        return self._policies(constant[0], env, level + 1) if constant is not None else {}
+        return self._policies(constant[0], env, level + 1) if constant is not None else self._unseen(expr, env)
 
     def _mutations(self, name: str, statements: tuple[Any, ...], env: Env) -> dict[str, Any]:
         """`qos.reliable();` and `qos.depth = 5` after the profile was made."""
@@ -209,13 +253,13 @@ class QosReader:
         call = invocation_of(expr, env)
         callee = self.folder.objects.callee(call, env)
         if callee is None:
-            return {}
+            return self._unseen(expr, env)
         args = bind(callee, call, env)
         for at, statement in enumerate(callee.fact.body):
             if statement.kind == "return" and statement.value is not None:
                 inner = Env(callee, at, args, this=callee.cls, depth=env.depth + 1)
                 return self._policies(statement.value, inner, level + 1)
-        return {}
+        return {**_UNSEEN}
 
     def _number(self, expr: Expr, env: Env) -> int | None:
         text = self.folder.fold(expr, env)[0].text
@@ -225,28 +269,13 @@ class QosReader:
             return None
 
 
-def _policy_word(expr: Expr) -> str:
-    """The policy that a constant names: `ReliabilityPolicy.BEST_EFFORT`, `rclcpp::ReliabilityPolicy::BestEffort`."""
-    text = expr.id if isinstance(expr, Name) else expr.name if isinstance(expr, Member) else ""
-    squeezed = last_name(text).replace("_", "").lower()
-    return next((word for word in _WORDS if squeezed.endswith(word.replace("_", ""))), "")
-
-
-def _milliseconds(expr: Expr) -> float | None:
-    if not isinstance(expr, Call):
-        return None
-    name = last_name(dotted_name(expr.callee) or (expr.callee.id if isinstance(expr.callee, Name) else ""))
-    keywords = dict(expr.keywords)
-    if name == "Duration" and keywords:
-        seconds, nanoseconds = keywords.get("seconds"), keywords.get("nanoseconds")
-        total = seconds.value * 1000.0 if isinstance(seconds, Number) else 0.0
-        return total + (nanoseconds.value * 1e-6 if isinstance(nanoseconds, Number) else 0.0)
-    if len(expr.args) == 1 and isinstance(expr.args[0], Number):
-        factor = {"milliseconds": 1.0, "seconds": 1000.0, "nanoseconds": 1e-6, "from_seconds": 1000.0}.get(
-            name, _UNITS.get(name)
-        )
-        return expr.args[0].value * factor if factor is not None else None
-    return _milliseconds(expr.args[0]) if len(expr.args) == 1 else None
+def agreed(sides: Sequence[dict[str, Any]]) -> dict[str, Any]:
+    """Return what all sides of a choice set alike; what they set differently is unknown."""
+    default = presets()["default"][1]
+    values = {
+        key: {side.get(key, default.get(key)) for side in sides} for key in dict.fromkeys(k for s in sides for k in s)
+    }
+    return {key: found.pop() if len(found) == 1 else _UNSEEN.get(key) for key, found in values.items()}
 
 
 def _root(expr: Expr) -> str:

@@ -42,6 +42,41 @@ CPP_ROWS = [
         ("reliable", "volatile", "keep_last", 50),
     ),
 ]
+UNSEEN = ("unknown", "unknown", "unknown", None)
+CPP_UNSEEN = [
+    ("", "profile_from(somewhere)", UNSEEN),
+    ("", "given_qos", UNSEEN),
+    ("", "rclcpp::QoS(queue_size)", ("reliable", "volatile", "keep_last", None)),
+    ('auto n = declare_parameter("n", 4);', "n", ("reliable", "volatile", "keep_last", 4)),
+    ("", "rclcpp::QoS(2).reliability(level)", ("unknown", "volatile", "keep_last", 2)),
+    ("", "rclcpp::QoS(2).keep_last(count)", ("reliable", "volatile", "keep_last", None)),
+    ("", "rclcpp::QoS(2).reliability(SystemDefault)", ("system_default", "volatile", "keep_last", 2)),
+    (
+        "",
+        "rclcpp::QoS(1).durability(latch ? TransientLocal : Volatile)",
+        ("reliable", "unknown", "keep_last", 1),
+    ),
+    (
+        'auto latch = declare_parameter("latch", true);',
+        "rclcpp::QoS(1).durability(latch ? TransientLocal : Volatile)",
+        ("reliable", "transient_local", "keep_last", 1),
+    ),
+    (
+        "auto level = fast ? BestEffort : Reliable;",
+        "rclcpp::QoS(1).reliability(level)",
+        ("unknown", "volatile", "keep_last", 1),
+    ),
+    (
+        "",
+        "fast ? rclcpp::QoS(1).best_effort() : rclcpp::QoS(1)",
+        ("unknown", "volatile", "keep_last", 1),
+    ),
+    (
+        "",
+        "rclcpp::QoS(rclcpp::QoSInitialization(RMW_QOS_POLICY_HISTORY_KEEP_LAST, 6))",
+        ("reliable", "volatile", "keep_last", 6),
+    ),
+]
 PYTHON_ROWS = [
     ("", "10", ("reliable", "volatile", "keep_last", 10)),
     ("", "qos_profile_sensor_data", ("best_effort", "volatile", "keep_last", 5)),
@@ -66,6 +101,15 @@ def four(qos: Qos | None) -> tuple[str | None, str | None, str | None, int | Non
 @pytest.mark.parametrize(("setup", "qos", "expected"), CPP_ROWS, ids=[row[1] for row in CPP_ROWS])
 def test_cpp_qos(workspace: Any, setup: str, qos: str, expected: tuple[Any, ...]) -> None:
     """Presets, setters and variables give the four policies that matter most."""
+    entry = workspace.package({"src/d.cpp": CPP.format(setup=setup, qos=qos)}).only("publisher")
+    assert four(entry.qos) == expected
+
+
+@pytest.mark.parametrize(("setup", "qos", "expected"), CPP_UNSEEN, ids=[row[1] for row in CPP_UNSEEN])
+def test_what_is_set_to_something_unseen_is_no_default(
+    workspace: Any, setup: str, qos: str, expected: tuple[Any, ...]
+) -> None:
+    """A policy that source sets to a value that it does not show is unknown; only unset ones take the default."""
     entry = workspace.package({"src/d.cpp": CPP.format(setup=setup, qos=qos)}).only("publisher")
     assert four(entry.qos) == expected
 
@@ -103,3 +147,17 @@ def test_a_profile_class_of_the_tree_is_what_its_constructor_sets(workspace: Any
     latched = "class Latched : public rclcpp::QoS { public: explicit Latched(const int & depth = 3) : rclcpp::QoS(depth) { this->reliable(); this->transient_local(); } };"
     entry = workspace.package({"src/d.cpp": latched + CPP.format(setup="", qos="Latched()")}).only("publisher")
     assert four(entry.qos) == ("reliable", "transient_local", "keep_last", 3)
+
+
+AFTER = [
+    ("std::bind(&D::f, this, _1), rclcpp::QoS(3).best_effort()", ("best_effort", "volatile", "keep_last", 3)),
+    ("[this](const std_msgs::msg::String & m) {}", ("reliable", "volatile", "keep_last", 10)),
+]
+
+
+@pytest.mark.parametrize(("given", "expected"), AFTER, ids=["bind", "lambda"])
+def test_a_profile_after_the_callback(workspace: Any, given: str, expected: tuple[Any, ...]) -> None:
+    """Some overloads take the profile last: a callback in its place is none."""
+    call = f'create_subscription<std_msgs::msg::String>("a", {given});'
+    text = f'class D : public rclcpp::Node {{ D() : Node("d") {{ {call} }} }};'
+    assert four(workspace.package({"src/d.cpp": text}).only("subscriber").qos) == expected

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.cpp_expr import ExprReader, lambda_types
+from ecm_parsers.source.cpp_vexing import as_arguments
 from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Name, Number, Op, Opaque, Text
 from ecm_parsers.source.facts import Function, Parameter, Statement, StatementKind
 
@@ -181,13 +182,10 @@ class BodyReader:
         )
         if named is None or listed is None or named.type != "identifier" or not listed.named_children:
             return
-        args = []
-        for child in listed.named_children:
-            written = child.child_by_field_name("type")
-            if written is None or child.child_by_field_name("declarator") is not None:
-                return
-            args.append(Name(self.expr.name(written)))
-        made = Call(Name(self.expr.name(kind)), tuple(args), (), self.expr.template_arguments(kind), _line(kind))
+        args = as_arguments(self.expr, listed)
+        if args is None:
+            return
+        made = Call(Name(self.expr.name(kind)), args, (), self.expr.template_arguments(kind), _line(kind))
         self._add("let", declarator, made, Name(self.expr.text(named)), self.expr.type_text(kind))
 
     def _initial(self, kind: Node, value: Node | None) -> Expr | None:

@@ -35,6 +35,21 @@ def test_constructions_are_calls() -> None:
     ]
 
 
+def test_constructions_from_calls_are_calls() -> None:
+    """A call as argument reads as a parameter that is a function; what names its parameters is a declaration."""
+    made = body("QoS a(KeepLast(depth_), make<T>(b, c())); Thing d(Other (*)(int)); Thing e(Other f);")
+    assert [s.value for s in made] == [
+        Call(
+            Name("QoS"),
+            (
+                Call(Name("KeepLast"), (Name("depth_"),), line=1),
+                Call(Name("make"), (Name("b"), Call(Name("c"), (), line=1)), (), ("T",), line=1),
+            ),
+            line=1,
+        ),
+    ]
+
+
 def test_assignments_and_appending() -> None:
     """`+=` and streams read as concatenation onto the target."""
     assert [(s.kind, s.target, s.value) for s in body('a = "x"; b_->c = 1; a += "y"; s << "z" << n;')] == [
