@@ -147,10 +147,16 @@ class ListFolder:
             local = self.folder.scope.local(name, env)
             if local:
                 return [(definition, env.before(definition.at)) for definition in local]
-        cls = env.this or env.func.cls
+        found = self._member_definitions(name, env.this or env.func.cls, env)
+        if found or not isinstance(expr, Name):
+            return found
+        outside = self.folder.objects.file_scope.definitions(name, env)
+        return [(entry, Env(entry.func, entry.at, this=entry.func.cls, depth=env.depth + 1)) for entry in outside]
+
+    def _member_definitions(self, name: str, cls: Cls | None, env: Env) -> list[tuple[Definition, Env]]:
+        found: list[tuple[Definition, Env]] = []
         if cls is None:
-            return []
-        found = []
+            return found
         for entry in self.folder.program.ancestry(cls):
             for definition in self.folder.scope.members(name, entry):
                 if not self.folder.objects.runs(definition.func, env.made):

@@ -9,12 +9,13 @@ from ecm_parsers.source.expr import Call, Expr, Member, Name, Text
 from ecm_extract.link.calls import Invocation, last_name, pointee
 from ecm_extract.link.env import Env, invocation_of
 from ecm_extract.link.fold import Folder
-from ecm_extract.link.program import plain
+from ecm_extract.link.program import plain, snake
 from ecm_extract.link.values import Value, joined, literal
 
 MAX_DEPTH = 12
 _PRIVATE = frozenset({"getPrivateNodeHandle", "getMTPrivateNodeHandle"})
 _PUBLIC = frozenset({"getNodeHandle", "getMTNodeHandle"})
+_HANDLE_WORDS = frozenset({"nh", "n", "node", "handle"})
 _NODES = frozenset({"Node", "LifecycleNode"})
 
 
@@ -71,7 +72,16 @@ class Handles:
             if kind == "init" and not isinstance(value, Call):
                 return self._member(expr, value, inner, depth)
             return self.of(value, inner, depth + 1)
-        return OWN
+        return self._undefined(expr, env, depth)
+
+    def _undefined(self, expr: Name | Member, env: Env, depth: int) -> Handle:
+        """A handle that a caller or a class outside the tree gives: by its default, else by how it is called."""
+        if isinstance(expr, Name):
+            for parameter in env.func.fact.params:
+                if parameter.name == expr.id and parameter.default is not None:
+                    return self.of(parameter.default, Env(env.func, 0), depth + 1)
+        name = expr.id if isinstance(expr, Name) else expr.name
+        return Handle(literal("~")) if env.func.file.ros == 1 and _says_private(name) else OWN
 
     def _member(self, expr: Name | Member, value: Expr, env: Env, depth: int) -> Handle:
         """`nh_("~x")` and `nh_(parent)` in an initialiser list carry one argument without a constructor call."""
@@ -145,6 +155,12 @@ def under(prefix: Value, name: Value) -> Value:
     if prefix.text == "~":
         return joined([(prefix,), (name,)])[0]
     return joined([(prefix,), (literal("/"),), (name,)])[0]
+
+
+def _says_private(name: str) -> bool:
+    """`pnh_`, `private_nh`, `nh_private_`, `privateNodeHandle`."""
+    words = set(snake(last_name(name)).split("_"))
+    return bool(words & {"pnh", "nhp"}) or (bool(words & {"private", "priv"}) and bool(words & _HANDLE_WORDS))
 
 
 def _is_handle(call: Invocation, folder: Folder, env: Env) -> bool:

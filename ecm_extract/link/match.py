@@ -68,7 +68,7 @@ class Matcher:
             return False
         written = self.folder.objects.type_of(call.receiver, env)
         if not written:
-            return _texty(name_argument(form, call)) and not form.fixed and _handle_like(call.receiver)
+            return _texty(name_argument(form, call)) and not form.fixed and _is_called_like(call.receiver, form)
         bare = plain(pointee(written))
         target = self.folder.program.alias(bare, call.func.file, env.scope) or bare
         last = last_name(plain(pointee(target)))
@@ -120,13 +120,17 @@ def is_callback(expr: Expr) -> bool:
     return isinstance(expr, Lambda) or (isinstance(expr, Op) and expr.op == "&")
 
 
-def _handle_like(expr: Expr) -> bool:
-    """Tell by its name whether an object of unknown type is a node handle or an image transport."""
-    name = expr.id if isinstance(expr, Name) else expr.name if isinstance(expr, Member) else ""
+def _is_called_like(expr: Expr, form: Form) -> bool:
+    """Tell by its name whether an object of unknown type is what a row asks for: a node handle or a transport."""
     if isinstance(expr, Call):
-        return isinstance(expr.callee, Name | Member) and _handle_like(expr.callee)
+        return isinstance(expr.callee, Name | Member) and _is_called_like(expr.callee, form)
+    name = expr.id if isinstance(expr, Name) else expr.name if isinstance(expr, Member) else ""
     bare = name.rsplit("::", 1)[-1].strip("_").lower()
-    return bare in {"n", "it", "pn"} or any(word in bare for word in ("nh", "node", "handle", "transport"))
+    if any(entry.endswith("Transport") for entry in form.receiver):
+        return "transport" in bare or bare.split("_")[-1] == "it"
+    return "NodeHandle" in form.receiver and (
+        bare in {"n", "pn"} or any(word in bare for word in ("nh", "node", "handle"))
+    )
 
 
 def _qualified(path: str, callee: str) -> bool:

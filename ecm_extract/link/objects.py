@@ -10,6 +10,7 @@ from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
 from ecm_extract.link.calls import Invocation, dotted_name, last_name, one_node, pointee, template_arguments
 from ecm_extract.link.containers import ELEMENT_METHODS, element_type
 from ecm_extract.link.env import MAX_DEPTH, Env, Instance, bind
+from ecm_extract.link.file_scope import FileScope
 from ecm_extract.link.overloads import NO, score
 from ecm_extract.link.program import Cls, Func, Program, plain
 from ecm_extract.link.scope import Scope
@@ -24,6 +25,7 @@ class Objects:
     def __init__(self, program: Program, scope: Scope) -> None:
         self.program = program
         self.scope = scope
+        self.file_scope = FileScope(program, scope)
 
     # --- types -----------------------------------------------------------------------------------------
 
@@ -51,7 +53,8 @@ class Objects:
         if env.depth > MAX_DEPTH:
             return ""
         if isinstance(expr, Name):
-            return self.scope.declared_type(expr.id, env) or self._assigned_type(expr.id, env)
+            known = self.scope.declared_type(expr.id, env) or self._assigned_type(expr.id, env)
+            return known or self.file_scope.type_of(expr.id, env)
         if isinstance(expr, Member) and expr.base == Name("this"):
             cls = env.this or env.func.cls
             return self.scope.member_type(expr.name, cls) or self._member_assigned_type(expr.name, cls, env)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from ecm_parsers.source.cpp_expr import ExprReader, lambda_types
 from ecm_parsers.source.cpp_vexing import as_arguments
-from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Name, Number, Op, Opaque, Text
+from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member, Name, Number, Op, Opaque, Text
 from ecm_parsers.source.facts import Function, Parameter, Statement, StatementKind
 
 if TYPE_CHECKING:
@@ -131,6 +131,8 @@ class BodyReader:
             self._add("set", node, Op("+", value.operands), value.operands[0])
         elif isinstance(value, Op) and value.op == "<<":
             self._stream(node, value)
+        elif isinstance(value, Call) and (pointer := _pointer_reset(value)) is not None:
+            self._add("set", node, value.args[0], pointer)
         elif has_call(value):
             self._add("do", node, value)
 
@@ -239,6 +241,13 @@ class BodyReader:
 
 
 _LOGGING_BYTES = tuple(prefix.encode() for prefix in _LOGGING)
+
+
+def _pointer_reset(call: Call) -> Expr | None:
+    """The pointer that `pointer.reset(new T(...))` assigns."""
+    callee = call.callee
+    resets = isinstance(callee, Member) and callee.name == "reset" and len(call.args) == 1
+    return callee.base if resets and isinstance(callee, Member) and isinstance(call.args[0], Call) else None
 
 
 def _shifted(value: Expr) -> list[Expr]:

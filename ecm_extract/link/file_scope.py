@@ -1,0 +1,68 @@
+"""Variables outside of functions and classes of C++: their type, and what functions assign to them."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+
+from ecm_parsers.source.expr import Name
+
+from ecm_extract.link.env import Env
+from ecm_extract.link.program import Func, Program
+from ecm_extract.link.scope import Definition, Scope
+
+
+class FileScope:
+    """Looks up variables of namespaces; built on the first question."""
+
+    def __init__(self, program: Program, scope: Scope) -> None:
+        self.program = program
+        self.scope = scope
+        self._assigned: dict[str, list[Definition]] | None = None
+
+    def type_of(self, name: str, env: Env) -> str:
+        """Return the type of a variable as declared, empty when none of that name is visible."""
+        if env.func.file.language != "cpp":
+            return ""
+        last = name.rsplit("::", 1)[-1]
+        near = [
+            (self.program.nearness(file, env.func.file), constant.type)
+            for file, constant in self.program.constants.get(last, ())
+            if constant.type and file.language == "cpp" and "enum" not in constant.traits
+        ]
+        return max((entry for entry in near if entry[0]), key=lambda entry: entry[0], default=(0, ""))[1]
+
+    def definitions(self, name: str, env: Env) -> list[Definition]:
+        """Return the assignments of a variable in all functions that see it."""
+        if not self.type_of(name, env):
+            return []
+        if self._assigned is None:
+            self._assigned = self._index()
+        found = self._assigned.get(name.rsplit("::", 1)[-1], [])
+        return [entry for entry in found if self.program.nearness(entry.func.file, env.func.file)]
+
+    def _index(self) -> dict[str, list[Definition]]:
+        index: dict[str, list[Definition]] = defaultdict(list)
+        for functions in self.program.functions.values():
+            for func in functions:
+                if func.file.language == "cpp":
+                    for name, definition in self._assignments(func):
+                        index[name].append(definition)
+        return index
+
+    def _assignments(self, func: Func) -> list[tuple[str, Definition]]:
+        found = []
+        for at, statement in enumerate(func.fact.body):
+            if statement.kind != "set" or not isinstance(statement.target, Name) or statement.value is None:
+                continue
+            name = statement.target.id.rsplit("::", 1)[-1]
+            if name in self.program.constants and not self._hides(func, name):
+                found.append((name, Definition(func, at)))
+        return found
+
+    def _hides(self, func: Func, name: str) -> bool:
+        """Tell whether the name is a local, a parameter or a member there."""
+        body = func.fact.body
+        if any(body[at].kind != "set" for at in self.scope.locals_of(func).get(name, ())):
+            return True
+        own = any(parameter.name == name for parameter in func.fact.params)
+        return own or bool(self.scope.member_type(name, func.cls))

@@ -1,0 +1,97 @@
+"""Node handles: which namespace a name is relative to, and what an object of unknown type is."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+MEMBERS = """
+#include <ros/ros.h>
+class Filter : public outside::Nodelet {{
+  virtual void onInit() {{
+    outside::Nodelet::onInit();
+    auto a = {receiver}->advertise<std_msgs::String>("out", 1);
+  }}
+}};
+PLUGINLIB_EXPORT_CLASS(Filter, nodelet::Nodelet)
+"""
+RECEIVERS = [
+    ("pnh_", "~/out"),
+    ("private_nh_", "~/out"),
+    ("nh_private_", "~/out"),
+    ("privateNodeHandle", "~/out"),
+    ("this->pnh_", "~/out"),
+    ("nh_", "/out"),
+    ("deprived_nh", "/out"),
+]
+
+
+@pytest.mark.parametrize(("receiver", "name"), RECEIVERS, ids=[row[0] for row in RECEIVERS])
+def test_a_handle_of_a_class_outside_the_tree_is_called_what_it_is(workspace: Any, receiver: str, name: str) -> None:
+    """Nothing in the tree makes the handle: only its name tells that it is the private one."""
+    files = {"src/filter.cpp": MEMBERS.format(receiver=receiver)}
+    assert workspace.package(files, ros=1).only("publisher").name == name
+
+
+MADE = [
+    (
+        (
+            "ros::Publisher pub; boost::shared_ptr<ros::NodeHandle> shared;"
+            ' int main(int c, char ** v) { ros::init(c, v, "n"); shared.reset(new ros::NodeHandle("~sub"));'
+            ' pub = shared->advertise<std_msgs::String>("out", 1); }'
+        ),
+        "/n/sub/out",
+    ),
+    (
+        (
+            "namespace a { boost::shared_ptr<ros::NodeHandle> shared; void go()"
+            ' { auto p = shared->advertise<std_msgs::String>("out", 1); } }'
+            ' int main(int c, char ** v) { ros::init(c, v, "n"); a::shared.reset(new ros::NodeHandle("~")); a::go(); }'
+        ),
+        "/n/out",
+    ),
+    (
+        (
+            'class A { public: A(const ros::NodeHandle & given = ros::NodeHandle("~")) : held_(given)'
+            ' { pub_ = held_.advertise<std_msgs::String>("out", 1); } ros::NodeHandle held_; ros::Publisher pub_; };'
+            ' int main(int c, char ** v) { ros::init(c, v, "n"); A a; }'
+        ),
+        "/n/out",
+    ),
+    (
+        (
+            'class A { public: A() { held_.reset(new ros::NodeHandle("~"));'
+            ' pub_ = held_->advertise<std_msgs::String>("out", 1); }'
+            " std::shared_ptr<ros::NodeHandle> held_; ros::Publisher pub_; };"
+            ' int main(int c, char ** v) { ros::init(c, v, "n"); A a; }'
+        ),
+        "/n/out",
+    ),
+]
+
+
+@pytest.mark.parametrize(("text", "name"), MADE, ids=["global", "in a namespace", "default argument", "reset"])
+def test_handles_are_followed_to_where_they_are_made(workspace: Any, text: str, name: str) -> None:
+    """Globals, default arguments and pointers that are set later have the namespace of the handle that they hold."""
+    entry = workspace.package({"src/m.cpp": text}, ros=1).only("publisher")
+    assert (entry.name, entry.type) == (name, "std_msgs/msg/String")
+
+
+UNKNOWN = [
+    ('nh->subscribe("in", 1, &A::seen, this)', "std_msgs/msg/String"),
+    ('pnh->advertise<std_msgs::Bool>("in", 1)', "std_msgs/msg/Bool"),
+    ('it_->subscribe("in", 1, &A::seen, this)', "sensor_msgs/msg/Image"),
+    ('image_transport_->advertise("in", 1)', "sensor_msgs/msg/Image"),
+]
+
+
+@pytest.mark.parametrize(("call", "kind"), UNKNOWN, ids=[row[0] for row in UNKNOWN])
+def test_an_unknown_receiver_is_what_it_is_called(workspace: Any, call: str, kind: str) -> None:
+    """A node handle is no image transport: what it carries is said by the template or the callback."""
+    text = (
+        "class A : public outside::Nodelet { void seen(const std_msgs::StringConstPtr & m) {}"
+        f" void onInit() {{ auto a = {call}; }} }}; PLUGINLIB_EXPORT_CLASS(A, nodelet::Nodelet)"
+    )
+    found = workspace.package({"src/a.cpp": text}, ros=1).interfaces()
+    assert [entry.type for entry in found] == [kind]
