@@ -212,7 +212,7 @@ def _implied(func: Func, statement: Statement) -> Invocation | None:
 
 def by_value(written: str) -> bool:
     """Tell whether a variable of a type is an object itself, not a pointer or reference to one."""
-    text = written.removeprefix("const ")
+    text = written.removeprefix("const ").removeprefix("::")
     return text[:1].isalpha() and text != "auto" and not text.endswith(("*", "&")) and pointee(text) == text
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from ecm_parsers.source.expr import Call, Expr, Name
+from ecm_parsers.source.expr import Call, Expr, Member, Name
 
 from ecm_extract.link.data import UNKNOWN, data_of, declared_type, plain_type, stated_type, type_of_data
 from ecm_extract.link.env import Env
@@ -32,7 +32,19 @@ class EndpointTypes:
         written = site.env.types.get(written, written)
         out = next(positions(site.form.out, site.call), None)
         declared = self._declared(written, site.env) or stated or (type_of_data(data) if data is not UNKNOWN else None)
-        return declared or self._out_type(out, site.env) or self._default_type(default, site.env), data
+        known = declared or self._out_type(out, site.env) or self._default_type(default, site.env)
+        return known or self._target_type(site), data
+
+    def _target_type(self, site: Site) -> str | None:
+        """The type of the variable that takes the value: `int qos = declare_parameter("qos", (int)given)`."""
+        statement = site.call.statement
+        value, target = statement.value, statement.target
+        if site.chain or target is None or not isinstance(value, Call) or value.line != site.call.line:
+            return None
+        called = value.callee.name if isinstance(value.callee, Member) else getattr(value.callee, "id", "")
+        if called != site.call.last or site.env.func.file.language != "cpp":
+            return None
+        return declared_type(plain_type(statement.type or self.folder.objects.type_of(target, site.env)))
 
     def _bound_stated(self, default: Expr | None, env: Env) -> str | None:
         bound = env.args.get(getattr(default, "id", "")) if default is not None else None

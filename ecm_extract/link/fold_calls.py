@@ -45,7 +45,7 @@ _SAME = frozenset(
         "rclcpp::ParameterValue",
     }
 )
-_RESOLVERS = frozenset(
+RESOLVERS = frozenset(
     {"resolve_topic_or_service_name", "resolve_topic_name", "resolve_service_name", "resolveName", "resolve_name"}
     | {"expand_topic_or_service_name"}
 )
@@ -54,6 +54,12 @@ _NAMES = frozenset({"ros::this_node::getName", "rospy.get_name"})
 _NAMESPACES = frozenset({"ros::this_node::getNamespace", "rospy.get_namespace"})
 _LAST_SLASH = frozenset({"rfind", "find_last_of"})
 _STREAMS = frozenset({"stringstream", "ostringstream"})
+_TOPIC_READS = frozenset({"get_topic_name", "getTopic", "get_service_name", "getService"})
+_MAKES_TOPICS = frozenset(
+    {"create_publisher", "create_subscription", "create_service", "create_client", "create_camera_publisher"}
+    | {"create_camera_subscription", "advertise", "subscribe", "advertiseService", "serviceClient"}
+    | {"advertiseCamera", "subscribeCamera"}
+)
 _PROPERTY_READS = frozenset({"getStdString", "getTopicStd", "getString"})
 
 
@@ -66,7 +72,7 @@ class CallFolder:
     def call(self, expr: Call, env: Env) -> tuple[Value, ...]:
         """String constructions, formats, parameter reads and functions that return a value."""
         call = invocation_of(expr, env)
-        if call.path in _SAME or call.last in _STREAMS or (call.last in _RESOLVERS and call.args):
+        if call.path in _SAME or call.last in _STREAMS or (call.last in RESOLVERS and call.args):
             return self.folder.fold(call.args[0], env.before(env.at)) if call.args else (literal(""),)
         if call.last == "getCameraInfoTopic" and call.args:
             return self._beside(call.args[0], "camera_info", env.before(env.at))
@@ -78,6 +84,8 @@ class CallFolder:
         formatted = formats.formatted(call)
         if formatted is not None:
             return joined(self.folded_parts(formatted, env))
+        if call.receiver is not None and call.last in _TOPIC_READS:
+            return self._topic(call.receiver, env) or (unknown(call.last),)
         if call.receiver is not None and call.last in _PROPERTY_READS:
             return self._property(call.receiver, env) or (unknown(call.last),)
         if call.receiver is not None and _is_above(call):
@@ -90,6 +98,18 @@ class CallFolder:
         """Return names in the namespace of other names: image_transport puts `camera_info` beside each image."""
         texts = [value.text.rpartition("/") for value in self.folder.fold(expr, env) if value.confidence != "pattern"]
         return tuple([Value((f"{head}{slash}{leaf}",), "folded") for head, slash, _ in texts]) or (unknown(leaf),)
+
+    def _topic(self, receiver: Expr, env: Env) -> tuple[Value, ...]:
+        """The name that a publisher, subscription, service or client was made with."""
+        for definition, inner in self.folder.lists.definitions(receiver, env):
+            made = definition.statement.value
+            if isinstance(made, Call):
+                call = invocation_of(made, inner)
+                free = call.receiver is None and "::" in call.path
+                position = 1 if free or call.args[:1] == (Name("this"),) else 0
+                named = call.last in _MAKES_TOPICS and len(call.args) > position
+                return demoted(self.folder.fold(call.args[position], inner)) if named else ()
+        return ()
 
     def _property(self, receiver: Expr, env: Env) -> tuple[Value, ...]:
         """An rviz property `new XProperty("Topic", "/default", ...)` is read like a parameter with that default."""

@@ -9,6 +9,7 @@ from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Member, Name, 
 from ecm_extract.link.calls import Invocation, invocations, last_name, pointee
 from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
+from ecm_extract.link.fold_calls import RESOLVERS
 from ecm_extract.link.forms import Form, FormTable
 from ecm_extract.link.program import Func, plain
 
@@ -68,7 +69,8 @@ class Matcher:
             return False
         written = self.folder.objects.type_of(call.receiver, env)
         if not written:
-            return _texty(name_argument(form, call)) and not form.fixed and _is_called_like(call.receiver, form)
+            named = _texty(name_argument(form, call)) or bool(call.types) or _resolves(name_argument(form, call))
+            return named and not form.fixed and _is_called_like(call.receiver, form)
         bare = plain(pointee(written))
         target = self.folder.program.alias(bare, call.func.file, env.scope) or bare
         last = last_name(plain(pointee(target)))
@@ -111,6 +113,11 @@ def name_argument(form: Form, call: Invocation) -> Expr | None:
     """Return the argument that holds the ROS name; None when the call cannot have one."""
     found = next(positions(form.name, call), None)
     return None if isinstance(found, Number | Constant | Lambda) else found
+
+
+def _resolves(expr: Expr | None) -> bool:
+    """Tell whether an argument is a name that a handle resolves: `nh.resolveName("image")`."""
+    return isinstance(expr, Call) and isinstance(expr.callee, Member) and expr.callee.name in RESOLVERS
 
 
 def is_callback(expr: Expr) -> bool:

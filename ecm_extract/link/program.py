@@ -7,11 +7,12 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from pathlib import PurePosixPath
 
 from ecm_parsers.source.facts import Alias, Class, Constant, Field, Function, Parameter, SourceFile
+
+from ecm_extract.link.includes import Includes
 
 
 @dataclass(slots=True, eq=False, repr=False)
@@ -77,12 +78,9 @@ class Program:
         self.functions: dict[str, list[Func]] = defaultdict(list)
         self.constants: dict[str, list[tuple[File, Constant]]] = defaultdict(list)
         self.aliases: dict[str, list[tuple[File, Alias]]] = defaultdict(list)
-        self._by_suffix: dict[str, list[File]] = defaultdict(list)
         self._resolved: dict[tuple[str, str, int], Cls | None] = {}
-        self._reached: dict[int, set[int]] = {}
+        self._headers = Includes(self.files)
         self._mro: dict[int, tuple[Cls, ...]] = {}
-        for file in self.files:
-            self._by_suffix[PurePosixPath(file.path).name].append(file)
         for file in self.files:
             self._index(file)
 
@@ -128,25 +126,11 @@ class Program:
         if file.language == "python":
             module = other.path.removesuffix(".py").replace("/", ".")
             return any(entry.module and module.endswith(entry.module.lstrip(".")) for entry in file.facts.imports)
-        return id(other) in self._included(file)
+        return id(other) in self._headers.of(file)
 
-    def _included(self, file: File) -> set[int]:
-        known = self._reached.get(id(file))
-        if known is None:
-            known = self._reached[id(file)] = set()
-            pending = [file]
-            while pending:
-                for header in self._headers(pending.pop()):
-                    if id(header) not in known:
-                        known.add(id(header))
-                        pending.append(header)
-        return known
-
-    def _headers(self, file: File) -> Iterator[File]:
-        for entry in file.facts.imports:
-            for other in self._by_suffix.get(entry.module.rpartition("/")[2], ()):
-                if other.path.endswith("/" + entry.module):
-                    yield other
+    def included(self, file: File) -> Iterable[File]:
+        """Return the headers of the tree that a C++ file sees, directly or through others."""
+        return self._headers.of(file).values()
 
     def class_named(self, name: str, file: File, scope: str = "") -> Cls | None:
         """Return the class that `name` (possibly qualified, without template arguments) means in a scope of a file."""
@@ -202,15 +186,17 @@ class Program:
             return None
         enclosing = set(_enclosing(scope))
         fitting = [(other, alias) for other, alias in entries if self._alias_fits(alias, name, enclosing)]
-        near = [(self.nearness(other, file), alias.scope in enclosing, alias.target) for other, alias in fitting]
+        near = [(self.nearness(other, file), alias) for other, alias in fitting]
         near = [entry for entry in near if entry[0] > 0]
-        return max(near, key=lambda entry: (entry[1], entry[0]))[2] if near else None
+        if not near:
+            return None
+        return max(near, key=lambda entry: (_is_named(entry[1], name), entry[1].scope in enclosing, entry[0]))[1].target
 
     def _alias_fits(self, alias: Alias, name: str, enclosing: set[str]) -> bool:
         if "::" not in name:
             return True
         qualified = f"{alias.scope}::{alias.name}" if alias.scope else alias.name
-        return qualified == name or qualified.endswith("::" + name) or name.endswith("::" + qualified)
+        return _is_named(alias, name) or name.endswith("::" + qualified)
 
     def bases(self, cls: Cls) -> list[Cls]:
         """Return the direct base classes that stand in the tree."""
@@ -248,6 +234,12 @@ class Program:
 def is_node_interface(written: str) -> bool:
     """Tell whether a type is one of the interfaces that a node consists of, such as `NodeTopicsInterface`."""
     return "Interface" in written and _NODE_INTERFACE.search(written) is not None
+
+
+def _is_named(alias: Alias, name: str) -> bool:
+    """Tell whether a qualified name means this alias and not one of the same name elsewhere."""
+    qualified = f"{alias.scope}::{alias.name}" if alias.scope else alias.name
+    return qualified == name or qualified.endswith("::" + name)
 
 
 def snake(name: str) -> str:

@@ -22,8 +22,10 @@ _ROLE_KIND: dict[Role, str] = {
     "action_server": "action",
     "action_client": "action",
 }
-_SUFFIX = re.compile(r"(?:::)?(?:Const)?(?:Shared|Unique)?(?:Const)?Ptr$|::(?:Request|Response|Goal|Result|Feedback)$")
+_POINTER = re.compile(r"(?:::)?(?:Const)?(?:Shared|Unique)?(?:Const)?Ptr$")
 _EVENT = re.compile(r"^(?:const\s+)?(?:ros::)?(?:Message|Service)Event\s*<(.*)>\s*&?$")
+_REQUEST = re.compile(r"(::\w+)Request\b(?!\s*::)")
+"""ROS 1 generates `pkg::FooRequest` for the request of `pkg/Foo`."""
 _ACTION_PART = re.compile(r"Action$")
 
 
@@ -133,19 +135,28 @@ class Types:
         head, _, tail = bare.partition("::")
         if head in template:
             return TypeFound(None, frozenset({head}))
-        outer = self.program.alias(head, env.func.file, self._scope(env)) if tail else None
+        outer = (self.program.alias(head, env.func.file, self._scope(env)) or self._macro(head, env)) if tail else None
         if outer is not None and plain(outer) != head:
             return self.written(f"{_bare(outer)}::{tail}", env, role, depth + 1)
         full = self._full(bare, role)
         return TypeFound(full if "::" in bare else self._unqualified(bare, env, role))
 
+    def _macro(self, name: str, env: Env) -> str | None:
+        """What `#define name other::name` stands for, as trees for two distributions rename packages."""
+        for file, constant in self.program.constants.get(name, ()):
+            renames = "define" in constant.traits and isinstance(constant.value, Name)
+            if renames and isinstance(constant.value, Name) and self.program.nearness(file, env.func.file):
+                return constant.value.id
+        return None
+
     def _unqualified(self, name: str, env: Env, role: Role) -> str | None:
         """A bare message name: its header says the package, else a `using namespace` of messages."""
-        for entry in env.func.file.facts.imports:
-            parts = entry.module.split("/")
-            stem = parts[-1].rsplit(".", 1)[0]
-            if len(parts) in {2, 3} and (stem == name or (len(parts) == 3 and stem == snake(name))):
-                return self._full("::".join([*parts[:-1], name]), role)
+        for file in (env.func.file, *self.program.included(env.func.file)):
+            for entry in file.facts.imports:
+                parts = entry.module.split("/")
+                stem = parts[-1].rsplit(".", 1)[0]
+                if len(parts) in {2, 3} and (stem == name or (len(parts) == 3 and stem == snake(name))):
+                    return self._full("::".join([*parts[:-1], name]), role)
         for using in env.func.file.facts.usings:
             if using.rsplit("::", 1)[-1] in _KINDS or using.endswith("_msgs"):
                 return self._full(f"{using}::{name}", role)
@@ -162,21 +173,21 @@ class Types:
         return names - {""}
 
     def _full(self, text: str, role: Role) -> str | None:
-        """`sensor_msgs::msg::Imu`, `sensor_msgs::Imu`, `sensor_msgs::msg::dds_::Imu_` -> `sensor_msgs/msg/Imu`."""
-        parts = [part for part in _SUFFIX.sub("", text).split("::") if part and part != "_" + part]
+        """`sensor_msgs::msg::Imu`, `sensor_msgs::Imu_<A>`, `sensor_msgs::msg::dds_::Imu_` -> `sensor_msgs/msg/Imu`."""
+        parts = [part for part in _whole(text).split("::") if part and part != "_" + part]
         if len(parts) >= 3 and parts[-2].startswith("_"):
             parts.pop(-2)
         for kind in _KINDS:
             if kind in parts[1:-1]:
                 at = parts.index(kind, 1)
-                name = parts[-1] if len(parts) > at + 1 else ""
+                name = parts[-1].rstrip("_") if len(parts) > at + 1 else ""
                 if kind == "msg" and _ROLE_KIND.get(role) == "action":
                     kind = "action"  # ROS 1 generates actions as messages
-                return f"{parts[at - 1]}/{kind}/{_action(name, kind)}" if name[:1].isupper() else None
+                return f"{parts[at - 1]}/{kind}/{_action(name, kind)}" if name[:1].isalpha() else None
         wanted = _ROLE_KIND.get(role)
         if wanted is None or len(parts) != 2 or not parts[1][:1].isupper():
             return None
-        return f"{parts[0]}/{wanted}/{_action(parts[1], wanted)}"
+        return f"{parts[0]}/{wanted}/{_action(parts[1].rstrip('_'), wanted)}"
 
     def _callback(self, expr: Expr, env: Env, role: Role, service: bool) -> TypeFound:
         if isinstance(expr, Lambda):
@@ -190,7 +201,8 @@ class Types:
             params = [p for p in func.fact.params if p.type]
             if params:
                 inner = Env(func, types=env.types, this=env.this, made=env.made)
-                return self.written(params[0].type, inner, role)
+                written = _REQUEST.sub(r"\1", params[0].type) if service else params[0].type
+                return self.written(written, inner, role)
         for definition in self.folder.scope.local(name, env):
             value = definition.statement.value
             if value is not None:
@@ -210,18 +222,27 @@ class Types:
 
 def _bare(text: str) -> str:
     """The type's name without pointers, references and template arguments of pointers."""
-    stripped = _SUFFIX.sub(
-        "",
+    stripped = _whole(
         " ".join(
             word
             for word in text.replace("&", " ").replace("*", " ").split()
             if word not in {"const", "typename", "template"}
-        ),
+        )
     )
     inner = pointee(stripped)
     inner = " ".join(word for word in inner.split() if word not in {"const", "typename"})
     head = inner.split("<", 1)[0].strip()
-    return _SUFFIX.sub("", head).strip().removeprefix("::")
+    return _whole(head).strip().removeprefix("::")
+
+
+def _whole(text: str) -> str:
+    """The type that a pointer is to, and the service or action that a part such as `::Request` is of."""
+    text = _POINTER.sub("", text)
+    head, _, last = text.rpartition("::")
+    owner = head.rpartition("::")[2]
+    if last in {"Request", "Response"} and owner not in {"", *_KINDS}:
+        return head
+    return head if last in {"Goal", "Result", "Feedback"} and owner[:1].isupper() else text
 
 
 def _not_ros(name: str) -> bool:

@@ -53,6 +53,12 @@ ROWS = [
         "/odom",
         "default",
     ),
+    (
+        'auto s = create_subscription<std_msgs::msg::String>("in", 1, [](std_msgs::msg::String m) {});',
+        'std::string(s->get_topic_name()) + "/out"',
+        "/in/out",
+        "folded",
+    ),
     ('std::string n = "a"; n += "/b";', "n", "/a/b", "folded"),
     ('std::string n; if (x) { n = "first"; } else { n = "second"; }', "n", None, "folded"),
     ("", 'std::string(get_namespace()) + "/state"', "/state", "folded"),

@@ -11,7 +11,8 @@ from collections.abc import Callable
 _EXPORT_WORD = re.compile(rb"\b[A-Z][A-Z0-9_]*_(?:PUBLIC|EXPORT|LOCAL|API|IMPORT|HIDDEN|DEPRECATED)\b(?!\s*\()")
 _CLASS_WORD = re.compile(rb"((?:class|struct) )([A-Z][A-Z0-9_]{2,})(?= \w+\s*(?:final\s*)?[:{])")
 _MACRO_LINE = re.compile(
-    rb"(?<=[;{}:\n])([ \t]*)([A-Z][A-Z0-9_]{3,}(?:\([^;{}]{0,400}?\))?)(?=[ \t]*\r?\n[ \t\r\n]*[^\s,).&|+*/?:<=\[-])"
+    rb"(?<=[;{}:\n])([ \t]*)([A-Z][A-Z0-9_]{2,}[A-Z0-9](?:\([^;{}]{0,400}?\))?)"
+    rb"(?=[ \t]*\r?\n[ \t\r\n]*[^\s,).&|+*/?:<=\[-])"
 )
 _TYPENAME = re.compile(rb"(?<=[(,=<{ \t])typename(?=\s+[\w:]+(?:<[^;(){}]*>)?::)")
 _EMPTY_BRACES = re.compile(rb"=\s*\{\}(?=\s*[,)])")

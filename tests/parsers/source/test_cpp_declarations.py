@@ -134,6 +134,12 @@ def test_macro_laden_code_is_read(text: bytes) -> None:
     assert "go" in {function.name for function in facts.functions}
 
 
+def test_members_in_capitals_are_no_macros() -> None:
+    """Only macros stand alone on a line; an initialiser whose member ends in an underscore stays."""
+    text = b"int broken = [ ;\nDemo::Demo()\n: WIDTH_(read(1)),\n  NAME_(read(2))\n{\n}\n"
+    assert [len(f.body) for f in parse_cpp(text).facts.functions] == [2]
+
+
 def test_a_broken_file_gives_what_can_be_read() -> None:
     """A syntax error costs its surroundings only, and says its line."""
     parsed = parse_cpp(b"void good() { call(1); }\nvoid bad( { ] ;\n}}}\nint x = 1;\nvoid also() { call(2); }\n")

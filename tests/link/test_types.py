@@ -1,0 +1,90 @@
+"""Types of endpoints and parameters from what the source writes around them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+CPP = """
+#include "pkg/types.hpp"
+#define renamed_msgs sensor_msgs::msg
+#define renamed_package sensor_msgs
+namespace pkg {{
+using Outer = Holder::Outer;
+class Demo : public rclcpp::Node {{
+ public:
+  Demo() : Node("demo") {{ pub_ = create_publisher<{kind}>("a", 10); }}
+}};
+}}
+"""
+HEADER = """
+#include "pkg/Bare.h"
+namespace pkg { struct Holder { using Outer = nav_msgs::msg::Path; using Action = nav2_msgs::action::Wait; }; }
+namespace sensor_msgs { template <class A> struct Imu_ {}; typedef ::sensor_msgs::Imu_<std::allocator<void>> Imu; }
+"""
+NAMES = [
+    ("pkg_msgs::msg::Goal", "pkg_msgs/msg/Goal"),
+    ("pkg_msgs::msg::Result", "pkg_msgs/msg/Result"),
+    ("pkg_msgs::msg::Feedback", "pkg_msgs/msg/Feedback"),
+    ("pkg_msgs::msg::Request", "pkg_msgs/msg/Request"),
+    ("pkg_msgs::Goal", "pkg_msgs/msg/Goal"),
+    ("pkg_msgs::msg::tfMessage", "pkg_msgs/msg/tfMessage"),
+    ("::nav_msgs::msg::Odometry", "nav_msgs/msg/Odometry"),
+    ("renamed_msgs::Imu", "sensor_msgs/msg/Imu"),
+    ("renamed_package::msg::Imu", "sensor_msgs/msg/Imu"),
+    ("sensor_msgs::Imu", "sensor_msgs/msg/Imu"),
+    ("Outer", "nav_msgs/msg/Path"),
+    ("Bare", "pkg/msg/Bare"),
+    ("unheard_of::Thing", "unheard_of/msg/Thing"),
+    ("Unheard", None),
+]
+
+
+@pytest.mark.parametrize(("kind", "expected"), NAMES, ids=[row[0] for row in NAMES])
+def test_message_types(workspace: Any, kind: str, expected: str | None) -> None:
+    """Aliases, macros that rename a package, generated classes and headers of headers say which message it is."""
+    files = {"src/demo.cpp": CPP.format(kind=kind), "include/pkg/types.hpp": HEADER}
+    assert workspace.package(files).only("publisher").type == expected
+
+
+REQUESTS = [
+    ("std_srvs::SetBool::Request", "std_srvs/srv/SetBool"),
+    ("std_srvs::SetBoolRequest", "std_srvs/srv/SetBool"),
+    ("std_srvs::MakeRequest::Request", "std_srvs/srv/MakeRequest"),
+]
+
+
+@pytest.mark.parametrize(("request_type", "expected"), REQUESTS, ids=[row[0] for row in REQUESTS])
+def test_services_of_ros1_callbacks(workspace: Any, request_type: str, expected: str) -> None:
+    """The request of a callback names the service, in both ways that ROS 1 generates it."""
+    text = (
+        f"bool set({request_type} & request, Other & response);"
+        ' int main(int c, char ** v) { ros::init(c, v, "n"); ros::NodeHandle nh;'
+        ' auto s = nh.advertiseService("set", set); }'
+    )
+    assert workspace.package({"src/m.cpp": text}, ros=1).only("service_server").type == expected
+
+
+PARAMETERS = [
+    ('int level = declare_parameter("p", (int)given_);', "integer"),
+    ('member_ = declare_parameter("p", TABLE[0]);', "double"),
+    ('std::string text = this->declare_parameter("p", entry->second);', "string"),
+    ('auto level = declare_parameter("p", entry->second);', None),
+    ('int sum = combine(declare_parameter("p", entry->second), 1.5);', None),
+]
+
+
+@pytest.mark.parametrize(("statement", "expected"), PARAMETERS, ids=[row[0] for row in PARAMETERS])
+def test_a_parameter_has_the_type_of_the_variable_that_takes_it(
+    workspace: Any, statement: str, expected: str | None
+) -> None:
+    """Where the default says no type, the variable does that the value is assigned to, and no other."""
+    text = f'class D : public rclcpp::Node {{ D() : Node("d") {{ {statement} }} double member_; }};'
+    assert workspace.package({"src/d.cpp": text}).only("parameter").type == expected
+
+
+def test_a_member_of_the_outermost_namespace_is_an_object(workspace: Any) -> None:
+    """`::tf2_ros::TransformListener` is the class without the leading colons."""
+    text = 'class D : public rclcpp::Node { D() : Node("d") {} ::tf2_ros::TransformListener listener_; };'
+    assert workspace.package({"src/d.cpp": text}).only("tf_lookup").name == "/tf"
