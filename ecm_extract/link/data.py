@@ -9,26 +9,12 @@ from ecm_parsers.source.expr import Call, Constant, Expr, Items, Member, Name, N
 from ecm_extract.link.calls import last_name
 from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
+from ecm_extract.link.numbers import NUMBERS, as_number
 
 MAX_DEPTH = 12
 _CPP_TYPES = {
     "bool": "bool",
-    "int": "integer",
-    "int64_t": "integer",
-    "int32_t": "integer",
-    "uint": "integer",
-    "size_t": "integer",
-    "long": "integer",
-    "unsigned": "integer",
-    "short": "integer",
-    "int8_t": "integer",
-    "int16_t": "integer",
-    "uint8_t": "integer",
-    "uint16_t": "integer",
-    "uint32_t": "integer",
-    "uint64_t": "integer",
-    "double": "double",
-    "float": "double",
+    **NUMBERS,
     "string": "string",
     "PARAMETER_BOOL": "bool",
     "PARAMETER_INTEGER": "integer",
@@ -51,7 +37,7 @@ _PYTHON_TYPES = {
     "STRING_ARRAY",
     "BYTE_ARRAY",
 }
-_WRAPPERS = frozenset({"ParameterValue", "string", "move", "Duration", "double", "int", "float", "bool", "vector"})
+_WRAPPERS = frozenset({"ParameterValue", "string", "move", "Duration", "bool", "vector", *NUMBERS})
 UNKNOWN = object()
 
 
@@ -114,7 +100,7 @@ def _call(expr: Call, env: Env, folder: Folder, depth: int) -> Any:
         items = [data_of(arg, env, folder, depth + 1) for arg in expr.args]
         return UNKNOWN if UNKNOWN in items else items
     if name in _WRAPPERS and len(expr.args) == 1:
-        return data_of(expr.args[0], env, folder, depth + 1)
+        return as_number(data_of(expr.args[0], env, folder, depth + 1), name)
     values = folder.fold(expr, env)
     known = len(values) == 1 and values[0].confidence != "pattern"
     return values[0].text if known else UNKNOWN

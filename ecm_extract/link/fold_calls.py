@@ -15,6 +15,7 @@ from ecm_parsers.source.expr import (
 from ecm_extract.link import formats
 from ecm_extract.link.calls import Invocation
 from ecm_extract.link.env import Env, bind, invocation_of
+from ecm_extract.link.numbers import NUMBERS
 from ecm_extract.link.values import (
     PARENT_NAMESPACE,
     Value,
@@ -44,7 +45,7 @@ _SAME = frozenset(
         "std::to_string",
         "rclcpp::ParameterValue",
     }
-)
+) | frozenset(NUMBERS)
 RESOLVERS = frozenset(
     {"resolve_topic_or_service_name", "resolve_topic_name", "resolve_service_name", "resolveName", "resolve_name"}
     | {"expand_topic_or_service_name"}
@@ -79,6 +80,8 @@ class CallFolder:
         read = self.folder.reads.read(call)
         if read is not None:
             return self.parameter_value(*read, env.before(env.at))
+        if call.last == "append" and call.receiver is not None and len(call.args) == 1:
+            return joined([self.folder.fold(part, env.before(env.at)) for part in (call.receiver, call.args[0])])
         if call.last == "join" and isinstance(call.receiver, Text) and call.args:
             return self._joined(call.receiver.value, call.args[0], env.before(env.at))
         formatted = formats.formatted(call)

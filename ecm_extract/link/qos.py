@@ -114,7 +114,7 @@ class QosReader:
         if number is not None:
             return {"history": "keep_last", "depth": number}
         name = expr.id if isinstance(expr, Name) else expr.name if isinstance(expr, Member) else ""
-        returned = expr.types[0] if isinstance(expr, Call) and expr.types else ""
+        returned = _returned(expr) if isinstance(expr, Call) else ""
         written = declared_type(plain_type(returned or self.folder.objects.type_of(expr, env)))
         if written == "integer" or _NUMBERS & set(snake(name).split("_")):
             return {"history": "keep_last", "depth": None}
@@ -267,6 +267,11 @@ class QosReader:
             return int(float(text))
         except ValueError:
             return None
+
+
+def _returned(call: Call) -> str:
+    """The type that a call writes: `declare_parameter<int>("depth")`, `size_t(depth)`."""
+    return call.types[0] if call.types else call.callee.id if isinstance(call.callee, Name) else ""
 
 
 def agreed(sides: Sequence[dict[str, Any]]) -> dict[str, Any]:

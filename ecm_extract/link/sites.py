@@ -245,7 +245,7 @@ class Sites:
             if call.simple and any(func.cls is not None for _, func in fitting):
                 fitting = [(fit, func) for fit, func in fitting if func.cls is not None]  # members hide functions
             best = max((fit for fit, _ in fitting), default=0)
-            known = self._targets[id(call)] = tuple(func for fit, func in fitting if fit == best)
+            known = self._targets[id(call)] = _own_first(call, [func for fit, func in fitting if fit == best])
         return known
 
     def _visible(self, call: Invocation, func: Func) -> bool:
@@ -382,6 +382,12 @@ class Sites:
                     for base in self.program.ancestry(entry)[1:]:
                         self._derived[id(base)].append(entry)
         return self._derived.get(id(cls), [])
+
+
+def _own_first(call: Invocation, funcs: list[Func]) -> tuple[Func, ...]:
+    """A function that the file defines is meant, and none of that name in another program of the package."""
+    own = [func for func in funcs if func.file is call.func.file and "declaration" not in func.fact.traits]
+    return tuple(own if call.simple and own and all(func.cls is None for func in own) else funcs)
 
 
 def overrides(func: Func) -> bool:

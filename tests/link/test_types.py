@@ -84,6 +84,24 @@ def test_a_parameter_has_the_type_of_the_variable_that_takes_it(
     assert workspace.package({"src/d.cpp": text}).only("parameter").type == expected
 
 
+CASTS = [
+    ("static_cast<double>(0)", "double", 0.0),
+    ("(float)1", "double", 1.0),
+    ("static_cast<std::int64_t>(2.0)", "integer", 2),
+    ("(int)LEVEL", "integer", 3),
+    ("static_cast<size_t>(unknown())", "integer", None),
+    ("(Other)entry", None, None),
+]
+
+
+@pytest.mark.parametrize(("default", "kind", "value"), CASTS, ids=[row[0] for row in CASTS])
+def test_a_cast_says_the_type_of_a_default(workspace: Any, default: str, kind: str | None, value: object) -> None:
+    """`static_cast<double>(0)` is a double, not an integer."""
+    text = f'#define LEVEL 3\nclass D : public rclcpp::Node {{ D() : Node("d") {{ declare_parameter("p", {default}); }} }};'
+    found = workspace.package({"src/d.cpp": text}).only("parameter")
+    assert (found.type, found.default, type(found.default)) == (kind, value, type(value))
+
+
 def test_a_member_of_the_outermost_namespace_is_an_object(workspace: Any) -> None:
     """`::tf2_ros::TransformListener` is the class without the leading colons."""
     text = 'class D : public rclcpp::Node { D() : Node("d") {} ::tf2_ros::TransformListener listener_; };'

@@ -59,6 +59,8 @@ ROWS = [
         "/in/out",
         "folded",
     ),
+    ("", 'std::string("a").append("/b").c_str()', "/a/b", "folded"),
+    ("", 'std::string(get_name()).append("/state")', "/demo/state", "folded"),
     ('std::string n = "a"; n += "/b";', "n", "/a/b", "folded"),
     ('std::string n; if (x) { n = "first"; } else { n = "second"; }', "n", None, "folded"),
     ("", 'std::string(get_namespace()) + "/state"', "/state", "folded"),

@@ -211,3 +211,18 @@ class Through : public Navigator<nav2_msgs::action::NavigateThroughPoses> { Thro
     for name, action in (("to_pose", "NavigateToPose"), ("through", "NavigateThroughPoses")):
         found = [entry for entry in modules[f"ecm.pkg.{name}"].signature.interfaces if entry.role == "action_server"]
         assert [(entry.name, entry.type) for entry in found] == [(f"/{name}", f"nav2_msgs/action/{action}")]
+
+
+def test_each_program_has_its_own_helper(workspace: Any) -> None:
+    """A function of the same name in another program of the package is another function."""
+    text = (
+        'void make(rclcpp::Node & node) {{ node.create_publisher<std_msgs::msg::String>("{0}", 1); }}'
+        ' int main(int c, char ** v) {{ rclcpp::init(c, v); rclcpp::Node node("{0}"); make(node); }}'
+    )
+    build = "add_executable(one src/one.cpp)\nadd_executable(two src/two.cpp)\n"
+    files = {"src/one.cpp": text.format("one"), "src/two.cpp": text.format("two"), "CMakeLists.txt": build}
+    found = workspace.package(files).modules()
+    assert {
+        name: [entry.name for entry in module.signature.interfaces if entry.role == "publisher"]
+        for name, module in found.items()
+    } == {"ecm.pkg.one": ["/one"], "ecm.pkg.two": ["/two"]}

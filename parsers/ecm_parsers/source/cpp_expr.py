@@ -10,6 +10,7 @@ import re
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from ecm_parsers.source.cpp_casts import cast_arguments
 from ecm_parsers.source.expr import (
     Call,
     Constant,
@@ -185,7 +186,7 @@ def _call(reader: ExprReader, node: Node) -> Expr:
     callee = reader.read(function)
     last = function.child_by_field_name("field") or function.child_by_field_name("name") or function
     types = reader.template_arguments(function)
-    return Call(callee, reader.arguments(listed), (), types, last.start_point[0] + 1)
+    return Call(callee, cast_arguments(reader, listed), (), types, last.start_point[0] + 1)
 
 
 def _new(reader: ExprReader, node: Node) -> Expr:

@@ -1,0 +1,21 @@
+"""Types of numbers in C++ and the type of parameter that each is."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import Any
+
+NUMBERS: Mapping[str, str] = MappingProxyType(
+    dict.fromkeys(("int", "uint", "long", "short", "unsigned", "size_t"), "integer")
+    | {f"{sign}int{bits}_t": "integer" for sign in ("", "u") for bits in (8, 16, 32, 64)}
+    | {"double": "double", "float": "double"}
+)
+
+
+def as_number(value: Any, name: str) -> Any:
+    """Return a number as the type of that name holds it; other data stay as they are."""
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return value
+    kind = NUMBERS.get(name)
+    return float(value) if kind == "double" else int(value) if kind == "integer" else value
