@@ -125,7 +125,9 @@ class BodyReader:
         value = self.expr.read(node)
         if isinstance(value, Op) and value.op == "=" and len(value.operands) == 2:
             target, assigned = value.operands
-            if not isinstance(assigned, Opaque):
+            if isinstance(assigned, Op) and assigned.op == "=":
+                self._chained(node, value)
+            elif not isinstance(assigned, Opaque):
                 self._add("set", node, assigned, target)
         elif isinstance(value, Op) and value.op == "+=":
             self._add("set", node, Op("+", value.operands), value.operands[0])
@@ -135,6 +137,16 @@ class BodyReader:
             self._add("set", node, value.args[0], pointer)
         elif has_call(value):
             self._add("do", node, value)
+
+    def _chained(self, node: Node, value: Expr) -> None:
+        """`a = b = c` gives `c` to both."""
+        targets: list[Expr] = []
+        while isinstance(value, Op) and value.op == "=" and len(value.operands) == 2:
+            targets.append(value.operands[0])
+            value = value.operands[1]
+        if not isinstance(value, Opaque):
+            for target in reversed(targets):
+                self._add("set", node, value, target)
 
     def _stream(self, node: Node, value: Op) -> None:
         """`stream << a << b` appends to the stream."""

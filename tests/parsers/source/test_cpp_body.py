@@ -50,6 +50,14 @@ def test_constructions_from_calls_are_calls() -> None:
     ]
 
 
+def test_a_chain_of_assignments_gives_its_value_to_all() -> None:
+    """`a = b = c` sets b, then a."""
+    assert [(s.kind, s.target, s.value) for s in body('a.b = c = "x";')] == [
+        ("set", Name("c"), Text("x")),
+        ("set", Member(Name("a"), "b"), Text("x")),
+    ]
+
+
 def test_assignments_and_appending() -> None:
     """`+=` and streams read as concatenation onto the target."""
     assert [(s.kind, s.target, s.value) for s in body('a = "x"; b_->c = 1; a += "y"; s << "z" << n;')] == [
