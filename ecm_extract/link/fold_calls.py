@@ -152,7 +152,8 @@ class CallFolder:
         ]
         if not returned or len(returned) > 4:
             return (unknown(call.last),)
-        this = env.this if call.receiver in {None, Name("this")} and callee.cls is not None else callee.cls
+        inside = callee.cls is not None or "lambda" in callee.fact.traits
+        this = env.this if call.receiver in {None, Name("this")} and inside else callee.cls
         made = env.made if this is env.this else None
         args = bind(callee, call, env)
         values = [

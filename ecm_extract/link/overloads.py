@@ -42,12 +42,10 @@ def _countable(call: Invocation, func: Func) -> bool:
 
 def _declared_defaults(func: Func, count: int) -> bool:
     """Defaults stand at the declaration in the header, not at the definition."""
-    siblings = func.cls.methods if func.cls is not None else ()
     return any(
-        other.fact.name == func.fact.name
-        and len(other.fact.params) == len(func.fact.params)
+        len(other.fact.params) == len(func.fact.params)
         and sum(parameter.default is None for parameter in other.params) <= count
-        for other in siblings
+        for other in func.siblings()
     )
 
 

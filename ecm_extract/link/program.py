@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from ecm_parsers.source.facts import Alias, Class, Constant, Field, Function, Parameter, SourceFile
@@ -33,11 +33,21 @@ class File:
 
 @dataclass(slots=True, eq=False, repr=False)
 class Func:
-    """A function with the file it stands in and, for a method, its class."""
+    """A function with the file it stands in, for a method its class, and all functions of its name."""
 
     fact: Function
     file: File
     cls: Cls | None = None
+    namesakes: Sequence[Func] = ()
+
+    def siblings(self) -> Iterator[Func]:
+        """The declarations and definitions of that name in its class or namespace, itself included."""
+        if self.cls is not None:
+            yield from (other for other in self.cls.methods if other.fact.name == self.fact.name)
+            return
+        for other in self.namesakes:
+            if other.cls is None and other.fact.scope == self.fact.scope and other.file.package == self.file.package:
+                yield other
 
     @property
     def params(self) -> tuple[Parameter, ...]:
@@ -87,8 +97,9 @@ class Program:
     def _index(self, file: File) -> None:
         for function in file.facts.functions:
             owner = self._owner(function, file)
-            func = Func(function, file, owner)
-            self.functions[function.name].append(func)
+            namesakes = self.functions[function.name]
+            func = Func(function, file, owner, namesakes)
+            namesakes.append(func)
             if owner is not None:
                 owner.methods.append(func)
         for constant in file.facts.constants:

@@ -83,6 +83,38 @@ class D : public rclcpp::Node { D() : Node("d") {
     assert (entry.name, entry.default) == ("gain", 1.5)
 
 
+def test_a_lambda_knows_the_members_of_its_object(workspace: Any) -> None:
+    """A name that a lambda puts together from members and its arguments is folded."""
+    text = """
+class D : public rclcpp::Node { std::string root_ = "~/";
+  D() : Node("d") { start(); }
+  void start() {
+    const std::string left = "left/";
+    auto name = [&](const std::string & side, const std::string & leaf) { std::string topic = root_ + side + leaf; return topic; };
+    topic_ = name(left, "image"); open(); }
+  void open() { create_publisher<std_msgs::msg::String>(topic_, 1); }
+  std::string topic_; };"""
+    assert workspace.package({"src/d.cpp": text}).only("publisher").name == "/d/left/image"
+
+
+def test_defaults_stand_at_the_declaration_of_a_function(workspace: Any) -> None:
+    """A helper outside of a class is called without the arguments that its declaration gives a default."""
+    header = """#pragma once
+namespace tools {
+template<typename T>
+void get(std::shared_ptr<rclcpp::Node> node, std::string name, T value, T & out, std::string log = std::string(), bool dynamic = false);
+template<typename T>
+void get(std::shared_ptr<rclcpp::Node> node, std::string name, T value, T & out, std::string log, bool dynamic)
+{ node->declare_parameter(name, rclcpp::ParameterValue(value)); }
+}"""
+    text = """#include "tools.hpp"
+class D : public rclcpp::Node { D() : Node("d") {
+  tools::get(shared_from_this(), "short", 1, out_);
+  tools::get(shared_from_this(), "long", 1, out_, "log", true); } int out_; };"""
+    workspace.package({"src/tools.hpp": header, "src/d.cpp": text})
+    assert {entry.name for entry in workspace.interfaces()} == {"short", "long"}
+
+
 def test_python_helpers_with_spread_arguments(workspace: Any) -> None:
     """A topic given as a tuple is joined where the helper joins it."""
     text = """

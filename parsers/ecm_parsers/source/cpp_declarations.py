@@ -84,7 +84,9 @@ class DeclarationReader:
             return
         self._nesting += 1
         kind = node.type
-        if kind in GROUPS:
+        if kind == "ERROR":
+            self._torn(node, place)
+        elif kind in GROUPS:
             for child in node.named_children:
                 self.read(child, place)
         else:
@@ -92,6 +94,19 @@ class DeclarationReader:
             if handler is not None:
                 handler(self, node, place)
         self._nesting -= 1
+
+    def _torn(self, node: Node, place: Place) -> None:
+        """What is left around an error; a namespace that it tore still holds what follows."""
+        inside, words = [place], ["", ""]
+        for child in node.children:
+            if child.type == "{":
+                opened = words[0] == "namespace" and inside[-1].scope.rsplit("::", 1)[-1] != words[1]
+                inside.append(inside[-1].inside(words[1]) if opened else inside[-1])
+            elif child.type == "}" and len(inside) > 1:
+                inside.pop()
+            elif child.is_named:
+                self.read(child, inside[-1])
+            words = [words[1], self.expr.text(child) if child.child_count == 0 else ""]
 
     def namespace(self, node: Node, place: Place) -> None:
         """A namespace, anonymous ones included."""

@@ -74,11 +74,11 @@ def _parse(data: bytes) -> Tree:
 
 
 def first_error(root: Node) -> Node | None:
-    """Return the first ERROR node; nodes that the parser only missed do not count."""
+    """Return the first ERROR node, or what the parser missed; a missing `;` does not count."""
     pending = [root] if root.has_error else []
     while pending:
         node = pending.pop()
-        if node.type == "ERROR":
+        if node.type == "ERROR" or (node.is_missing and node.type != ";"):
             return node
         pending.extend(child for child in reversed(node.children) if child.has_error)
     return None

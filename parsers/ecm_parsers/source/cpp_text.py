@@ -2,7 +2,8 @@
 
 Offsets and lines stay as they were. Applied only to text whose first parse has errors, since matching
 costs half a parse. Causes counted on real trees: export macros, macro-only lines, `typename` before an
-expression, `= {}` as default argument, `#if` inside an expression.
+expression, `= {}` as default argument, a default of a nameless template parameter, notes on the values of an enum,
+`#if` inside an expression.
 """
 
 import re
@@ -15,6 +16,8 @@ _MACRO_LINE = re.compile(
     rb"(?=[ \t]*\r?\n[ \t\r\n]*[^\s,).&|+*/?:<=\[-])"
 )
 _TYPENAME = re.compile(rb"(?<=[(,=<{ \t])typename(?=\s+[\w:]+(?:<[^;(){}]*>)?::)")
+_NO_POINTER = re.compile(rb"(?<=::type)\s*\*\s*=\s*nullptr(?=\s*[,>])")
+_LABEL_NOTE = re.compile(rb"(?<=\w)\s*\[\[[^\[\]]*\]\](?=\s*[=,}])")
 _EMPTY_BRACES = re.compile(rb"=\s*\{\}(?=\s*[,)])")
 _DIRECTIVE = re.compile(rb"^[ \t]*#[ \t]*(?:if|ifdef|ifndef|elif|else|endif)\b[^\n]*", re.MULTILINE)
 _DEFINE_LINE = re.compile(rb"^[ \t]*#[^\n]*(?:\\\n[^\n]*)*", re.MULTILINE)
@@ -31,6 +34,7 @@ def without_macros(data: bytes) -> bytes:
     kept = _outside_directives(kept, lambda text: _MACRO_LINE.sub(_blank, text))
     kept = _CLASS_WORD.sub(lambda match: match[1] + b" " * len(match[2]), kept)
     kept = _TYPENAME.sub(_blank, kept)
+    kept = _LABEL_NOTE.sub(_blank, _NO_POINTER.sub(lambda match: b"= 0".ljust(len(match.group())), kept))
     return _EMPTY_BRACES.sub(lambda match: b"= 0".ljust(len(match.group())), kept)
 
 

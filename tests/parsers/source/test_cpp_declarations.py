@@ -188,3 +188,44 @@ def test_a_file_that_takes_too_long_is_given_up(monkeypatch: pytest.MonkeyPatch)
     assert [d.code for d in slow.diagnostics] == ["cpp-too-slow"]
     monkeypatch.undo()
     assert len(parse_cpp(b"void f() { g(1); }\n" * 2_000).facts.functions) == 2_000
+
+
+def test_a_macro_before_a_qualified_return_type_is_no_scope() -> None:
+    """`EXPORT std::vector<T> f();` declares f where it stands, although the grammar takes the type for its scope."""
+    text = b"namespace a {\nA_PUBLIC\nstd::vector<int> parse(int urdf);\n}"
+    found = parse_cpp(text).facts.functions
+    assert [(each.scope, each.name, each.returns) for each in found] == [("a", "parse", "std::vector<int>")]
+
+
+def test_values_of_an_enum_with_notes_stay_in_it() -> None:
+    """A note on one value does not end the enum."""
+    text = b'namespace a { enum class E : std::uint8_t { NEW = 0, OLD [[deprecated("use NEW")]] = 0, LAST = 1 }; }'
+    assert [(each.scope, each.name) for each in parse_cpp(text).facts.constants] == [
+        ("a::E", "NEW"),
+        ("a::E", "OLD"),
+        ("a::E", "LAST"),
+    ]
+
+
+def test_a_template_with_a_nameless_parameter_hides_nothing() -> None:
+    """The default of a parameter without a name, by custom that of `enable_if`, does not tear its namespace."""
+    text = b"""namespace a {
+template<typename T, typename std::enable_if<is<T>::value>::type * = nullptr>
+class Timer { public: void call(); };
+struct Info { int at; };
+}"""
+    assert {(each.scope, each.name) for each in parse_cpp(text).facts.classes} == {("a", "Timer"), ("a", "Info")}
+
+
+def test_a_torn_namespace_still_holds_what_follows() -> None:
+    """Where conditionals leave a brace without its peer, declarations keep the namespaces that are open, each once."""
+    text = b"""namespace outer { namespace inner {
+struct Before {};
+#if A
+struct Torn {
+#endif
+namespace inner {
+struct After {};
+"""
+    found = {(each.scope, each.name) for each in parse_cpp(text).facts.classes}
+    assert found == {("outer::inner", "Before"), ("outer::inner", "After")}
