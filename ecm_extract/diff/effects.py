@@ -5,20 +5,18 @@ Each takes a pair and yields the differences that it knows; `changes.py` makes r
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable, Iterator
 from typing import Final
 
 import msgspec
 from ecm_checker.release import ChangeWord
 
+from ecm_extract.diff.conversions import returns_as_well, takes
 from ecm_extract.diff.model import Pair
 from ecm_extract.diff.similarity import words
 from ecm_extract.entities.endpoints import HOLE
 from ecm_extract.entities.model import Form, PublicEntity
 
-_TEMPLATE: Final = re.compile(r"(?:const )?[A-Z]&{0,2}")
-"""A parameter of a template, by custom one capital."""
 _RELIABILITY: Final = ("best_effort", "reliable")
 _DURABILITY: Final = ("volatile", "transient_local")
 _WITH_DEFAULT: Final = frozenset({"parameter", "constant", "message_field", "launch_argument", "bt_port"})
@@ -170,21 +168,14 @@ def accepts(new: Form, old: Form) -> bool:
     if new.required > old.required or len(new.types) < count or _returns_otherwise(new, old):
         return False
     if any(new.types[:count]) or any(old.types):
-        return all(_takes(after, before) for after, before in zip(new.types, old.types, strict=False))
+        return all(takes(after, before) for after, before in zip(new.types, old.types, strict=False))
     return new.names[:count] == old.names
 
 
 def _returns_otherwise(new: Form, old: Form) -> bool:
     """Whether a result differs; how many values Python returns is not always known."""
     known = (new.returns and old.returns) or any((*new.types, *old.types))
-    return bool(known) and new.returns != old.returns
-
-
-def _takes(new: str, old: str) -> bool:
-    """Whether whatever fits the old type of a parameter fits the new one: `T&`, `T`, `const T&` fit `const T&`."""
-    bare = old.removeprefix("const ").removesuffix("&")
-    same = new in {old, f"const {bare}&"} or (new == bare and not bare.endswith("&"))
-    return same or _TEMPLATE.fullmatch(new) is not None
+    return bool(known) and not returns_as_well(new.returns, old.returns)
 
 
 EFFECTS: Final[tuple[Effect, ...]] = (

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 
 from ecm_extract.diff.assignment import assign
 from ecm_extract.diff.bases import Bases
+from ecm_extract.diff.computed import Computed
 from ecm_extract.diff.file_moves import alone_in_moved_files
 from ecm_extract.diff.history import History
 from ecm_extract.diff.model import How, Pair
@@ -62,6 +63,7 @@ class Pairing:
         self._inherited()
         self._reshaped()
         self._moved(kinds)
+        self._computed()
         self._successors()
         self._renamed(kinds)
         self._by_signature()
@@ -127,6 +129,14 @@ class Pairing:
                 found = next((other for other in alike if is_reshaped(entity, other) and _may_be(entity, other)), None)
                 if found is not None:
                     self.take(Pair(entity, found))
+
+    def _computed(self) -> None:
+        """A name that the other side computes is still there."""
+        computed = Computed(self.all_new.values())
+        for entity in list(self.old.values()):
+            found = computed.home(entity)
+            if found is not None:
+                self.take(Pair(entity, found))
 
     def _parameter_index(self) -> dict[tuple[str, str], list[PublicEntity]]:
         """New parameters by owner, by the file that names them, and those of generated libraries."""

@@ -24,6 +24,7 @@ _KINDS = {
 }
 _FACETS = {"publisher": "published", "subscriber": "subscribed"}
 _HOLE = re.compile(r"\{[^{}]*\}")
+_NAME = re.compile(r"[\w~/.-]*")
 HOLE = "<*>"
 
 
@@ -56,6 +57,8 @@ def _entity(
     name = comparable_name(entry)
     if kind is None or not re.search(r"\w", name.replace(HOLE, "")):
         return None
+    if kind != "parameter" and not _NAME.fullmatch(name.replace(HOLE, "")):
+        return None  # the default says that a value must be given: `<undefined>`
     at = entry.evidence[0]
     bare = name.lstrip("~/")
     return PublicEntity(

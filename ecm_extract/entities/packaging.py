@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from ecm_extract.entities.deprecations import deprecated_names
@@ -9,6 +10,9 @@ from ecm_extract.entities.model import PublicEntity
 from ecm_extract.entities.public_files import public_headers
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.tree import Tree
+
+_PYTHON = re.compile(r"python|(?:site|dist)-packages", re.IGNORECASE)
+"""Where extension modules lie: Python imports them, nothing links with them."""
 
 
 def packaging_entities(tree: Tree, facts: PackageFacts) -> Iterator[PublicEntity]:
@@ -37,7 +41,7 @@ def _package(facts: PackageFacts) -> Iterator[PublicEntity]:
 
 def _targets(facts: PackageFacts) -> Iterator[PublicEntity]:
     installs = [entry for file in facts.cmake.values() for entry in file.installs if entry.kind == "targets"]
-    installed = {item for entry in installs for item in entry.items}
+    installed = {item for entry in installs for item in entry.items if not _PYTHON.search(entry.destination)}
     for path, file in facts.cmake.items():
         for target in file.targets:
             if target.kind not in {"executable", "library"} or target.is_test or "$" in target.name:

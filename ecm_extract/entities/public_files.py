@@ -14,9 +14,11 @@ HIDDEN = frozenset({"detail", "details", "internal", "impl", "_internal", "priva
 def public_headers(facts: PackageFacts) -> dict[str, str]:
     """Return the path of each public header with what a consumer writes in its `#include`.
 
-    Public is what lies below the package's `include/`, or what the build files install.
+    Public is what lies below the package's `include/`, or what the build files install; nothing below `include/`
+    is when they install much else and never that.
     """
     installed = _installed_headers(facts)
+    kept_back = _keeps_headers(facts)
     found: dict[str, str] = {}
     for entry in facts.root.files:
         parts = entry.path.split("/")
@@ -24,11 +26,22 @@ def public_headers(facts: PackageFacts) -> dict[str, str]:
         if suffix not in _HEADERS or not HIDDEN.isdisjoint(parts):
             continue
         include = _below_include(inside(entry.path, facts.root.path))
-        if include is not None:
+        if include is not None and not kept_back:
             found[entry.path] = include
         elif entry.path in installed:
             found[entry.path] = f"{facts.name}/{parts[-1]}"
     return found
+
+
+def _keeps_headers(facts: PackageFacts) -> bool:
+    """Whether a ROS 2 package installs things, but no headers. In ROS 1 they are seen without that."""
+    installs = [entry for file in facts.cmake.values() for entry in file.installs]
+    if facts.ros != 2 or not installs:
+        return False
+    by_itself = any(entry.kind == "targets" and not entry.destination for entry in installs)
+    folders = [entry for entry in installs if entry.kind in {"directory", "files"}]
+    texts = [text for entry in folders for text in (*entry.items, entry.destination)]
+    return not by_itself and not any("include" in text.lower() or "$" in text for text in texts)
 
 
 def _below_include(path: str) -> str | None:

@@ -37,7 +37,10 @@ def repo(tmp_path: Path) -> Path:
         folder,
         {
             "arm/package.xml": package("arm"),
-            "arm/CMakeLists.txt": "project(arm)\nadd_executable(arm src/arm.cpp)\ninstall(TARGETS arm DESTINATION x)\n",
+            "arm/CMakeLists.txt": (
+                "project(arm)\nadd_executable(arm src/arm.cpp)\ninstall(TARGETS arm DESTINATION x)\n"
+                "install(DIRECTORY include/ DESTINATION include)\n"
+            ),
             "arm/src/arm.cpp": node(
                 'declare_parameter("checker_plugin", "simple");',
                 'declare_parameter("rate", 10.0);',

@@ -137,3 +137,30 @@ def test_a_parameter_of_a_library_outlives_one_of_its_users() -> None:
         entity("parameter", "robot.timeout", "server", path=line[0], chain=(("src/server.cpp", 5), line)),
     ]
     assert all(pair.old and pair.new for pair in paired(old, old[1:]))
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "how"),
+    [
+        ("/gyro/metadata", "/<*>/metadata", "same"),
+        ("/clear_except_<*>", "/clear_except_costmap", "same"),
+        ("/gyro/metadata", "/<*>/points", "gone"),
+    ],
+)
+def test_a_name_that_the_other_side_computes_is_still_there(old: str, new: str, how: str) -> None:
+    """A pattern that fits a name of its type and module is that name."""
+    more = {"type": "std_msgs/msg/String", "facet": "published"}
+    pairs = paired([entity("topic", old, **more)], [entity("topic", new, **more)])
+    assert [(pair.old is None, pair.new is None) for pair in pairs] == (
+        [(False, False)] if how == "same" else [(False, True), (True, False)]
+    )
+    assert {pair.how for pair in pairs} == {"same"}
+
+
+def test_parameters_of_a_library_do_not_move_with_its_users() -> None:
+    """The file that declares them stands where it stood, whichever module goes by them."""
+    more = {"path": "kinematics/src/parameters.yaml", "type": "double"}
+    pairs = paired(
+        [entity("parameter", "depth", "demo", **more)], [entity("parameter", "depth", "other", package="b", **more)]
+    )
+    assert shown(pairs) == [("depth", "depth", "same")]

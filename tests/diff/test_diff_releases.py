@@ -176,6 +176,36 @@ def test_what_ament_auto_installs_is_installed(told) -> None:  # type: ignore[no
     assert not told(old, {"arm/CMakeLists.txt": auto})
 
 
+@pytest.mark.parametrize(
+    ("install", "shown"),
+    [
+        ("", set()),
+        ("install(DIRECTORY include/ DESTINATION include)", {("file", "removed", "arm/driver.hpp", None)}),
+    ],
+)
+def test_what_is_not_installed_is_nobody_s(told, install: str, shown: Told) -> None:  # type: ignore[no-untyped-def]
+    """Headers that a package keeps to itself and extension modules of Python are no interface of C++."""
+    built = (
+        "project(arm)\nadd_library(arm SHARED src/arm.cpp)\n"
+        "install(TARGETS arm DESTINATION ${PYTHON_INSTALL_DIR}/arm)\n"
+    )
+    old = {"arm/CMakeLists.txt": f"{built}{install}\n", **_header()}
+    assert told(old, {"arm/include/arm/driver.hpp": None, "arm/CMakeLists.txt": "project(arm)\n"}) == shown
+
+
+def test_a_placeholder_is_no_name(told) -> None:  # type: ignore[no-untyped-def]
+    """A default that says that a value must be given is the name of no topic."""
+    old = {
+        "arm/CMakeLists.txt": CMAKE,
+        "arm/src/arm.cpp": node(
+            'auto topic = declare_parameter("topic", "<undefined>");',
+            "create_publisher<std_msgs::msg::Bool>(topic, 1);",
+        ),
+    }
+    new = {"arm/src/arm.cpp": node('declare_parameter("topic", "<undefined>");')}
+    assert told(old, new) == set()
+
+
 def test_the_output_name_of_a_target_is_the_executable(told) -> None:  # type: ignore[no-untyped-def]
     """`ros2 run` knows the file that is built, not the target."""
     old = {

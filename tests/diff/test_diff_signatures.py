@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from ecm_extract.diff.conversions import takes
 from ecm_extract.diff.effects import accepts
 from ecm_extract.entities.model import Form
 from ecm_extract.entities.signatures import normal_type
@@ -50,7 +51,13 @@ OLD = Form(types=("int",), required=1, returns="void")
     [
         (Form(types=("int", "bool"), required=1, returns="void"), OLD, True),
         (Form(types=("int", "bool"), required=2, returns="void"), OLD, False),
-        (Form(types=("int",), required=1, returns="int"), OLD, False),
+        (Form(types=("int",), required=1, returns="int"), OLD, True),
+        (Form(types=("int",), required=1, returns="void"), Form(types=("int",), required=1, returns="int"), False),
+        (
+            Form(types=("int",), required=1, returns="int", virtual=True),
+            Form(types=("int",), required=1, returns="void", virtual=True),
+            False,
+        ),
         (
             Form(types=("int", "bool"), required=1, virtual=True),
             Form(types=("int",), required=1, virtual=True),
@@ -63,3 +70,28 @@ OLD = Form(types=("int",), required=1, returns="void")
 def test_a_new_form_fits_old_users_or_not(new: Form, old: Form, fits: bool) -> None:
     """A new default argument breaks no caller, but every class that overrides the method."""
     assert accepts(new, old) is fits
+
+
+@pytest.mark.parametrize(
+    ("new", "old", "fits"),
+    [
+        ("const uint8_t&", "const bool&", True),
+        ("bool", "uint8_t", False),
+        ("double", "float", True),
+        ("float", "double", False),
+        ("int64_t", "long", True),
+        ("int", "uint32_t", False),
+        ("uint32_t", "int", False),
+        ("int&", "bool", False),
+        ("const Image<int64_t>&", "Image<long>", True),
+        ("const WorldConstPtr&", "WorldPtr", True),
+        ("WorldPtr", "WorldConstPtr", False),
+        ("WorldPtr&", "WorldPtr", False),
+        ("const Model*", "Model*", True),
+        ("Model*", "const Model*", False),
+        ("long double", "double", False),
+    ],
+)
+def test_a_parameter_takes_what_the_old_one_took(new: str, old: str, fits: bool) -> None:
+    """A wider number, an integer by its other name and a pointer to const need no change of the caller."""
+    assert takes(new, old) is fits

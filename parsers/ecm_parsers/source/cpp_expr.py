@@ -182,11 +182,18 @@ def _call(reader: ExprReader, node: Node) -> Expr:
     if function.type in {"identifier", "template_function", "qualified_identifier"}:
         name = reader.name(function)
         if name in _CASTS and listed is not None and listed.named_child_count == 1:
-            return reader.read(listed.named_children[0])
+            return _cast(reader.read(listed.named_children[0]), reader.template_arguments(function))
     callee = reader.read(function)
     last = function.child_by_field_name("field") or function.child_by_field_name("name") or function
     types = reader.template_arguments(function)
     return Call(callee, cast_arguments(reader, listed), (), types, last.start_point[0] + 1)
+
+
+def _cast(value: Expr, types: tuple[str, ...]) -> Expr:
+    """A cast changes nothing but numbers: `static_cast<double>(10)` is 10.0."""
+    if isinstance(value, Number) and types in {("double",), ("float",)}:
+        return Number(float(value.value))
+    return Number(int(value.value)) if isinstance(value, Number) and types == ("int",) else value
 
 
 def _new(reader: ExprReader, node: Node) -> Expr:

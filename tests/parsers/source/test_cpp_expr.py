@@ -37,6 +37,8 @@ ROWS: list[tuple[str, Expr]] = [
     ("new pkg::Thing<int>(1)", Call(Name("pkg::Thing"), (Number(1),), (), ("int",), 1)),
     ("std::make_shared<T>(1)", Call(Name("std::make_shared"), (Number(1),), (), ("T",), 1)),
     ("static_cast<double>(v)", Name("v")),
+    ("static_cast<double>(10)", Number(10.0)),
+    ("static_cast<int>(2.5)", Number(2)),
     ("(double)v", Name("v")),
     ("std::move(v)", Name("v")),
     ("500ms", Call(Name("ms"), (Number(500),), line=1)),

@@ -1,0 +1,43 @@
+"""Endpoints whose name one side computes: what its pattern fits is not gone, only written otherwise."""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Iterable
+
+from ecm_extract.entities.endpoints import HOLE
+from ecm_extract.entities.model import PublicEntity
+
+_KINDS = frozenset({"topic", "service", "action"})
+_LEAST_KNOWN = 4
+"""Letters that a pattern must show: `<*>/a` fits half of all names."""
+
+
+class Computed:
+    """New endpoints, to be asked for the one that an old name lives on in."""
+
+    def __init__(self, new: Iterable[PublicEntity]) -> None:
+        self._index: dict[tuple[str, str, str], list[PublicEntity]] = defaultdict(list)
+        for entity in new:
+            if entity.kind in _KINDS:
+                self._index[entity.kind, entity.package, entity.facet].append(entity)
+
+    def home(self, old: PublicEntity) -> PublicEntity | None:
+        """Return the endpoint of the same module or file, and of the same type, that may have this very name."""
+        for entity in self._index.get((old.kind, old.package, old.facet), ()):
+            near = entity.owner == old.owner or entity.path == old.path
+            if near and entity.type == old.type and may_be_one(old.name, entity.name):
+                return entity
+        return None
+
+
+def may_be_one(one: str, other: str) -> bool:
+    """Whether exactly one of two names has computed parts, and they can stand for what the other has there."""
+    if (HOLE in one) == (HOLE in other):
+        return False
+    pattern, name = (one, other) if HOLE in one else (other, one)
+    if len(re.findall(r"\w", pattern.replace(HOLE, ""))) < _LEAST_KNOWN:
+        return False
+    fixed = [re.escape(part) for part in pattern.lstrip("~/").split(HOLE)]
+    return re.fullmatch(".+".join(fixed), name.lstrip("~/")) is not None
