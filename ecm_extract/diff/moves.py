@@ -55,7 +55,7 @@ def _is_unmoved(
         return True  # generated for whoever uses the library
     if old.kind not in _ENDPOINTS or old.package != new.package:
         return False
-    if None in (old.node, new.node) or new.owner in old.sharers or old.owner in new.sharers:
+    if None in (old.node, new.node) or new.owner in old.sharers or old.owner in new.sharers or old.node == new.node:
         return True  # an owner without a node goes by the name of a class or file, which no user writes
     if not _same_file(old, new, files):
         return False
@@ -91,8 +91,14 @@ def _is_likely(old: PublicEntity, new: PublicEntity, files: Mapping[str, str]) -
     if old.kind == "constant":
         return old.default == new.default and old.type == new.type and old.package == new.package
     if old.kind in {"function", "class"}:
-        return shape_equal(old, new) > 0 and name_similarity(old.name, new.name) > 0.5
+        return shape_equal(old, new) > 0 and name_similarity(old.name, new.name) > 0.5 and _same_nest(old, new)
     return True
+
+
+def _same_nest(old: PublicEntity, new: PublicEntity) -> bool:
+    """Whether two classes of one name are no parts of classes of other names: each class may have its `Params`."""
+    outer = [entity.name.rpartition("::")[0].rpartition("::")[2] for entity in (old, new)]
+    return outer[0] == outer[1] or not any(name[:1].isupper() for name in outer)
 
 
 def _nearness(old: PublicEntity, new: PublicEntity, files: Mapping[str, str]) -> tuple[float, ...]:

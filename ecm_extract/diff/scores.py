@@ -16,13 +16,15 @@ from ecm_extract.diff.similarity import (
 from ecm_extract.entities.model import PublicEntity
 
 _THRESHOLD = 0.62
-_LEAST_NAME = 0.5
+_LEAST_NAME, _LEAST_WRITTEN = 0.5, 0.35
+"""How alike two names must be, and where somebody wrote of both."""
 _NAME, _SHAPE, _PLACE = 0.5, 0.25, 0.25
 _WRITTEN = 0.12
 _SURE_NAME = 0.85
 _SURE_ALONE = 0.8
 _SURE_LIBRARY = 0.68
 """Every library of a package stands in the one CMakeLists.txt, so only its name can tell."""
+_OF_A_KIND = frozenset({"class", "plugin"})
 _GENERIC = frozenset(
     ("use", "enable", "enabled", "is", "has", "get", "set", "on", "new", "do", "default", "num", "max")
 )
@@ -44,11 +46,13 @@ def score(
     total = _NAME * name + _SHAPE * shape + _PLACE * place
     if _is_other_structure(old, new) or (shape == 0 and (name < _SURE_NAME or _parts(old) != _parts(new))):
         return None
-    if name < _LEAST_NAME or total + _WRITTEN < _THRESHOLD or (old.kind == "library" and name < _SURE_LIBRARY):
+    if name < _LEAST_WRITTEN or total + _WRITTEN < _THRESHOLD or (old.kind == "library" and name < _SURE_LIBRARY):
         return None
-    if name < _SURE_NAME and not (words(old.name) & words(new.name)) - _GENERIC:
+    if name < _SURE_NAME and not _shared_words(old, new):
         return None
     written = history.mentions(old.name, new.name) if history is not None else None
+    if not written and name < _LEAST_NAME:
+        return None
     if not written and place < 1 and shape < 1 and name < _SURE_ALONE:
         return None
     if written:
@@ -56,6 +60,14 @@ def score(
     if total < _THRESHOLD:
         return None
     return total, _reason(name, shape, where, written)
+
+
+def _shared_words(old: PublicEntity, new: PublicEntity) -> frozenset[str]:
+    """The words that tell what both are; those of a common base only tell which kind of thing."""
+    if old.kind not in _OF_A_KIND:
+        return (words(old.name) & words(new.name)) - _GENERIC
+    base = words(" ".join((*old.bases, old.type or "")))
+    return (words(last_part(old.name)) & words(last_part(new.name))) - _GENERIC - base
 
 
 def _is_other_structure(old: PublicEntity, new: PublicEntity) -> bool:

@@ -10,6 +10,8 @@ from ecm_extract.entities.model import PublicEntity
 _WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
 SEPARATOR = re.compile(r"::|[/.]")
 _LAST_EQUAL = 0.6
+_PARTS = frozenset({"request.", "response.", "goal.", "result.", "feedback."})
+"""Of an interface file: what stands before a field there is no place that people name."""
 
 
 def words(name: str) -> frozenset[str]:
@@ -23,9 +25,13 @@ def last_part(name: str) -> str:
 
 
 def name_similarity(old: str, new: str) -> float:
-    """Return 0 for nothing in common to 1 for the same name."""
+    """Return 0 for nothing in common to 1 for the same name; a common place before the last part says nothing."""
     if old == new:
         return 1.0
+    one, other = last_part(old), last_part(new)
+    place = old.removesuffix(one)
+    if place == new.removesuffix(other) and place not in _PARTS:
+        old, new = one, other
     first, second = words(old), words(new)
     shared = 2 * len(first & second) / max(1, len(first) + len(second))
     letters = SequenceMatcher(None, old.lower(), new.lower(), autojunk=False).ratio()

@@ -8,6 +8,7 @@ from ecm_parsers.source.expr import Call, Constant, Number, Text
 from ecm_parsers.source.facts import Function, SourceFile
 
 from ecm_extract.entities.model import Line, PublicEntity
+from ecm_extract.entities.public_files import inside
 from ecm_extract.entities.signatures import normal_type
 from ecm_extract.link.program import plain
 from ecm_extract.link.walk import dotted, expressions
@@ -29,6 +30,8 @@ _LISTS_PORTS = "providedPorts"
 """Static method in which BehaviorTree.CPP asks a node class for its ports."""
 _ADDS_PORTS = "providedBasicPorts"
 """What base classes by custom add to the ports of a node."""
+_EXAMPLES = frozenset({"example", "examples", "tutorial", "tutorials"})
+"""Programs that show how nodes are made; nobody else's trees can name these."""
 Port = tuple[Call, Text, Line]
 
 
@@ -38,7 +41,7 @@ def bt_entities(facts: PackageFacts) -> Iterator[PublicEntity]:
         return
     ports = _ports_by_class(facts)
     for path, source in facts.sources.items():
-        if source.language == "cpp":
+        if source.language == "cpp" and _EXAMPLES.isdisjoint(inside(path, facts.root.path).split("/")[:-1]):
             for call, name in _named_calls(source, _REGISTERS):
                 yield PublicEntity(
                     kind="bt_node", package=facts.name, owner="", name=name.value, path=path, line=call.line

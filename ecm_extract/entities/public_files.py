@@ -34,9 +34,9 @@ def public_headers(facts: PackageFacts) -> dict[str, str]:
 
 
 def _keeps_headers(facts: PackageFacts) -> bool:
-    """Whether a ROS 2 package installs things, but no headers. In ROS 1 they are seen without that."""
+    """Whether a package installs things, but no headers; one without any such line is used where it lies."""
     installs = [entry for file in facts.cmake.values() for entry in file.installs]
-    if facts.ros != 2 or not installs:
+    if not installs:
         return False
     by_itself = any(entry.kind == "targets" and not entry.destination for entry in installs)
     folders = [entry for entry in installs if entry.kind in {"directory", "files"}]

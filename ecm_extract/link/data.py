@@ -7,7 +7,7 @@ from typing import Any
 from ecm_parsers.source.expr import Call, Constant, Expr, Items, Member, Name, Number, Op, Text
 
 from ecm_extract.link.calls import last_name
-from ecm_extract.link.env import Env
+from ecm_extract.link.env import Env, invocation_of
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.numbers import NUMBERS, as_number
 
@@ -101,6 +101,12 @@ def _call(expr: Call, env: Env, folder: Folder, depth: int) -> Any:
         return UNKNOWN if UNKNOWN in items else items
     if name in _WRAPPERS and len(expr.args) == 1:
         return as_number(data_of(expr.args[0], env, folder, depth + 1), name)
+    call = invocation_of(expr, env)
+    read = folder.reads.read(call)
+    if read is not None and read[1] is not None:
+        return data_of(read[1], env, folder, depth + 1)
+    if call.receiver is not None and call.last == "get" and isinstance(call.receiver, Call):
+        return data_of(call.receiver, env, folder, depth + 1)
     values = folder.fold(expr, env)
     known = len(values) == 1 and values[0].confidence != "pattern"
     return values[0].text if known else UNKNOWN

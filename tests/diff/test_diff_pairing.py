@@ -164,3 +164,27 @@ def test_parameters_of_a_library_do_not_move_with_its_users() -> None:
         [entity("parameter", "depth", "demo", **more)], [entity("parameter", "depth", "other", package="b", **more)]
     )
     assert shown(pairs) == [("depth", "depth", "same")]
+
+
+def test_what_only_shares_its_kind_is_no_new_name() -> None:
+    """Two filters share the word of their base, two functions of a module its path; neither became the other."""
+    more = {"type": "filters::FilterBase", "owner": ""}
+    old = [entity("plugin", "maps/MinFilter", **more), entity("function", "tools.utils.get_tools_version", owner="")]
+    new = [entity("plugin", "maps/MockFilter", **more), entity("function", "tools.utils.handle_installation", owner="")]
+    assert {pair.how for pair in paired(old, new)} == {"same"}
+
+
+def test_parts_of_classes_do_not_move_to_other_classes() -> None:
+    """Each controller has its own `Params`."""
+    old = [entity("class", "diff::DiffController::Params", owner="", package="diff")]
+    new = [entity("class", "tri::TriController::Params", owner="", package="tri", path="other.hpp")]
+    assert {pair.how for pair in paired(old, new)} == {"same"}
+
+
+def test_a_node_keeps_its_parameters_under_another_target() -> None:
+    """Users write the name of the node."""
+    pairs = paired(
+        [entity("parameter", "start_id", "player", node="player", path="src/a.cpp")],
+        [entity("parameter", "start_id", "own_player", node="player", path="src/b.cpp")],
+    )
+    assert shown(pairs) == [("start_id", "start_id", "same")]

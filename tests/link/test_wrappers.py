@@ -258,3 +258,19 @@ def test_each_program_has_its_own_helper(workspace: Any) -> None:
         name: [entry.name for entry in module.signature.interfaces if entry.role == "publisher"]
         for name, module in found.items()
     } == {"ecm.pkg.one": ["/one"], "ecm.pkg.two": ["/two"]}
+
+
+def test_a_default_that_is_another_parameter_keeps_its_type(workspace: Any) -> None:
+    """The value of a declaration, read into a variable, is a number still."""
+    text = """
+class D : public rclcpp::Node { D() : Node("d") {
+  int qos = declare_parameter("qos", 1);
+  double rate = declare_parameter("rate", rclcpp::ParameterValue(2.5)).get<double>();
+  declare_parameter("qos_image", qos); declare_parameter("rate_image", rate); } };"""
+    found = {entry.name: (entry.type, entry.default) for entry in workspace.package({"src/d.cpp": text}).interfaces()}
+    assert found == {
+        "qos": ("integer", 1),
+        "rate": ("double", 2.5),
+        "qos_image": ("integer", 1),
+        "rate_image": ("double", 2.5),
+    }

@@ -46,11 +46,35 @@ def parse_tree(data: bytes) -> tuple[Tree, bytes]:
     if rewritten != data:
         tree, data = _parse(rewritten), rewritten
     if b"#if" in data and first_error(tree.root_node) is not None:
-        flat = cpp_text.without_conditionals(data)
-        other = _parse(flat)
-        if first_error(other.root_node) is None:
-            return other, flat
+        return _less_torn(tree, data)
     return tree, data
+
+
+def _less_torn(tree: Tree, data: bytes) -> tuple[Tree, bytes]:
+    """Parse without conditionals that cut across braces, then without any; what leaves least unread is taken."""
+    single = cpp_text.with_first_branches(data)
+    best, least = (tree, data), _unread(tree.root_node)
+    for text in (single, cpp_text.without_conditionals(single)):
+        if text != data and least:
+            other = _parse(text)
+            unread = _unread(other.root_node)
+            if unread < least:
+                best, least = (other, text), unread
+    return best
+
+
+def _unread(root: Node) -> int:
+    """How many bytes the outermost errors span, and one for each thing that is missing."""
+    total, pending = 0, [root]
+    while pending:
+        node = pending.pop()
+        if node.type == "ERROR":
+            total += node.end_byte - node.start_byte
+        elif node.is_missing:
+            total += node.type != ";"
+        else:
+            pending.extend(child for child in node.children if child.has_error)
+    return total
 
 
 def _parse(data: bytes) -> Tree:

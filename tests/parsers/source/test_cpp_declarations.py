@@ -229,3 +229,21 @@ struct After {};
 """
     found = {(each.scope, each.name) for each in parse_cpp(text).facts.classes}
     assert found == {("outer::inner", "Before"), ("outer::inner", "After")}
+
+
+def test_conditionals_that_open_one_brace_twice_hide_nothing() -> None:
+    """Of `#if` / `if (a) {` / `#else` / `if (b) {` a compiler sees one; what follows stays where it is."""
+    text = b"""void Node::start() {
+#if A >= 5
+  if (a || b) {
+#else
+  if (a) {
+#endif
+    open(1);
+  }
+}
+void Node::stop() { close(2); }
+"""
+    parsed = parse_cpp(text)
+    assert [(each.scope, each.name) for each in parsed.facts.functions] == [("Node", "start"), ("Node", "stop")]
+    assert parsed.diagnostics == ()
