@@ -80,22 +80,29 @@ class CallFolder:
         read = self.folder.reads.read(call)
         if read is not None:
             return self.parameter_value(*read, env.before(env.at))
-        if call.last == "append" and call.receiver is not None and len(call.args) == 1:
-            return joined([self.folder.fold(part, env.before(env.at)) for part in (call.receiver, call.args[0])])
-        if call.last == "join" and isinstance(call.receiver, Text) and call.args:
-            return self._joined(call.receiver.value, call.args[0], env.before(env.at))
         formatted = formats.formatted(call)
         if formatted is not None:
             return joined(self.folded_parts(formatted, env))
+        text = self._of_text(call, env.before(env.at))
+        if text is not None:
+            return text
         if call.receiver is not None and call.last in _TOPIC_READS:
             return self._topic(call.receiver, env) or (unknown(call.last),)
         if call.receiver is not None and call.last in _PROPERTY_READS:
             return self._property(call.receiver, env) or (unknown(call.last),)
-        if call.receiver is not None and _is_above(call):
-            return self._above(call.receiver, env.before(env.at)) or (unknown(call.last),)
         if call.receiver is not None and call.last in formats.VALUE_READS:
             return self.folder.fold(call.receiver, env.before(env.at))
         return self.folder.guarded(f"{call.path}()", env, lambda: self._returns(call, env))
+
+    def _of_text(self, call: Invocation, env: Env) -> tuple[Value, ...] | None:
+        """Methods of texts: what is appended, joined or cut off; None for other calls."""
+        if call.receiver is None:
+            return None
+        if call.last == "append" and len(call.args) == 1:
+            return joined([self.folder.fold(part, env) for part in (call.receiver, call.args[0])])
+        if call.last == "join" and isinstance(call.receiver, Text) and call.args:
+            return self._joined(call.receiver.value, call.args[0], env)
+        return (self._above(call.receiver, env) or (unknown(call.last),)) if _is_above(call) else None
 
     def _beside(self, expr: Expr, leaf: str, env: Env) -> tuple[Value, ...]:
         """Return names in the namespace of other names: image_transport puts `camera_info` beside each image."""
