@@ -202,7 +202,11 @@ class Evaluator:
 
     def _unread(self, file: _File, action: Include, path: Text) -> None:
         shown = path.text.removeprefix("tree:")
-        if path.known:
+        if path.known and self.files.is_beside(file.path, path.text):
+            message = f"Included file `{shown}` is looked for in the folder that the launch is started from."
+            self.report(file.path, action.line, "launch-include-relative", message)
+            return
+        if path.known and not self.files.is_elsewhere(path.text):
             message = f"Included file `{shown}` is not in the tree. Correct the path or add the file."
             self.report(file.path, action.line, "launch-include-missing", message)
             return

@@ -15,6 +15,9 @@ from ecm_extract.tree import Tree
 TREE = "tree:"
 """Prefix of a path that is in the tree, so that a path of the machine is never taken for one."""
 
+_TEMPLATES = (".in", ".em", ".jinja", ".jinja2", ".template")
+"""Endings of files that a build fills in and installs without them."""
+
 MAX_NEIGHBOUR = 256_000
 """Size in bytes of a file that is read because another one of its folder is."""
 
@@ -56,6 +59,14 @@ class Files:
         if len(beside) != 1:
             beside = [entry for entry in beside if PurePosixPath(entry).parent.name == PurePosixPath(path).parent.name]
         return beside[0] if len(beside) == 1 else None
+
+    def is_elsewhere(self, text: str) -> bool:
+        """Tell whether a path that was not found may exist all the same: on the machine, or made by the build."""
+        return text.startswith("/") or any(self.find(text + ending) is not None for ending in _TEMPLATES)
+
+    def is_beside(self, path: str, text: str) -> bool:
+        """Tell whether a path that is written without a folder to start from is there beside the file that names it."""
+        return not text.startswith((TREE, "/")) and self.find(f"{self.folder(path)}/{text}") is not None
 
     def candidates(self, text: str) -> list[str]:
         """Return the paths in the tree that a marked path with `{name}` parts can mean."""

@@ -195,6 +195,15 @@ def test_ros1_parameters_have_absolute_names(tmp_path: Path) -> None:
         ({"a.launch": '<launch><include file="$(find p)/a.launch"/></launch>'}, "launch-cycle"),
         ({"a.launch": '<launch><include file="$(find p)/no.launch"/></launch>'}, "launch-include-missing"),
         ({"a.launch": '<launch><include file="$(find q)/no.launch"/></launch>'}, "launch-include-outside"),
+        ({"a.launch": '<launch><include file="/etc/ros/robot.launch"/></launch>'}, "launch-include-outside"),
+        (
+            {"a.launch": '<launch><include file="$(find p)/b.launch"/></launch>', "b.launch.in": "<launch/>"},
+            "launch-include-outside",
+        ),
+        (
+            {"a.launch": '<launch><include file="./b.launch"/></launch>', "b.launch": "<launch/>"},
+            "launch-include-relative",
+        ),
         (
             {
                 "a.launch.xml": '<launch><node pkg="p" exec="e"><param from="$(find-pkg-share p)/no.yaml"/></node></launch>'

@@ -26,7 +26,7 @@ _NAMED = re.compile(r"`([^`]*)`")
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
-    """Report includes and parameter files of launch files that are not in their package."""
+    """Report includes and parameter files of launch files that are not in their package, or found by chance only."""
     _ = workspace.systems  # evaluating launch files reports what is missing
     for entry in workspace.diagnostics("launch-include-missing", "launch-file-missing"):
         match = _NAMED.search(entry.message)
@@ -36,3 +36,21 @@ def check(workspace: Workspace) -> Iterator[Finding]:
         package = workspace.package_of(entry.path)
         evidence = [Evidence(entry.path, entry.line)]
         yield RULE.finding(f"{entry.path} names {name}, which is not there", Entity("file", name), package, evidence)
+    yield from _relative(workspace)
+
+
+def _relative(workspace: Workspace) -> Iterator[Finding]:
+    """Includes that are there beside the file, where the launch looks from the folder that it is started in."""
+    for entry in workspace.diagnostics("launch-include-relative"):
+        match = _NAMED.search(entry.message)
+        name = match[1] if match else entry.message
+        text = f"{entry.path} finds {name} only when it is started in its own folder"
+        evidence = [Evidence(entry.path, entry.line)]
+        yield RULE.finding(
+            text,
+            Entity("file", name),
+            workspace.package_of(entry.path),
+            evidence,
+            certainty="likely",
+            resolution=f"write $(dirname)/{name.removeprefix('./')}, or name the package",
+        )
