@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from ecm_parsers.cmake_facts import CmakeFile
-from ecm_parsers.cmake_tokens import parse_commands
+from ecm_parsers.cmake_run import run
 
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
@@ -33,9 +33,9 @@ def generated_headers(packages: Sequence[PackageFacts]) -> dict[str, str]:
 def build_dependencies(data: bytes, file: CmakeFile, package: str) -> dict[str, set[str]]:
     """Return what each target waits for, as far as its file says: by add_dependencies, and by what it links."""
     found: dict[str, set[str]] = {target.name: set(target.links) for target in file.targets}
-    for command in parse_commands(data).facts or ():
-        if command.name in _ORDERING and command.args:
-            names = [folded(argument.text, file, package) for argument in command.args]
+    for call in run(data, {"PROJECT_NAME": package}).facts.calls:
+        if call.name in _ORDERING and call.args:
+            names = [folded(argument, file, package) for argument in call.args]
             for name in names[0].split(";"):
                 found.setdefault(name, set()).update(names[1:])
     return found

@@ -9,6 +9,7 @@ from collections.abc import Iterator, Mapping
 
 from ecm_parsers import cmake_exports as exports
 from ecm_parsers.cmake_facts import CmakeFile, Option, Subdirectory
+from ecm_parsers.cmake_foreign import foreign_words
 from ecm_parsers.cmake_keywords import relative
 from ecm_parsers.cmake_run import Call, run
 from ecm_parsers.cmake_targets import components, targets
@@ -46,6 +47,7 @@ def parse_cmake(data: bytes, inherited: Mapping[str, str] | None = None) -> Pars
         gpu=tuple(exports.gpu(calls)),
         python_packages=tuple(exports.python_packages(calls)),
         variables=evaluated.facts.variables,
+        foreign=tuple(dict.fromkeys(foreign_words(calls))),
     )
     return Parsed(facts, evaluated.diagnostics)
 

@@ -119,6 +119,7 @@ class CmakeFile(msgspec.Struct, frozen=True):
         gpu: names of CUDA or TensorRT that the file asks for, with their lines.
         python_packages: what `ament_python_install_package` names; `.` for `catkin_python_setup`.
         variables: at the end of the file, for files that run inside it.
+        foreign: words given to commands of other packages, which may make targets of these names.
     """
 
     project: str | None = None
@@ -137,3 +138,4 @@ class CmakeFile(msgspec.Struct, frozen=True):
     gpu: tuple[FileReference, ...] = ()
     python_packages: tuple[FileReference, ...] = ()
     variables: dict[str, str] = {}
+    foreign: tuple[str, ...] = ()

@@ -98,6 +98,11 @@ def targets(calls: tuple[Call, ...]) -> tuple[Target, ...]:
     )
 
 
+def makes_target(command: str) -> bool:
+    """Tell whether a command is one of those that are known to make a target."""
+    return command in _BUILDERS or _TEST.fullmatch(command) is not None
+
+
 def _outputs(args: tuple[str, ...]) -> dict[str, str]:
     """`set_target_properties(a b PROPERTIES OUTPUT_NAME c)` -> c of a and b."""
     if "PROPERTIES" not in args:

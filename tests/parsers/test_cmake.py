@@ -222,6 +222,19 @@ catkin_python_setup()
     assert [(g.path, g.line) for g in facts.gpu] == [("CUDA", 1), ("TensorRT", 3)]
 
 
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("robot_binary(arm SRCS src/arm_main.cc)", ("arm", "SRCS")),
+        ('macro(m n)\n  robot_nodelet(${n}.cpp "p/${n}" ${n})\nendmacro()\nm(arm)', ("arm.cpp", "arm")),
+        ("add_executable(a a.cc)\ninstall(TARGETS a)\ncatkin_package(LIBRARIES a)\nmessage(STATUS b)", ()),
+    ],
+)
+def test_words_for_foreign_commands(text: str, words: tuple[str, ...]) -> None:
+    """What a command of another package is given may be the name of a program."""
+    assert read(text).foreign == words
+
+
 def test_subdirectories_inherit_variables() -> None:
     """A subdirectory's file sees the project, with source folders relative to itself."""
     outer = read("project(p)\nset(S ${PROJECT_SOURCE_DIR}/src/a.cpp)\nadd_subdirectory(test/unit)\ninclude(x.cmake)\n")

@@ -40,7 +40,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
                 continue
             programs = executables(workspace, target)
             files = {entry.path.rsplit("/", 1)[-1] for entry in target.root.files}
-            if not (programs | files) & {name, name.removesuffix(".py"), f"{name}.py"}:
+            if not (programs | files | _possible(target)) & {name, name.removesuffix(".py"), f"{name}.py"}:
                 near = get_close_matches(name, programs, 1)
                 hint = f"write {near[0]}" if near else ""
                 text = f"{package} builds no program {name}" + (f"; it builds {near[0]}" if near else "")
@@ -59,6 +59,14 @@ def executables(workspace: Workspace, package: PackageFacts) -> set[str]:
         names = _OUTPUT_NAME.findall(workspace.files.read(path) or b"")
         found |= {match.decode().replace("${PROJECT_NAME}", package.name) for match in names}
     return found
+
+
+def _possible(package: PackageFacts) -> set[str]:
+    """Names that a command of another package may make a program of, and targets that are installed as programs."""
+    found = {word for file in package.cmake.values() for word in file.foreign}
+    installs = [each for file in package.cmake.values() for each in file.installs]
+    found |= {item for each in installs if each.kind == "targets" for item in each.items}
+    return found - {target.name for file in package.cmake.values() for target in file.targets}
 
 
 def _is_understood(package: PackageFacts) -> bool:

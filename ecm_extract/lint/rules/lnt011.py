@@ -13,6 +13,7 @@ from ecm_extract.link.program import File
 from ecm_extract.lint.near import nearest
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
+from ecm_extract.read.facts import PackageFacts
 
 RULE = LintRule(
     id="LNT011",
@@ -65,6 +66,9 @@ def _modules(workspace: Workspace, names: set[str]) -> dict[str, set[str]]:
         if module is None or any(entry.name == "*" for entry in file.facts.imports) or _is_dynamic(file):
             continue
         found[module] = _bound(file)
+    for package in workspace.packages:  # and what CMake compiles into it
+        if package.name in found:
+            found[package.name] |= _compiled(package)
     for module in names:  # a package binds its modules
         parent, _, last = module.rpartition(".")
         if parent in found:
@@ -85,6 +89,12 @@ def _missing_modules(workspace: Workspace, modules: dict[str, set[str]], names: 
             text = f"there is no module {entry.module}" + (f"; there is {near}" if near else "")
             entity = Entity("function", entry.module, near or "")
             yield RULE.finding(text, entity, file.package, [Evidence(file.path, entry.line)])
+
+
+def _compiled(package: PackageFacts) -> set[str]:
+    """Names of the libraries that a package builds: one of them may be an extension module."""
+    targets = [target for file in package.cmake.values() for target in file.targets if target.kind == "library"]
+    return {target.output or target.name for target in targets}
 
 
 def _is_compiled(name: str, workspace: Workspace) -> bool:
