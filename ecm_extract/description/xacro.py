@@ -18,7 +18,8 @@ from ecm_extract.description.macros import Macro, Macros, macro_parameters
 from ecm_extract.description.symbols import Block, Raw, Symbols, Unknown
 from ecm_extract.description.xacro_call import bind
 from ecm_extract.description.xacro_expression import XacroExpression
-from ecm_extract.description.xacro_files import Files, XacroFiles, is_glob, shown_path
+from ecm_extract.description.xacro_files import Files, XacroFiles, is_glob
+from ecm_extract.description.xacro_missing import call_problem, include_problem
 from ecm_extract.description.xacro_tags import elements, is_control, is_xacro, may_call, own_attributes, xacro_attribute
 from ecm_extract.description.xacro_text import XacroText
 
@@ -165,11 +166,12 @@ class Xacro:
         return []
 
     def _include(self, element: etree._Element, path: str, symbols: Symbols) -> list[Element]:
-        name = self.text.text(str(element.get("filename", "")), symbols)
+        written = str(element.get("filename", ""))
+        name = self.text.text(written, symbols)
         found = self.files.named(name, path)
         unsaid = element.get("optional") in {"1", "true", "True"} or isinstance(name, Unknown)
         if not found and not unsaid and not is_glob(name):
-            self.problem(f"included file `{shown_path(name)}` is not in the tree")
+            self.problem(include_problem(written, name, path, self.files, lambda part: self.text.text(part, symbols)))
         return [made for each in found for made in self._included(each, str(element.get("ns") or ""), symbols)]
 
     def _included(self, found: str, space: str, symbols: Symbols) -> list[Element]:
@@ -229,8 +231,9 @@ class Xacro:
             self.problem(f"macro `{name}` is not defined")
             return []
         inner = Symbols(self.text.value, symbols if macro.scope is None else macro.scope)
-        for missing in bind(macro, element, path, inner, symbols):
-            self.problem(f"`{missing}` is not given to macro `{name}`")
+        missing = bind(macro, element, path, inner, symbols)
+        if missing:
+            self.problem(call_problem(missing, name))
         known = {"macro", *(entry.name for entry in macro.parameters)}
         for extra in (str(entry) for entry in element.attrib if entry not in known):
             self.problem(f"macro `{name}` has no parameter `{extra[:80]}`")

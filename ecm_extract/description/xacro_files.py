@@ -24,6 +24,9 @@ class Files(Protocol):
     def find(self, text: str) -> str | None:
         """Return the path in the tree of a marked path."""
 
+    def candidates(self, text: str) -> list[str]:
+        """Return the paths in the tree that a marked path with `{name}` parts can mean."""
+
     def read(self, path: str) -> bytes | None:
         """Return the bytes of a file of the tree."""
 
@@ -46,7 +49,14 @@ class XacroFiles:
         """Return the path of the file that `name` means in the file `beside`, None when the tree does not hold it."""
         if isinstance(name, Unknown):
             return None
-        return self._files.find(name if name.startswith(MARK) else f"{self._files.folder(beside)}/{name}")
+        return self._files.find(self._marked(name, beside))
+
+    def has_choice(self, pattern: str, beside: str) -> bool:
+        """Tell whether files of the tree have a name with `{name}` parts."""
+        return bool(self._files.candidates(self._marked(pattern, beside)))
+
+    def _marked(self, name: str, beside: str) -> str:
+        return name if name.startswith(MARK) else f"{self._files.folder(beside)}/{name}"
 
     def named(self, name: str, beside: str) -> list[str]:
         """Return the paths of the files that an include names: several for a pattern, none for what is not there."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import posixpath
+import re
 from collections.abc import Mapping
 from fnmatch import fnmatchcase
 
@@ -22,6 +23,10 @@ class MemoryFiles:
     def find(self, text: str) -> str | None:
         path = posixpath.normpath(text.removeprefix("tree:").lstrip("/"))
         return path if path in self._texts else None
+
+    def candidates(self, text: str) -> list[str]:
+        pattern = re.sub(r"\{[^}]*\}", "*", posixpath.normpath(text.removeprefix("tree:").lstrip("/")))
+        return sorted(path for path in self._texts if fnmatchcase(path, pattern))
 
     def read(self, path: str) -> bytes | None:
         return self._texts.get(path)

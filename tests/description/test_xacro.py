@@ -125,6 +125,16 @@ def test_a_description_expands_as_xacro_expands_it(body: str, result: str) -> No
             ["condition `yes` is no truth value; it is read as if it held"],
         ),
         ('<xacro:include filename="none.xacro"/><a/>', "a", ["included file `none.xacro` is not in the tree"]),
+        (
+            '<xacro:arg name="k" default=""/><xacro:include filename="$(arg k)/none.xacro"/>',
+            "",
+            ["included file `/none.xacro` is known at launch only"],
+        ),
+        (
+            PART.format(params="a b c d", body="<p/>") + "<xacro:part/>",
+            "p",
+            ["`a`, `b`, `c` and 1 more are not given to macro `part`"],
+        ),
         ("<xacro:none/><a/>", "a", ["macro `none` is not defined"]),
         (
             PART.format(params="n", body='<p n="${n}_x"/>') + "<xacro:part/>",

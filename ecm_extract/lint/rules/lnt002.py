@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 
+from ecm_extract.description.model import Description
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 
@@ -20,26 +21,36 @@ RULE = LintRule(
     consequence="xacro stops with an error and the robot has no description",
     resolution="define it, include the file that does, or correct the name",
 )
-_BROKEN = re.compile(r"macro `(?P<macro>[^`]+)` is not defined|included file `(?P<file>[^`{]+)` is not in the tree")
+_MACRO = re.compile(r"macro `([^`]+)` is not defined")
+_FILE = re.compile(r"included file `([^`{]+)`(, which an argument chooses,)? is not in the tree")
+_LEFT_OUT = re.compile(r"`([^`]+)`.* not given to macro `[^`]+`")
+_ELSEWHERE = ("is known at launch only", "which an argument chooses")
 _OPEN = frozenset("{}[]<>$")
 """In a name that only the launch knows, or of a template that somebody fills in."""
-_MISSING = re.compile(r"`(?P<name>[^`]+)` is not given to macro `(?P<macro>[^`]+)`")
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
     """Report what xacro cannot expand, in descriptions whose files are all in the tree."""
     for description in workspace.descriptions:
-        outside = any("is known at launch only" in message for _, _, message in description.problems)
         for path, line, message in description.problems:
-            match = _BROKEN.search(message)
-            if outside and match is not None and match["macro"]:
-                continue  # the file that defines the macro may be the one that is outside
-            match = match or _MISSING.search(message)
-            if match is None:
+            match = _FILE.search(message) or _LEFT_OUT.search(message)
+            if match is None and _defines_all(description):
+                match = _MACRO.search(message)
+            if match is None or _OPEN & set(match[1]):
                 continue
-            name = next(part for part in match.groups() if part)
-            if _OPEN & set(name):
-                continue
-            package = workspace.package_of(path)
             text = f"{message} (expanding {description.path})"
-            yield RULE.finding(text, Entity("macro", name), package, [Evidence(path, line)])
+            evidence = [Evidence(path, line)]
+            chosen = match.re is _FILE and match[2] is not None
+            yield RULE.finding(
+                text,
+                Entity("macro", match[1]),
+                workspace.package_of(path),
+                evidence,
+                certainty="likely" if chosen else "proved",
+            )
+
+
+def _defines_all(description: Description) -> bool:
+    """Tell whether every macro must be defined here: a robot without a name is a part that another file includes."""
+    outside = any(each in message for _, _, message in description.problems for each in _ELSEWHERE)
+    return bool(description.name) and not outside
