@@ -15,7 +15,9 @@ def include_problem(written: str, name: str, beside: str, files: XacroFiles, val
     """Return the message for an include whose file is not there.
 
     Args:
-        written: the name as written. name: what it expands to. beside: the file that includes it.
+        written: the name as written.
+        name: what it expands to.
+        beside: the file that includes it.
         files: where it was looked for.
         value_of: expands a part of the name.
     """

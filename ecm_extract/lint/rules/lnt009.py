@@ -38,8 +38,36 @@ def check(workspace: Workspace) -> Iterator[Finding]:
             continue
         for path, classes in package.plugins.items():
             for entry in classes if not is_test_path(path, package.root.path) else ():
-                if entry.type and not _is_exported(entry, exported) and not _in_tests(entry, package, workspace):
+                if _is_foreign(entry, package, workspace):
+                    continue
+                known = exported | _of_library(entry, package, workspace)
+                if entry.type and not _is_exported(entry, known) and not _in_tests(entry, package, workspace):
                     yield _finding(entry, path, package, exported)
+
+
+def _of_library(entry: PluginClass, package: PackageFacts, workspace: Workspace) -> dict[str, tuple[str, int]]:
+    """Return what the package exports that builds the library of a description, where it is another one."""
+    library = _library(entry)
+    for other in workspace.packages:
+        if other is not package and library in _targets(other) | {other.name}:
+            return _exported(workspace, other)
+    return {}
+
+
+def _is_foreign(entry: PluginClass, package: PackageFacts, workspace: Workspace) -> bool:
+    """Tell whether a description is of a library that no package of the workspace builds."""
+    own = _targets(package)
+    everywhere = {name for other in workspace.packages for name in (*_targets(other), other.name)}
+    return bool(own) and not any("$" in name for name in own) and _library(entry) not in everywhere
+
+
+def _library(entry: PluginClass) -> str:
+    return entry.library.rpartition("/")[2].removesuffix(".so").removeprefix("lib")
+
+
+def _targets(package: PackageFacts) -> set[str]:
+    targets = [target for file in package.cmake.values() for target in file.targets]
+    return {name.removeprefix("lib") for target in targets for name in (target.name, target.output) if name}
 
 
 def _exported(workspace: Workspace, package: PackageFacts) -> dict[str, tuple[str, int]]:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 
 from ecm_checker.contract import Evidence
-from ecm_checker.finding import Entity, Finding
+from ecm_checker.finding import Entity, Finding, Severity
 
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
@@ -17,7 +17,7 @@ RULE = LintRule(
     dimension="resources",
     severity="warning",
     who="safety",
-    consequence="planners take the joint to turn further than half a turn, and kinematics solvers reject or wrap it",
+    consequence="planners take the joint to turn further than that, and kinematics solvers reject or wrap it",
     resolution="write ${pi}, or round towards zero",
 )
 _CLOSE = 0.002
@@ -34,9 +34,11 @@ def check(workspace: Workspace) -> Iterator[Finding]:
                     continue
                 seen.add(joint.where)
                 text = f"{joint.name} has the {side} limit {value:g}, which is beyond {_multiple(abs(value))} pi"
+                severity: Severity = "warning" if _multiple(abs(value)) == 1 else "info"
                 evidence = [Evidence(joint.where.path, joint.where.line)]
                 entity = Entity("joint", joint.name, side)
-                yield RULE.finding(text, entity, workspace.package_of(joint.where.path), evidence)
+                package = workspace.package_of(joint.where.path)
+                yield RULE.finding(text, entity, package, evidence, severity=severity)
 
 
 def _multiple(value: float) -> int:

@@ -36,18 +36,23 @@ def check(workspace: Workspace) -> Iterator[Finding]:
 
 
 def _of(parent: etree._Element, path: str, package: str) -> Iterator[Finding]:
-    seen: dict[tuple[str, str, str], etree._Element] = {}
+    seen: dict[tuple[str, str, str, str], etree._Element] = {}
     for tag, element in children(parent):
         if tag not in _NAMES or str(element.tag).startswith("{"):
             continue
         name = element.get(_NAMES[tag], "")
         if not name or parent.tag == "transmission" or (tag != "gazebo" and parent.tag not in ("robot", "macro")):
             continue
-        for said in sorted({child for child, _ in children(element)}) if tag == "gazebo" else [""]:
-            first = seen.setdefault((tag, str(name), said), element)
+        for said, attributes in sorted(_said(element)) if tag == "gazebo" else [("", "")]:
+            first = seen.setdefault((tag, str(name), said, attributes), element)
             if first is not element:
                 what = f" for {said}" if said else ""
                 text = f"<{tag}> {name} stands twice{what}"
                 evidence = [Evidence(path, line_of(element)), Evidence(path, line_of(first))]
                 yield RULE.finding(text, Entity(tag, str(name), said), package, evidence, certainty="likely")
                 break
+
+
+def _said(element: etree._Element) -> set[tuple[str, str]]:
+    """Return the children by tag and attributes: two sensors of one link have two names."""
+    return {(tag, str(sorted(map(str, child.attrib.items())))) for tag, child in children(element)}

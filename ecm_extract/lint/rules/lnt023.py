@@ -25,6 +25,9 @@ RULE = LintRule(
 _FOLDERS = ("param", "params", "config", "cfg", "yaml")
 _SENTENCE = re.compile(r"[(){}]|\S+\s+\S+\s+\S+")
 
+_TEMPLATE = re.compile(r"\$\{[^}]*\}|\{\{.*?\}\}")
+"""What a program fills in before the file is loaded."""
+
 
 def check(workspace: Workspace) -> Iterator[Finding]:
     """Report keys with brackets or of three words and more, in folders for parameter files."""
@@ -34,7 +37,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
             wanted = entry.path.endswith((".yaml", ".yml")) and any(folder in _FOLDERS for folder in folders)
             if wanted and not is_test_path(entry.path, package.root.path):
                 for setting in parse_parameter_yaml(workspace.files.read(entry.path) or b"").facts.sets:
-                    if _SENTENCE.search(setting.name) and "$(" not in setting.name:
+                    if _SENTENCE.search(_TEMPLATE.sub("", setting.name)) and "$(" not in setting.name:
                         text = f"the key `{setting.name[:60]}` is a sentence"
                         evidence = [Evidence(entry.path, setting.line)]
                         entity = Entity("parameter", setting.name)

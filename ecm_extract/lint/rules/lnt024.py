@@ -27,6 +27,8 @@ _STAMPED = frozenset(
     {"LaserScan", "Imu", "PointCloud2", "Image", "CameraInfo", "JointState", "NavSatFix", "Range", "MagneticField"}
     | {"Odometry", "Path", "OccupancyGrid", "FluidPressure", "Temperature", "BatteryState", "TimeReference"}
 )
+_STAMPS = frozenset({"header", "stamp"})
+"""Some stamped messages hold a bare stamp."""
 _SENDERS = frozenset({"publish", "sendTransform", "send_transform"})
 
 
@@ -95,12 +97,12 @@ def _touches(target: Expr | None, value: Expr | None, name: str) -> bool:
     if (
         target is not None
         and _root(target) == name
-        and ((isinstance(target, Name) and value is not None) or "header" in _path(target))
+        and ((isinstance(target, Name) and value is not None) or _STAMPS & set(_path(target)))
     ):
         return not (isinstance(target, Name) and _is_fresh(value))
     for call in walk(value) if value is not None else ():
         if any(_root(arg) == name for arg in call.args) or (
-            "header" in _path(call.callee) and _root(call.callee) == name
+            _STAMPS & set(_path(call.callee)) and _root(call.callee) == name
         ):
             return True
     return False

@@ -23,20 +23,29 @@ RULE = LintRule(
 )
 _MESH = re.compile(rb"package://(\w+)/([\w./-]+\.(?:stl|dae|obj|STL|DAE|OBJ))\b")
 
+_COMMENT = re.compile(rb"<!--.*?-->", re.DOTALL)
+
 
 def check(workspace: Workspace) -> Iterator[Finding]:
     """Report paths without substitutions into packages of the tree that have such files at all."""
     for package in workspace.packages:
         for entry in package.root.files:
             if entry.path.endswith((".urdf", ".xacro", ".sdf")) and not is_test_path(entry.path, package.root.path):
-                data = workspace.files.read(entry.path) or b""
-                for match in _MESH.finditer(data):
-                    owner, name = match[1].decode(), match[2].decode()
+                for (owner, name), lines in _named(workspace.files.read(entry.path) or b"").items():
                     if _is_missing(owner, name, workspace):
-                        line = data.count(b"\n", 0, match.start()) + 1
-                        text = f"{owner} has no {name}"
-                        evidence = [Evidence(entry.path, line)]
-                        yield RULE.finding(text, Entity("file", f"{owner}/{name}"), package.name, evidence)
+                        evidence = [Evidence(entry.path, line) for line in lines]
+                        entity = Entity("file", f"{owner}/{name}")
+                        yield RULE.finding(f"{owner} has no {name}", entity, package.name, evidence)
+
+
+def _named(data: bytes) -> dict[tuple[str, str], list[int]]:
+    """Return the lines of each mesh, by package and path, that a file names outside of comments."""
+    found: dict[tuple[str, str], list[int]] = {}
+    data = _COMMENT.sub(lambda match: b"\n" * match[0].count(b"\n"), data)
+    for match in _MESH.finditer(data):
+        line = data.count(b"\n", 0, match.start()) + 1
+        found.setdefault((match[1].decode(), match[2].decode()), []).append(line)
+    return found
 
 
 def _is_missing(owner: str, name: str, workspace: Workspace) -> bool:

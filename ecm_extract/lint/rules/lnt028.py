@@ -36,10 +36,10 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     for functions in workspace.linker.program.functions.values():
         for func in functions:
             if func.file.language == "cpp" and func.file.package in workspace.by_name:
-                yield from _of(func)
+                yield from _of(func, workspace)
 
 
-def _of(func: Func) -> Iterator[Finding]:
+def _of(func: Func, workspace: Workspace) -> Iterator[Finding]:
     for at, statement in enumerate(func.fact.body):
         if statement.kind != "let" or not isinstance(statement.target, Name) or not _converts(statement.value):
             continue
@@ -47,10 +47,18 @@ def _of(func: Func) -> Iterator[Finding]:
         rest = func.fact.body[:at] + func.fact.body[at + 1 :]
         if statement.type.endswith("&") or _KEPT.search(name) or any(_mentions(other, name) for other in rest):
             continue
+        if _is_written_again(name, statement.line, func, workspace):
+            continue
         text = f"{name} is converted and never used"
         entity = Entity("function", f"{func.fact.scope}::{func.fact.name}", name)
         evidence = [Evidence(func.file.path, statement.line)]
         yield RULE.finding(text, entity, func.file.package, evidence, certainty="likely")
+
+
+def _is_written_again(name: str, line: int, func: Func, workspace: Workspace) -> bool:
+    """Tell whether the text of the function has the name a second time: not every expression is read."""
+    lines = (workspace.files.read(func.file.path) or b"").splitlines()[line - 1 : func.fact.end_line]
+    return len(re.findall(rb"\b%s\b" % re.escape(name.encode()), b"\n".join(lines))) > 1
 
 
 def _converts(value: Expr | None) -> bool:

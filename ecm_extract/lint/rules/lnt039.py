@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from ecm_checker.contract import Evidence
-from ecm_checker.finding import Entity, Finding
+from ecm_checker.finding import Entity, Finding, Severity
 
 from ecm_extract.description.urdf import number_of
 from ecm_extract.lint.robot_files import WrittenJoint, written_joints
@@ -32,7 +32,8 @@ def check(workspace: Workspace) -> Iterator[Finding]:
         for part, (low, high) in _SIDES.items():
             found = _range(joint.parts.get(part), low, high)
             if found is not None and found[0] >= found[1]:
-                yield _finding(joint, part, found)
+                held = part == "limit" and {low, high} <= joint.parts[part].keys() and found == (0.0, 0.0)
+                yield _finding(joint, part, found, "info" if held else "warning")
 
 
 def _range(written: Mapping[str, str] | None, low: str, high: str) -> tuple[float, float] | None:
@@ -43,7 +44,7 @@ def _range(written: Mapping[str, str] | None, low: str, high: str) -> tuple[floa
     return None if sides[0] is None or sides[1] is None else (sides[0], sides[1])
 
 
-def _finding(joint: WrittenJoint, part: str, found: tuple[float, float]) -> Finding:
+def _finding(joint: WrittenJoint, part: str, found: tuple[float, float], severity: Severity) -> Finding:
     text = f"<{part}> of {joint.name} goes from {found[0]:g} to {found[1]:g}"
     place = [Evidence(joint.path, joint.line)]
-    return RULE.finding(text, Entity("joint", joint.name, part), joint.package, place)
+    return RULE.finding(text, Entity("joint", joint.name, part), joint.package, place, severity=severity)

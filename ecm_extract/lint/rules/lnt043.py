@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from fnmatch import fnmatchcase
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding, Severity
@@ -108,7 +109,12 @@ def _is_covered(path: str, package: PackageFacts) -> bool:
         for install in facts.installs:
             for item in install.items if install.kind != "targets" else ():
                 full = f"{folder}/{item}".strip("/").removesuffix("/.").removesuffix("/")
-                if path == full or path.startswith(f"{full}/") or item in {".", "./", ""}:
+                if (
+                    path == full
+                    or (fnmatchcase(path, full) and path.count("/") == full.count("/"))
+                    or path.startswith(f"{full}/")
+                    or item in {".", "./", ""}
+                ):
                     return True
     return False
 

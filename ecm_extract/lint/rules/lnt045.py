@@ -9,6 +9,7 @@ from ecm_checker.finding import Entity, Finding
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace, evidence_of
 from ecm_extract.system.model import Instance, Remapping
+from ecm_extract.system.node_model import SystemNode
 
 RULE = LintRule(
     id="LNT045",
@@ -23,20 +24,28 @@ RULE = LintRule(
 
 def check(workspace: Workspace) -> Iterator[Finding]:
     """Report absolute remap targets whose first part is a node that is started in namespaces only."""
-    instances = [node.instance for system in workspace.systems for node in system.nodes]
-    places: dict[str, list[Instance]] = {}
-    for instance in instances:
-        if instance.full_name and "{" not in instance.full_name:
-            places.setdefault(instance.full_name.rpartition("/")[2], []).append(instance)
+    nodes = [node for system in workspace.systems for node in system.nodes]
+    instances = [node.instance for node in nodes]
+    places: dict[str, list[SystemNode]] = {}
+    for node in nodes:
+        if node.instance.full_name and "{" not in node.instance.full_name:
+            places.setdefault(node.instance.full_name.rpartition("/")[2], []).append(node)
     roots = {instance.full_name.split("/")[1] for instance in instances if instance.full_name}
     seen = set()
     for instance in instances:
         for remap in instance.remaps:
             name = _first(remap)
-            others = places.get(name, [])
+            others = [node.instance for node in places.get(name, []) if _may_have(node, remap)]
             if name and name not in roots and others and remap not in seen:
                 seen.add(remap)
                 yield _finding(remap, name, others[0], workspace)
+
+
+def _may_have(node: SystemNode, remap: Remapping) -> bool:
+    """Tell whether a node has such a private name, or its code is not in the tree."""
+    tail = remap.target.split("/", 2)[2]
+    own = {f"{node.name}/{tail}", f"{node.name.rpartition('/')[0]}/{tail}"}
+    return not node.modules or any(own & {entry.name, entry.before} for entry in node.endpoints)
 
 
 def _first(remap: Remapping) -> str:

@@ -6,11 +6,13 @@ Source: ROS 2 documentation, "Quality of Service settings", compatibilities.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Final, NamedTuple
 
 from ecm_checker.contract import Interface
 from ecm_checker.finding import Entity, Finding
+from ecm_parsers.source.expr import Call, Member
+from ecm_parsers.source.facts import Statement
 
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.rules.lnt008 import mismatch
@@ -26,6 +28,10 @@ RULE = LintRule(
     resolution="ask the graph for the policies of the publishers first, or let the user choose them",
 )
 _ANY: Final = re.compile(r"/?\{[^{}]*\}")
+_POLICIES: Final = frozenset({"reliability", "durability"})
+_ALL: Final = _POLICIES | {"history", "depth"}
+_SETTERS: Final = _POLICIES | {"reliable", "best_effort", "transient_local", "durability_volatile"}
+CALL_LINES: Final = 3
 MAX_PLACES: Final = 3
 
 
@@ -38,22 +44,51 @@ class Reader(NamedTuple):
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
-    """Report each such reader once for each package that offers less."""
+    """Report each such reader once, with the publishers of other packages that offer less."""
     publishers = _by_package(workspace)
     for reader in _readers(workspace):
+        weak: dict[str, list[tuple[Interface, str]]] = {}
         for package, offers in sorted(publishers.items()):
-            weak = [(offer, mismatch(offer.qos, reader.interface.qos)) for offer in offers]
-            found = [(offer, policy) for offer, policy in weak if policy is not None]
-            if found and package != reader.package:
-                yield _finding(reader, package, found)
+            for offer in offers if package != reader.package else ():
+                policy = mismatch(offer.qos, reader.interface.qos)
+                if policy is not None:
+                    weak.setdefault(package, []).append((offer, policy))
+        if weak:
+            yield _finding(reader, weak)
 
 
 def _readers(workspace: Workspace) -> Iterator[Reader]:
     for entry in workspace.linked:
         for interface in entry.interfaces:
             generic = interface.type is None and _ANY.fullmatch(interface.name) is not None
-            if interface.role == "subscriber" and generic and interface.qos is not None:
+            if interface.role == "subscriber" and generic and _asks(interface) and _takes_any(interface, workspace):
                 yield Reader(entry.module.package, entry.module.name, interface)
+
+
+def _asks(interface: Interface) -> bool:
+    """Tell whether the source says anything of the policies; a profile that is handed in says nothing."""
+    return interface.qos is not None and set(interface.qos.defaulted) != _ALL
+
+
+def _takes_any(interface: Interface, workspace: Workspace) -> bool:
+    """Tell whether the type comes when it runs, not by a template, and no branch chooses the policies."""
+    place = interface.evidence[0]
+    data = workspace.files.read(place.path) or b""
+    if not place.path.endswith(".py") and not any(
+        b"eneric" in line for line in data.splitlines()[max(place.line - CALL_LINES, 0) : place.line + 1]
+    ):
+        return False
+    functions = [each for each in workspace.linker.program.files if each.path == place.path]
+    around = [fact for file in functions for fact in file.facts.functions if fact.line <= place.line <= fact.end_line]
+    return not any(_chooses(statement) for fact in around for statement in fact.body)
+
+
+def _chooses(statement: Statement) -> bool:
+    """`if (...) { qos.best_effort(); }` and `qos.reliability = ...` below a condition."""
+    value, target = statement.value, statement.target
+    called = value.callee.name if isinstance(value, Call) and isinstance(value.callee, Member) else ""
+    written = target.name if isinstance(target, Member) else ""
+    return statement.depth > 0 and (called in _SETTERS or written in _POLICIES)
 
 
 def _by_package(workspace: Workspace) -> dict[str, list[Interface]]:
@@ -64,13 +99,17 @@ def _by_package(workspace: Workspace) -> dict[str, list[Interface]]:
     return found
 
 
-def _finding(reader: Reader, package: str, weak: Sequence[tuple[Interface, str]]) -> Finding:
-    offer, policy = weak[0]
+def _finding(reader: Reader, weak: Mapping[str, Sequence[tuple[Interface, str]]]) -> Finding:
+    package, found = next(iter(weak.items()))
+    offer, policy = found[0]
     asked, given = getattr(reader.interface.qos, policy), getattr(offer.qos, policy)
     text = (
         f"{reader.module} subscribes to any topic with {policy} {asked}, "
         f"and {package} publishes {offer.name} with {given}"
     )
-    evidence = [*reader.interface.evidence[:1], *(entry.evidence[0] for entry, _ in weak[:MAX_PLACES])]
+    if len(weak) > 1:
+        text += f" ({len(weak) - 1} more packages do so)" if len(weak) > 2 else " (1 more package does so)"
+    places = [entry.evidence[0] for offers in weak.values() for entry, _ in offers]
+    evidence = [*reader.interface.evidence[:1], *places[:MAX_PLACES]]
     entity = Entity("topic", reader.interface.name, package)
     return RULE.finding(text, entity, reader.package, evidence, certainty="likely")

@@ -28,6 +28,8 @@ RULE = LintRule(
 _MESH: Final = re.compile(r"(?:package://|\$\(find(?:-pkg-share)? )(\w+)\)?/([\w./-]+\.(?:stl|dae))$", re.IGNORECASE)
 _TOO_FAR: Final = 10.0
 """Bounding shapes are coarse; units are wrong by 10 and more."""
+_DUMMY: Final = 0.005
+"""A shape of a few millimeters is there because something has to be, and stands for nothing."""
 MAX_MESHES: Final = 80
 
 
@@ -53,7 +55,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
                 if key not in sizes and len(sizes) < MAX_MESHES:
                     sizes[key] = _size(visual, workspace)
                 drawn = (sizes.get(key) or 0.0) * visual.scale
-                if drawn and not 1 / _TOO_FAR < drawn / shape < _TOO_FAR and key not in seen:
+                if drawn and shape > _DUMMY and not 1 / _TOO_FAR < drawn / shape < _TOO_FAR and key not in seen:
                     seen.add(key)
                     yield _finding(visual, drawn, shape, Evidence(entry.path, visual.line), package.name)
 
