@@ -16,6 +16,7 @@ MAX_DEPTH = 12
 _PRIVATE = frozenset({"getPrivateNodeHandle", "getMTPrivateNodeHandle"})
 _PUBLIC = frozenset({"getNodeHandle", "getMTNodeHandle"})
 _HANDLE_WORDS = frozenset({"nh", "n", "node", "handle"})
+_TRANSPORTS = frozenset({"ImageTransport", "PointCloudTransport"})
 _NODES = frozenset({"Node", "LifecycleNode"})
 
 
@@ -105,6 +106,8 @@ class Handles:
             return self._new_node(call, env)
         if last in _NODES and len(call.args) >= 2:
             return self._new_node(call, env)
+        if last in _TRANSPORTS and call.args:
+            return self.of(call.args[0], env, depth + 1)
         if last in {"dynamic_pointer_cast", "static_pointer_cast", "lock", "get", "shared_from_this"}:
             return self.of(call.args[0] if call.args else call.receiver, env, depth + 1)
         return OWN

@@ -11,6 +11,7 @@ from importlib import resources
 import msgspec
 
 from ecm_extract.discover import is_test_path
+from ecm_extract.lint.alternatives import has_alternative
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
 
@@ -84,7 +85,9 @@ def deprecated_in(package: PackageFacts, workspace: Workspace) -> Iterator[Depre
             for row in deprecations().imports:
                 if row.holds is not None and _is_other(row.holds, workspace):
                     continue
-                if found.module == row.module and found.name in row.names:
+                if found.module != row.module or found.name not in row.names:
+                    continue
+                if not has_alternative(path, workspace.files.read(path) or b"", found.line):
                     yield Deprecated(path, found.line, f"{row.module}.{found.name}", row.new, row.since)
 
 
@@ -103,8 +106,9 @@ def _lines(path: str, data: bytes, rows: list[DeprecatedText]) -> Iterator[Depre
         for match in re.finditer(row.pattern.encode(), data, re.MULTILINE):
             start = data.rfind(b"\n", 0, match.start()) + 1
             if _COMMENT.match(data, start) is None:
-                line = data.count(b"\n", 0, match.start()) + 1
-                yield Deprecated(path, line, row.old, row.new, row.since)
+                line = data.count(b"\n", 0, match.end()) + 1
+                if not has_alternative(path, data, line):
+                    yield Deprecated(path, line, row.old, row.new, row.since)
 
 
 def _blank(match: re.Match[bytes]) -> bytes:

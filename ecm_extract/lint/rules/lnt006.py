@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
+from collections.abc import Iterator, Sequence
 
 from ecm_checker.finding import Entity, Finding
 
+from ecm_extract.link.calls import last_name
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace, evidence_of
+from ecm_extract.lint.written_names import WrittenNames
 from ecm_extract.system.model import Remapping
 from ecm_extract.system.names import absolute
 from ecm_extract.system.node_model import SystemNode
@@ -33,20 +36,58 @@ _ELSEWHERE = (
     "/diagnostics",
 )
 
+_PATH = re.compile(r"\w/\w")
+_FRAMEWORK = re.compile(
+    r"Node|Interface|Controller|Plugin|Base|^Q[A-Z]|^(?:enable_shared_from_this|object|ABC|Thread|Generic)$"
+)
+"""Bases that bring no names, by how they are called."""
+_MARKUP = (".launch", ".xml", ".yaml", ".yml")
+
 
 def check(workspace: Workspace) -> Iterator[Finding]:
     """Report remaps of nodes whose every name is known."""
     seen = set()
+    written = WrittenNames(workspace)
     for system in workspace.systems:
+        alive = _alive(system.nodes)
         for node in system.nodes:
             process = [other for other in system.nodes if other.instance.place == node.instance.place]
             if not node.modules or not node.endpoints or not all(_is_known(other) for other in process):
                 continue
+            if any(_has_foreign_base(other, workspace) for other in process):
+                continue
             for remap in node.instance.remaps:
-                if all(_is_dead(remap, other) for other in process) and remap not in seen:
-                    seen.add(remap)
-                    yield _finding(remap, node, workspace)
+                dead = all(_is_dead(remap, other) for other in process)
+                if not dead or remap in seen or _key(remap) in alive or _is_written(remap, process, written):
+                    continue
+                seen.add(remap)
+                yield _finding(remap, node, workspace)
     yield from _outvoted(workspace)
+
+
+def _key(remap: Remapping) -> tuple[str, int, str, str]:
+    """One remap, or in Python one list of them, as several nodes may get it."""
+    line = remap.place.line if remap.place.path.endswith(_MARKUP) else 0
+    return remap.place.path, line, remap.source, remap.target
+
+
+def _alive(nodes: Sequence[SystemNode]) -> set[tuple[str, int, str, str]]:
+    """Remaps that some node may need: one of a group, or of a list for several nodes, is right for one of them."""
+    return {
+        _key(remap)
+        for node in nodes
+        for remap in node.instance.remaps
+        if not _is_known(node) or not _is_dead(remap, node)
+    }
+
+
+def _is_written(remap: Remapping, process: Sequence[SystemNode], written: WrittenNames) -> bool:
+    """Tell whether a package of the nodes has the name in a place where no known endpoint is: a helper may use it."""
+    modules = [linked.module for node in process for linked in node.modules]
+    packages = {module.package for module in modules}
+    if _PATH.search(remap.source):  # plugins of other packages get the node handed in
+        return written.anywhere(remap.source)
+    return any(written.holds(package, remap.source) for package in packages)
 
 
 def _outvoted(workspace: Workspace) -> Iterator[Finding]:
@@ -80,8 +121,18 @@ def _is_known(node: SystemNode) -> bool:
     return bool(node.modules) and all(entry.known for entry in node.endpoints)
 
 
+def _has_foreign_base(node: SystemNode, workspace: Workspace) -> bool:
+    """Tell whether a node derives from a class outside of the tree that may have names of its own."""
+    program = workspace.linker.program
+    classes = [linked.module.cls for linked in node.modules if linked.module.cls is not None]
+    known = {entry.fact.name for cls in classes for entry in program.ancestry(cls)}
+    names = {last_name(name) for cls in classes for name in program.base_names(cls)}
+    return any(name not in known and _FRAMEWORK.search(name) is None for name in names)
+
+
 def _finding(remap: Remapping, node: SystemNode, workspace: Workspace) -> Finding:
-    text = f"{node.name} has nothing called {remap.source}, so the remap to {remap.target} has no effect"
+    target = f"the remap to {remap.target}" if remap.target else "its remap"
+    text = f"{node.name} has nothing called {remap.source}, so {target} has no effect"
     package = workspace.package_of(remap.place.path)
     entity = Entity("remap", remap.source, remap.target)
     return RULE.finding(text, entity, package, [evidence_of(remap.place)], certainty="likely")

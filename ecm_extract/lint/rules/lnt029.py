@@ -33,7 +33,8 @@ def check(workspace: Workspace) -> Iterator[Finding]:
         for interface in entry.interfaces:
             offered.setdefault((interface.role, interface.type), {}).setdefault(interface.name, interface)
             place = interface.evidence[0]
-            if interface.role in _OFFERS and interface.type and not place.path.endswith(_COMPILED):
+            is_own = interface.raw_name.startswith("~")  # a private name is there to be remapped
+            if interface.role in _OFFERS and interface.type and not is_own and not place.path.endswith(_COMPILED):
                 used.setdefault((place, interface.role), []).append(interface)
                 packages.setdefault(place, entry.module.package)
     for (place, role), names in used.items():

@@ -5,9 +5,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+import msgspec
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 
+from ecm_extract.lint.compiled import is_compiled
 from ecm_extract.lint.near import nearest
 from ecm_extract.lint.requests import Touched, touched_fields
 from ecm_extract.lint.rule import LintRule
@@ -34,7 +36,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
                 yield _of_call(call, name)
     for touched in touched_fields(workspace.linker.program.files, workspace.packages):
         if touched.field not in touched.known:
-            yield _of_member(touched)
+            yield _of_member(touched, workspace)
 
 
 def _of_call(call: ServiceCall, name: str) -> Finding:
@@ -42,9 +44,12 @@ def _of_call(call: ServiceCall, name: str) -> Finding:
     return _finding(call.service, name, call.fields, call.file.package, place)
 
 
-def _of_member(touched: Touched) -> Finding:
+def _of_member(touched: Touched, workspace: Workspace) -> Finding:
     place = Evidence(touched.file.path, touched.line)
-    return _finding(touched.service, touched.field, touched.fields, touched.file.package, place)
+    found = _finding(touched.service, touched.field, touched.fields, touched.file.package, place)
+    if is_compiled(touched.file.path, workspace):
+        return found
+    return msgspec.structs.replace(found, severity="info", message=f"{found.message} (no target builds this file)")
 
 
 def _finding(service: str, name: str, fields: tuple[str, ...], package: str, place: Evidence) -> Finding:

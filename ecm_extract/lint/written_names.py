@@ -1,0 +1,56 @@
+"""Names that stand in the sources of a package and that no endpoint of a node beside them explains.
+
+A helper that is not understood may use such a name, and a helper that several nodes share is not known to be theirs.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import PurePosixPath
+from typing import Final
+
+from ecm_extract.lint.workspace import Workspace
+
+_TEXT: Final = re.compile(rb"[\"'](?:~/?|/)?([A-Za-z][\w/]*)[\"']")
+_RUNS: Final = frozenset({"node", "nodelet", "component"})
+"""Kinds of modules that run by themselves; others are handed the node that they declare their names with."""
+CALL_LINES: Final = 3
+"""A name stands up to so many lines below the call that it belongs to."""
+
+
+class WrittenNames:
+    """Texts of packages that look like names, each package read when it is asked for."""
+
+    def __init__(self, workspace: Workspace) -> None:
+        self._workspace = workspace
+        self._found: dict[str, frozenset[str]] = {}
+        self._explained = {
+            (place.path, place.line + below, _bare(interface.raw_name))
+            for entry in workspace.linked
+            for interface in entry.interfaces
+            for place in interface.evidence
+            if entry.module.kind in _RUNS and PurePosixPath(place.path).stem == PurePosixPath(entry.module.path).stem
+            for below in range(CALL_LINES + 1)
+        }
+
+    def holds(self, package: str, name: str) -> bool:
+        """Tell whether a package writes a name, with or without `~`, where nothing that is known is declared."""
+        if package not in self._found:
+            self._found[package] = frozenset(self._unexplained(package))
+        return _bare(name) in self._found[package]
+
+    def anywhere(self, name: str) -> bool:
+        """Tell whether any package of the workspace does."""
+        return any(self.holds(package.name, name) for package in self._workspace.packages)
+
+    def _unexplained(self, package: str) -> Iterator[str]:
+        facts = self._workspace.by_name.get(package)
+        for path in facts.sources if facts is not None else ():
+            for at, line in enumerate((self._workspace.files.read(path) or b"").splitlines(), 1):
+                names = (match.decode() for match in _TEXT.findall(line))
+                yield from (name for name in names if (path, at, name) not in self._explained)
+
+
+def _bare(name: str) -> str:
+    return name.lstrip("~/")
