@@ -66,10 +66,13 @@ def _of(parameter: Parameter, node: SystemNode, declared: list[str], workspace: 
 def _nearest(name: str, declared: list[str]) -> str | None:
     """Return the parameter that a name is most like; differing numbers are differing things."""
     best, score = None, NEAR
+    matcher = SequenceMatcher(None, name)
     for other in declared:
-        ratio = SequenceMatcher(None, name, other).ratio()
-        if ratio > score and _digits(name) == _digits(other):
-            best, score = other, ratio
+        if _digits(name) != _digits(other):
+            continue
+        matcher.set_seq2(other)
+        if matcher.real_quick_ratio() > score and matcher.quick_ratio() > score and matcher.ratio() > score:
+            best, score = other, matcher.ratio()
     return best
 
 

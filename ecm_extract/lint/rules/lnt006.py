@@ -145,5 +145,7 @@ def _is_dead(remap: Remapping, node: SystemNode) -> bool:
     if "{" in node.name:
         return False
     source = absolute(remap.source, node.namespace, own)
+    if source.endswith("/camera_info") and any(entry.type == "sensor_msgs/msg/Image" for entry in node.endpoints):
+        return False  # a camera subscriber takes it from beside its image
     names = {entry.before for entry in node.endpoints}
     return not any(name == source or name.startswith(f"{source}/") or source.startswith(f"{name}/") for name in names)
