@@ -35,10 +35,15 @@ def has_alternative(path: str, data: bytes, line: int) -> bool:
 
 
 def _is_tried(lines: list[bytes], line: int) -> bool:
-    """Tell whether the line that begins the block around a line is `try:`."""
+    """Tell whether the line that begins the block around a line is `try:`; a statement may go over several lines."""
     own = _indent(lines[line - 1]) if 0 < line <= len(lines) else 0
-    around = (text for text in reversed(lines[: line - 1]) if text.strip() and _indent(text) < own)
-    return own > 0 and next(around, b"").strip().startswith(b"try:")
+    for text in reversed(lines[: line - 1]):
+        if not text.strip() or _indent(text) >= own:
+            continue
+        own = _indent(text)
+        if text.strip().endswith(b":"):
+            return text.strip().startswith(b"try")
+    return False
 
 
 def _indent(text: bytes) -> int:

@@ -25,6 +25,7 @@ METHOD = "def f():\n    from a import b\n"
         ("CMakeLists.txt", CMAKE, 2, True),
         ("CMakeLists.txt", CMAKE, 6, False),
         ("a.py", TRIED, 2, True),
+        ("a.py", TRIED, 3, True),
         ("a.py", TRIED, 6, False),
         ("a.py", METHOD, 2, False),
         ("a.py", "", 3, False),

@@ -38,27 +38,27 @@ def check(workspace: Workspace) -> Iterator[Finding]:
             continue
         for path, classes in package.plugins.items():
             for entry in classes if not is_test_path(path, package.root.path) else ():
-                if _is_foreign(entry, package, workspace):
+                if _is_borrowed(entry, package, workspace):
                     continue
-                known = exported | _of_library(entry, package, workspace)
-                if entry.type and not _is_exported(entry, known) and not _in_tests(entry, package, workspace):
+                if not entry.type or _is_exported(entry, exported) or _is_of_other(entry, package, workspace):
+                    continue
+                if not _in_tests(entry, package, workspace):
                     yield _finding(entry, path, package, exported)
 
 
-def _of_library(entry: PluginClass, package: PackageFacts, workspace: Workspace) -> dict[str, tuple[str, int]]:
-    """Return what the package exports that builds the library of a description, where it is another one."""
+def _is_of_other(entry: PluginClass, package: PackageFacts, workspace: Workspace) -> bool:
+    """Tell whether the package that builds the library of a description, which is another one, exports the class."""
     library = _library(entry)
-    for other in workspace.packages:
-        if other is not package and library in _targets(other) | {other.name}:
-            return _exported(workspace, other)
-    return {}
+    others = [other for other in workspace.packages if other is not package and library in _targets(other)]
+    wanted = {"".join(name.split()) for name in _names(entry.type)}
+    return any(wanted & set(_exports(workspace, other)) for other in others)
 
 
-def _is_foreign(entry: PluginClass, package: PackageFacts, workspace: Workspace) -> bool:
-    """Tell whether a description is of a library that no package of the workspace builds."""
-    own = _targets(package)
-    everywhere = {name for other in workspace.packages for name in (*_targets(other), other.name)}
-    return bool(own) and not any("$" in name for name in own) and _library(entry) not in everywhere
+def _is_borrowed(entry: PluginClass, package: PackageFacts, workspace: Workspace) -> bool:
+    """Tell whether a description is of a library named after a dependency outside of the tree."""
+    library = _library(entry)
+    dependencies = package.manifest.dependencies if package.manifest is not None else ()
+    return library not in workspace.by_name and any(each.name == library for each in dependencies)
 
 
 def _library(entry: PluginClass) -> str:
@@ -73,14 +73,19 @@ def _targets(package: PackageFacts) -> set[str]:
 def _exported(workspace: Workspace, package: PackageFacts) -> dict[str, tuple[str, int]]:
     """Return the classes that macros of a package export, by last name: (as written, line)."""
     found: dict[str, tuple[str, int]] = {}
+    for name, place in _exports(workspace, package).items():
+        found.setdefault(name.rpartition("::")[2], place)
+    return found
+
+
+def _exports(workspace: Workspace, package: PackageFacts) -> dict[str, tuple[str, int]]:
+    """Return what macros of a package name, with the place of the first."""
+    found: dict[str, tuple[str, int]] = {}
     for file in workspace.linker.program.files:
-        if file.package != package.name:
-            continue
-        for macro in file.facts.macros:
-            if _MACROS.fullmatch(macro.name):
-                for argument in macro.args:
-                    for name in _names(argument):
-                        found.setdefault(name.rpartition("::")[2], (f"{file.path}", macro.line))
+        for macro in file.facts.macros if file.package == package.name else ():
+            for argument in macro.args if _MACROS.fullmatch(macro.name) else ():
+                for name in _names(argument):
+                    found.setdefault(name, (file.path, macro.line))
     return found
 
 

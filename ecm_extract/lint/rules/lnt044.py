@@ -35,7 +35,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
         built = _built(package)
         if package.root.rosbuild or any("$" in name for name in built):
             continue
-        installed = None if is_open(package, workspace) else installed_targets(package)
+        installed = None if is_open(package, workspace) else _installed(package)
         for path, file in package.cmake.items():
             for command in parse_commands(workspace.files.read(path) or b"").facts or ():
                 for name in _exported(command, file, package):
@@ -47,7 +47,16 @@ def check(workspace: Workspace) -> Iterator[Finding]:
 
 def _built(package: PackageFacts) -> set[str]:
     targets = [target for file in package.cmake.values() for target in file.targets]
-    return {target.name for target in targets if target.kind in {"library", "interface"}}
+    return {
+        name for each in targets if each.kind in {"library", "interface"} for name in (each.name, each.output) if name
+    }
+
+
+def _installed(package: PackageFacts) -> set[str]:
+    """Names of installed targets, and of the files that they make."""
+    found = installed_targets(package)
+    targets = [target for file in package.cmake.values() for target in file.targets]
+    return found | {target.output for target in targets if target.name in found}
 
 
 def _family(name: str) -> str:
