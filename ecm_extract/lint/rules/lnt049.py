@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from typing import Final, NamedTuple
 
 from ecm_checker.contract import Evidence
-from ecm_checker.finding import Entity, Finding
+from ecm_checker.finding import Entity, Finding, Severity
 from ecm_parsers.mesh import mesh_extent
 from ecm_parsers.xml_tree import line_of, parse_xml
 from lxml import etree
@@ -29,7 +29,7 @@ _MESH: Final = re.compile(r"(?:package://|\$\(find(?:-pkg-share)? )(\w+)\)?/([\w
 _TOO_FAR: Final = 10.0
 """Bounding shapes are coarse; units are wrong by 10 and more."""
 _DUMMY: Final = 0.005
-"""A shape of a few millimeters is there because something has to be, and stands for nothing."""
+"""A shape of a few millimeters is mostly there on purpose: something has to be."""
 MAX_MESHES: Final = 80
 
 
@@ -55,7 +55,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
                 if key not in sizes and len(sizes) < MAX_MESHES:
                     sizes[key] = _size(visual, workspace)
                 drawn = (sizes.get(key) or 0.0) * visual.scale
-                if drawn and shape > _DUMMY and not 1 / _TOO_FAR < drawn / shape < _TOO_FAR and key not in seen:
+                if drawn and not 1 / _TOO_FAR < drawn / shape < _TOO_FAR and key not in seen:
                     seen.add(key)
                     yield _finding(visual, drawn, shape, Evidence(entry.path, visual.line), package.name)
 
@@ -64,7 +64,9 @@ def _finding(visual: Visual, drawn: float, shape: float, place: Evidence, packag
     name = visual.file.rpartition("/")[2]
     times = drawn / shape
     text = f"{name} is {drawn:.3g} m long and its collision shape {shape:.3g} m, {times:.3g} times"
-    return RULE.finding(text, Entity("file", f"{visual.package}/{visual.file}"), package, [place], certainty="likely")
+    entity = Entity("file", f"{visual.package}/{visual.file}")
+    severity: Severity = "info" if shape <= _DUMMY else "warning"
+    return RULE.finding(text, entity, package, [place], certainty="likely", severity=severity)
 
 
 def _size(visual: Visual, workspace: Workspace) -> float | None:
