@@ -21,7 +21,7 @@ from ecm_extract.description.xacro_expression import XacroExpression
 from ecm_extract.description.xacro_files import Files, XacroFiles, is_glob
 from ecm_extract.description.xacro_missing import call_problem, include_problem
 from ecm_extract.description.xacro_tags import elements, is_control, is_xacro, may_call, own_attributes, xacro_attribute
-from ecm_extract.description.xacro_text import XacroText
+from ecm_extract.description.xacro_text import XacroText, truth_of
 
 MAX_STEPS = 40_000
 MAX_NESTING = 90
@@ -193,7 +193,7 @@ class Xacro:
 
     def _condition(self, element: etree._Element, path: str, symbols: Symbols) -> list[Element]:
         value = self.text.value(str(element.get("value", "")), symbols)
-        holds, wanted = _truth(value), local_name(element) == "if"
+        holds, wanted = truth_of(value), local_name(element) == "if"
         if holds is not None:
             return self.below(element, path, symbols) if holds is wanted else []
         why = "is known at launch only" if isinstance(value, Unknown) else "is no truth value"
@@ -231,8 +231,7 @@ class Xacro:
             self.problem(f"macro `{name}` is not defined")
             return []
         inner = Symbols(self.text.value, symbols if macro.scope is None else macro.scope)
-        missing = bind(macro, element, path, inner, symbols)
-        if missing:
+        if missing := bind(macro, element, path, inner, symbols):
             self.problem(call_problem(missing, name))
         known = {"macro", *(entry.name for entry in macro.parameters)}
         for extra in (str(entry) for entry in element.attrib if entry not in known):
@@ -293,11 +292,3 @@ _HANDLERS: Mapping[str, _Handler] = MappingProxyType(
         "attribute": Xacro._nothing,
     }
 )
-
-
-def _truth(value: Any) -> bool | None:
-    if isinstance(value, Unknown):
-        return None
-    if isinstance(value, str):
-        return {"true": True, "false": False, "": False}.get(value.strip().lower())
-    return bool(value)

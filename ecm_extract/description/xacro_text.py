@@ -120,3 +120,12 @@ def closing(text: str, position: int) -> int:
             if depth == 0:
                 return at
     return -1
+
+
+def truth_of(value: Any) -> bool | None:
+    """Return whether a condition holds, None for a value that is no truth value or not known."""
+    if isinstance(value, Unknown):
+        return None
+    if isinstance(value, str):
+        return {"true": True, "false": False, "": False}.get(value.strip().lower())
+    return bool(value)
