@@ -18,7 +18,7 @@ from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member,
 
 from ecm_extract.link.calls import dotted_name, last_name
 from ecm_extract.link.data import declared_type, plain_type
-from ecm_extract.link.env import Env, bind, invocation_of
+from ecm_extract.link.env import Bound, Env, bind, invocation_of
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.program import snake
 from ecm_extract.link.qos_values import milliseconds, policy_word
@@ -218,7 +218,7 @@ class QosReader:
     def _variable(self, expr: Name | Member, env: Env, level: int) -> dict[str, Any]:
         name = expr.id if isinstance(expr, Name) else expr.name
         if isinstance(expr, Name):
-            bound = env.args.get(expr.id)
+            bound = env.args.get(expr.id) or _of_maker(expr.id, env)
             given = self._policies(bound.expr, bound.env, level + 1) if bound is not None else {}
             if given:
                 return given  # `if qos is None: qos = ...` has not happened then
@@ -289,3 +289,8 @@ def _root(expr: Expr) -> str:
             return expr.name
         expr = expr.callee if isinstance(expr, Call) else expr.base
     return expr.id if isinstance(expr, Name) else ""
+
+
+def _of_maker(name: str, env: Env) -> Bound | None:
+    """What whoever makes the object hands to a parameter of its constructor."""
+    return env.made.args.get(name) if env.made is not None and env.func.is_constructor else None

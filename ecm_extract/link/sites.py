@@ -194,7 +194,8 @@ class Sites:
     def _initialiser(self, name: str, env: Env) -> tuple[Expr | None, Env]:
         """What the constructor at hand makes of a member."""
         for definition, inner in self.folder.lists.definitions(Name(name), env):
-            if definition.statement.kind == "init" and definition.func.is_constructor:
+            kinds = {"init", "set"} if definition.func.file.language == "python" else {"init"}
+            if definition.statement.kind in kinds and definition.func.is_constructor:
                 value = definition.statement.value
                 made = isinstance(value, Call) and len(value.args) == 1
                 return (value.args[0] if made and isinstance(value, Call) else value), inner

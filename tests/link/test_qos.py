@@ -161,3 +161,51 @@ def test_a_profile_after_the_callback(workspace: Any, given: str, expected: tupl
     call = f'create_subscription<std_msgs::msg::String>("a", {given});'
     text = f'class D : public rclcpp::Node {{ D() : Node("d") {{ {call} }} }};'
     assert four(workspace.package({"src/d.cpp": text}).only("subscriber").qos) == expected
+
+
+HELD_CPP = """
+class Talker : public rclcpp::Node {
+ public:
+  explicit Talker(const rclcpp::QoS & profile = rclcpp::QoS(7).transient_local()) : Node("talker"), profile_(profile) {}
+  void start() { create_publisher<std_msgs::msg::String>("a", profile_); }
+  rclcpp::QoS profile_;
+};
+int main(int argc, char ** argv) {
+  rclcpp::QoS chosen(3);
+  chosen.best_effort();
+  auto talker = std::make_shared<Talker>(HANDED);
+  talker->start();
+}
+"""
+HELD_PYTHON = """
+class Talker(Node):
+    def __init__(self, profile=None):
+        super().__init__('talker')
+        if profile is None:
+            profile = QoSProfile(depth=7, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+        self.profile = profile
+    def start(self):
+        self.create_publisher(String, 'a', self.profile)
+def main():
+    chosen = QoSProfile(depth=3)
+    chosen.reliability = ReliabilityPolicy.BEST_EFFORT
+    talker = Talker(HANDED)
+    talker.start()
+"""
+
+
+@pytest.mark.parametrize("path", ["src/talker.cpp", "pkg/talker.py"])
+@pytest.mark.parametrize(
+    ("handed", "expected"),
+    [
+        ("chosen", ("best_effort", "volatile", "keep_last", 3)),
+        ("", ("reliable", "transient_local", "keep_last", 7)),
+    ],
+)
+def test_a_profile_that_the_maker_of_a_node_hands_over(
+    workspace: Any, path: str, handed: str, expected: tuple[Any, ...]
+) -> None:
+    """It is kept in a member until the endpoint is made; without it the default holds."""
+    imports = "from rclpy.node import Node\nfrom rclpy.qos import *\nfrom std_msgs.msg import String\n"
+    text = HELD_CPP if path.endswith(".cpp") else imports + HELD_PYTHON
+    assert four(workspace.package({path: text.replace("HANDED", handed)}).only("publisher").qos) == expected
