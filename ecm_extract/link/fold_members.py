@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import (
+    Call,
     Expr,
     Member,
     Name,
@@ -12,7 +13,7 @@ from ecm_parsers.source.expr import (
 from ecm_parsers.source.facts import Statement
 from msgspec.structs import replace
 
-from ecm_extract.link.calls import dotted_name
+from ecm_extract.link.calls import dotted_name, last_name
 from ecm_extract.link.env import Env, Instance
 from ecm_extract.link.formats import VALUE_READS
 from ecm_extract.link.program import Cls, Func
@@ -22,6 +23,7 @@ from ecm_extract.link.values import (
     Value,
     demoted,
     lowered,
+    node_name,
     set_by,
     unique,
     unknown,
@@ -30,6 +32,8 @@ from ecm_extract.link.walk import expressions
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
+
+_NODES = frozenset({"Node", "LifecycleNode"})
 
 
 class MemberFolder:
@@ -113,9 +117,10 @@ class MemberFolder:
                 values += self.folder.calls.parameter_value(
                     read, default, self._method_env(Definition(method, at), cls, env)
                 )
-            field = entry.fields.get(name)
-            if field is not None and field.default is not None:
-                values += demoted(self.folder.fold(field.default, Env(env.func, depth=env.depth + 1, this=cls)))
+        fields = [entry.fields[name].default for entry in self.folder.program.ancestry(cls) if name in entry.fields]
+        default = next((found for found in fields if found is not None), None)  # that of a derived class hides others
+        if default is not None:
+            values += demoted(self.folder.fold(default, Env(env.func, depth=env.depth + 1, this=cls)))
         filled = [value for value in values if value.text]
         return unique(filled or values) if values else ()
 
@@ -126,7 +131,8 @@ class MemberFolder:
             if len(found) >= MAX_ALTERNATIVES or not self.folder.objects.runs(definition.func, env.made):
                 continue
             inner = self._method_env(definition, cls, env)
-            values = demoted(self.folder.fold(definition.statement.value, inner))
+            named = _is_name_of_node(definition)
+            values = (node_name(),) if named else demoted(self.folder.fold(definition.statement.value, inner))
             if values and _rewrites(definition.statement, name):
                 found = [(func, before) for func, before in found if func is not definition.func]
             found.append((definition.func, values))
@@ -141,3 +147,20 @@ def _rewrites(statement: Statement, name: str) -> bool:
     """Tell whether a statement that always runs makes a new value of a member from the one that it has."""
     own = (Name(name), Member(Name("this"), name))
     return statement.depth == 0 and any(expr in own for expr, _ in expressions(replace(statement, target=None)))
+
+
+def _is_name_of_node(definition: Definition) -> bool:
+    """Tell whether a constructor gives a member what it gives its node as a name: `Node(name), name_(name)`."""
+    if definition.statement.kind != "init" or definition.statement.value is None:
+        return False
+    calls = (entry.value for entry in definition.func.fact.body if entry.kind == "init" and _is_node(entry.target))
+    return any(isinstance(call, Call) and call.args[:1] == (_only(definition.statement.value),) for call in calls)
+
+
+def _is_node(target: Expr | None) -> bool:
+    return isinstance(target, Name) and last_name(target.id) in _NODES
+
+
+def _only(value: Expr) -> Expr:
+    """What an initialiser `x_(value)` holds."""
+    return value.args[0] if isinstance(value, Call) and len(value.args) == 1 else value

@@ -166,3 +166,27 @@ class D { struct { int packets; std::string model; } config_;
   void read() { ros::NodeHandle nh("~"); nh.getParam("packets", config_.packets); nh.getParam("model", config_.model); } };"""
     found = {(entry.raw_name, entry.type) for entry in workspace.package({"src/d.cpp": text}, ros=1).interfaces()}
     assert found == {("~packets", "integer"), ("~model", "string")}
+
+
+PLUGINS = """
+from std_msgs.msg import String
+from rclpy.node import Node
+class Base(Node):
+    space = "base"
+    topic = "points"
+    def start(self):
+        self.create_subscription(String, self.space + "/" + self.topic, print, 1)
+class Fence(Base):
+    space = "fence"
+    topic = "fences"
+def main():
+    Fence("a").start()
+"""
+
+
+def test_an_attribute_of_a_derived_class_hides_that_of_its_base(workspace: Any) -> None:
+    """The two are never mixed."""
+    entries = workspace.package({"pkg/fence.py": PLUGINS}).interfaces()
+    found = {entry.name for entry in entries if entry.role == "subscriber"}
+    assert "/fence/fences" in found
+    assert not found & {"/fence/points", "/base/fences"}

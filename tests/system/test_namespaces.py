@@ -81,3 +81,25 @@ def test_a_managed_node_offers_its_state(tmp_path: Path) -> None:
         "/space/layer/change_state": "lifecycle_msgs/srv/ChangeState",
         "/space/layer/get_state": "lifecycle_msgs/srv/GetState",
     }
+
+
+NAMED = """
+#include <rclcpp_lifecycle/lifecycle_node.hpp>
+#include <std_srvs/srv/empty.hpp>
+class Map : public rclcpp_lifecycle::LifecycleNode {
+ public:
+  Map() : LifecycleNode("map"), name_("map"), other_("map_server") {
+    clear_ = create_service<std_srvs::srv::Empty>("clear_" + name_, [](int, int) {});
+    load_ = create_service<std_srvs::srv::Empty>("load_" + other_, [](int, int) {});
+  }
+  std::string name_, other_;
+};
+int main(int argc, char ** argv) { rclcpp::init(argc, argv); rclcpp::spin(std::make_shared<Map>()); }
+"""
+
+
+def test_a_member_that_holds_the_name_of_its_node(tmp_path: Path) -> None:
+    """It is that of the node, however a launch calls it; what only looks alike is its own."""
+    launch = "<launch><node pkg='p' exec='layer' name='floor'/></launch>"
+    names = {entry.name for entry in endpoints(tmp_path, NAMED, launch)}
+    assert names == {"/clear_floor", "/load_map_server", "/floor/change_state", "/floor/get_state"}
