@@ -22,6 +22,7 @@ from ecm_extract.link.parameters import Parameters
 from ecm_extract.link.program import Cls, Func, Program, plain
 from ecm_extract.link.types import Types
 from ecm_extract.link.values import Value
+from ecm_extract.link.walk import children
 
 _LOADS_ALL = "getDeclaredClasses"
 _ALSO = ("InputPort", "BidirectionalPort", "init", "init_node", "create_node", "Node", "LifecycleNode", _LOADS_ALL)
@@ -159,10 +160,19 @@ class Sites:
         if found is not None and found.open:
             params |= found.open
             made |= found.open
+        made |= self._redefined(site)
         for expr, accepts in ((site.call.receiver, _is_handle), (self._qos(site), _is_qos)):
             given, kept = self._origin(expr, site, accepts)
             params, made = params | given, made | given | kept
         return params, made
+
+    def _redefined(self, site: Site) -> frozenset[str]:
+        """Attributes of a Python class that a name is made of and that a derived class has a value of its own for."""
+        owner = site.owner
+        derived = self.derived(owner) if owner is not None and owner.file.language == "python" else ()
+        used = _attributes(name_argument(site.form, site.call)) if derived else set()
+        fields = (entry.fields.get(name) for name in used for entry in derived)
+        return frozenset(field.name for field in fields if field is not None and field.default is not None)
 
     def _qos(self, site: Site) -> Expr | None:
         return next(positions(site.form.qos, site.call), None) if not site.form.fixed else None
@@ -411,3 +421,14 @@ def _is_qos(name: str, func: Func) -> bool:
     """Tell whether a function takes a profile by this name; Python need not write its type."""
     python = func.file.language == "python"
     return any(entry.name == name and (python or "qos" in entry.type.lower()) for entry in func.fact.params)
+
+
+def _attributes(expr: Expr | None) -> set[str]:
+    """Names of the members of `self` in an expression."""
+    pending, found = [expr] if expr is not None else [], set()
+    while pending:
+        part = pending.pop()
+        if isinstance(part, Member) and part.base == Name("this"):
+            found.add(part.name)
+        pending.extend(children(part))
+    return found

@@ -180,7 +180,9 @@ class Fence(Base):
     space = "fence"
     topic = "fences"
 def main():
-    Fence("a").start()
+    fence = Fence("a")
+    fence.start()
+    rclpy.spin(fence)
 """
 
 
