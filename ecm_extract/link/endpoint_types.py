@@ -11,7 +11,7 @@ from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.match import positions
 from ecm_extract.link.program import plain
-from ecm_extract.link.sites import Site
+from ecm_extract.link.site import Site
 from ecm_extract.link.types import Types
 
 

@@ -28,7 +28,8 @@ from ecm_extract.link.qos import QosReader
 from ecm_extract.link.references import References
 from ecm_extract.link.registry import build_registry
 from ecm_extract.link.scope import Scope
-from ecm_extract.link.sites import Site, Sites, overrides
+from ecm_extract.link.site import Site
+from ecm_extract.link.sites import Sites, overrides
 from ecm_extract.link.stamps import Stamp, stamps
 from ecm_extract.link.types import Types
 from ecm_extract.link.values import Value, literal, settled, unknown, with_node

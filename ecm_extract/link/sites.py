@@ -7,54 +7,26 @@ for a class that passes a constructor argument or template argument on: each pla
 from __future__ import annotations
 
 from collections import defaultdict, deque
-from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name
+from ecm_parsers.source.expr import Expr, Name
 
 from ecm_extract.link.calls import Invocation, held_objects, invocations, last_name
 from ecm_extract.link.env import Env, Instance, bind
 from ecm_extract.link.fold import Folder
-from ecm_extract.link.forms import Form
 from ecm_extract.link.match import Matcher, name_argument, positions
+from ecm_extract.link.openness import MAX_CHAIN, Openness
 from ecm_extract.link.overloads import NO, score
 from ecm_extract.link.parameters import Parameters
 from ecm_extract.link.program import Cls, Func, Program, plain
+from ecm_extract.link.site import Site
 from ecm_extract.link.types import Types
 from ecm_extract.link.values import Value
-from ecm_extract.link.walk import children
 
 _LOADS_ALL = "getDeclaredClasses"
 _ALSO = ("InputPort", "BidirectionalPort", "init", "init_node", "create_node", "Node", "LifecycleNode", _LOADS_ALL)
 """Calls that are looked up by name without being forms: behaviour tree ports, node names, plugin loaders."""
-MAX_CHAIN = 5
 MAX_EXPANSIONS = 50_000
-
-
-@dataclass(slots=True, eq=False, repr=False)
-class Site:
-    """A call that is a form, seen from the outermost call that fixes its name.
-
-    Attributes:
-        form: the row.
-        call: the innermost call, the form itself.
-        env: where its arguments are evaluated.
-        chain: the calls it came through, outermost first; empty for a direct call.
-        owner: class whose objects have the endpoint; None for a free function's.
-        root: outermost function.
-    """
-
-    form: Form
-    call: Invocation
-    env: Env
-    chain: tuple[Invocation, ...]
-    owner: Cls | None
-    root: Func
-
-    def lines(self) -> Iterator[tuple[str, int]]:
-        """Yield (path, line), outermost call first."""
-        for call in (*self.chain, self.call):
-            yield call.func.file.path, call.line
 
 
 class Sites:
@@ -74,6 +46,7 @@ class Sites:
         self._remembered: set[int] = set()
         self._names: dict[int, tuple[Site, tuple[Value, ...]]] = {}
         self._targets: dict[int, tuple[Func, ...]] = {}
+        self.openness = Openness(self.folder, types, self.derived)
         wanted = {*matcher.forms, *program.functions, *program.classes, *_ALSO, *also}
         for functions in program.functions.values():
             for func in functions:
@@ -132,7 +105,7 @@ class Sites:
         return closed
 
     def _wider(self, site: Site) -> Iterator[Site]:
-        params, made = self._open(site)
+        params, made = self.openness.of(site, self.names(site))
         given = {parameter.name for parameter in site.root.fact.params}
         if params & (given | set(site.root.fact.template)):
             if site.form.role == "parameter" and id(site.root) not in self._remembered:
@@ -144,72 +117,6 @@ class Sites:
                 return
         if made and site.owner is not None:
             yield from self._makers(site, site.owner)
-
-    def _open(self, site: Site) -> tuple[frozenset[str], frozenset[str]]:
-        """Return the parameters and the constructor parameters that name and type depend on."""
-        params: frozenset[str] = frozenset()
-        made: frozenset[str] = frozenset()
-        for value in self.names(site):
-            params |= value.open("param")
-            made |= value.open("made")
-        found = (
-            self.types.at(site.form.type, site.call, site.env, site.form.role)
-            if site.form.role != "parameter"
-            else None
-        )
-        if found is not None and found.open:
-            params |= found.open
-            made |= found.open
-        made |= self._redefined(site)
-        for expr, accepts in ((site.call.receiver, _is_handle), (self._qos(site), _is_qos)):
-            given, kept = self._origin(expr, site, accepts)
-            params, made = params | given, made | given | kept
-        return params, made
-
-    def _redefined(self, site: Site) -> frozenset[str]:
-        """Attributes of a Python class that a name is made of and that a derived class has a value of its own for."""
-        owner = site.owner
-        derived = self.derived(owner) if owner is not None and owner.file.language == "python" else ()
-        used = _attributes(name_argument(site.form, site.call)) if derived else set()
-        fields = (entry.fields.get(name) for name in used for entry in derived)
-        return frozenset(field.name for field in fields if field is not None and field.default is not None)
-
-    def _qos(self, site: Site) -> Expr | None:
-        return next(positions(site.form.qos, site.call), None) if not site.form.fixed else None
-
-    def _origin(
-        self, expr: Expr | None, site: Site, accepts: Callable[[str, Func], bool]
-    ) -> tuple[frozenset[str], frozenset[str]]:
-        """The parameter of the outermost function, or of the constructor, that a node handle or a profile comes from.
-
-        Whoever passes it knows the namespace, or the QoS.
-        """
-        none: frozenset[str] = frozenset()
-        env = site.env
-        if isinstance(expr, Member) and expr.base == Name("this"):
-            expr = Name(expr.name)
-        for _ in range(MAX_CHAIN):
-            if not isinstance(expr, Name):
-                break
-            bound = env.args.get(expr.id)
-            if bound is not None:
-                expr, env = bound.expr, bound.env
-            elif accepts(expr.id, env.func):
-                found = frozenset({expr.id})
-                return (found, none) if env.func is site.root else (none, found if env.func.is_constructor else none)
-            else:
-                expr, env = self._initialiser(expr.id, env)
-        return none, none
-
-    def _initialiser(self, name: str, env: Env) -> tuple[Expr | None, Env]:
-        """What the constructor at hand makes of a member."""
-        for definition, inner in self.folder.lists.definitions(Name(name), env):
-            kinds = {"init", "set"} if definition.func.file.language == "python" else {"init"}
-            if definition.statement.kind in kinds and definition.func.is_constructor:
-                value = definition.statement.value
-                made = isinstance(value, Call) and len(value.args) == 1
-                return (value.args[0] if made and isinstance(value, Call) else value), inner
-        return None, env
 
     def names(self, site: Site) -> tuple[Value, ...]:
         """Return the possible names of a site, folded once."""
@@ -410,25 +317,3 @@ def _default_constructible(cls: Cls) -> bool:
     """Tell whether a class can be made without arguments: no constructor at all, or one that needs none."""
     makers = [func for func in cls.methods if func.is_constructor]
     return not makers or any(all(entry.default is not None for entry in maker.fact.params) for maker in makers)
-
-
-def _is_handle(name: str, func: Func) -> bool:
-    """Tell whether a function takes a node handle of ROS 1 by this name."""
-    return any(entry.name == name and "NodeHandle" in entry.type for entry in func.fact.params)
-
-
-def _is_qos(name: str, func: Func) -> bool:
-    """Tell whether a function takes a profile by this name; Python need not write its type."""
-    python = func.file.language == "python"
-    return any(entry.name == name and (python or "qos" in entry.type.lower()) for entry in func.fact.params)
-
-
-def _attributes(expr: Expr | None) -> set[str]:
-    """Names of the members of `self` in an expression."""
-    pending, found = [expr] if expr is not None else [], set()
-    while pending:
-        part = pending.pop()
-        if isinstance(part, Member) and part.base == Name("this"):
-            found.add(part.name)
-        pending.extend(children(part))
-    return found

@@ -10,7 +10,7 @@ from ecm_checker.finding import Entity, Finding
 from ecm_parsers.source.expr import Expr, Member, Name
 
 from ecm_extract.link.match import positions
-from ecm_extract.link.sites import Site
+from ecm_extract.link.site import Site
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 

@@ -1,0 +1,117 @@
+"""What a site leaves open, and who knows it: the callers of its function, or the makers of its object."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+
+from ecm_parsers.source.expr import Call, Expr, Member, Name
+
+from ecm_extract.link.env import Env
+from ecm_extract.link.fold import Folder
+from ecm_extract.link.match import name_argument, positions
+from ecm_extract.link.program import Cls, Func
+from ecm_extract.link.site import Site
+from ecm_extract.link.types import Types
+from ecm_extract.link.values import Value
+from ecm_extract.link.walk import children
+
+MAX_CHAIN = 5
+"""Calls through which a handle or a profile is followed."""
+
+
+class Openness:
+    """Finds the parameters that decide about sites; `derived` gives the classes that derive from one."""
+
+    def __init__(self, folder: Folder, types: Types, derived: Callable[[Cls], Sequence[Cls]]) -> None:
+        self.folder = folder
+        self.types = types
+        self.derived = derived
+
+    def of(self, site: Site, names: Iterable[Value]) -> tuple[frozenset[str], frozenset[str]]:
+        """Return the parameters and the constructor parameters that name, type and profile depend on."""
+        params: frozenset[str] = frozenset()
+        made: frozenset[str] = frozenset()
+        for value in names:
+            params |= value.open("param")
+            made |= value.open("made")
+        found = (
+            self.types.at(site.form.type, site.call, site.env, site.form.role)
+            if site.form.role != "parameter"
+            else None
+        )
+        if found is not None and found.open:
+            params |= found.open
+            made |= found.open
+        made |= self._redefined(site)
+        for expr, accepts in ((site.call.receiver, _is_handle), (_qos(site), _is_qos)):
+            given, kept = self._origin(expr, site, accepts)
+            params, made = params | given, made | given | kept
+        return params, made
+
+    def _redefined(self, site: Site) -> frozenset[str]:
+        """Attributes of a Python class that a name is made of and that a derived class has a value of its own for."""
+        owner = site.owner
+        derived = self.derived(owner) if owner is not None and owner.file.language == "python" else ()
+        used = _attributes(name_argument(site.form, site.call)) if derived else set()
+        fields = (entry.fields.get(name) for name in used for entry in derived)
+        return frozenset(field.name for field in fields if field is not None and field.default is not None)
+
+    def _origin(
+        self, expr: Expr | None, site: Site, accepts: Callable[[str, Func], bool]
+    ) -> tuple[frozenset[str], frozenset[str]]:
+        """The parameter of the outermost function, or of the constructor, that a node handle or a profile comes from.
+
+        Whoever passes it knows the namespace, or the QoS.
+        """
+        none: frozenset[str] = frozenset()
+        env = site.env
+        if isinstance(expr, Member) and expr.base == Name("this"):
+            expr = Name(expr.name)
+        for _ in range(MAX_CHAIN):
+            if not isinstance(expr, Name):
+                break
+            bound = env.args.get(expr.id)
+            if bound is not None:
+                expr, env = bound.expr, bound.env
+            elif accepts(expr.id, env.func):
+                found = frozenset({expr.id})
+                return (found, none) if env.func is site.root else (none, found if env.func.is_constructor else none)
+            else:
+                expr, env = self._initialiser(expr.id, env)
+        return none, none
+
+    def _initialiser(self, name: str, env: Env) -> tuple[Expr | None, Env]:
+        """What the constructor at hand makes of a member."""
+        for definition, inner in self.folder.lists.definitions(Name(name), env):
+            kinds = {"init", "set"} if definition.func.file.language == "python" else {"init"}
+            if definition.statement.kind in kinds and definition.func.is_constructor:
+                value = definition.statement.value
+                made = isinstance(value, Call) and len(value.args) == 1
+                return (value.args[0] if made and isinstance(value, Call) else value), inner
+        return None, env
+
+
+def _qos(site: Site) -> Expr | None:
+    return next(positions(site.form.qos, site.call), None) if not site.form.fixed else None
+
+
+def _is_handle(name: str, func: Func) -> bool:
+    """Tell whether a function takes a node handle of ROS 1 by this name."""
+    return any(entry.name == name and "NodeHandle" in entry.type for entry in func.fact.params)
+
+
+def _is_qos(name: str, func: Func) -> bool:
+    """Tell whether a function takes a profile by this name; Python need not write its type."""
+    python = func.file.language == "python"
+    return any(entry.name == name and (python or "qos" in entry.type.lower()) for entry in func.fact.params)
+
+
+def _attributes(expr: Expr | None) -> set[str]:
+    """Names of the members of `self` in an expression."""
+    pending, found = [expr] if expr is not None else [], set()
+    while pending:
+        part = pending.pop()
+        if isinstance(part, Member) and part.base == Name("this"):
+            found.add(part.name)
+        pending.extend(children(part))
+    return found

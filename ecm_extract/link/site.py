@@ -1,0 +1,37 @@
+"""One call of a form, with the calls through which its name comes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from ecm_extract.link.calls import Invocation
+from ecm_extract.link.env import Env
+from ecm_extract.link.forms import Form
+from ecm_extract.link.program import Cls, Func
+
+
+@dataclass(slots=True, eq=False, repr=False)
+class Site:
+    """A call that is a form, seen from the outermost call that fixes its name.
+
+    Attributes:
+        form: the row.
+        call: the innermost call, the form itself.
+        env: where its arguments are evaluated.
+        chain: the calls it came through, outermost first; empty for a direct call.
+        owner: class whose objects have the endpoint; None for a free function's.
+        root: outermost function.
+    """
+
+    form: Form
+    call: Invocation
+    env: Env
+    chain: tuple[Invocation, ...]
+    owner: Cls | None
+    root: Func
+
+    def lines(self) -> Iterator[tuple[str, int]]:
+        """Yield (path, line), outermost call first."""
+        for call in (*self.chain, self.call):
+            yield call.func.file.path, call.line
