@@ -3,13 +3,19 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Container, Iterable, Iterator
+from collections.abc import Container, Iterator
+from functools import lru_cache
 from typing import NamedTuple
 
-from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op, Table, Template
+from ecm_parsers.source.expr import (
+    Call,
+    Expr,
+    Member,
+    Name,
+)
 from ecm_parsers.source.facts import Statement
 
-from ecm_extract.link.program import Cls, Func, is_node_interface, plain
+from ecm_extract.link.program import MAX_SPELLINGS, Cls, Func, is_node_interface, plain
 
 _INTERFACE_NAMES = (
     "interface",
@@ -59,6 +65,7 @@ class Invocation(NamedTuple):
         return self.receiver is None and "::" not in self.path and "." not in self.path
 
 
+@lru_cache(maxsize=MAX_SPELLINGS)
 def last_name(path: str) -> str:
     """Return the last part of a qualified name of either language."""
     return path.replace("::", ".").rsplit(".", 1)[-1]
@@ -71,12 +78,11 @@ def invocations(func: Func, wanted: Container[str] | None = None) -> Iterator[In
         func: the function.
         wanted: only calls whose last name is in it; None for all.
     """
-    for statement in func.fact.body:
-        if statement.value is not None:
-            for call in walk(statement.value):
-                if wanted is None or _last_of(call) in wanted:
-                    yield invocation(func, statement, call)
-        elif statement.kind == "let" and by_value(statement.type):
+    for statement, calls in zip(func.fact.body, func.calls, strict=True):
+        for call in calls:
+            if wanted is None or _last_of(call) in wanted:
+                yield invocation(func, statement, call)
+        if statement.value is None and statement.kind == "let" and by_value(statement.type):
             yield _construction(func, statement, statement.type, (), statement.line)
         implied = _implied(func, statement)
         if implied is not None:
@@ -102,31 +108,6 @@ def held_objects(cls: Cls) -> Iterator[Invocation]:
         if by_value(field.type):
             statement = Statement("let", field.line, None, Name(field.name), field.type)
             yield _construction(cls.methods[0], statement, field.type, (), field.line)
-
-
-def walk(expr: Expr) -> Iterator[Call]:
-    """Yield the calls within an expression, inner ones first."""
-    for part in _parts(expr):
-        yield from walk(part)
-    if isinstance(expr, Call):
-        yield expr
-
-
-def _parts(expr: Expr) -> Iterable[Expr]:
-    match expr:
-        case Call():
-            return (expr.callee, *expr.args, *(value for _, value in expr.keywords))
-        case Member():
-            return (expr.base,)
-        case Op():
-            return expr.operands
-        case Items():
-            return expr.items
-        case Table():
-            return (part for entry in expr.entries for part in entry)
-        case Template():
-            return expr.parts
-    return ()
 
 
 def invocation(func: Func, statement: Statement, call: Call) -> Invocation:
@@ -210,12 +191,14 @@ def _implied(func: Func, statement: Statement) -> Invocation | None:
     return _construction(func, statement, pointee(field.type), one_node(func, args), statement.line)
 
 
+@lru_cache(maxsize=MAX_SPELLINGS)
 def by_value(written: str) -> bool:
     """Tell whether a variable of a type is an object itself, not a pointer or reference to one."""
     text = written.removeprefix("const ").removeprefix("::")
     return text[:1].isalpha() and text != "auto" and not text.endswith(("*", "&")) and pointee(text) == text
 
 
+@lru_cache(maxsize=MAX_SPELLINGS)
 def pointee(written: str) -> str:
     """Return the class that a type's objects are of: through smart pointers and `::SharedPtr` aliases."""
     text = written.strip().removeprefix("const ").rstrip("&* ")
@@ -235,6 +218,7 @@ def pointee(written: str) -> str:
 _ALIASED = re.compile(r"::(?:Const)?(?:SharedPtr|UniquePtr|Ptr|WeakPtr|SharedConstPtr)$")
 
 
+@lru_cache(maxsize=MAX_SPELLINGS)
 def template_arguments(written: str) -> tuple[str, ...]:
     """Split the template arguments of a type as written; empty without any."""
     start = written.find("<")

@@ -12,11 +12,12 @@ from typing import Literal, NamedTuple
 from ecm_checker.contract import Evidence
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Name
 
-from ecm_extract.link.calls import Invocation, invocations, walk
+from ecm_extract.link.calls import Invocation, invocations
 from ecm_extract.link.env import Env, Instance
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.program import Cls, Func
 from ecm_extract.link.values import Value
+from ecm_extract.link.walk import calls_in
 
 _METHODS: tuple[tuple[str, Literal["command", "state"]], ...] = (
     ("command_interface_configuration", "command"),
@@ -105,7 +106,7 @@ def _text(value: Value) -> str:
 
 def _names(expr: Expr) -> Iterator[Expr]:
     yield from (expr, *(expr.items if isinstance(expr, Items) else ()))
-    for call in walk(expr):
+    for call in calls_in(expr):
         yield from call.args
 
 

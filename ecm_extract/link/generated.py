@@ -10,7 +10,7 @@ from ecm_parsers.dynamic_reconfigure import ReconfigureFile
 from ecm_parsers.parameter_library import ParameterNamespace
 from ecm_parsers.source.expr import Member, Name
 
-from ecm_extract.link.calls import dotted_name, walk
+from ecm_extract.link.calls import dotted_name
 from ecm_extract.link.parameters import Parameters
 from ecm_extract.link.program import Cls, File, Func, Program
 from ecm_extract.link.references import Unit
@@ -25,7 +25,7 @@ class GeneratedParameters:
     def __init__(self, program: Program, packages: Sequence[PackageFacts]) -> None:
         self.program = program
         self.packages = packages
-        self._texts: list[tuple[Unit, str, str]] | None = None
+        self._texts: dict[str, list[tuple[Unit, str]]] = {}
 
     def declare(self, parameters: Parameters) -> None:
         """Make the defaults known, so that names that come from parameters fold."""
@@ -66,22 +66,24 @@ class GeneratedParameters:
         )
 
     def _mentioning(self, marks: tuple[str, ...], files: Sequence[File]) -> list[Unit]:
-        paths = {file.path for file in files}
         found: dict[int, Unit] = {}
-        for unit, path, text in self._typed_units():
-            if path in paths and any(mark in text for mark in marks):
+        for unit, text in self._typed_units(files):
+            if any(mark in text for mark in marks):
                 found[id(unit)] = unit
         return list(found.values())
 
-    def _typed_units(self) -> list[tuple[Unit, str, str]]:
-        """Return each class and function with the types that its members and statements name, as one text."""
-        if self._texts is None:
-            self._texts = []
-            for group in self.program.classes.values():
-                self._texts += [(cls, cls.file.path, " ".join(f"{f.type}>" for f in cls.fact.fields)) for cls in group]
-            for functions in self.program.functions.values():
-                self._texts += [(func.cls or func, func.file.path, _types_in(func)) for func in functions]
-        return self._texts
+    def _typed_units(self, files: Sequence[File]) -> list[tuple[Unit, str]]:
+        """Return the classes and functions of a package, each with the types that it names as one text."""
+        package = files[0].package if files else ""
+        known = self._texts.get(package)
+        if known is None:
+            program = self.program
+            classes = (cls for group in program.classes.values() for cls in group if cls.file.package == package)
+            functions = (f for group in program.functions.values() for f in group if f.file.package == package)
+            known = [(cls, " ".join([f"{entry.type}>" for entry in cls.fact.fields])) for cls in classes]
+            known += [(func.cls or func, _types_in(func)) for func in functions]
+            self._texts[package] = known
+        return known
 
     def _units_of(self, files: Sequence[File]) -> list[Unit]:
         found: list[Cls | Func] = [cls for group in self.program.classes.values() for cls in group if cls.file in files]
@@ -94,8 +96,8 @@ class GeneratedParameters:
 
 def _types_in(func: Func) -> str:
     words = [statement.type for statement in func.fact.body if statement.type]
-    for statement in func.fact.body:
-        for call in walk(statement.value) if statement.value is not None else ():
+    for calls in func.calls:
+        for call in calls:
             words += call.types
             if isinstance(call.callee, Name | Member):
                 words.append(dotted_name(call.callee) if isinstance(call.callee, Member) else call.callee.id)

@@ -30,23 +30,8 @@ def score(call: Invocation, func: Func) -> int:
 
 
 def _countable(call: Invocation, func: Func) -> bool:
-    params = func.params
-    count = len(call.args) + len(call.keywords)
-    if params and (params[-1].name.startswith("*") or "..." in params[-1].type):
-        return True
-    if count > len(params):
-        return any(parameter.name.startswith("*") for parameter in params)
-    required = sum([parameter.default is None for parameter in params])
-    return count <= len(params) and (count >= required or _declared_defaults(func, count))
-
-
-def _declared_defaults(func: Func, count: int) -> bool:
-    """Defaults stand at the declaration in the header, not at the definition."""
-    return any(
-        len(other.fact.params) == len(func.fact.params)
-        and sum(parameter.default is None for parameter in other.params) <= count
-        for other in func.siblings()
-    )
+    least, most = func.arity
+    return least <= len(call.args) + len(call.keywords) <= most
 
 
 def _deducible(call: Invocation, func: Func) -> bool:

@@ -9,10 +9,18 @@ import re
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
+from math import inf
+from typing import Final
 
+from ecm_parsers.source.expr import Call
 from ecm_parsers.source.facts import Alias, Class, Constant, Field, Function, Parameter, SourceFile
 
 from ecm_extract.link.includes import Includes
+from ecm_extract.link.walk import calls_in
+
+MAX_SPELLINGS: Final = 4096
+"""How many spellings of types and names are remembered: the same few hundred come by the ten thousand."""
 
 
 @dataclass(slots=True, eq=False, repr=False)
@@ -39,6 +47,9 @@ class Func:
     file: File
     cls: Cls | None = None
     namesakes: Sequence[Func] = ()
+    _params: tuple[Parameter, ...] | None = None
+    _arity: tuple[int, float] | None = None
+    _calls: tuple[Sequence[Call], ...] | None = None
 
     def siblings(self) -> Iterator[Func]:
         """The declarations and definitions of that name in its class or namespace, itself included."""
@@ -52,11 +63,25 @@ class Func:
     @property
     def params(self) -> tuple[Parameter, ...]:
         """Its parameters as callers are read: several node interfaces in front are the one node they stand for."""
-        params = self.fact.params
-        if len(params) < 2 or not is_node_interface(params[0].type) or not is_node_interface(params[1].type):
-            return params
-        rest = next((at for at, entry in enumerate(params) if not is_node_interface(entry.type)), len(params))
-        return (Parameter("node"), *params[rest:])
+        if self._params is None:
+            self._params = _one_node(self.fact.params)
+        return self._params
+
+    @property
+    def calls(self) -> tuple[Sequence[Call], ...]:
+        """The calls in the value of each statement of its body, inner ones first."""
+        if self._calls is None:
+            self._calls = tuple([calls_in(entry.value) for entry in self.fact.body])
+        return self._calls
+
+    @property
+    def arity(self) -> tuple[int, float]:
+        """The fewest and the most arguments that a call of it has; defaults may stand at another declaration."""
+        if self._arity is None:
+            alike = (other for other in self.siblings() if len(other.fact.params) == len(self.fact.params))
+            least = min([_required(self.params), *(_required(other.params) for other in alike)])
+            self._arity = (0, inf) if _takes_any(self.params[-1:]) else (least, _most(self.params))
+        return self._arity
 
     @property
     def is_constructor(self) -> bool:
@@ -242,9 +267,29 @@ class Program:
         return plain(target) if target else bare
 
 
+@lru_cache(maxsize=MAX_SPELLINGS)
 def is_node_interface(written: str) -> bool:
     """Tell whether a type is one of the interfaces that a node consists of, such as `NodeTopicsInterface`."""
     return "Interface" in written and _NODE_INTERFACE.search(written) is not None
+
+
+def _one_node(params: tuple[Parameter, ...]) -> tuple[Parameter, ...]:
+    if len(params) < 2 or not is_node_interface(params[0].type) or not is_node_interface(params[1].type):
+        return params
+    rest = next((at for at, entry in enumerate(params) if not is_node_interface(entry.type)), len(params))
+    return (Parameter("node"), *params[rest:])
+
+
+def _required(params: Iterable[Parameter]) -> int:
+    return sum([parameter.default is None for parameter in params])
+
+
+def _takes_any(params: Iterable[Parameter]) -> bool:
+    return any(parameter.name.startswith("*") or "..." in parameter.type for parameter in params)
+
+
+def _most(params: Sequence[Parameter]) -> float:
+    return inf if any(parameter.name.startswith("*") for parameter in params) else len(params)
 
 
 def _is_named(alias: Alias, name: str) -> bool:
@@ -270,6 +315,7 @@ def snake(name: str) -> str:
     return "".join(out)
 
 
+@lru_cache(maxsize=MAX_SPELLINGS)
 def plain(text: str) -> str:
     """Return a type name without template arguments, qualifiers and marks."""
     head = text.split("<", 1)[0] if "<" in text else text

@@ -81,6 +81,5 @@ class References:
                 yield unit
 
     def _callers(self, func: Func) -> Iterator[Unit]:
-        for call in self.sites.calls.get(func.fact.name, ()):
-            if call.func is not func and self.sites.means(call, func):
-                yield call.func.cls or call.func
+        for call in self.sites.callers(func):
+            yield call.func.cls or call.func

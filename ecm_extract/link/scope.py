@@ -9,7 +9,6 @@ from typing import NamedTuple
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Text
 from ecm_parsers.source.facts import Statement
 
-from ecm_extract.link.calls import walk
 from ecm_extract.link.env import Env
 from ecm_extract.link.program import Cls, File, Func, Program
 
@@ -82,8 +81,8 @@ class Scope:
         known = self._passed.get(id(func))
         if known is None:
             known = defaultdict(list)
-            for at, statement in enumerate(func.fact.body):
-                for call in walk(statement.value) if statement.value is not None else ():
+            for at, calls in enumerate(func.calls):
+                for call in calls:
                     for index, arg in enumerate(call.args):
                         if isinstance(arg, Name):
                             known[arg.id].append((at, call, index))
@@ -183,8 +182,8 @@ def _member_target(statement: Statement, params: set[str]) -> str:
 
 
 def _options(func: Func) -> Iterator[tuple[str, Expr]]:
-    for statement in func.fact.body:
-        for call in walk(statement.value) if statement.value is not None else ():
+    for calls in func.calls:
+        for call in calls:
             if isinstance(call.callee, Member) and call.callee.name == "add_argument":
                 keywords = dict(call.keywords)
                 dest = keywords.get("dest") or next((arg for arg in call.args if _is_long(arg)), None)

@@ -7,7 +7,7 @@ for a class that passes a constructor argument or template argument on: each pla
 from __future__ import annotations
 
 from collections import defaultdict, deque
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from ecm_parsers.source.expr import Expr, Name
 
@@ -46,6 +46,8 @@ class Sites:
         self._remembered: set[int] = set()
         self._names: dict[int, tuple[Site, tuple[Value, ...]]] = {}
         self._targets: dict[int, tuple[Func, ...]] = {}
+        self._called: set[str] = set()
+        self._callers_of: dict[int, list[Invocation]] = defaultdict(list)
         self.openness = Openness(self.folder, types, self.derived)
         wanted = {*matcher.forms, *program.functions, *program.classes, *_ALSO, *also}
         for functions in program.functions.values():
@@ -144,15 +146,23 @@ class Sites:
         if root.is_constructor:
             yield from self._makers(site, site.owner) if site.owner is not None else ()
             return
-        for call in self.calls.get(root.fact.name, ()):
-            if call.func is root or any(call is link for link in site.chain) or not self.means(call, root):
+        passed = {id(link) for link in site.chain}
+        for call in self.callers(root):
+            if id(call) in passed:
                 continue
             outer = self.root_env(call.func, self.position(call))
             yield self._through(site, call, outer)
 
-    def means(self, call: Invocation, func: Func) -> bool:
-        """Tell whether a call is of this function: the best of those that its arguments and receiver allow."""
-        return func in self.targets(call)
+    def callers(self, func: Func) -> Sequence[Invocation]:
+        """Return the calls of a function by others: those that mean it by name, arguments and receiver."""
+        name = func.fact.name
+        if name not in self._called:
+            self._called.add(name)
+            for call in self.calls.get(name, ()):
+                for target in self.targets(call):
+                    if target is not call.func:
+                        self._callers_of[id(target)].append(call)
+        return self._callers_of.get(id(func), ())
 
     def targets(self, call: Invocation) -> tuple[Func, ...]:
         """Return the functions of the tree that a call can mean, the best fitting overloads only."""

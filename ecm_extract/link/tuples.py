@@ -8,8 +8,9 @@ from typing import Final, Literal, NamedTuple
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Number, Op, Table, Template, Text
 from ecm_parsers.source.facts import Function, Statement
 
-from ecm_extract.link.calls import dotted_name, last_name, walk
+from ecm_extract.link.calls import dotted_name, last_name
 from ecm_extract.link.program import Cls, Func
+from ecm_extract.link.walk import calls_in
 
 _THIS: Final = Name("this")
 _EMPTY: Final = frozenset({"dict", "list", "OrderedDict", "collections.OrderedDict", "deque", "collections.deque"})
@@ -110,7 +111,7 @@ def _at(target: Expr | None) -> Expr | None:
 
 
 def _appended(statement: Statement, member: Member) -> Iterator[Expr]:
-    for call in walk(statement.value) if statement.value is not None else ():
+    for call in calls_in(statement.value):
         if call.callee == Member(member, "append"):
             yield from call.args
 
@@ -119,8 +120,7 @@ def _is_filled_otherwise(statement: Statement, member: Member) -> bool:
     """Whether a statement binds the member to something that is not empty, or lets somebody else change it."""
     if statement.target == member and not _is_empty(statement.value):
         return True
-    calls = walk(statement.value) if statement.value is not None else ()
-    return any(_changes(call, member) for call in calls)
+    return any(_changes(call, member) for call in calls_in(statement.value))
 
 
 def _is_empty(value: Expr | None) -> bool:

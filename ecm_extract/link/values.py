@@ -40,7 +40,9 @@ class Value(NamedTuple):
     @property
     def text(self) -> str:
         """The value with holes as `{label}`."""
-        return "".join(part if isinstance(part, str) else f"{{{part.label}}}" for part in self.parts)
+        if len(self.parts) == 1 and isinstance(self.parts[0], str):
+            return self.parts[0]
+        return "".join([part if isinstance(part, str) else f"{{{part.label}}}" for part in self.parts])
 
     def open(self, kind: str) -> frozenset[str]:
         """Return the labels of the holes of a kind."""
@@ -140,8 +142,11 @@ def set_by(name: str, values: Iterable[Value]) -> tuple[Value, ...]:
 
 def unique(values: Iterable[Value]) -> tuple[Value, ...]:
     """Drop repetitions by text and patterns that a known value stands beside, keeping order."""
+    listed = tuple(values)
+    if len(listed) <= 1:
+        return listed
     seen: dict[str, Value] = {}
-    for value in values:
+    for value in listed:
         seen.setdefault(value.text, value)
     known = [value for value in seen.values() if any(isinstance(part, str) and part for part in value.parts)]
     return tuple((known or list(seen.values()))[:MAX_ALTERNATIVES])

@@ -1,10 +1,24 @@
-"""All expressions of a statement, outermost first."""
+"""All expressions of a statement, and the calls of one."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
-from ecm_parsers.source.expr import Call, Expr, Items, Op, Table, Template
+from ecm_parsers.source.expr import (
+    Call,
+    Constant,
+    Expr,
+    Items,
+    Lambda,
+    Member,
+    Name,
+    Number,
+    Op,
+    Opaque,
+    Table,
+    Template,
+    Text,
+)
 from ecm_parsers.source.facts import Statement
 
 MAX_NODES = 5_000
@@ -38,10 +52,31 @@ def dotted(expr: Expr) -> str | None:
     return ".".join([str(head), *reversed(parts)]) if head is not None else None
 
 
+def calls_in(expr: Expr | None) -> Sequence[Call]:
+    """Return the calls within an expression, inner ones first."""
+    if expr is None or type(expr) in _LEAVES:
+        return ()
+    found: list[Call] = []
+    _collect(expr, found)
+    return found
+
+
+def _collect(expr: Expr, found: list[Call]) -> None:
+    if type(expr) in _LEAVES:
+        return
+    for part in children(expr):
+        _collect(part, found)
+    if isinstance(expr, Call):
+        found.append(expr)
+
+
 def children(expr: Expr) -> tuple[Expr, ...]:
     """Return the direct parts of an expression."""
     if isinstance(expr, Call):
-        return (expr.callee, *expr.args, *(value for _, value in expr.keywords))
+        named = [value for _, value in expr.keywords]
+        return (expr.callee, *expr.args, *named)
+    if isinstance(expr, Member):
+        return (expr.base,)
     if isinstance(expr, Op):
         return expr.operands
     if isinstance(expr, Items):
@@ -49,6 +84,9 @@ def children(expr: Expr) -> tuple[Expr, ...]:
     if isinstance(expr, Template):
         return expr.parts
     if isinstance(expr, Table):
-        return tuple(part for entry in expr.entries for part in entry)
-    base = getattr(expr, "base", None)
-    return (base,) if base is not None else ()
+        return tuple([part for entry in expr.entries for part in entry])
+    return ()
+
+
+_LEAVES = frozenset({Name, Text, Number, Constant, Opaque, Lambda})
+"""Expressions that hold no other; half of all are."""

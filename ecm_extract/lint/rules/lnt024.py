@@ -9,8 +9,8 @@ from ecm_checker.finding import Entity, Finding
 from ecm_parsers.source.expr import Call, Expr, Member, Name
 from ecm_parsers.source.facts import Statement
 
-from ecm_extract.link.calls import walk
 from ecm_extract.link.program import Func, plain
+from ecm_extract.link.walk import calls_in
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 
@@ -81,7 +81,7 @@ def _is_stamped(kind: str) -> bool:
 
 
 def _sends(expr: Expr, name: str) -> bool:
-    calls = (call for call in walk(expr) if _called(call) in _SENDERS)
+    calls = (call for call in calls_in(expr) if _called(call) in _SENDERS)
     return any(isinstance(arg, Name) and arg.id == name for call in calls for arg in call.args)
 
 
@@ -100,7 +100,7 @@ def _touches(target: Expr | None, value: Expr | None, name: str) -> bool:
         and ((isinstance(target, Name) and value is not None) or _STAMPS & set(_path(target)))
     ):
         return not (isinstance(target, Name) and _is_fresh(value))
-    for call in walk(value) if value is not None else ():
+    for call in calls_in(value):
         if any(_root(arg) == name for arg in call.args) or (
             _STAMPS & set(_path(call.callee)) and _root(call.callee) == name
         ):

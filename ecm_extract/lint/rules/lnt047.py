@@ -14,8 +14,8 @@ from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 from ecm_parsers.source.expr import Call, Member, Name
 
-from ecm_extract.link.calls import walk
 from ecm_extract.link.program import Func, Program
+from ecm_extract.link.walk import calls_in
 from ecm_extract.lint.expressions import identifiers, texts
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
@@ -71,7 +71,7 @@ def _hands_on(bodies: Sequence[Func]) -> bool:
     given = {parameter.name for parameter in bodies[0].fact.params}
     for body in bodies:
         for statement in body.fact.body:
-            for call in (entry for value in (statement.value, statement.target) if value for entry in walk(value)):
+            for call in (*calls_in(statement.value), *calls_in(statement.target)):
                 if _callee(call) and any(isinstance(arg, Name) and arg.id in given for arg in call.args):
                     return True
     return False
