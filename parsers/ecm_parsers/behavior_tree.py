@@ -245,6 +245,8 @@ def _includes(root: etree._Element) -> Iterator[tuple[str, str, int]]:
 def _models(root: etree._Element, problems: list[Diagnostic]) -> Iterator[NodeModel]:
     for tag, holder in children(root):
         for kind, element in children(holder) if tag == "TreeNodesModel" else ():
+            if kind not in _KINDS:
+                continue  # editors keep notes of their own there, which no executor reads
             model = NodeModel(_attribute(element, "ID"), kind, tuple(_ports(element)), line_of(element))
             if model.id:
                 yield model

@@ -126,6 +126,7 @@ def test_what_the_library_brings(written: str, node: str, built_in: bool) -> Non
         ),
         ('<root><BehaviorTree ID="A"><X/><Y/></BehaviorTree></root>', "A", ["bt-not-one-root"]),
         ("<root><TreeNodesModel><Action/></TreeNodesModel></root>", "", ["bt-no-id"]),
+        ("<root><TreeNodesModel><Notes><Note/></Notes></TreeNodesModel></root>", "", []),
     ],
 )
 def test_main_tree(text: str, main: str, codes: list[str]) -> None:
