@@ -4,15 +4,19 @@ from __future__ import annotations
 
 import io
 import json
+import re
 import shutil
 from pathlib import Path
 
 import jsonschema
 import pytest
+from ecm_checker.contract import Evidence
+from ecm_checker.finding import Finding
 from lint_fixtures import FIXTURES
 from lxml import etree
 
 from ecm_extract.cli.run import run
+from ecm_extract.lint.formats.text import render, styled
 
 BAD = FIXTURES / "LNT003" / "bad"
 LAUNCH = "demo/launch/a.launch.xml"
@@ -67,6 +71,35 @@ def test_text(bad: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert captured.out.startswith(f"{LAUNCH}:2: error LNT003 executable_missing: ")
     assert "fix: write base" in captured.out
     assert captured.err.strip() == "1 error"
+
+
+def test_info_takes_one_line(bad: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """What may be known already does not push aside what breaks somebody; its fingerprint is there to accept it."""
+    (bad / "ecm.toml").write_text('[severity]\nLNT003 = "info"\n')
+    assert run(["lint", str(bad)]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert len(lines) == 1
+    assert re.match(rf"{LAUNCH}:\d+: info LNT003 .* \[[0-9a-f]{{16}}\]$", lines[0])
+
+
+def test_a_finding_cannot_color_the_terminal() -> None:
+    """Only the tool writes escape codes, and to a terminal only."""
+    finding = Finding(
+        rule="X",
+        name="name",
+        dimension="signature",
+        severity="error",
+        message="\x1b[35mred",
+        resolution="fix",
+        subjects=(),
+        evidence=(Evidence("a\x1b[1m", 1),),
+        fingerprint="0" * 16,
+        who="config",
+        certainty="proved",
+    )
+    assert "\x1b[" in styled([finding])
+    assert "\x1b[35m" not in styled([finding])
+    assert "\x1b" not in render([finding])
 
 
 def test_sarif(bad: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Callable
 from datetime import UTC, datetime
@@ -244,8 +245,13 @@ def _print(findings: tuple[Finding, ...], request: Request) -> None:
             message = f"--output {entry} is not FORMAT=FILE with one of {', '.join(FORMATS)}"
             raise click.UsageError(message, click.get_current_context())
         Path(name).write_text(_rendered(findings, form), "utf-8")
-    sys.stdout.write(_rendered(findings, request.format))
-    sys.stdout.flush()
+    if request.format == "text":
+        from ecm_extract.lint.formats.text import styled
+
+        click.echo(styled(findings), nl=False, color=False if "NO_COLOR" in os.environ else None)
+    else:
+        sys.stdout.write(_rendered(findings, request.format))
+        sys.stdout.flush()
 
 
 def _rendered(findings: tuple[Finding, ...], form: str) -> str:
