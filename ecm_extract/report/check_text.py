@@ -10,6 +10,7 @@ from ecm_checker.freeze import verify
 from ecm_checker.json_data import record_data
 from ecm_checker.outcome import Report
 
+from ecm_extract.report.findings.data import finding_data
 from ecm_extract.report.terminal import one_line
 
 _WIDEST = 2000
@@ -18,7 +19,7 @@ _MOST_LINES = 6
 
 def report_json(report: Report) -> str:
     """One JSON document; `checker` holds the content hash and whether it is the pinned one."""
-    data = record_data(report)
+    data = {**record_data(report), "findings": [finding_data(each) for each in report.findings]}
     frozen = verify()
     data["checker"] = {"hash": frozen.current, "frozen": frozen.holds}
     return json.dumps(data, indent=1) + "\n"

@@ -29,6 +29,22 @@ def test_conflict_is_rejected_and_twin_accepted(rule: str, dimension: str, capsy
     assert capsys.readouterr().out == ""
 
 
+@pytest.mark.parametrize("form", ["sarif", "github", "junit", "markdown", "html"])
+def test_findings_in_every_format(form: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The file holds what standard output would, and the rule."""
+    bad = RULES / "RES001" / "bad"
+    assert check(bad, "--together", "--format", form, "--output", f"{form}={tmp_path / 'report'}") == 1
+    assert "RES001" in (tmp_path / "report").read_text("utf-8")
+    assert capsys.readouterr().out == (tmp_path / "report").read_text("utf-8")
+
+
+@pytest.mark.parametrize("entry", ["pdf=a", "html", "html=", "html=none/such/file"])
+def test_output_that_cannot_be(entry: str, capsys: pytest.CaptureFixture[str]) -> None:
+    """A wrong --output is a wrong command line, not a crash."""
+    assert check(RULES / "RES001" / "bad", "--output", entry) == 2
+    assert entry.split("=")[-1] in capsys.readouterr().err
+
+
 def test_frame_without_transform_is_rejected(capsys: pytest.CaptureFixture[str]) -> None:
     """base_link to camera: a registered transform makes the difference."""
     manifests = sorted((RULES / "SIG006" / "bad").glob("*.ecm.yaml"))

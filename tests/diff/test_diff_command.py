@@ -284,7 +284,7 @@ def test_backport_is_one_line(repo: Path, capsys: pytest.CaptureFixture[str]) ->
     assert re.fullmatch(r"backport: no, \d+ breaking changes.*\n", out)
 
 
-@pytest.mark.parametrize("form", ["text", "migration", "markdown"])
+@pytest.mark.parametrize("form", ["text", "migration", "markdown", "html"])
 def test_reports_for_people(
     repo: Path, tmp_path: Path, form: str, golden: Any, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -16,7 +16,7 @@ from lint_fixtures import FIXTURES
 from lxml import etree
 
 from ecm_extract.cli.run import run
-from ecm_extract.lint.formats.text import render, styled
+from ecm_extract.report.findings.text import render, styled
 
 BAD = FIXTURES / "LNT003" / "bad"
 LAUNCH = "demo/launch/a.launch.xml"
@@ -111,7 +111,9 @@ def test_sarif(bad: Path, capsys: pytest.CaptureFixture[str]) -> None:
     place = result["locations"][0]["physicalLocation"]
     assert (place["artifactLocation"]["uri"], place["region"]["startLine"]) == (LAUNCH, 2)
     assert len(result["partialFingerprints"]["ecmExtract/v1"]) == 16
-    assert document["runs"][0]["tool"]["driver"]["rules"][0]["id"] == "LNT003"
+    (rule,) = document["runs"][0]["tool"]["driver"]["rules"]
+    assert rule["id"] == "LNT003"
+    assert rule["help"]["markdown"].startswith("# LNT003")
 
 
 def test_junit(bad: Path, tmp_path: Path) -> None:
@@ -135,6 +137,12 @@ def test_github_and_markdown(bad: Path, capsys: pytest.CaptureFixture[str]) -> N
     assert capsys.readouterr().out == "ecm-extract found nothing to say.\n"
 
 
+def test_html(bad: Path, tmp_path: Path) -> None:
+    """One page beside the text."""
+    lint(bad, "--output", f"html={tmp_path / 'lint.html'}")
+    assert "executable_missing" in (tmp_path / "lint.html").read_text("utf-8")
+
+
 def test_json_has_the_wire_keys(bad: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Every key of a finding."""
     lint(bad, "--format", "json")
@@ -142,6 +150,7 @@ def test_json_has_the_wire_keys(bad: Path, capsys: pytest.CaptureFixture[str]) -
     assert document["schema"] == "ecm-extract/lint/1"
     needed = {"rule", "name", "dimension", "severity", "message", "resolution", "subjects", "evidence", "fingerprint"}
     assert needed <= document["findings"][0].keys()
+    assert document["findings"][0]["evidence"] == [{"path": LAUNCH, "line": 2, "end_line": 2, "commit": None}]
 
 
 @pytest.mark.parametrize(

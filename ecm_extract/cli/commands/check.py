@@ -9,12 +9,14 @@ from typing import TYPE_CHECKING, Any, Final, Literal
 import click
 import msgspec
 
+from ecm_extract.cli.outputs import FINDING_FORMATS, findings_as, write_outputs
 from ecm_extract.errors import InputError
 
 if TYPE_CHECKING:
     from ecm_checker.outcome import Report
 
 OPERATIONS: Final = ("system", "compose", "chain", "install", "upgrade", "invoke")
+FORMATS: Final = ("text", "json", *FINDING_FORMATS)
 DIMENSIONS: Final = ("signature", "behavior", "resources", "permissions", "recovery", "versioning")
 
 _EPILOG: Final = """\b
@@ -39,7 +41,8 @@ class Request(msgspec.Struct, frozen=True, kw_only=True):
     dimensions: str | None
     without: tuple[str, ...]
     together: bool
-    format: Literal["text", "json"]
+    format: str
+    output: tuple[str, ...]
     fail_on: Literal["error", "warning", "info", "never"]
     freeze: bool
     launch: tuple[str, ...]
@@ -63,7 +66,8 @@ class Request(msgspec.Struct, frozen=True, kw_only=True):
     multiple=True,
     help="Check what this launch file of the workspace PATH starts, under its own names; may be repeated.",
 )
-@click.option("--format", type=click.Choice(["text", "json"]), default="text", show_default=True, help="For whom.")
+@click.option("--format", type=click.Choice(FORMATS), default="text", show_default=True, help="On standard output.")
+@click.option("--output", multiple=True, metavar="FORMAT=FILE", help="Also into a file. May be repeated.")
 @click.option(
     "--fail-on",
     type=click.Choice(["error", "warning", "info", "never"]),
@@ -134,12 +138,25 @@ def _dimensions(request: Request) -> tuple[Any, ...]:
 
 
 def _print(report: Report, request: Request) -> None:
-    from ecm_extract.report.check_text import report_json, report_text, summary_text
+    from ecm_extract.report.check_text import summary_text
 
-    click.echo(report_json(report) if request.format == "json" else report_text(report), nl=False)
+    write_outputs(request.output, FORMATS, lambda form: _rendered(report, form))
+    click.echo(_rendered(report, request.format), nl=False)
     if not request.quiet:
         sys.stdout.flush()
         click.echo(summary_text(report), err=True, nl=False)
+
+
+def _rendered(report: Report, form: str) -> str:
+    from ecm_extract.report.check_text import report_json, report_text
+
+    if form in {"text", "json"}:
+        return report_text(report) if form == "text" else report_json(report)
+    if form == "html":
+        from ecm_extract.report.check_html import report_html
+
+        return report_html(report)
+    return findings_as(form, report.findings)
 
 
 def _fails(report: Report, threshold: str) -> bool:

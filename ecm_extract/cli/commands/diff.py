@@ -10,9 +10,13 @@ from typing import TYPE_CHECKING, Any, Final, Literal
 import click
 import msgspec
 
+from ecm_extract.cli.outputs import findings_as, write_outputs
+
 if TYPE_CHECKING:
     from ecm_extract.diff.model import Comparison, RefInfo
     from ecm_extract.diff.run import Request
+
+FORMATS: Final = ("text", "json", "migration", "markdown", "html", "sarif", "github", "junit")
 
 _EPILOG: Final = """\b
 Examples:
@@ -33,7 +37,8 @@ class Asked(msgspec.Struct, frozen=True):
     repo: str
     consumer: tuple[str, ...]
     package: tuple[str, ...]
-    format: Literal["text", "json", "migration", "markdown"]
+    format: str
+    output: tuple[str, ...]
     fail_on: FailOn
     backport: bool
     include_tests: bool
@@ -55,11 +60,12 @@ class Asked(msgspec.Struct, frozen=True):
 @click.option("--package", metavar="NAME", multiple=True, help="Only changes of this package.")
 @click.option(
     "--format",
-    type=click.Choice(["text", "json", "migration", "markdown"]),
+    type=click.Choice(FORMATS),
     default="text",
     show_default=True,
-    help="text: for people; json: one document; migration: section of a guide; markdown: PR comment.",
+    help="migration: section of a guide; markdown: comment of a pull request; sarif, github, junit: findings only.",
 )
+@click.option("--output", multiple=True, metavar="FORMAT=FILE", help="Also into a file. May be repeated.")
 @click.option(
     "--fail-on",
     type=click.Choice(["error", "warning", "info", "breaking", "never"]),
@@ -138,8 +144,15 @@ def _print(comparison: Comparison, asked: Asked) -> None:
 
         click.echo(backport_line(comparison.changes))
         return
-    module = import_module(f"ecm_extract.diff.formats.{asked.format}")
-    sys.stdout.write(module.render(comparison))
+    write_outputs(asked.output, FORMATS, lambda form: _rendered(comparison, form))
+    sys.stdout.write(_rendered(comparison, asked.format))
+
+
+def _rendered(comparison: Comparison, form: str) -> str:
+    if form in {"sarif", "github", "junit"}:
+        return findings_as(form, comparison.findings)
+    text: str = import_module(f"ecm_extract.diff.formats.{form}").render(comparison)
+    return text
 
 
 def _say_verdict(comparison: Comparison) -> None:

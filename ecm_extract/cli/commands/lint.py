@@ -6,13 +6,13 @@ import os
 import sys
 from collections.abc import Callable
 from datetime import UTC, datetime
-from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, Literal, NamedTuple
 
 import click
 import msgspec
 
+from ecm_extract.cli.outputs import FINDING_FORMATS, findings_as, write_outputs
 from ecm_extract.errors import InputError
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from ecm_extract.lint.workspace import Workspace
     from ecm_extract.tree import Tree
 
-FORMATS: Final = ("text", "json", "sarif", "github", "junit", "markdown")
+FORMATS: Final = ("text", "json", *FINDING_FORMATS)
 
 _EPILOG: Final = """\b
 Examples:
@@ -239,14 +239,9 @@ def _fix(findings: tuple[Finding, ...], workspace: Workspace, request: Request) 
 
 
 def _print(findings: tuple[Finding, ...], request: Request) -> None:
-    for entry in request.output:
-        form, separator, name = entry.partition("=")
-        if form not in FORMATS or not separator or not name:
-            message = f"--output {entry} is not FORMAT=FILE with one of {', '.join(FORMATS)}"
-            raise click.UsageError(message, click.get_current_context())
-        Path(name).write_text(_rendered(findings, form), "utf-8")
+    write_outputs(request.output, FORMATS, lambda form: _rendered(findings, form))
     if request.format == "text":
-        from ecm_extract.lint.formats.text import styled
+        from ecm_extract.report.findings.text import styled
 
         click.echo(styled(findings), nl=False, color=False if "NO_COLOR" in os.environ else None)
     else:
@@ -255,8 +250,11 @@ def _print(findings: tuple[Finding, ...], request: Request) -> None:
 
 
 def _rendered(findings: tuple[Finding, ...], form: str) -> str:
-    text: str = import_module(f"ecm_extract.lint.formats.{form}").render(findings)
-    return text
+    if form == "json":
+        from ecm_extract.lint.json_document import lint_json
+
+        return lint_json(findings)
+    return findings_as(form, findings)
 
 
 def _say(answered: Answered) -> None:

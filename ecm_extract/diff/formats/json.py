@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Any, Final
 
 import msgspec
-from ecm_checker.finding import Finding
 from ecm_checker.json_data import record_data
 
 from ecm_extract.diff.model import Comparison, RefInfo
+from ecm_extract.report.findings.data import finding_data
 
 SCHEMA: Final = "ecm-extract/diff/1"
 
@@ -21,7 +21,7 @@ def diff_document(comparison: Comparison) -> dict[str, Any]:
         "old": _ref(comparison.old),
         "new": _ref(comparison.new),
         "changes": [record_data(change) for change in comparison.changes],
-        "findings": [_finding(finding) for finding in comparison.findings],
+        "findings": [finding_data(finding) for finding in comparison.findings],
         "verdict": msgspec.to_builtins(comparison.verdict),
         "packages": [
             {
@@ -37,12 +37,6 @@ def diff_document(comparison: Comparison) -> dict[str, Any]:
 
 def _ref(info: RefInfo) -> dict[str, Any]:
     return {"ref": info.ref, "commit": info.commit}
-
-
-def _finding(finding: Finding) -> dict[str, Any]:
-    """A finding with every key of its places, so that readers need no defaults."""
-    places = [{**record_data(place), "end_line": place.end_line, "commit": place.commit} for place in finding.evidence]
-    return {**record_data(finding), "evidence": places}
 
 
 def render(comparison: Comparison) -> str:

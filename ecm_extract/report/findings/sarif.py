@@ -11,7 +11,8 @@ from urllib.parse import quote
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Finding
 
-from ecm_extract.lint.catalogue import catalogue
+from ecm_extract.errors import InputError
+from ecm_extract.rule_pages import page_of
 
 _LEVELS = {"error": "error", "warning": "warning", "info": "note"}
 _SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
@@ -40,14 +41,21 @@ def render(findings: Sequence[Finding]) -> str:
 
 
 def _rule(rule: str, finding: Finding) -> dict[str, Any]:
-    known = next((entry.rule for entry in catalogue() if entry.rule.id == rule), None)
     return {
         "id": rule,
         "name": finding.name,
         "shortDescription": {"text": finding.name.replace("_", " ")},
-        "help": {"text": known.resolution if known is not None else finding.resolution},
+        "help": {"text": finding.resolution, **_page(rule)},
         "properties": {"dimension": finding.dimension},
     }
+
+
+def _page(rule: str) -> dict[str, str]:
+    """The page of the rule, which code hosts show beside the finding; nothing where pages are not installed."""
+    try:
+        return {"markdown": page_of(rule)}
+    except InputError:
+        return {}
 
 
 def _result(finding: Finding) -> dict[str, Any]:

@@ -6,11 +6,12 @@ import json
 from collections.abc import Sequence
 
 from ecm_checker.finding import Finding
-from ecm_checker.json_data import record_data
+
+from ecm_extract.report.findings.data import finding_data
 
 SCHEMA = "ecm-extract/lint/1"
 
 
-def render(findings: Sequence[Finding]) -> str:
+def lint_json(findings: Sequence[Finding]) -> str:
     """Return the document, indented by one space."""
-    return json.dumps({"schema": SCHEMA, "findings": [record_data(each) for each in findings]}, indent=1) + "\n"
+    return json.dumps({"schema": SCHEMA, "findings": [finding_data(each) for each in findings]}, indent=1) + "\n"

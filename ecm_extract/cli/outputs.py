@@ -1,0 +1,43 @@
+"""`--output FORMAT=FILE`: the same report into files, in other formats, beside what goes to standard output."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from importlib import import_module
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+import click
+
+from ecm_extract.errors import InputError
+
+if TYPE_CHECKING:
+    from ecm_checker.finding import Finding
+
+FINDING_FORMATS: Final = ("sarif", "github", "junit", "markdown", "html")
+"""Formats that show findings alike, whichever command found them."""
+
+
+def findings_as(form: str, findings: Sequence[Finding]) -> str:
+    """Return findings in one of `FINDING_FORMATS`, or as `text`."""
+    text: str = import_module(f"ecm_extract.report.findings.{form}").render(findings)
+    return text
+
+
+def write_outputs(entries: Sequence[str], formats: Sequence[str], rendered: Callable[[str], str]) -> None:
+    """Write each `FORMAT=FILE`.
+
+    Raises:
+        click.UsageError: an entry is not of that form.
+        InputError: a file cannot be written.
+    """
+    for entry in entries:
+        form, separator, name = entry.partition("=")
+        if form not in formats or not separator or not name:
+            message = f"--output {entry} is not FORMAT=FILE with one of {', '.join(formats)}"
+            raise click.UsageError(message, click.get_current_context())
+        try:
+            Path(name).write_text(rendered(form), "utf-8")
+        except OSError as error:
+            message = f"{name} cannot be written: {error.strerror}"
+            raise InputError(message, "name a file in a folder that is there") from None

@@ -1,0 +1,76 @@
+"""One HTML page of a comparison: the verdict, who breaks, and every change by package."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Final
+
+from ecm_checker.release import Change
+from lxml import html
+from lxml.html import builder as tag
+
+from ecm_extract.diff.formats.phrases import by_package, place, subject
+from ecm_extract.diff.model import Comparison, PackageVerdict, RefInfo
+from ecm_extract.report.findings.html import findings_parts
+from ecm_extract.report.html_page import chip, page, words
+
+MAX_UNFOLDED: Final = 100
+"""Of more changes, the packages are shown and what changed in them is folded."""
+
+
+def render(comparison: Comparison) -> str:
+    """Return the page."""
+    title = f"{comparison.repo}: {comparison.old.ref} to {comparison.new.ref}"
+    breaking = sum(change.breaking for change in comparison.changes)
+    return page(
+        title,
+        tag.H1(words(title), " ", chip(comparison.verdict.compatibility_class)),
+        tag.P(words(_verdict(comparison))),
+        tag.P(tag.CLASS("note"), words(f"{_shown(comparison.old)} to {_shown(comparison.new)}")),
+        tag.H2(f"Who breaks ({len(comparison.findings)})"),
+        *findings_parts(comparison.findings),
+        tag.H2(f"Changes ({len(comparison.changes)}, {breaking} breaking)"),
+        *_packages(comparison),
+    )
+
+
+def _verdict(comparison: Comparison) -> str:
+    verdict = comparison.verdict
+    return f"Needs {verdict.required_bump}, declared {verdict.declared_bump or 'unknown'}."
+
+
+def _shown(info: RefInfo) -> str:
+    return f"{info.ref} ({(info.commit or 'files in no commit')[:12]})"
+
+
+def _packages(comparison: Comparison) -> Iterator[html.HtmlElement]:
+    verdicts = {entry.package: entry for entry in comparison.packages}
+    unfolded = {"open": "open"} if len(comparison.changes) <= MAX_UNFOLDED else {}
+    for package, changes in by_package(comparison.changes):
+        verdict = verdicts.get(package)
+        head = tag.SUMMARY(tag.B(words(package)), " ", *(_versions(verdict) if verdict is not None else ()))
+        yield tag.DETAILS(head, _table(changes), **unfolded)
+
+
+def _versions(entry: PackageVerdict) -> tuple[html.HtmlElement, html.HtmlElement]:
+    needs, takes = entry.verdict.required_bump, entry.verdict.declared_bump or "unknown"
+    versions = f"{entry.old_version or '?'} to {entry.new_version or '?'}, needs {needs}, takes {takes}"
+    return chip(entry.verdict.compatibility_class), tag.SPAN(tag.CLASS("note"), words(versions))
+
+
+def _table(changes: Sequence[Change]) -> html.HtmlElement:
+    head = tag.TR(tag.TH("change"), tag.TH("what"), tag.TH("why"))
+    return tag.TABLE(head, *(_row(change) for change in changes))
+
+
+def _row(change: Change) -> html.HtmlElement:
+    where = tag.DIV(tag.CLASS("note"), tag.CODE(words(place(change))))
+    return tag.TR(
+        tag.TD(tag.CLASS("change"), words(change.change.replace("_", " ")), " ", _mark(change)),
+        tag.TD(tag.CODE(words(subject(change))), where),
+        tag.TD(tag.CLASS("why"), words(change.reason)),
+    )
+
+
+def _mark(change: Change) -> html.HtmlElement | str:
+    return chip("breaking") if change.breaking else ""
