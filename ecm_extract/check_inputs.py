@@ -12,8 +12,8 @@ from ecm_checker.encode import decode
 from ecm_parsers.yaml_tree import parse_yaml, plain
 
 from ecm_extract.errors import InputError
+from ecm_extract.report.manifest_yaml import SUFFIX
 
-MANIFEST_SUFFIX: Final = ".ecm.yaml"
 MAX_BYTES: Final = 200_000_000
 
 _YAML: Final = frozenset({".yaml", ".yml"})
@@ -34,7 +34,7 @@ def contracts(path: str, cache: bool = True) -> tuple[Contract, ...]:
     place = Path(path)
     if place.is_file():
         return tuple(_of_file(place))
-    manifests = sorted(found for found in place.rglob(f"*{MANIFEST_SUFFIX}") if found.is_file())
+    manifests = sorted(found for found in place.rglob(f"*{SUFFIX}") if found.is_file())
     if manifests:
         return tuple(contract for file in manifests for contract in _of_file(file))
     return _extracted(path, cache)

@@ -18,9 +18,7 @@ from ecm_checker.wire import MANIFEST_SCHEMA
 
 from ecm_extract.errors import InputError
 from ecm_extract.extraction_model import Extraction, PackageContracts
-from ecm_extract.report.manifest_yaml import manifest_yaml
-
-SUFFIX: Final = ".ecm.yaml"
+from ecm_extract.report.manifest_yaml import SUFFIX, manifest_yaml
 
 _UNSAFE: Final = re.compile(r"[^A-Za-z0-9_.+-]")
 _LONGEST_NAME: Final = 120

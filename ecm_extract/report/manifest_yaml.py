@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Final
 
 from ecm_checker.contract import Contract
 from ecm_checker.encode import encode_manifest
 
 from ecm_extract.extraction_model import Extraction
 from ecm_extract.report.yaml_text import yaml_document
+
+SUFFIX: Final = ".ecm.yaml"
+"""How names of manifest files end."""
 
 
 def manifest_yaml(contract: Contract) -> str:

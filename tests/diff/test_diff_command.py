@@ -246,6 +246,26 @@ def test_folders_are_compared_too(tmp_path: Path, capsys: pytest.CaptureFixture[
     assert {c["kind"] for c in found["changes"]} == {"message_field"}
 
 
+def test_a_bare_word_may_be_a_folder(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Where no ref of the name is, the folder beside it is meant; what is in no commit is said to be."""
+    for name in ("before", "after"):
+        write(tmp_path / name, {"package.xml": package("p"), "msg/M.msg": f"float64 {name}\nbool keep\n"})
+    monkeypatch.chdir(tmp_path)
+    _, out, err = ran(capsys, "before", "after")
+    assert "message field p/msg/M: before" in out
+    assert "baseline: before files in no commit (named)" in err
+
+
+def test_manifests_are_not_taken_for_sources(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """They would look alike whatever changed."""
+    write(tmp_path / "contracts", {"p/ecm.p.node.ecm.yaml": "schema: ecm-extract/manifest/1\n"})
+    status, out, err = ran(capsys, tmp_path / "contracts", tmp_path / "contracts", "--repo", tmp_path)
+    assert (status, out) == (2, "")
+    assert "check upgrade" in err
+
+
 def test_an_unknown_ref_is_an_input_error(repo: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Status 2, with the line that fetches it, and no traceback."""
     status, out, err = ran(capsys, "9.9.9", "1.1.0", "--repo", repo)

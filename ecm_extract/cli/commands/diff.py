@@ -135,7 +135,7 @@ def _say_baseline(infos: tuple[RefInfo, RefInfo]) -> None:
 def _shown(info: RefInfo) -> str:
     from ecm_extract.report.terminal import one_line
 
-    return one_line(f"{info.ref} {(info.commit or 'files in no commit')[:12]}")
+    return one_line(f"{info.ref} {info.commit[:12] if info.commit else 'files in no commit'}")
 
 
 def _print(comparison: Comparison, asked: Asked) -> None:

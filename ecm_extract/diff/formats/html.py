@@ -40,7 +40,7 @@ def _verdict(comparison: Comparison) -> str:
 
 
 def _shown(info: RefInfo) -> str:
-    return f"{info.ref} ({(info.commit or 'files in no commit')[:12]})"
+    return f"{info.ref} ({info.commit[:12] if info.commit else 'files in no commit'})"
 
 
 def _packages(comparison: Comparison) -> Iterator[html.HtmlElement]:
