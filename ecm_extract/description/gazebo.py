@@ -58,13 +58,15 @@ def plugins_of(root: Element) -> Iterator[SimulatorPlugin]:
             around.sensor,
             around.sensor_kind,
             ros is not None,
+            tuple(entry.text.strip() for entry in element.children if entry.tag == "parameters"),
         )
 
 
 def _remaps(element: Element) -> Iterator[tuple[str, str]]:
-    for entry in element.below("remapping"):
-        source, separator, target = entry.text.partition(":=")
-        if separator:
+    """The rules of a plugin; earlier releases take them as arguments of the node."""
+    for entry in (*element.below("remapping"), *element.below("argument")):
+        source, separator, target = entry.text.strip().removeprefix("-r").partition(":=")
+        if separator and not source.strip().startswith("__"):
             yield source.strip(), target.strip()
 
 

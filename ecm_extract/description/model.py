@@ -89,6 +89,7 @@ class SimulatorPlugin:
 
     Attributes:
         parameters: as text; the last one of a repeated parameter.
+        files: parameter files for the nodes in it, in their order.
         remaps: of its `<ros>` block. namespace: of that block, in ROS 1 of `<robotNamespace>`.
         reference: the link it belongs to, empty for none. sensor, sensor_kind: the sensor around it.
         native: it has a `<ros>` block, which only ROS 2 knows.
@@ -104,6 +105,7 @@ class SimulatorPlugin:
     sensor: str = ""
     sensor_kind: str = ""
     native: bool = False
+    files: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -34,10 +34,11 @@ def descriptions_of(launched: Launched, files: Files) -> list[Description]:
 def controller_files(descriptions: list[Description]) -> list[str]:
     """Return the parameter files that simulator plugins give their controller manager, as marked paths."""
     return [
-        plugin.parameters["parameters"]
+        path
         for description in descriptions
         for plugin in description.plugins
-        if plugin.parameters.get("parameters", "").startswith(TREE)
+        for path in plugin.files
+        if path.startswith(TREE)
     ]
 
 

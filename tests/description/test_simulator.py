@@ -105,6 +105,16 @@ TWIST, ODOMETRY, TF = "geometry_msgs/msg/Twist", "nav_msgs/msg/Odometry", "tf2_m
             id="gz-unknown-world",
         ),
         pytest.param('<gazebo><plugin name="x" filename="libmy_own.so"/></gazebo>', 2, [], id="unknown-plugin"),
+        pytest.param(
+            SENSOR.format(
+                "ray",
+                '<plugin name="l" filename="libgazebo_ros_ray_sensor.so"><ros><argument>~/out:=cloud</argument>'
+                "<argument>__log_level:=debug</argument></ros></plugin>",
+            ),
+            2,
+            ["publisher /cloud sensor_msgs/msg/PointCloud2 top"],
+            id="remap-as-argument",
+        ),
     ],
 )
 def test_plugins_create_endpoints(body: str, ros: int, found: list[str]) -> None:

@@ -108,6 +108,22 @@ def test_remaps_of_the_manager_reach_what_it_hosts(tmp_path: Path) -> None:
     assert found["/driver"] == {"/stop"}
 
 
+def test_every_parameter_file_of_a_simulator_plugin_is_read(tmp_path: Path) -> None:
+    """The last one holds often nothing but `use_sim_time`."""
+    plugin = "<gazebo><plugin name='c' filename='libgazebo_ros2_control.so'>{}</plugin></gazebo></robot>".format(
+        "".join(f"<parameters>$(find p)/{name}.yaml</parameters>" for name in ("c", "late"))
+    )
+    files = {
+        "package.xml": MANIFEST,
+        "a.launch.py": LAUNCH.replace("parameters=[description, share + '/c.yaml'],", "parameters=[description],"),
+        "c.yaml": PARAMETERS,
+        "late.yaml": "controller_manager:\n  ros__parameters: {use_sim_time: true}\n",
+        "robot.urdf": ROBOT.replace("</robot>", plugin),
+    }
+    (controller,) = written(tmp_path, files).controllers
+    assert controller.type == "diff_drive_controller/DiffDriveController"
+
+
 def test_endpoints_that_only_their_parameters_tell_apart(tmp_path: Path) -> None:
     """Two lists of topics of one type are two sets of subscriptions."""
     given = "parameters=[{'first': ['a'], 'second': ['b', 'c']}]"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 from pathlib import Path
 
 import pytest
@@ -31,6 +32,22 @@ def test_arm(form: str, golden: object, capsys: pytest.CaptureFixture[str], monk
             line.partition(" (")[0] if line.startswith("arm_robot (") else line for line in text.split("\n")
         )
     golden(f"system_arm.{form}", text)  # type: ignore[operator]
+
+
+def test_a_launch_file_by_its_place_on_disk(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The packages around a launch file are read wherever one stands; a path inside the workspace may be whole."""
+    shutil.copytree(ARM, tmp_path / "ws")
+    (tmp_path / "elsewhere").mkdir()
+    monkeypatch.chdir(tmp_path / "elsewhere")
+    launch = tmp_path / "ws" / "arm_bringup" / "launch" / "arm.launch.py"
+    graphs = []
+    for arguments in ([str(launch)], [str(launch), "--workspace", str(tmp_path / "ws")]):
+        assert run(["system", *arguments, "--format", "json"]) == 0
+        graphs.append(json.loads(capsys.readouterr().out)["nodes"])
+    assert graphs[0]
+    assert graphs[0] == graphs[1]
 
 
 def test_argument_changes_the_graph(capsys: pytest.CaptureFixture[str]) -> None:

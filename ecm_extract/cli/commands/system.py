@@ -26,7 +26,7 @@ class Request(msgspec.Struct, frozen=True):
     """What the user asked for, as on the command line."""
 
     launch: tuple[str, ...]
-    workspace: str
+    workspace: str | None
     ref: str | None
     env: tuple[str, ...]
     format: str
@@ -41,9 +41,7 @@ class Request(msgspec.Struct, frozen=True):
 @click.option(
     "--workspace",
     metavar="DIR|DIR@REF",
-    default=".",
-    show_default=True,
-    help="The tree that holds the launch files and packages.",
+    help="The tree that holds the launch files and packages.  [default: here, or the repository of a LAUNCH elsewhere]",
 )
 @click.option("--ref", help="Read a tag, branch or commit of the workspace.")
 @click.option("--env", multiple=True, metavar="NAME=VALUE", help="An environment variable of the launch.")
@@ -55,8 +53,8 @@ class Request(msgspec.Struct, frozen=True):
 def command(**options: Any) -> None:
     """Evaluate launch files without running them and show the instance graph.
 
-    LAUNCH is a launch file by its path in the workspace, or `package/file`. NAME:=VALUE gives a launch argument. What
-    only a running launch knows stays a pattern `{name}`, and what depends on it says so.
+    LAUNCH is a launch file by its path, on disk or in the workspace, or `package/file`. NAME:=VALUE gives a launch
+    argument. What only a running launch knows stays a pattern `{name}`, and what depends on it says so.
     """
     request = Request(**options)
     sys.stdout.write(_renderer(request.format)(_read(request)))
@@ -68,6 +66,7 @@ def _read(request: Request) -> System:
     from ecm_extract.extraction_model import Options
     from ecm_extract.system.model import Given
     from ecm_extract.system.system import read_system
+    from ecm_extract.system.workspaces import in_workspace, workspace_of
     from ecm_extract.tree import open_tree
 
     launches = [word for word in request.launch if ":=" not in word]
@@ -78,8 +77,9 @@ def _read(request: Request) -> System:
     environment = dict(_pair(word) for word in request.env)
     with progress_bar() as progress:
         options = Options(request.include_tests, request.config, request.jobs, progress, not request.no_cache)
-        tree = open_tree(request.workspace, request.ref)
-        return read_system(tree, launches, Given(arguments, environment), options)
+        workspace = request.workspace or workspace_of(launches)
+        named = [in_workspace(text, workspace) for text in launches]
+        return read_system(open_tree(workspace, request.ref), named, Given(arguments, environment), options)
 
 
 def _pair(word: str) -> tuple[str, str]:
