@@ -178,7 +178,8 @@ class Calls(Expressions):
         function = given.get("function", 0)
         extra = given.get("args", default=()) or ()
         if not isinstance(function, Function):
-            return Group(line=given.line, condition=given.condition, scoped=False)
+            unread = actions_of(Unknown(_called(function), given.line))
+            return Group(line=given.line, condition=given.condition, actions=unread, scoped=False)
         keywords = given.get("kwargs", default={}) or {}
         positional = (Unknown("context"), *(extra if isinstance(extra, list | tuple) else ()))
         made = self.call(function, Arguments(positional, keywords if isinstance(keywords, dict) else {}, given.line))
@@ -254,6 +255,11 @@ class Calls(Expressions):
         "perform_substitution": lambda _, given: given.get("", 0),
         "module_from_spec": lambda _, given: given.get("spec", 0),
     }
+
+
+def _called(value: Value) -> str:
+    """How a function that is not of the tree is written."""
+    return value.path if isinstance(value, Reference) else value.text if isinstance(value, Unknown) else "function"
 
 
 def _starts_nothing(callee: ast.expr) -> bool:

@@ -86,14 +86,19 @@ def _added(left: Value, right: Value) -> Value:
     if isinstance(left, list | tuple) and isinstance(right, list | tuple):
         joined = [*left, *right][:MAX_ITEMS]
         return joined if isinstance(left, list) else tuple(joined)
-    if isinstance(left, list | tuple) and isinstance(right, Unknown):
-        return left
-    if isinstance(right, list | tuple) and isinstance(left, Unknown):
-        return right
+    if isinstance(left, list | tuple) and isinstance(right, Unknown | Text):
+        return [*left, *_noted(right)]
+    if isinstance(right, list | tuple) and isinstance(left, Unknown | Text):
+        return [*_noted(left), *right]
     if isinstance(left, str | Text | Unknown) and isinstance(right, str | Text | Unknown):
         text = merged_text((*template_of(left), *template_of(right)))
         return text[:MAX_TEXT] if isinstance(text, str) else text
     return Unknown("+")
+
+
+def _noted(value: Unknown | Text) -> list[Value]:
+    """What is added to a list is one too: a call that gives it stays in it, so that it is told."""
+    return [value] if isinstance(value, Unknown) and value.line else []
 
 
 def compare(kind: ast.cmpop, left: Value, right: Value) -> Value:

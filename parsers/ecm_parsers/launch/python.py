@@ -10,7 +10,7 @@ from ecm_parsers.launch.expressions import TooLongError
 from ecm_parsers.launch.interpreter import Interpreter
 from ecm_parsers.launch.model import LaunchFile
 from ecm_parsers.launch.sources import Sources
-from ecm_parsers.launch.values import Description, Function, actions_of
+from ecm_parsers.launch.values import Description, Function, Value, actions_of
 from ecm_parsers.result import Diagnostic, Parsed
 from ecm_parsers.text import decode
 
@@ -61,10 +61,16 @@ def _read(tree: ast.Module, sources: Sources | None) -> Parsed[LaunchFile | None
     if isinstance(made, tuple) and made:
         made = made[0]  # generate_test_description returns (description, context)
     if not isinstance(made, Description | list):
-        line = entry.node.lineno
-        message = "What `generate_launch_description` returns cannot be read without running it."
-        return Parsed(LaunchFile(2), (Diagnostic("warning", "launch-unread", line, message),))
+        return Parsed(LaunchFile(2), (_unread(entry, made),))
     return Parsed(LaunchFile(2, actions_of(made)))
+
+
+def _unread(entry: Function, made: Value) -> Diagnostic:
+    if made is None:
+        message = "`generate_launch_description` returns nothing, so the launch stops here. Return the description."
+        return Diagnostic("error", "launch-returns-nothing", entry.node.lineno, message)
+    message = "What `generate_launch_description` returns cannot be read without running it."
+    return Diagnostic("warning", "launch-unread", entry.node.lineno, message)
 
 
 def _refused(code: str, line: int, message: str) -> Parsed[LaunchFile | None]:

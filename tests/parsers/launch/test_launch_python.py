@@ -5,7 +5,17 @@ from __future__ import annotations
 import time
 
 import pytest
-from ecm_parsers.launch.model import Action, Argument, Group, Include, Node, ParameterFile, ParameterValue, Substitution
+from ecm_parsers.launch.model import (
+    Action,
+    Argument,
+    Group,
+    Include,
+    Node,
+    ParameterFile,
+    ParameterValue,
+    Substitution,
+    Unread,
+)
 from ecm_parsers.launch.python import parse_launch_python
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -91,6 +101,22 @@ def test_ways_to_start_a_node(body: str) -> None:
     assert (found.package, found.executable) == (("p",), ("e",))
 
 
+@pytest.mark.parametrize(
+    "actions",
+    [
+        "other.declare(1) + [Node(package='p', executable='e')]",
+        "[Node(package='p', executable='e')] + other.declare(1)",
+        "[OpaqueFunction(function=other.declare), Node(package='p', executable='e')]",
+    ],
+)
+def test_what_another_module_adds_is_told(actions: str) -> None:
+    """What can be read is, and what cannot is said on its line."""
+    made = flat(read(f"return LaunchDescription({actions})", "import other\n"))
+    (unread,) = [each for each in made if isinstance(each, Unread)]
+    assert [each.package for each in made if isinstance(each, Node)] == [("p",)]
+    assert unread.text.startswith("other.declare")
+
+
 def test_branch_that_only_the_launch_decides_is_read_both_ways() -> None:
     """Each side carries its condition."""
     body = """
@@ -151,6 +177,7 @@ return LaunchDescription([
         ("def f(:", "launch-syntax"),
         ("x = 1", "launch-no-entry"),
         ("def generate_launch_description():\n    return build()", "launch-unread"),
+        ("def generate_launch_description():\n    LaunchDescription([])", "launch-returns-nothing"),
         ("def generate_launch_description():\n" + "    x = [x for x in range(1000)]\n" * 200, "launch-too-long"),
         ("x = " + "(" * 5_000, "launch-syntax"),
         ("x = " + "-" * 20_000 + "1", "launch-too-deep"),
