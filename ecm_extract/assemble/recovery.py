@@ -21,13 +21,17 @@ _WATCHDOG = re.compile(
     r"cmd_vel_timeout|command_timeout|cmd_timeout|reference_timeout|watchdog|deadman|velocity_timeout|goal_timeout"
 )
 _NO_FAILURE = frozenset({"NONE", "SUCCESS", "SUCCEEDED", "OK", "SUCCESSFUL", "NO_ERROR"})
+_FORMAT = re.compile(r"%[-+ #0-9.]*[a-zA-Z]|\{[^}]*\}")
+_NO_WORD = re.compile(r"[^a-z0-9]+")
+MAX_MODE = 60
+UNGRADED = "unknown"
 _ALARMS = frozenset({"/diagnostics", "/diagnostics_agg", "/diagnostics_toplevel_state"})
 
 
 def recovery_of(entry: LinkedModule, facts: PackageFacts, definitions: Definitions) -> Recovery:
     """Return the recovery section of a module."""
     return Recovery(
-        failure_modes=_failures(entry.interfaces, definitions),
+        failure_modes=_failures(entry, definitions),
         rollback_state=_rollback(entry),
         retry=_retry(entry.interfaces) or _retry_of_trees(entry.interfaces, facts),
         safe_stop=_safe_stop(entry.interfaces),
@@ -35,19 +39,26 @@ def recovery_of(entry: LinkedModule, facts: PackageFacts, definitions: Definitio
     )
 
 
-def _failures(interfaces: Iterable[Interface], definitions: Definitions) -> Value | None:
-    """Constants of the results of the actions that a module serves; their severity is not known."""
-    found: dict[str, None] = {}
-    lines: list[Evidence] = []
-    for entry in interfaces:
+def _failures(module: LinkedModule, definitions: Definitions) -> Value | None:
+    """What diagnostics report, with its level; constants of results of actions that are served have none."""
+    lines = [told.evidence for told in module.diagnoses if _mode(told.message)]
+    graded = {_mode(told.message): told.level for told in reversed(module.diagnoses) if _mode(told.message)}
+    named: dict[str, None] = {}
+    for entry in module.interfaces:
         if entry.role not in {"action_server", "service_server"} or entry.type is None:
             continue
         part = "result" if entry.role == "action_server" else "response"
         for name, line in definitions.constants(entry.type, part):
             if name not in _NO_FAILURE:
-                found.setdefault(name.lower())
+                named.setdefault(name.lower())
                 lines.append(line)
-    return inferred(list(found), lines)
+    return inferred({**dict.fromkeys(named, UNGRADED), **graded} if graded else list(named), lines)
+
+
+def _mode(message: str) -> str:
+    """A message as a name: `Frequency too low.` -> `frequency_too_low`."""
+    words = _NO_WORD.sub("_", _FORMAT.sub(" ", message).lower()).strip("_")
+    return words[:MAX_MODE].rstrip("_")
 
 
 def _rollback(entry: LinkedModule) -> Value | None:

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import TypeVar
 
 from ecm_checker.contract import Evidence, Interface, Qos, Role
 from ecm_parsers.source.expr import Expr, Items, Text
 
 from ecm_extract.link.claims import Claim, claims_of
 from ecm_extract.link.data import UNKNOWN, stated_type
+from ecm_extract.link.diagnoses import SUMMARIES, Diagnosis, diagnoses
 from ecm_extract.link.endpoint_types import EndpointTypes
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.forms import FormTable
@@ -25,7 +27,7 @@ from ecm_extract.link.observe import Observation, observation_forms, observation
 from ecm_extract.link.parameters import Parameters
 from ecm_extract.link.program import File, Program
 from ecm_extract.link.qos import QosReader
-from ecm_extract.link.references import References
+from ecm_extract.link.references import References, Unit
 from ecm_extract.link.registry import build_registry
 from ecm_extract.link.scope import Scope
 from ecm_extract.link.site import Site
@@ -36,6 +38,7 @@ from ecm_extract.link.values import Value, literal, settled, unknown, with_node
 from ecm_extract.read.facts import PackageFacts
 
 MAX_NAMES = 40
+_Found = TypeVar("_Found", Observation, Stamp, Diagnosis)
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,6 +48,7 @@ class LinkedModule:
     `local` holds, by role, name and type of an endpoint, its names for any namespace and node (`names.local_name`):
     several where parameters tell endpoints apart. `claims` are hardware interfaces, None for no controller.
     `lifecycle`: it works when active only. `lines`: endpoints one by one where several lines make one, with their QoS.
+    `diagnoses`: failures that it reports.
     """
 
     module: Module
@@ -56,6 +60,7 @@ class LinkedModule:
     lifecycle: bool = False
     stamps: tuple[Stamp, ...] = ()
     lines: tuple[Interface, ...] = ()
+    diagnoses: tuple[Diagnosis, ...] = ()
 
 
 class Linker:
@@ -70,7 +75,7 @@ class Linker:
         self.qos = QosReader(self.folder)
         self.handles = Handles(self.folder)
         matcher = Matcher(forms, self.folder)
-        self.sites = Sites(self.program, matcher, self.types, self.parameters, observation_forms())
+        self.sites = Sites(self.program, matcher, self.types, self.parameters, (*observation_forms(), *SUMMARIES))
         self.typing = EndpointTypes(self.folder, self.types)
         self.names = NodeNames(self.folder, self.sites)
         self.generated = GeneratedParameters(self.program, packages)
@@ -81,6 +86,7 @@ class Linker:
         self.modules = Modules(self.program, self.references, registry)
         self._observed: dict[int, list[Observation]] = defaultdict(list)
         self._stamped: dict[int, list[Stamp]] = defaultdict(list)
+        self._diagnosed: dict[int, list[Diagnosis]] = defaultdict(list)
         self._local: dict[int, dict[tuple[str, str, str | None], list[str]]] = defaultdict(dict)
 
     def link(self) -> list[LinkedModule]:
@@ -99,13 +105,16 @@ class Linker:
         for unit, interfaces in self.generated.interfaces():
             for module in self.modules.owners(unit):
                 found[id(module)].extend(interfaces)
-        for unit, observation in observations(self.sites):
-            for module in self.modules.owners(unit):
-                self._observed[id(module)].append(observation)
-        for unit, stamp in stamps(self.sites):
-            for module in self.modules.owners(unit):
-                self._stamped[id(module)].append(stamp)
+        self._given_out(observations(self.sites), self._observed)
+        self._given_out(stamps(self.sites), self._stamped)
+        self._given_out(diagnoses(self.sites), self._diagnosed)
         return [self._linked(module, found, nodes) for module in _ordered(self.modules.all())]
+
+    def _given_out(self, found: Iterable[tuple[Unit, _Found]], by_module: dict[int, list[_Found]]) -> None:
+        """Give what units do to the modules that have them."""
+        for unit, entry in found:
+            for module in self.modules.owners(unit):
+                by_module[id(module)].append(entry)
 
     def _class_nodes(self) -> dict[int, str]:
         nodes: dict[int, str] = {}
@@ -140,7 +149,9 @@ class Linker:
         interfaces = merged(lines)
         managed = module.cls is not None and is_managed(module.cls, self.program)
         stamped = tuple(dict.fromkeys(self._stamped.get(id(module), ())))
-        return LinkedModule(module, self._node(module, nodes), interfaces, local, claims, seen, managed, stamped, lines)
+        told = tuple(dict.fromkeys(self._diagnosed.get(id(module), ())))
+        node = self._node(module, nodes)
+        return LinkedModule(module, node, interfaces, local, claims, seen, managed, stamped, lines, told)
 
     def _node(self, module: Module, nodes: Mapping[int, str]) -> str | None:
         if module.cls is not None:

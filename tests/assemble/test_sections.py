@@ -151,6 +151,51 @@ def test_action_result_constants_are_failure_modes(workspace: Workspace) -> None
     assert value(go.signature.input_schema) == {"/go": {"type": "pkg/action/Go#goal", "units": {"speed": "m/s"}}}
 
 
+@pytest.mark.parametrize(
+    ("body", "modes"),
+    [
+        ('stat.summary(diagnostic_msgs::msg::DiagnosticStatus::ERROR, "No data");', {"no_data": "error"}),
+        ('stat.summary(1, "Voltage is low!");', {"voltage_is_low": "warn"}),
+        ('stat.mergeSummaryf(DiagnosticStatus::STALE, "%d of %d lost", a, b);', {"of_lost": "stale"}),
+        ('status.message = "Hot"; status.level = DiagnosticStatus::WARN;', {"hot": "warn"}),
+        ('stat.summary(DiagnosticStatus::OK, "Fine");', None),
+        ('stat.summary(level, "Depends");', None),
+        ("stat.summary(DiagnosticStatus::ERROR, text_of(x));", None),
+        ('first.level = 2; second.message = "Of another";', None),
+        ("model.summary(10, 20);", None),
+    ],
+)
+def test_diagnostics_are_failure_modes(body: str, modes: object, workspace: Workspace) -> None:
+    """What is reported as no longer OK is a way to fail, graded as the report grades it."""
+    found = contract(workspace, body).recovery.failure_modes
+    assert (None if found is None else value(found)) == modes
+
+
+def test_diagnostics_of_python(workspace: Workspace) -> None:
+    """Both ways to fill a status; what an action names beside it has no level."""
+    source = """#!/usr/bin/env python3
+import rclpy
+from diagnostic_msgs.msg import DiagnosticStatus
+from pkg.srv import Go
+class Watch(rclpy.node.Node):
+    def __init__(self):
+        super().__init__("watch")
+        self.create_service(Go, "go", self.go)
+    def check(self, stat):
+        stat.summary(DiagnosticStatus.WARN, "Queue is long")
+        status = DiagnosticStatus()
+        status.level = DiagnosticStatus.ERROR
+        status.name = "driver"
+        status.message = "No connection"
+if __name__ == "__main__":
+    rclpy.spin(Watch())
+"""
+    files = {"scripts/watch.py": source, "srv/Go.srv": "---\nuint8 BLOCKED=1\nuint8 code\n"}
+    (watch,) = [each for each in workspace.package(files).modules().values() if each.ecm.kind == "node"]
+    modes = {"blocked": "unknown", "no_connection": "error", "queue_is_long": "warn"}
+    assert value(watch.recovery.failure_modes) == modes
+
+
 def _node(body: str) -> str:
     return f'{INCLUDE}class N : public rclcpp::Node {{ public: N() : Node("n") {{ {body} }} }};\n'
 
