@@ -25,7 +25,8 @@ _FORMAT = re.compile(r"%[-+ #0-9.]*[a-zA-Z]|\{[^}]*\}")
 _NO_WORD = re.compile(r"[^a-z0-9]+")
 MAX_MODE = 60
 UNGRADED = "unknown"
-_ALARMS = frozenset({"/diagnostics", "/diagnostics_agg", "/diagnostics_toplevel_state"})
+_FIRST_ALARM = "/diagnostics"
+_ALARMS = frozenset({_FIRST_ALARM, "/diagnostics_agg", "/diagnostics_toplevel_state"})
 
 
 def recovery_of(entry: LinkedModule, facts: PackageFacts, definitions: Definitions) -> Recovery:
@@ -35,7 +36,7 @@ def recovery_of(entry: LinkedModule, facts: PackageFacts, definitions: Definitio
         rollback_state=_rollback(entry),
         retry=_retry(entry.interfaces) or _retry_of_trees(entry.interfaces, facts),
         safe_stop=_safe_stop(entry.interfaces),
-        escalation=_escalation(entry.interfaces, facts),
+        escalation=_escalation(entry, facts),
     )
 
 
@@ -91,12 +92,13 @@ def _safe_stop(interfaces: Iterable[Interface]) -> Value | None:
     return of_interfaces([f"stop after {entry.name}" for entry in found], found)
 
 
-def _escalation(interfaces: Iterable[Interface], facts: PackageFacts) -> Value | None:
-    """Who publishes diagnostics tells of failures; an aggregator that the package configures passes them on."""
-    found = [entry for entry in interfaces if entry.role == "publisher" and entry.name in _ALARMS]
-    steps = [f"failure -> {name}" for name in sorted({entry.name for entry in found})]
-    lines = [entry.evidence[0] for entry in found]
-    for path, file in facts.aggregators.items() if found else ():
+def _escalation(module: LinkedModule, facts: PackageFacts) -> Value | None:
+    """Who publishes or fills diagnostics tells of failures; an aggregator of the package passes them on."""
+    found = [entry for entry in module.interfaces if entry.role == "publisher" and entry.name in _ALARMS]
+    lines = [entry.evidence[0] for entry in found] or [told.evidence for told in module.diagnoses[:1]]
+    names = sorted({entry.name for entry in found}) or [_FIRST_ALARM][: len(lines)]
+    steps = [f"failure -> {name}" for name in names]
+    for path, file in facts.aggregators.items() if steps else ():
         for aggregator in file.aggregators:
             steps.append(f"stale -> {aggregator.base_path or '/diagnostics_agg'}")
             lines.append(Evidence(path, aggregator.line))

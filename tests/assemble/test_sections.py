@@ -167,8 +167,9 @@ def test_action_result_constants_are_failure_modes(workspace: Workspace) -> None
 )
 def test_diagnostics_are_failure_modes(body: str, modes: object, workspace: Workspace) -> None:
     """What is reported as no longer OK is a way to fail, graded as the report grades it."""
-    found = contract(workspace, body).recovery.failure_modes
-    assert (None if found is None else value(found)) == modes
+    found = contract(workspace, body).recovery
+    assert (None if found.failure_modes is None else value(found.failure_modes)) == modes
+    assert (None if found.escalation is None else value(found.escalation)) == (modes and ["failure -> /diagnostics"])
 
 
 def test_diagnostics_of_python(workspace: Workspace) -> None:
