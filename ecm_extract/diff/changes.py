@@ -18,6 +18,7 @@ from ecm_extract.entities.model import PublicEntity
 from ecm_extract.entities.side import Side
 
 Names = set[tuple[str, str, str, str]]
+_DECLARED_IN_FILES = frozenset({"frame", "command_interface"})
 _ON_WIRE = frozenset({"message_field", "message", "constant"})
 _REASONS = {
     "topic": "gone; a peer of it waits for ever, without an error",
@@ -32,6 +33,8 @@ _REASONS = {
     "file": "gone; code that includes or imports it fails",
     "launch_file": "gone; launch files that include it and people who start it fail",
     "launch_argument": "gone; a value given for it is ignored or refused",
+    "frame": "gone; transforms to it fail: who looks one up waits, or throws",
+    "command_interface": "gone; controllers that claim it are refused",
     "bt_node": "gone; behaviour trees that name it fail to load",
     "bt_port": "gone; behaviour trees that set it fail to load",
 }
@@ -70,7 +73,15 @@ def _is_covered(entity: PublicEntity, containers: Names) -> bool:
     """Whether the whole that holds an entity came or went too: one cause, one change."""
     package = ("package", entity.package, "", entity.package)
     owners = {(kind, entity.package, "", entity.owner) for kind in CONTAINERS}
+    if entity.kind in _DECLARED_IN_FILES and _file_of(entity) & containers:
+        return True
     return (entity.kind != "package" and package in containers) or not owners.isdisjoint(containers)
+
+
+def _file_of(entity: PublicEntity) -> Names:
+    """The file of an entity under each name that it may have in its package."""
+    parts = entity.path.split("/")
+    return {("file", entity.package, "", "/".join(parts[at:])) for at in range(len(parts))}
 
 
 def _is_implicit(entity: PublicEntity) -> bool:

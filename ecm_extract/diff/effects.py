@@ -21,6 +21,8 @@ _RELIABILITY: Final = ("best_effort", "reliable")
 _DURABILITY: Final = ("volatile", "transient_local")
 _WITH_DEFAULT: Final = frozenset({"parameter", "constant", "message_field", "launch_argument", "bt_port"})
 _ENDPOINTS: Final = frozenset({"topic", "service", "action"})
+_GLOBAL: Final = frozenset({"plugin", "frame", "command_interface"})
+"""Names that are the same wherever they are declared."""
 _RECOVERY: Final = frozenset({"retry", "retries", "recovery", "fallback", "watchdog", "timeout"})
 _RESOURCE: Final = frozenset({"thread", "threads", "gpu", "memory", "cpu"})
 _POLICY: Final = frozenset({"vel", "velocity", "accel", "acceleration", "force", "effort", "torque", "jerk"})
@@ -54,7 +56,7 @@ def moved(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[Differen
     harmless = (
         old.kind in _ENDPOINTS and not old.name.startswith("~") and old.package == new.package
     ) or old.name.startswith(HOLE)
-    harmless = harmless or (old.kind == "plugin" and old.name == new.name)
+    harmless = harmless or (old.kind in _GLOBAL and old.name == new.name)
     yield Difference("moved", not harmless, pair.reason)
 
 

@@ -25,6 +25,8 @@ _SURE_ALONE = 0.8
 _SURE_LIBRARY = 0.68
 """Every library of a package stands in the one CMakeLists.txt, so only its name can tell."""
 _OF_A_KIND = frozenset({"class", "plugin"})
+_OF_ONE_FILE = frozenset({"frame", "command_interface"})
+"""Each robot of a package has such names, which say nothing of those of another."""
 _GENERIC = frozenset(
     ("use", "enable", "enabled", "is", "has", "get", "set", "on", "new", "do", "default", "num", "max")
 )
@@ -39,8 +41,8 @@ def score(
     place, where = _place(old, new, files)
     if not may_be_alike(old, new) and place < 1:
         return None
-    if old.kind == "constant" and old.default != new.default and None not in (old.default, new.default):
-        return None  # the number is what a constant means
+    if _is_another(old, new, place):
+        return None
     name = name_similarity(old.name, new.name)
     shape = shape_equal(old, new)
     total = _NAME * name + _SHAPE * shape + _PLACE * place
@@ -60,6 +62,13 @@ def score(
     if total < _THRESHOLD:
         return None
     return total, _reason(name, shape, where, written)
+
+
+def _is_another(old: PublicEntity, new: PublicEntity, place: float) -> bool:
+    """Whether two cannot be one whatever their names: the number is what a constant means."""
+    if old.kind == "constant":
+        return old.default != new.default and None not in (old.default, new.default)
+    return old.kind in _OF_ONE_FILE and place < 1
 
 
 def _shared_words(old: PublicEntity, new: PublicEntity) -> frozenset[str]:

@@ -10,6 +10,7 @@ import msgspec
 from ecm_extract.entities.announced import announced
 from ecm_extract.entities.bt_nodes import bt_entities
 from ecm_extract.entities.cpp import cpp_entities
+from ecm_extract.entities.descriptions import description_entities
 from ecm_extract.entities.endpoints import endpoint_entities
 from ecm_extract.entities.interfaces import interface_entities
 from ecm_extract.entities.launch import launch_entities
@@ -70,3 +71,4 @@ def _of_package(tree: Tree, facts: PackageFacts, modules: list[LinkedModule]) ->
     yield from python_entities(facts)
     yield from bt_entities(facts)
     yield from launch_entities(tree, facts)
+    yield from description_entities(tree, facts)

@@ -9,6 +9,7 @@ import msgspec
 from ecm_extract.entities.side import Workspace
 from ecm_extract.uses.endpoints import endpoint_uses
 from ecm_extract.uses.fields import field_uses
+from ecm_extract.uses.frames import frame_uses
 from ecm_extract.uses.includes import include_uses
 from ecm_extract.uses.index import GONE, ChangeIndex
 from ecm_extract.uses.kept import kept_for
@@ -19,6 +20,7 @@ from ecm_extract.uses.overrides import override_uses
 from ecm_extract.uses.parameters import parameter_uses
 from ecm_extract.uses.results import result_uses
 from ecm_extract.uses.symbols import symbol_uses
+from ecm_extract.uses.trees import tree_uses
 from ecm_extract.uses.unpacked import unpacked_uses
 
 _BUILT = (".cpp", ".cc", ".cxx", ".c", ".h", ".hh", ".hpp", ".hxx", ".ipp", ".tpp")
@@ -27,6 +29,8 @@ _MATCHERS = (
     parameter_uses,
     launch_uses,
     include_uses,
+    frame_uses,
+    tree_uses,
     symbol_uses,
     override_uses,
     field_uses,

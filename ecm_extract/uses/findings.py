@@ -26,6 +26,8 @@ _WHO: Final[dict[str, Who]] = {
     "launch_file": "config",
     "launch_argument": "config",
     "executable": "config",
+    "bt_node": "config",
+    "bt_port": "config",
 }
 _IGNORED: Final = {
     "topic": "no error is shown: the peer waits for ever",
@@ -34,6 +36,9 @@ _IGNORED: Final = {
     "parameter": "no error is shown: the value is ignored and the default runs",
     "plugin": "the loader throws when the robot starts",
     "launch_file": "the launch fails",
+    "frame": "no error is shown until a transform is asked for: who looks it up waits, or throws",
+    "bt_node": "the tree fails to load",
+    "bt_port": "the tree fails to load, or the value is ignored",
     "launch_argument": "the value is ignored, or the launch fails",
     "message": "the import or include fails",
     "message_field": "the access fails when the line runs, or the build fails",

@@ -1,0 +1,62 @@
+"""Robot descriptions that a package offers: their files, the frames of links, the command interfaces of joints.
+
+They are read as written. What whoever expands a macro chooses, such as `${prefix}`, is a hole in the name.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import Final
+
+from ecm_parsers.robot_names import NamedLine, RobotNames, parse_robot_names
+
+from ecm_extract.discover import is_test_path
+from ecm_extract.entities.endpoints import HOLE
+from ecm_extract.entities.model import PublicEntity
+from ecm_extract.entities.public_files import inside
+from ecm_extract.read.facts import PackageFacts
+from ecm_extract.tree import Tree
+
+MAX_BYTES: Final = 2_000_000
+_COMPUTED: Final = re.compile(r"(?:\$\{[^}]*\}|\$\([^)]*\))+")
+_PREFIXED: Final = re.compile(rf"{re.escape(HOLE)}/?[A-Za-z]")
+_EXAMPLES: Final = frozenset({"example", "examples", "tutorial", "tutorials", "demo", "demos"})
+
+
+def description_entities(tree: Tree, facts: PackageFacts) -> Iterator[PublicEntity]:
+    """Yield the files, frames and command interfaces; a name that several files have is one."""
+    for path, names in descriptions(tree, facts):
+        own = inside(path, facts.root.path)
+        yield PublicEntity(kind="file", package=facts.name, owner="", name=own, path=path, line=1)
+        if _EXAMPLES.isdisjoint(own.split("/")):
+            yield from _entities(facts.name, "frame", path, names.links)
+            yield from _entities(facts.name, "command_interface", path, names.commands)
+
+
+def descriptions(tree: Tree, facts: PackageFacts) -> Iterator[tuple[str, RobotNames]]:
+    """Yield the description files of a package by path, without those of tests and those of planning groups."""
+    paths = [
+        entry.path
+        for entry in facts.root.files
+        if entry.path.endswith((".urdf", ".xacro"))
+        and ".srdf" not in entry.path
+        and not is_test_path(entry.path, facts.root.path)
+    ]
+    for path, data in tree.read_many(sorted(paths)):
+        if len(data) <= MAX_BYTES:
+            yield path, parse_robot_names(data).facts
+
+
+def written_name(name: str) -> str:
+    """Return a name with holes; a prefix is empty until somebody gives one: `${prefix}tool0` -> `tool0`."""
+    holed = _COMPUTED.sub(HOLE, name)
+    return holed.removeprefix(HOLE).removeprefix("/") if _PREFIXED.match(holed) else holed
+
+
+def _entities(package: str, kind: str, path: str, names: tuple[NamedLine, ...]) -> Iterator[PublicEntity]:
+    for entry in names:
+        name = written_name(entry.name)
+        if re.search(r"\w", name.replace(HOLE, "")):
+            shape = name.rpartition("/")[2] if kind == "command_interface" else None
+            yield PublicEntity(kind=kind, package=package, owner="", name=name, type=shape, path=path, line=entry.line)
