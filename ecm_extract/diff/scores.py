@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 
 from ecm_extract.diff.history import History
@@ -27,6 +28,8 @@ _SURE_LIBRARY = 0.68
 _OF_A_KIND = frozenset({"class", "plugin"})
 _OF_ONE_FILE = frozenset({"frame", "command_interface"})
 """Each robot of a package has such names, which say nothing of those of another."""
+_DESCRIPTIONS = (".urdf", ".xacro")
+_MODEL = re.compile(r"[a-zA-Z]*\d+[a-zA-Z]*")
 _GENERIC = frozenset(
     ("use", "enable", "enabled", "is", "has", "get", "set", "on", "new", "do", "default", "num", "max")
 )
@@ -68,7 +71,13 @@ def _is_another(old: PublicEntity, new: PublicEntity, place: float) -> bool:
     """Whether two cannot be one whatever their names: the number is what a constant means."""
     if old.kind == "constant":
         return old.default != new.default and None not in (old.default, new.default)
-    return old.kind in _OF_ONE_FILE and place < 1
+    described = old.kind == "file" and old.path.endswith(_DESCRIPTIONS)
+    return (old.kind in _OF_ONE_FILE or described) and (place < 1 or _models(old.name) != _models(new.name))
+
+
+def _models(name: str) -> list[str]:
+    """What tells one robot or device from the next of its family: `l515`, `ur10e`."""
+    return _MODEL.findall(name)
 
 
 def _shared_words(old: PublicEntity, new: PublicEntity) -> frozenset[str]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 from ecm_parsers.source.expr import Call, Constant, Number, Text
 from ecm_parsers.source.facts import Function, SourceFile
@@ -35,11 +35,25 @@ _EXAMPLES = frozenset({"example", "examples", "tutorial", "tutorials"})
 Port = tuple[Call, Text, Line]
 
 
-def bt_entities(facts: PackageFacts) -> Iterator[PublicEntity]:
-    """Yield the registered nodes of a package, each with the ports that its own class lists."""
-    if not any(_LIBRARY in entry.module for source in facts.sources.values() for entry in source.imports):
+def base_ports(packages: Iterable[PackageFacts]) -> dict[str, list[Port]]:
+    """Return the ports that base classes of a tree add to those of a node, by the own name of the class."""
+    found: dict[str, list[Port]] = {}
+    for facts in packages:
+        if _uses_trees(facts):
+            found |= _listed(facts, _ADDS_PORTS)
+    return found
+
+
+def bt_entities(facts: PackageFacts, added: Mapping[str, list[Port]]) -> Iterator[PublicEntity]:
+    """Yield the registered nodes of a package, each with the ports that its class and its bases list.
+
+    Args:
+        facts: of the package.
+        added: ports of base classes, see `base_ports`.
+    """
+    if not _uses_trees(facts):
         return
-    ports = _ports_by_class(facts)
+    ports = _ports_by_class(facts, added)
     for path, source in facts.sources.items():
         if source.language == "cpp" and _EXAMPLES.isdisjoint(inside(path, facts.root.path).split("/")[:-1]):
             for call, name in _named_calls(source, _REGISTERS):
@@ -50,9 +64,13 @@ def bt_entities(facts: PackageFacts) -> Iterator[PublicEntity]:
                 yield from (_port(facts.name, name.value, port) for port in ports.get(cls, ()))
 
 
-def _ports_by_class(facts: PackageFacts) -> dict[str, list[Port]]:
+def _uses_trees(facts: PackageFacts) -> bool:
+    return any(_LIBRARY in entry.module for source in facts.sources.values() for entry in source.imports)
+
+
+def _ports_by_class(facts: PackageFacts, added: Mapping[str, list[Port]]) -> dict[str, list[Port]]:
     """The calls that make ports, by the own name of the class that lists them; those of its bases included."""
-    listed, added = _listed(facts, _LISTS_PORTS), _listed(facts, _ADDS_PORTS)
+    listed = _listed(facts, _LISTS_PORTS)
     bases = {
         cls.name: [plain(base) for base in cls.bases] for source in facts.sources.values() for cls in source.classes
     }

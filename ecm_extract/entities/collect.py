@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Sequence
 import msgspec
 
 from ecm_extract.entities.announced import announced
-from ecm_extract.entities.bt_nodes import bt_entities
+from ecm_extract.entities.bt_nodes import Port, base_ports, bt_entities
 from ecm_extract.entities.cpp import cpp_entities
 from ecm_extract.entities.descriptions import description_entities
 from ecm_extract.entities.endpoints import endpoint_entities
@@ -30,7 +30,8 @@ def public_entities(
     modules: dict[str, list[LinkedModule]] = defaultdict(list)
     for entry in linked:
         modules[entry.module.package].append(entry)
-    every = [entity for facts in packages for entity in _of_package(tree, facts, modules[facts.name])]
+    ports = base_ports(packages)
+    every = [entity for facts in packages for entity in _of_package(tree, facts, modules[facts.name], ports)]
     found: dict[Key, PublicEntity] = {}
     placed = announced(tree, packages, at_their_names(every))
     for entity in sorted(placed, key=lambda e: (e.package, e.path, e.line)):
@@ -55,7 +56,9 @@ def _at_home(found: dict[Key, PublicEntity], packages: Sequence[PackageFacts]) -
     return {
         key: entity
         for key, entity in found.items()
-        if home.get(entity.path) in {None, entity.package} or _line(entity) not in offered
+        if entity.kind == "bt_port"  # each node has the ports of its base for itself
+        or home.get(entity.path) in {None, entity.package}
+        or _line(entity) not in offered
     }
 
 
@@ -63,12 +66,14 @@ def _line(entity: PublicEntity) -> tuple[str, str, str, str, int]:
     return entity.kind, entity.facet, entity.name, entity.path, entity.line
 
 
-def _of_package(tree: Tree, facts: PackageFacts, modules: list[LinkedModule]) -> Iterator[PublicEntity]:
+def _of_package(
+    tree: Tree, facts: PackageFacts, modules: list[LinkedModule], ports: dict[str, list[Port]]
+) -> Iterator[PublicEntity]:
     yield from packaging_entities(tree, facts)
     yield from interface_entities(facts)
     yield from endpoint_entities(tree, facts, modules)
     yield from cpp_entities(facts)
     yield from python_entities(facts)
-    yield from bt_entities(facts)
+    yield from bt_entities(facts, ports)
     yield from launch_entities(tree, facts)
     yield from description_entities(tree, facts)

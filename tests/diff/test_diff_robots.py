@@ -139,3 +139,38 @@ def test_trees_of_consumers_break(
     found = compared(tmp_path, capsys, {"trees/m.xml": tree})
     assert change in {each["kind"] for each in found["changes"]}
     assert [(each["evidence"][0]["line"], what in each["message"]) for each in found["findings"]] == [(2, True)]
+
+
+BASE = """#include <behaviortree_cpp/bt_factory.h>
+class BasicAction : public BT::SyncActionNode {{
+public:
+  static BT::PortsList providedBasicPorts(BT::PortsList addition) {{
+    BT::PortsList basic = {{BT::InputPort<double>("timeout"){port}}};
+    return basic;
+  }}
+}};
+class Wait : public BasicAction {{
+public:
+  static BT::PortsList providedPorts() {{ return providedBasicPorts({{}}); }}
+}};
+BT_REGISTER_NODES(factory) {{ factory.registerNodeType<Wait>("Wait"); }}
+"""
+DERIVED = """#include <behaviortree_cpp/bt_factory.h>
+class Go : public BasicAction {{
+public:
+  static BT::PortsList providedPorts() {{ return providedBasicPorts({{{port}}}); }}
+}};
+BT_REGISTER_NODES(factory) {{ factory.registerNodeType<Go>("Go"); }}
+"""
+
+
+def test_a_port_that_a_base_of_another_package_has_now_is_there(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A release that lets the base class add a port takes it away from no node."""
+    port = 'BT::OutputPort<int>("error_code_id")'
+    for tag, base, derived in (("1.0.0", "", port), ("2.0.0", f", {port}", "")):
+        files = {"base/package.xml": package("base"), "cell/package.xml": package("cell")}
+        files |= {"base/src/b.cpp": BASE.format(port=base), "cell/src/c.cpp": DERIVED.format(port=derived)}
+        release(tmp_path / "cell", dict(files), tag)
+    assert told(compared(tmp_path, capsys, {})) == {("bt_port", "added", None, "error_code_id", False)}
