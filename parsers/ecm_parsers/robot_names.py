@@ -68,8 +68,8 @@ def _named(element: etree._Element, attribute: str) -> NamedLine:
 def _commands(hardware: etree._Element) -> Iterator[NamedLine]:
     for part in hardware.iter(etree.Element):
         for tag, command in children(part):
-            if tag == "command_interface":
-                yield NamedLine(f"{part.get('name', '')}/{command.get('name', '')}", line_of(command))
+            if tag == "command_interface" and part.get("name") and command.get("name"):
+                yield NamedLine(f"{part.get('name')}/{command.get('name')}", line_of(command))
 
 
 def _ends(joint: etree._Element) -> Iterator[NamedLine]:

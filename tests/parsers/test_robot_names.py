@@ -13,6 +13,7 @@ ARM = b"""<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="arm">
     <joint name="${prefix}wrist"><parent link="${prefix}arm"/><child link="${prefix}tool0"/></joint>
     <ros2_control name="hw" type="system">
       <joint name="${prefix}wrist"><command_interface name="position"/><state_interface name="position"/></joint>
+      <gpio><command_interface name="nameless"/></gpio>
     </ros2_control>
     <gazebo><model><link name="inside_the_simulator"/></model></gazebo>
   </xacro:macro>
