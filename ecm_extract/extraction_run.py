@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import gc
-from collections.abc import Iterator
-from contextlib import contextmanager
-
 from ecm_extract.assemble.contracts import assemble
+from ecm_extract.collector import without_collector
 from ecm_extract.config import Config
 from ecm_extract.extraction_model import Counts, Extraction, LocatedDiagnostic, Options
 from ecm_extract.link.forms import form_table
@@ -27,7 +24,7 @@ def read_contracts(tree: Tree, options: Options) -> tuple[Extraction, dict[str, 
         ConfigError: `ecm.toml` is wrong.
     """
     config: Config = config_of(tree, options)
-    with _without_collector():
+    with without_collector():
         include_tests = options.include_tests or config.extract.include_tests
         reader = Reader(tree, include_tests, config.extract.exclude, options.cache)
         packages = reader.read(options.jobs, options.progress)
@@ -41,18 +38,6 @@ def read_contracts(tree: Tree, options: Options) -> tuple[Extraction, dict[str, 
         counts=Counts(reader.files, reader.bytes),
     )
     return extraction, reader.blobs
-
-
-@contextmanager
-def _without_collector() -> Iterator[None]:
-    """Millions of small records without cycles: the cycle collector finds nothing and costs a quarter of the time."""
-    enabled = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if enabled:
-            gc.enable()
 
 
 def _diagnostics(tree: Tree) -> tuple[LocatedDiagnostic, ...]:

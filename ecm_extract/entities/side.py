@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import gc
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass, field
 
 from ecm_parsers.interface_facts import Definition
 from ecm_parsers.source.facts import SourceFile
 
+from ecm_extract.collector import without_collector
 from ecm_extract.entities.collect import public_entities
 from ecm_extract.entities.interfaces import interface_name
 from ecm_extract.entities.model import Key, PublicEntity
@@ -84,7 +82,7 @@ def read_packages(tree: Tree, options: Options, parsed: dict[str, SourceFile]) -
         parsed: facts by blob id; what is in it is not parsed again, what is parsed is added.
     """
     config = config_of(tree, options)
-    with _without_collector():
+    with without_collector():
         include_tests = options.include_tests or config.extract.include_tests
         reader = SharedReader(tree, include_tests, config.extract.exclude, options.cache)
         reader.parsed = parsed
@@ -93,20 +91,9 @@ def read_packages(tree: Tree, options: Options, parsed: dict[str, SourceFile]) -
 
 def link_packages(read: PackagesRead) -> Workspace:
     """Link what was read."""
-    with _without_collector():
+    with without_collector():
         linker = Linker(read.packages, read.forms)
         return Workspace(read.tree, read.packages, linker.link(), linker.program)
-
-
-@contextmanager
-def _without_collector() -> Iterator[None]:
-    enabled = gc.isenabled()
-    gc.disable()  # see `extraction`: records without cycles
-    try:
-        yield
-    finally:
-        if enabled:
-            gc.enable()
 
 
 def side_of(workspace: Workspace) -> Side:

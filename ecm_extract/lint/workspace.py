@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import gc
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
 from functools import cached_property
 
 from ecm_checker.contract import Evidence
@@ -12,6 +10,7 @@ from ecm_checker.versions import in_range
 from ecm_parsers.launch.model import Action, Group, Include, LaunchFile, Node, Template
 
 from ecm_extract.assemble.contracts import assemble
+from ecm_extract.collector import without_collector
 from ecm_extract.description.model import Description
 from ecm_extract.description.read import read_description
 from ecm_extract.discover import is_test_path
@@ -50,7 +49,7 @@ class Workspace:
         self.config = config = config_of(tree, options)
         found = read or read_packages(tree, options, {})
         self.packages = found.packages
-        with _without_collector():
+        with without_collector():
             self.linker = Linker(found.packages, found.forms)
             self.linked = self.linker.link()
         self.externals = frozenset(config.externals)
@@ -83,7 +82,7 @@ class Workspace:
     def systems(self) -> Sequence[System]:
         """What each launch file that no other includes starts, with the defaults of its arguments."""
         roots = [path for path in self.launches if path.rsplit("/", 1)[-1] not in self.included]
-        with _without_collector():
+        with without_collector():
             return [
                 evaluated_system(self.tree, self.files, self.index, [path], Given()) for path in roots[:MAX_SYSTEMS]
             ]
@@ -156,14 +155,3 @@ def _included(actions: Sequence[Action]) -> Iterator[str]:
     for action in all_actions(actions):
         if isinstance(action, Include) and action.path and isinstance(action.path[-1], str):
             yield action.path[-1].rsplit("/", 1)[-1]
-
-
-@contextmanager
-def _without_collector() -> Iterator[None]:
-    enabled = gc.isenabled()
-    gc.disable()  # see `extraction`: records without cycles
-    try:
-        yield
-    finally:
-        if enabled:
-            gc.enable()
