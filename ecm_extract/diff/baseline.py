@@ -5,8 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from ecm_extract.diff.model import RefInfo
-from ecm_extract.errors import InputError, RefError, TreeError
-from ecm_extract.report.manifest_yaml import SUFFIX
+from ecm_extract.errors import RefError, TreeError
 from ecm_extract.tree import Tree, newest_release, open_ref, open_tree
 from ecm_extract.tree.git_repo import GitRepo, find_repo
 from ecm_extract.tree.open import open_repo
@@ -17,7 +16,7 @@ WORK_TREE = "."
 def open_side(spec: str, repo: Path) -> Tree:
     """Open a folder, `DIR@REF`, or a ref of the repository; `.` is its work tree, or HEAD of a bare one.
 
-    A bare word is a ref first, and a folder where there is no such ref.
+    A folder may hold manifests instead of packages. A bare word is a ref first, and a folder where none is called so.
 
     Raises:
         TreeError: neither a folder nor a ref.
@@ -25,23 +24,13 @@ def open_side(spec: str, repo: Path) -> Tree:
     if spec == WORK_TREE:
         return open_tree(repo)
     if _is_folder(spec):
-        return _with_sources(open_tree(spec), spec)
+        return open_tree(spec)
     try:
         return open_ref(repo, spec)
     except TreeError:
         if Path(spec).is_dir():
-            return _with_sources(open_tree(spec), spec)
+            return open_tree(spec)
         raise
-
-
-def _with_sources(tree: Tree, spec: str) -> Tree:
-    """Contracts say less than sources: two folders of them would look alike whatever changed."""
-    paths = [entry.path for entry in tree.files()]
-    written = any(path.endswith(SUFFIX) for path in paths)
-    if written and not any(path.rsplit("/", 1)[-1] in {"package.xml", "manifest.xml"} for path in paths):
-        message = f"{spec} holds manifests and no packages"
-        raise InputError(message, "give sources; `ecm-extract check upgrade OLD NEW` decides between manifests")
-    return tree
 
 
 def _is_folder(spec: str) -> bool:

@@ -8,6 +8,7 @@ import msgspec
 from ecm_parsers.source.facts import SourceFile
 
 from ecm_extract.diff.changes import changes_of
+from ecm_extract.diff.contract_sides import contract_sides, holds_contracts
 from ecm_extract.diff.git_renames import renamed_files
 from ecm_extract.diff.history import History
 from ecm_extract.diff.model import Comparison, Located, RefInfo
@@ -51,7 +52,11 @@ def compare(request: Request) -> Comparison:
         ConfigError: an `ecm.toml` is wrong.
     """
     parsed: dict[str, SourceFile] = {}
-    return compared(request, both_sides(request.old, request.new, request.options, parsed), parsed)
+    if holds_contracts(request.old) or holds_contracts(request.new):
+        sides = contract_sides(request.old, request.new, request.options)
+    else:
+        sides = both_sides(request.old, request.new, request.options, parsed)
+    return compared(request, sides, parsed)
 
 
 def compared(request: Request, sides: Sides, parsed: dict[str, SourceFile]) -> Comparison:
@@ -65,7 +70,7 @@ def compared(request: Request, sides: Sides, parsed: dict[str, SourceFile]) -> C
     old, new, workspace = sides
     located = _changes(request, old, new)
     index = ChangeIndex(located, old, new)
-    uses = list(uses_of(workspace, index, own=True))
+    uses = list(uses_of(workspace, index, own=True)) if workspace is not None else []
     for tree in request.consumers:
         uses += uses_of(read_workspace(tree, request.options, parsed), index)
     findings = findings_of(uses)

@@ -14,11 +14,11 @@ from ecm_extract.tree import FileDiagnostic, Tree
 
 
 class Sides(NamedTuple):
-    """Both sides down to their entities, and the new one linked, which uses are read off."""
+    """Both sides down to their entities, and the new one linked, which uses are read off; None for manifests."""
 
     old: Side
     new: Side
-    workspace: Workspace
+    workspace: Workspace | None
 
 
 def both_sides(old: Tree, new: Tree, options: Options, parsed: dict[str, SourceFile]) -> Sides:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 
 import msgspec
 from ecm_checker.contract import Interface
@@ -36,9 +36,12 @@ def endpoint_entities(tree: Tree, facts: PackageFacts, modules: Sequence[LinkedM
     shared: dict[tuple[str, str, str, str, int], PublicEntity] = {}
     for module in modules:
         for entry in module.interfaces:
-            found = _entity(facts, module, entry, deprecated)
+            found = entity_of(entry, facts.name, module.module.name, facts.ros)
             if found is None:
                 continue
+            bare = found.name.lstrip("~/")
+            told = deprecated.get(bare) or deprecated.get(found.name)
+            found = msgspec.structs.replace(found, node=module.node, deprecated=told)
             if found.path.endswith(".cfg"):
                 if facts.ros == 2:
                     continue  # dynamic_reconfigure is of ROS 1: a port left the file behind
@@ -50,9 +53,8 @@ def endpoint_entities(tree: Tree, facts: PackageFacts, modules: Sequence[LinkedM
     yield from shared.values()
 
 
-def _entity(
-    facts: PackageFacts, module: LinkedModule, entry: Interface, deprecated: Mapping[str, str]
-) -> PublicEntity | None:
+def entity_of(entry: Interface, package: str, owner: str, ros: int | None) -> PublicEntity | None:
+    """Return what a module offers by an endpoint; None for what only asks, and for names that are wholly computed."""
     kind = _KINDS.get(entry.role)
     name = comparable_name(entry)
     if kind is None or not re.search(r"\w", name.replace(HOLE, "")):
@@ -60,19 +62,16 @@ def _entity(
     if kind != "parameter" and not _NAME.fullmatch(name.replace(HOLE, "")):
         return None  # the default says that a value must be given: `<undefined>`
     at = entry.evidence[0]
-    bare = name.lstrip("~/")
     return PublicEntity(
         kind=kind,
-        package=facts.name,
-        owner=module.module.name,
-        node=module.node,
+        package=package,
+        owner=owner,
         name=name,
         facet=_FACETS.get(entry.role, ""),
         type=entry.type,
         default=entry.default,
         qos=entry.qos,
-        ros=facts.ros,
-        deprecated=deprecated.get(bare) or deprecated.get(name),
+        ros=ros,
         path=at.path,
         line=at.line,
         chain=tuple(dict.fromkeys((place.path, place.line) for place in entry.evidence)),

@@ -258,12 +258,35 @@ def test_a_bare_word_may_be_a_folder(
     assert "baseline: before files in no commit (named)" in err
 
 
-def test_manifests_are_not_taken_for_sources(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """They would look alike whatever changed."""
+@pytest.mark.parametrize("kept", ["old", "both"])
+def test_kept_manifests_are_a_side(repo: Path, tmp_path: Path, kept: str, capsys: pytest.CaptureFixture[str]) -> None:
+    """Contracts that somebody keeps tell what changed since, as far as contracts go, and consumers break alike."""
+    sides = []
+    for ref in ("1.0.0", "1.1.0"):
+        assert run(["extract", str(repo), "--ref", ref, "-o", str(tmp_path / ref), "-q"]) == 0
+        sides.append(tmp_path / ref)
+    capsys.readouterr()
+    write(tmp_path / "ws", dict(CONSUMER))
+    new = sides[1] if kept == "both" else "1.1.0"
+    found = document(capsys, sides[0], new, "--repo", repo, "--consumer", tmp_path / "ws")
+    told = {(c["kind"], c["change"], c["old"], c["new"]) for c in found["changes"]}
+    assert told >= {
+        ("parameter", "renamed", "checker_plugin", "checker_plugins"),
+        ("service", "removed", "~/home", None),
+        ("message_field", "renamed", "force", "max_force"),
+        ("message", "removed", "arm_msgs/srv/Go", None),
+    }
+    assert not {"method", "file", "executable"} & {kind for kind, *_ in told}
+    assert "VER001" in {finding["rule"] for finding in found["findings"]}
+    assert found["verdict"]["declared_bump"] == "minor"
+
+
+def test_a_manifest_that_is_none(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The file that is wrong is named."""
     write(tmp_path / "contracts", {"p/ecm.p.node.ecm.yaml": "schema: ecm-extract/manifest/1\n"})
     status, out, err = ran(capsys, tmp_path / "contracts", tmp_path / "contracts", "--repo", tmp_path)
     assert (status, out) == (2, "")
-    assert "check upgrade" in err
+    assert "p/ecm.p.node.ecm.yaml" in err
 
 
 def test_an_unknown_ref_is_an_input_error(repo: Path, capsys: pytest.CaptureFixture[str]) -> None:
