@@ -45,6 +45,7 @@ class ListFolder:
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
         self._appending: dict[int, list[tuple[int, str, Expr]]] = {}
+        self._searching: set[tuple[int, int, int]] = set()
 
     def elements(self, expr: Expr | None, env: Env, index: Expr | None = None) -> tuple[Value, ...]:
         """Return the values that the elements of a list, or one of them, can have."""
@@ -77,16 +78,32 @@ class ListFolder:
             return [Bound(item, env) for item in expr.args]
         if isinstance(expr, Name) and expr.id in env.args:
             return self.items(env.args[expr.id].expr, env.args[expr.id].env.before(env.args[expr.id].env.at))
-        for definition, inner in self.definitions(expr, env):
-            value = definition.statement.value
-            found = self.items(value, inner) if definition.statement.kind != "each" else None
-            if found is not None:
-                return found
+        found = self._assigned(expr, env)
+        if found is not None:
+            return found
         appended = self._appended(expr, env)
         if appended:
             return appended
         constant = self.folder.scope.constant(expr.id, env) if isinstance(expr, Name) else None
         return self.items(constant[0], env.before(env.at)) if constant is not None else None
+
+    def _assigned(self, expr: Expr, env: Env) -> list[Bound] | None:
+        """Return the elements of the first list that is assigned to a variable or a member."""
+        key = (id(expr), id(env.func), env.at)
+        if key in self._searching:  # members that are set from each other: what was tried once gives nothing again
+            return None
+        outermost = not self._searching
+        self._searching.add(key)
+        try:
+            for definition, inner in self.definitions(expr, env):
+                value = definition.statement.value
+                found = self.items(value, inner) if definition.statement.kind != "each" else None
+                if found is not None:
+                    return found
+            return None
+        finally:
+            if outermost:
+                self._searching.clear()
 
     def _appended(self, expr: Expr, env: Env) -> list[Bound]:
         """Return what the functions of a class, or the one at hand, append to a list that starts empty."""

@@ -192,3 +192,24 @@ def test_an_attribute_of_a_derived_class_hides_that_of_its_base(workspace: Any) 
     found = {entry.name for entry in entries if entry.role == "subscriber"}
     assert "/fence/fences" in found
     assert not found & {"/fence/points", "/base/fences"}
+
+
+def test_lists_that_are_set_from_each_other_end(workspace: Any) -> None:
+    """Members handed to and fro in many functions are looked at once each."""
+    pairs = "\n".join(
+        f"    def f{n}(self):\n        self.a = self.b\n        self.b = self.c\n        self.c = self.a"
+        for n in range(8)
+    )
+    text = f"""
+import rospy
+from std_msgs.msg import String
+class D:
+{pairs}
+    def start(self):
+        self.c = ["last"]
+        rospy.Publisher(self.a[0], String, queue_size=1)
+rospy.init_node("d")
+D().start()
+"""
+    entry = workspace.package({"scripts/d.py": text}, ros=1).only("publisher")
+    assert entry.confidence in {"folded", "pattern"}
