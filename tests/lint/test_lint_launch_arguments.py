@@ -1,0 +1,68 @@
+"""Which arguments of launch files nobody declares, reads or gives (LNT056)."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from lint_fixtures import lint
+from workspaces import Workspace
+
+FIND = {1: "$(find pkg)/launch/part.launch", 2: "$(find-pkg-share pkg)/launch/part.launch.xml"}
+ROWS = [
+    (1, "", '<param name="p" value="$(arg wrong)"/>', "", ["wrong"]),
+    (1, "", '<arg name="a" default="1"/><param name="p" value="$(arg a)"/>', "", []),
+    (1, "", '<group if="$(arg a)"/>', "", ["a"]),
+    (1, "", '<rosparam subst_value="true">p: $(arg a)</rosparam>', "", ["a"]),
+    (1, "", "<!-- $(arg a) -->", "", []),
+    (1, '<arg name="a"/>', "", '<arg name="a" value="1"/>', []),
+    (1, '<arg name="a"/>', "", "", ["a"]),
+    (1, '<arg name="a" default="1"/>', "", '<arg name="b" value="1"/>', ["b"]),
+    (2, '<arg name="a"/>', "", '<arg name="a" value="1"/>', []),
+    (2, '<arg name="a"/>', "", "", ["a"]),
+    (2, '<arg name="a"/>', '<arg name="a" default="1"/>', "", []),
+    (2, '<arg name="a"/>', '<let name="a" value="1"/>', "", []),
+    (2, '<arg name="a" default="1"/>', "", '<arg name="b" value="1"/>', ["b"]),
+    (2, '<let name="c" value="$(var b)"/>', "", '<arg name="b" value="1"/>', []),
+    (2, '<include file="$(find-pkg-share other)/x.launch.xml"/>', "", '<arg name="b" value="1"/>', []),
+]
+
+
+@pytest.mark.parametrize(("ros", "part", "outer", "given", "expected"), ROWS)
+def test_arguments(workspace: Workspace, ros: int, part: str, outer: str, given: str, expected: list[str]) -> None:
+    """A file of ROS 1 has its own arguments; in ROS 2 those that are set above are seen below."""
+    include = f'<include file="{FIND[ros]}">{given}</include>'
+    ending = "launch" if ros == 1 else "launch.xml"
+    files = {
+        f"launch/all.{ending}": f"<launch>{outer}{include}</launch>",
+        f"launch/part.{ending}": f"<launch>{part}</launch>",
+    }
+    workspace.package(files, ros=ros)
+    assert _names(workspace.root) == expected
+
+
+def test_all_arguments_are_passed(workspace: Workspace) -> None:
+    """A file that is included with all arguments of another one may use any of them."""
+    include = f'<include file="{FIND[1]}" pass_all_args="true"/>'
+    files = {
+        "launch/all.launch": f'<launch><arg name="a" default="1"/>{include}</launch>',
+        "launch/part.launch": '<launch><param name="p" value="$(arg a)"/></launch>',
+    }
+    assert _names(workspace.package(files, ros=1).root) == []
+
+
+def test_a_parameter_file_reads_arguments(workspace: Workspace) -> None:
+    """A file that is loaded with substitutions reads what the launch sets."""
+    include = f'<include file="{FIND[2]}"><arg name="b" value="1"/></include>'
+    load = '<node pkg="pkg" exec="n"><param from="$(find-pkg-share pkg)/n.yaml" allow_substs="true"/></node>'
+    files = {
+        "launch/all.launch.xml": f"<launch>{include}</launch>",
+        "launch/part.launch.xml": f"<launch>{load}</launch>",
+        "n.yaml": "n:\n  ros__parameters:\n    p: $(var b)\n",
+    }
+    assert _names(workspace.package(files).root) == []
+
+
+def _names(root: Path) -> list[str]:
+    found = [finding for finding in lint(root) if finding.rule == "LNT056"]
+    return [next(word for word in ("wrong", "a", "b") if f" {word}" in f" {f.message.split(':')[0]}") for f in found]
