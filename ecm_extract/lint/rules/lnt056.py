@@ -64,12 +64,14 @@ def _undeclared(path: str, entry: Interface, workspace: Workspace) -> Iterator[F
 
 def _refused(path: str, call: Handed, target: Interface, workspace: Workspace) -> Iterator[Finding]:
     place = Evidence(path, call.line)
+    left_out = target.required - set(call.names)
     for name in call.names:
         if name not in target.declared:
             near = nearest(name, target.declared - set(call.names))
+            left_out -= {near or name}
             text = f"{call.target} is given {name}, which it does not declare" + (f"; it has {near}" if near else "")
             yield _finding(text, name, near, place, workspace, "proved")
-    for name in sorted(target.required - set(call.names)):
+    for name in sorted(left_out):
         yield _finding(f"{call.target} needs {name} and is not given it", name, None, place, workspace, "proved")
 
 
