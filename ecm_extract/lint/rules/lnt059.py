@@ -1,0 +1,107 @@
+"""LNT059: an install rule names a file or folder that is not there, or a variable that nothing sets."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from ecm_checker.contract import Evidence
+from ecm_checker.finding import Entity, Finding
+from ecm_parsers.cmake_tokens import parse_commands
+
+from ecm_extract.lint.install_rules import InstallRule, install_rules
+from ecm_extract.lint.near import nearest
+from ecm_extract.lint.rule import LintRule
+from ecm_extract.lint.workspace import Workspace
+from ecm_extract.read.facts import PackageFacts
+
+RULE = LintRule(
+    id="LNT059",
+    name="install_names_nothing",
+    dimension="versioning",
+    severity="error",
+    who="config",
+    consequence="installing the package stops there, or puts the files where nobody looks for them",
+    resolution="correct the name",
+)
+_VARIABLE = re.compile(r"\$\{(\w+)\}")
+_OPEN = re.compile(r"[$*?\[\]<>@]")
+_KNOWN = tuple(
+    f"{maker}_{what}_DESTINATION"
+    for maker in ("CATKIN_PACKAGE", "CATKIN_GLOBAL")
+    for what in ("BIN", "LIB", "INCLUDE", "SHARE", "PYTHON", "ETC")
+)
+_SLIP = 0.9
+_BUILDERS = frozenset({"configure_file", "add_custom_command", "execute_process", "file", "externalproject_add"})
+
+
+def check(workspace: Workspace) -> Iterator[Finding]:
+    """Report what an install rule of a CMake package names and no file, folder or command of it gives."""
+    paths = frozenset(entry.path for package in workspace.packages for entry in package.root.files)
+    folders = frozenset(path[:at] for path in paths for at in range(len(path)) if path[at] == "/")
+    outside = _submodules(workspace)
+    for package in workspace.packages:
+        if package.root.rosbuild or not package.cmake:
+            continue
+        words = _words(package, workspace)
+        rules = list(install_rules(package, workspace))
+        for rule in rules:
+            yield from _unset(rule, words, package)
+            if rule.kind != "TARGETS" and "OPTIONAL" not in rule.words and words is not None and "EXISTS" not in words:
+                yield from _absent(rule, paths | folders, words | outside, package)
+
+
+def _submodules(workspace: Workspace) -> frozenset[str]:
+    """Folders that another repository fills."""
+    text = (workspace.files.read(".gitmodules") or b"").decode("utf-8", "replace")
+    return frozenset(line.partition("=")[2].strip() for line in text.splitlines() if line.strip().startswith("path"))
+
+
+def _words(package: PackageFacts, workspace: Workspace) -> frozenset[str] | None:
+    """What the commands of a package say outside of install rules; None when files from elsewhere may say more."""
+    found: set[str] = set()
+    for path in package.cmake:
+        for command in parse_commands(workspace.files.read(path) or b"").facts:
+            words = [argument.text for argument in command.args]
+            found |= set() if command.name == "install" or command.name.startswith("end") else set(words)
+            if command.name in _BUILDERS:
+                found |= {part for word in words for part in word.split("/")}
+            if command.name == "include" and words and words[0].endswith(".cmake"):
+                return None
+    return frozenset(found)
+
+
+def _unset(rule: InstallRule, words: frozenset[str] | None, package: PackageFacts) -> Iterator[Finding]:
+    for name in sorted({name for text in (*rule.items, rule.destination) for name in _VARIABLE.findall(text)}):
+        near = nearest(name, _KNOWN, _SLIP) if name not in _KNOWN else None
+        loose = words is not None and name.islower() and "_" not in name and name not in words
+        if near or loose:
+            text = f"an install rule of {package.name} uses ${{{name}}}, which nothing sets"
+            yield _finding(text + (f"; there is ${{{near}}}" if near else ""), name, rule, package, near)
+
+
+def _absent(
+    rule: InstallRule, there: frozenset[str], elsewhere: frozenset[str], package: PackageFacts
+) -> Iterator[Finding]:
+    missing = [item for item in rule.items if not _is_given(item, rule, there, elsewhere)]
+    if not missing:
+        return
+    paths = [f"{rule.folder}{item}".rstrip("/") for item in missing]
+    folder, _, name = paths[0].rpartition("/")
+    beside = [each.rpartition("/")[2] for each in there if each.rpartition("/")[0] == folder]
+    near = nearest(name, beside) if len(missing) == 1 else None
+    text = f"{package.name} installs {', '.join(missing)}, which {'is' if len(missing) == 1 else 'are'} not there"
+    yield _finding(text + (f"; there is {near}" if near else ""), " ".join(missing), rule, package, near)
+
+
+def _is_given(item: str, rule: InstallRule, there: frozenset[str], elsewhere: frozenset[str]) -> bool:
+    """Tell whether something is there, is made by a command, or is not known."""
+    path = f"{rule.folder}{item}".rstrip("/")
+    if not item.rstrip("/.") or item.startswith(("/", "..")) or _OPEN.search(item) or "/../" in item:
+        return True
+    return path in there or bool({item, path, path.rpartition("/")[2]} & elsewhere)
+
+
+def _finding(text: str, name: str, rule: InstallRule, package: PackageFacts, near: str | None) -> Finding:
+    entity = Entity("file", name, near or "")
+    return RULE.finding(text, entity, package.name, [Evidence(rule.path, rule.line)], certainty="likely")

@@ -1,0 +1,75 @@
+"""What install rules leave out, misplace, or name in vain (LNT057 to LNT060)."""
+
+from __future__ import annotations
+
+import pytest
+from lint_fixtures import lint
+from workspaces import Workspace
+
+HEAD = {
+    1: "project(pkg)\nfind_package(catkin REQUIRED)\ncatkin_package()\n",
+    2: "project(pkg)\nfind_package(ament_cmake REQUIRED)\nament_package()\n",
+}
+LIB, BIN = "LIBRARY DESTINATION lib", "RUNTIME DESTINATION lib/pkg"
+INCLUDE = "${CATKIN_PACKAGE_INCLUDE_DESTINATION}"
+PROGRAMS = "${CATKIN_PACKAGE_BIN_DESTINATION}"
+BUILT = "add_executable(run a.cpp)\n"
+CHAIN = """add_library(core SHARED a.cpp)
+add_library(part a.cpp)
+target_link_libraries(part PUBLIC core)
+target_link_libraries(run part)
+"""
+ROWS = [
+    (1, f"{BUILT}add_library(core a.cpp)\ntarget_link_libraries(run core)\ninstall(TARGETS run {BIN})", ["LNT057"]),
+    (1, f"{BUILT}add_library(core STATIC a.cpp)\ntarget_link_libraries(run core)\ninstall(TARGETS run {BIN})", []),
+    (1, f"{BUILT}add_library(core a.cpp)\ninstall(TARGETS run {BIN})", []),
+    (1, f"{BUILT}add_library(core a.cpp)\ntarget_link_libraries(run core)\ninstall(TARGETS run core {BIN})", []),
+    (2, f"{BUILT}add_library(core a.cpp)\ntarget_link_libraries(run core)\ninstall(TARGETS run {BIN})", []),
+    (2, f"{BUILT}{CHAIN}install(TARGETS run {BIN})", ["LNT057"]),
+    (1, f"install(DIRECTORY include/ DESTINATION {INCLUDE})", ["LNT058"]),
+    (1, f"install(DIRECTORY include DESTINATION {INCLUDE})", ["LNT058"]),
+    (1, f"install(DIRECTORY include/pkg DESTINATION {INCLUDE})", ["LNT058"]),
+    (1, f"install(DIRECTORY include/pkg/ DESTINATION {INCLUDE})", []),
+    (1, f"install(DIRECTORY include/${{PROJECT_NAME}}/ DESTINATION {INCLUDE})", []),
+    (1, f"install(FILES include/pkg/core.h DESTINATION {INCLUDE})", []),
+    (1, "install(DIRECTORY include/ DESTINATION ${CATKIN_GLOBAL_INCLUDE_DESTINATION})", []),
+    (2, "install(DIRECTORY include/ DESTINATION include/${PROJECT_NAME})", []),
+    (2, "install(DIRECTORY include/ DESTINATION include)", []),
+    (1, "install(DIRECTORY config DESTINATION share)", ["LNT059"]),
+    (1, "install(DIRECTORY config DESTINATION share OPTIONAL)", []),
+    (1, "if(EXISTS config)\ninstall(DIRECTORY config DESTINATION share)\nendif()", []),
+    (1, "configure_file(a.in config)\ninstall(FILES config DESTINATION share)", []),
+    (1, "foreach(dir include)\ninstall(DIRECTORY ${dir}/pkg/ DESTINATION include/pkg)\nendforeach()", []),
+    (1, "foreach(config include)\ninstall(DIRECTORY ${dir}/ DESTINATION share/${dir})\nendforeach(dir)", ["LNT059"]),
+    (1, "install(FILES a.cpp DESTINATION ${CATKIN_PACAKGE_SHARE_DESTINATION})", ["LNT059"]),
+    (1, "install(FILES a.cpp DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})", []),
+    (1, f"install(DIRECTORY scripts/ DESTINATION {PROGRAMS})", ["LNT060"]),
+    (1, f"install(DIRECTORY scripts/ DESTINATION {PROGRAMS} USE_SOURCE_PERMISSIONS)", []),
+    (1, f"install(FILES scripts/talk.py DESTINATION {PROGRAMS})", ["LNT060"]),
+    (1, f"install(PROGRAMS scripts/talk.py DESTINATION {PROGRAMS})", []),
+    (1, f"catkin_install_python(PROGRAMS scripts/talk.py DESTINATION {PROGRAMS})", []),
+    (1, "install(DIRECTORY scripts/ DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION}/scripts)", []),
+    (2, "install(FILES scripts/talk.py DESTINATION lib/${PROJECT_NAME})", ["LNT060"]),
+]
+
+
+@pytest.mark.parametrize(("ros", "text", "expected"), ROWS)
+def test_install_rules(workspace: Workspace, ros: int, text: str, expected: list[str]) -> None:
+    """A rule is judged by where its files come to lie, and by who needs them there."""
+    files = {
+        "CMakeLists.txt": HEAD[ros] + text + "\n",
+        "a.cpp": "int main() {}\n",
+        "include/pkg/core.h": "#pragma once\n",
+        "scripts/talk.py": "#!/usr/bin/env python3\n",
+    }
+    found = [finding.rule for finding in lint(workspace.package(files, ros=ros).root)]
+    assert [rule for rule in found if "LNT057" <= rule <= "LNT060"] == expected
+
+
+def test_a_header_that_another_package_includes(workspace: Workspace) -> None:
+    """Nobody misses a header that stays private."""
+    build = {"CMakeLists.txt": HEAD[1], "include/pkg/core.h": "#pragma once\n", "a.cpp": "int a;\n"}
+    workspace.package(build, ros=1)
+    assert "LNT058" not in [finding.rule for finding in lint(workspace.root)]
+    workspace.package({"b.cpp": "#include <pkg/core.h>\n", "CMakeLists.txt": "project(user)\n"}, ros=1, name="user")
+    assert "LNT058" in [finding.rule for finding in lint(workspace.root)]
