@@ -1,4 +1,4 @@
-"""LNT011: Python uses a name of a module of the workspace that the module does not bind."""
+"""LNT011: Python uses a name that its file, or the module of the workspace that it is of, does not bind."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 from ecm_parsers.source.expr import Expr, Member, Name
+from ecm_parsers.source.python_names import loose_names
 
 from ecm_extract.link.program import File
 from ecm_extract.lint.near import nearest
@@ -21,8 +22,8 @@ RULE = LintRule(
     dimension="versioning",
     severity="error",
     who="source",
-    consequence="Python stops with ImportError or AttributeError when it gets there",
-    resolution="use the name that the module binds, or restore it",
+    consequence="Python stops with ImportError, NameError or AttributeError when it gets there",
+    resolution="use the name that is bound, import it, or restore it",
 )
 MAX_DEPTH = 30
 _GENERATED = frozenset({"msg", "srv", "action", "cfg"})
@@ -32,7 +33,8 @@ _BUILDS_MODULES = re.compile(
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
-    """Report imports from, and attributes of, Python modules whose every name is known."""
+    """Report imports from, and attributes of, Python modules whose every name is known, and names of no module."""
+    yield from _loose(workspace)
     names = _names(workspace)
     modules = _modules(workspace, names)
     yield from _missing_modules(workspace, modules, names)
@@ -49,6 +51,17 @@ def check(workspace: Workspace) -> Iterator[Finding]:
                 text = f"module {module} binds no {name}" + (f"; it binds {near}" if near else "")
                 entity = Entity("function", f"{module}.{name}", near or "")
                 yield RULE.finding(text, entity, file.package, [Evidence(file.path, line)], certainty="proved")
+
+
+def _loose(workspace: Workspace) -> Iterator[Finding]:
+    """Names that a file uses and binds nowhere."""
+    for file in workspace.linker.program.files:
+        if file.language != "python" or file.package not in workspace.by_name or file.path.endswith("conf.py"):
+            continue  # Sphinx gives its conf.py names
+        for name, line in loose_names(workspace.files.read(file.path) or b""):
+            text = f"{file.path} uses {name}, which nothing in it defines or imports"
+            entity = Entity("function", name)
+            yield RULE.finding(text, entity, file.package, [Evidence(file.path, line)], certainty="likely")
 
 
 def _names(workspace: Workspace) -> set[str]:

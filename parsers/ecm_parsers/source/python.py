@@ -37,7 +37,7 @@ def parse_python(data: bytes) -> Parsed[SourceFile]:
         message = f"The file has more than {MAX_BYTES} bytes and was not read. Split it, or exclude generated code."
         return _unread("python-too-large", message)
     data = data.removeprefix(_BOM)
-    root = _syntax(data)
+    root = syntax_tree(data)
     if root is None:
         message = f"The file took more than {MAX_SECONDS} s to parse and was not read. Correct its syntax."
         return _unread("python-too-slow", message)
@@ -50,7 +50,7 @@ def _unread(code: str, message: str) -> Parsed[SourceFile]:
     return Parsed(SourceFile("python"), (Diagnostic("error", code, 0, message),))
 
 
-def _syntax(data: bytes) -> Node | None:
+def syntax_tree(data: bytes) -> Node | None:
     """Syntax tree of a source; None when it takes too long, as recovery from some errors is quadratic."""
     parser = _parser()
     end = monotonic() + MAX_SECONDS

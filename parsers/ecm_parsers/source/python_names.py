@@ -1,0 +1,100 @@
+"""Names that a Python file uses and nothing in it binds, whatever the scope."""
+
+from __future__ import annotations
+
+import builtins
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from ecm_parsers.source.python import syntax_tree
+
+MAX_NODES = 300_000
+_OF_PYTHON_2 = (
+    "apply basestring buffer cmp coerce execfile file intern long raw_input reduce reload unichr unicode xrange"
+)
+_OF_MODULES = "__file__ __builtins__ __path__ __module__ __qualname__ __class__ __annotations__ _ WindowsError"
+_GIVEN = frozenset({*dir(builtins), *_OF_PYTHON_2.split(), *_OF_MODULES.split()})
+_OPEN_NODES = frozenset({"wildcard_import", "exec_statement"})
+_OPEN_NAMES = frozenset({"exec", "execfile", "globals", "locals", "vars", "NameError"})
+"""With these, names may come from where no statement binds them."""
+
+_PATTERNS = frozenset(
+    {
+        "pattern_list",
+        "tuple_pattern",
+        "list_pattern",
+        "list_splat_pattern",
+        "dictionary_splat_pattern",
+        "as_pattern_target",
+        "parameters",
+        "lambda_parameters",
+        "import_statement",
+        "import_from_statement",
+        "future_import_statement",
+        "global_statement",
+        "nonlocal_statement",
+        "delete_statement",
+        "case_pattern",
+        "type_parameter",
+        "type_alias_statement",
+    }
+)
+"""All names below are bound; a default in one of them is taken for bound too."""
+
+_BOUND_FIELDS = {
+    "assignment": "left",
+    "for_statement": "left",
+    "for_in_clause": "left",
+    "named_expression": "name",
+    "function_definition": "name",
+    "class_definition": "name",
+}
+_NOT_NAMES = {
+    "attribute": "attribute",
+    "keyword_argument": "name",
+    "aliased_import": "name",
+    "import_from_statement": "module_name",
+}
+
+
+def loose_names(data: bytes) -> list[tuple[str, int]]:
+    """Return (name, line) of the first use of each name that no statement of a file binds and Python does not have.
+
+    Nothing is returned for files that do not parse, and for those that may bind names while they run.
+    """
+    root = syntax_tree(data)
+    if root is None or root.has_error or root.descendant_count > MAX_NODES:
+        return []
+    bound: set[str] = set()
+    used: dict[str, int] = {}
+    for node, binds in _names(root):
+        if node.type in _OPEN_NODES:
+            return []
+        name = (node.text or b"").decode("utf-8", "replace")
+        if binds:
+            bound.add(name)
+        else:
+            used.setdefault(name, node.start_point[0] + 1)
+    if not _OPEN_NAMES.isdisjoint(used):
+        return []
+    return [(name, line) for name, line in used.items() if name not in bound | _GIVEN]
+
+
+def _names(root: Node) -> Iterator[tuple[Node, bool]]:
+    """Every identifier that stands for a name, and whether it is bound there; and what makes a file open."""
+    pending = [(root, False)]
+    while pending:
+        node, binds = pending.pop()
+        if node.type == "identifier" or node.type in _OPEN_NODES:
+            yield node, binds
+            continue
+        field = _BOUND_FIELDS.get(node.type)
+        left = node.child_by_field_name(field) if field else None
+        skipped = node.child_by_field_name(_NOT_NAMES[node.type]) if node.type in _NOT_NAMES else None
+        inside = node.type in _PATTERNS or (binds and node.type not in {"attribute", "subscript", "call"})
+        caught = node.named_children[1:] if node.type == "except_clause" else ()  # `except Error, e` of Python 2
+        for child in reversed(node.named_children):
+            if child != skipped:
+                late = child.type == "identifier" and child in caught
+                pending.append((child, inside or child == left or late))
