@@ -1,4 +1,4 @@
-"""LNT009: a plugin description names a class that the package does not define or does not export."""
+"""LNT009: a plugin description names a class that the package does not define, or not export for that base class."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from ecm_parsers.plugin_xml import PluginClass
 
 from ecm_extract.discover import is_test_path
 from ecm_extract.link.program import plain
+from ecm_extract.lint.plugin_bases import mismatches
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
@@ -32,6 +33,7 @@ _ARGUMENTS = re.compile(r"<(.+)>")
 
 def check(workspace: Workspace) -> Iterator[Finding]:
     """Report described classes that no macro of the package exports, when it exports some with that macro at all."""
+    yield from _of_other_base(workspace)
     for package in workspace.packages:
         exported = _exported(workspace, package)
         if not exported:
@@ -44,6 +46,15 @@ def check(workspace: Workspace) -> Iterator[Finding]:
                     continue
                 if not _in_tests(entry, package, workspace):
                     yield _finding(entry, path, package, exported)
+
+
+def _of_other_base(workspace: Workspace) -> Iterator[Finding]:
+    """Classes that their macro exports for another base class than the description says."""
+    for package, found in mismatches(workspace):
+        entry = found.entry
+        text = f"{found.path} describes {entry.type} as a {entry.base_class_type}, it is exported as a {found.base}"
+        entity = Entity("plugin", entry.lookup_name, entry.base_class_type)
+        yield RULE.finding(text, entity, package.name, [Evidence(found.path, entry.line), found.place])
 
 
 def _is_of_other(entry: PluginClass, package: PackageFacts, workspace: Workspace) -> bool:
