@@ -1,4 +1,4 @@
-"""What install rules leave out, misplace, or name in vain (LNT057 to LNT060)."""
+"""What install rules leave out, misplace, or name in vain (LNT043, LNT057 to LNT060)."""
 
 from __future__ import annotations
 
@@ -73,3 +73,24 @@ def test_a_header_that_another_package_includes(workspace: Workspace) -> None:
     assert "LNT058" not in [finding.rule for finding in lint(workspace.root)]
     workspace.package({"b.cpp": "#include <pkg/core.h>\n", "CMakeLists.txt": "project(user)\n"}, ros=1, name="user")
     assert "LNT058" in [finding.rule for finding in lint(workspace.root)]
+
+
+@pytest.mark.parametrize(
+    ("named", "installed", "expected"),
+    [
+        ("$(find pkg)/maps/home.yaml", "launch", True),
+        ("$(find pkg)/maps/home.yaml", "launch maps", False),
+        ("$(find pkg)/maps/other.yaml", "launch", False),
+        ("$(find other)/maps/home.yaml", "launch", False),
+        ("package://pkg/maps/home.yaml", "launch", True),
+    ],
+)
+def test_a_file_that_a_launch_file_names(workspace: Workspace, named: str, installed: str, expected: bool) -> None:
+    """A launch that is installed looks for its files beside it."""
+    files = {
+        "CMakeLists.txt": HEAD[1] + f"install(DIRECTORY {installed} DESTINATION share/pkg)\n",
+        "launch/a.launch": f'<launch><param name="map" value="{named}"/></launch>',
+        "maps/home.yaml": "a: 1\n",
+    }
+    found = [finding.rule for finding in lint(workspace.package(files, ros=1).root)]
+    assert ("LNT043" in found) is expected

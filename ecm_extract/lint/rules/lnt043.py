@@ -1,4 +1,4 @@
-"""LNT043: a package builds programs, or holds launch files, and does not install them."""
+"""LNT043: a package builds programs, or holds launch files and what they name, and does not install them."""
 
 from __future__ import annotations
 
@@ -26,13 +26,16 @@ RULE = LintRule(
 )
 _MAKES_PACKAGE = re.compile(rb"^\s*(?:catkin|ament)_package\s*\(", re.MULTILINE | re.IGNORECASE)
 _SHOWN = 5
+_NAMING = (".launch", ".launch.xml", ".xacro", ".urdf")
+_IN_SHARE = re.compile(rb"(?:\$\(find(?:-pkg-share)?\s+(\w+)\s*\)|package://(\w+))/([\w./-]+\.\w+)")
 _BUILD = frozenset({"setup.py", "conf.py"})
 _SCRIPTS = (".py", ".sh", ".bash")
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
-    """Report what a CMake package leaves out of its install rules, once for programs and once for launch files."""
+    """Report what a CMake package leaves out of its install rules, once for programs, launch files and other files."""
     launched = _launched(workspace)
+    named = _named(workspace)
     for package in workspace.packages:
         path = f"{package.root.path}/CMakeLists.txt".lstrip("/")
         if path not in package.cmake or package.root.rosbuild or package.setups or is_open(package, workspace):
@@ -43,8 +46,11 @@ def check(workspace: Workspace) -> Iterator[Finding]:
             used = sorted(set(missing) & started)
             yield _finding(package, path, "program", used or missing, "warning" if used else "info")
         files = sorted(_launch_files(package, workspace))
+        others = sorted(_missing(named.get(package.name, set()), package))
         if files:
             yield _finding(package, path, "launch file", files, "warning")
+        elif others:
+            yield _finding(package, path, "file", others, "warning")
 
 
 def _launched(workspace: Workspace) -> dict[str, set[str]]:
@@ -60,6 +66,24 @@ def _launched(workspace: Workspace) -> dict[str, set[str]]:
             if package and name:
                 found.setdefault(package, set()).add(name)
     return found
+
+
+def _named(workspace: Workspace) -> dict[str, set[str]]:
+    """Files that launch files and descriptions name in the share folder of a package."""
+    found: dict[str, set[str]] = {}
+    for package in workspace.packages:
+        for entry in package.root.files:
+            if entry.path.endswith(_NAMING) and not is_test_path(entry.path, package.root.path):
+                for match in _IN_SHARE.finditer(workspace.files.read(entry.path) or b""):
+                    found.setdefault((match[1] or match[2]).decode(), set()).add(match[3].decode())
+    return found
+
+
+def _missing(names: set[str], package: PackageFacts) -> set[str]:
+    """Those of these files of a package that are there and that no rule installs."""
+    root = f"{package.root.path}/" if package.root.path else ""
+    there = {entry.path for entry in package.root.files}
+    return {name for name in names if f"{root}{name}" in there and not _is_covered(f"{root}{name}", package)}
 
 
 def is_open(package: PackageFacts, workspace: Workspace) -> bool:
