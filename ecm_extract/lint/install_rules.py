@@ -96,6 +96,18 @@ def install_rules(package: PackageFacts, workspace: Workspace) -> Iterator[Insta
                 yield _rule("PROGRAMS", call.args[call.args[:1] == ("PROGRAMS",) :], path, call.line, package.name)
 
 
+def place_of(path: str, rule: InstallRule) -> str | None:
+    """Return where a rule puts a file, None when it leaves it out."""
+    for item in rule.items:
+        full = f"{rule.folder}{item}"
+        if rule.kind == "FILES" and path == full:
+            return f"{rule.destination}/{path.rpartition('/')[2]}"
+        if rule.kind == "DIRECTORY" and path.startswith(full.rstrip("/") + "/"):
+            start = full if full.endswith("/") else full.rpartition("/")[0]
+            return f"{rule.destination}/{path.removeprefix(start).lstrip('/')}"
+    return None
+
+
 def _rule(kind: str, args: tuple[str, ...], path: str, line: int, package: str) -> InstallRule:
     end = next((at for at, arg in enumerate(args) if arg in _WORDS), len(args))
     to = next((args[at + 1] for at, arg in enumerate(args[:-1]) if arg == "DESTINATION"), "")

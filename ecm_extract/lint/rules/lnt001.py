@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 
+from ecm_extract.lint.named_files import absent_files
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 
@@ -17,7 +18,7 @@ RULE = LintRule(
     dimension="versioning",
     severity="error",
     who="config",
-    consequence="the launch stops there with an error, and nothing after it starts",
+    consequence="the launch, or the node that opens it, stops there with an error",
     resolution="correct the path, or add the file",
 )
 _OPEN = frozenset("{}[]<>$!")
@@ -37,6 +38,17 @@ def check(workspace: Workspace) -> Iterator[Finding]:
         evidence = [Evidence(entry.path, entry.line)]
         yield RULE.finding(f"{entry.path} names {name}, which is not there", Entity("file", name), package, evidence)
     yield from _relative(workspace)
+    yield from _absent(workspace)
+
+
+def _absent(workspace: Workspace) -> Iterator[Finding]:
+    """Files that arguments and parameters name: maps, configurations, what rviz shows."""
+    for found in absent_files(workspace):
+        text = f"{found.place.path} names {found.path} of {found.package}, which is not there"
+        text += f"; there is {found.near}" if found.near else ""
+        entity = Entity("file", f"{found.package}/{found.path}", found.near)
+        package = workspace.package_of(found.place.path)
+        yield RULE.finding(text, entity, package, [found.place], certainty="likely")
 
 
 def _relative(workspace: Workspace) -> Iterator[Finding]:

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding, Severity
 
-from ecm_extract.lint.install_rules import InstallRule, install_rules
+from ecm_extract.lint.install_rules import InstallRule, install_rules, place_of
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.rules.lnt043 import is_open
 from ecm_extract.lint.workspace import Workspace
@@ -71,26 +71,14 @@ def _included(workspace: Workspace) -> dict[str, tuple[str, Evidence]]:
 
 def _astray(path: str, name: str, rules: Sequence[InstallRule], package: PackageFacts) -> InstallRule | None:
     """The rule that puts a header where it is not looked for; None when another one, or none, puts it in its place."""
-    places = {place: rule for rule in rules if (place := _place(path, rule)) is not None}
+    places = {place: rule for rule in rules if (place := place_of(path, rule)) is not None}
     depths = {place.removesuffix(name).count("/") for place in places if place.endswith(f"/{name}")}
     below = {place: rule for place, rule in places.items() if place.startswith("include/")}
     return None if depths & ({1} if package.ros == 1 else {1, 2}) else next(iter(below.values()), None)
 
 
-def _place(path: str, rule: InstallRule) -> str | None:
-    """Where a rule puts a file, None when it leaves it out."""
-    for item in rule.items:
-        full = f"{rule.folder}{item}"
-        if rule.kind == "FILES" and path == full:
-            return f"{rule.destination}/{path.rpartition('/')[2]}"
-        if rule.kind == "DIRECTORY" and path.startswith(full.rstrip("/") + "/"):
-            start = full if full.endswith("/") else full.rpartition("/")[0]
-            return f"{rule.destination}/{path.removeprefix(start).lstrip('/')}"
-    return None
-
-
 def _is_covered(path: str, rules: Sequence[InstallRule]) -> bool:
-    return any(_place(path, rule) is not None or "*" in " ".join(rule.items) for rule in rules)
+    return any(place_of(path, rule) is not None or "*" in " ".join(rule.items) for rule in rules)
 
 
 def _shown(names: Mapping[str, object] | set[str]) -> str:

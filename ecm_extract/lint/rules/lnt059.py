@@ -12,6 +12,7 @@ from ecm_parsers.cmake_tokens import parse_commands
 from ecm_extract.lint.install_rules import InstallRule, install_rules
 from ecm_extract.lint.near import nearest
 from ecm_extract.lint.rule import LintRule
+from ecm_extract.lint.submodules import submodules
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
 
@@ -39,7 +40,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     """Report what an install rule of a CMake package names and no file, folder or command of it gives."""
     paths = frozenset(entry.path for package in workspace.packages for entry in package.root.files)
     folders = frozenset(path[:at] for path in paths for at in range(len(path)) if path[at] == "/")
-    outside = _submodules(workspace)
+    outside = submodules(workspace)
     for package in workspace.packages:
         if package.root.rosbuild or not package.cmake:
             continue
@@ -49,12 +50,6 @@ def check(workspace: Workspace) -> Iterator[Finding]:
             yield from _unset(rule, words, package)
             if rule.kind != "TARGETS" and "OPTIONAL" not in rule.words and words is not None and "EXISTS" not in words:
                 yield from _absent(rule, paths | folders, words | outside, package)
-
-
-def _submodules(workspace: Workspace) -> frozenset[str]:
-    """Folders that another repository fills."""
-    text = (workspace.files.read(".gitmodules") or b"").decode("utf-8", "replace")
-    return frozenset(line.partition("=")[2].strip() for line in text.splitlines() if line.strip().startswith("path"))
 
 
 def _words(package: PackageFacts, workspace: Workspace) -> frozenset[str] | None:
