@@ -43,6 +43,10 @@ ROWS = [
     (1, "foreach(config include)\ninstall(DIRECTORY ${dir}/ DESTINATION share/${dir})\nendforeach(dir)", ["LNT059"]),
     (1, "install(FILES a.cpp DESTINATION ${CATKIN_PACAKGE_SHARE_DESTINATION})", ["LNT059"]),
     (1, "install(FILES a.cpp DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})", []),
+    (1, "include_directories(include ${caktin_INCLUDE_DIRS})", ["LNT059"]),
+    (1, "set(caktin_INCLUDE_DIRS .)\ninclude_directories(include ${caktin_INCLUDE_DIRS})", []),
+    (1, "include_directories(include ${catkin_INCLUDE_DIRS})", []),
+    (1, "add_subdirectory(part)\ncatkin_package(INCLUDE_DIRS include)", []),
     (1, f"install(DIRECTORY scripts/ DESTINATION {PROGRAMS})", ["LNT060"]),
     (1, f"install(DIRECTORY scripts/ DESTINATION {PROGRAMS} USE_SOURCE_PERMISSIONS)", []),
     (1, f"install(FILES scripts/talk.py DESTINATION {PROGRAMS})", ["LNT060"]),
@@ -94,3 +98,9 @@ def test_a_file_that_a_launch_file_names(workspace: Workspace, named: str, insta
     }
     found = [finding.rule for finding in lint(workspace.package(files, ros=1).root)]
     assert ("LNT043" in found) is expected
+
+
+def test_an_exported_folder_is_there(workspace: Workspace) -> None:
+    """catkin_package refuses a folder of headers that the package does not have."""
+    workspace.package({"CMakeLists.txt": "project(pkg)\ncatkin_package(INCLUDE_DIRS include)\n"}, ros=1)
+    assert "LNT059" in [finding.rule for finding in lint(workspace.root)]

@@ -1,4 +1,4 @@
-"""LNT059: an install rule names a file or folder that is not there, or a variable that nothing sets."""
+"""LNT059: a CMake file names a file or folder that is not there, or a variable that nothing sets."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 from ecm_parsers.cmake_tokens import parse_commands
 
-from ecm_extract.lint.install_rules import InstallRule, install_rules
+from ecm_extract.lint.install_rules import InstallRule, calls_of, install_rules
 from ecm_extract.lint.near import nearest
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.submodules import submodules
@@ -18,19 +18,23 @@ from ecm_extract.read.facts import PackageFacts
 
 RULE = LintRule(
     id="LNT059",
-    name="install_names_nothing",
+    name="cmake_names_nothing",
     dimension="versioning",
     severity="error",
     who="config",
-    consequence="installing the package stops there, or puts the files where nobody looks for them",
+    consequence="the build or the installation stops there, or goes on without what was meant",
     resolution="correct the name",
 )
 _VARIABLE = re.compile(r"\$\{(\w+)\}")
 _OPEN = re.compile(r"[$*?\[\]<>@]")
-_KNOWN = tuple(
-    f"{maker}_{what}_DESTINATION"
-    for maker in ("CATKIN_PACKAGE", "CATKIN_GLOBAL")
-    for what in ("BIN", "LIB", "INCLUDE", "SHARE", "PYTHON", "ETC")
+_KNOWN = (
+    *(
+        f"{maker}_{what}_DESTINATION"
+        for maker in ("CATKIN_PACKAGE", "CATKIN_GLOBAL")
+        for what in ("BIN", "LIB", "LIBEXEC", "INCLUDE", "SHARE", "PYTHON", "ETC")
+    ),
+    *(f"catkin_{what}" for what in ("INCLUDE_DIRS", "LIBRARIES", "LIBRARY_DIRS", "EXPORTED_TARGETS", "FOUND")),
+    *("PROJECT_NAME", "PROJECT_SOURCE_DIR", "PROJECT_BINARY_DIR", "CMAKE_CURRENT_SOURCE_DIR", "CMAKE_INSTALL_PREFIX"),
 )
 _SLIP = 0.9
 _BUILDERS = frozenset({"configure_file", "add_custom_command", "execute_process", "file", "externalproject_add"})
@@ -46,6 +50,8 @@ def check(workspace: Workspace) -> Iterator[Finding]:
             continue
         words = _words(package, workspace)
         rules = list(install_rules(package, workspace))
+        yield from _slips(package, words, workspace)
+        yield from _no_headers(package, folders, workspace)
         for rule in rules:
             yield from _unset(rule, words, package)
             if rule.kind != "TARGETS" and "OPTIONAL" not in rule.words and words is not None and "EXISTS" not in words:
@@ -66,13 +72,35 @@ def _words(package: PackageFacts, workspace: Workspace) -> frozenset[str] | None
     return frozenset(found)
 
 
+def _slips(package: PackageFacts, words: frozenset[str] | None, workspace: Workspace) -> Iterator[Finding]:
+    """Variables that are nearly one of catkin or CMake, each once."""
+    seen: set[str] = set()
+    for path in package.cmake:
+        for command in parse_commands(workspace.files.read(path) or b"").facts:
+            for name in {name for each in command.args for name in _VARIABLE.findall(each.text)} - seen - set(_KNOWN):
+                near = nearest(name, _KNOWN, _SLIP)
+                if near and words is not None and name not in words:
+                    seen.add(name)
+                    text = f"{path} uses ${{{name}}}, which nothing sets; there is ${{{near}}}"
+                    yield _finding(text, name, Evidence(path, command.line), package, near)
+
+
+def _no_headers(package: PackageFacts, folders: frozenset[str], workspace: Workspace) -> Iterator[Finding]:
+    """A folder of headers that catkin_package exports, which it refuses when it is not there."""
+    for path in package.cmake:
+        folder = path.rpartition("/")[0]
+        for call in calls_of(path, package, workspace):
+            exports = call.name == "catkin_package" and call.args[:2] == ("INCLUDE_DIRS", "include")
+            if exports and f"{folder}/include".lstrip("/") not in folders:
+                text = f"{package.name} exports the folder include, which is not there"
+                yield _finding(text, "include", Evidence(path, call.line), package, None)
+
+
 def _unset(rule: InstallRule, words: frozenset[str] | None, package: PackageFacts) -> Iterator[Finding]:
     for name in sorted({name for text in (*rule.items, rule.destination) for name in _VARIABLE.findall(text)}):
-        near = nearest(name, _KNOWN, _SLIP) if name not in _KNOWN else None
-        loose = words is not None and name.islower() and "_" not in name and name not in words
-        if near or loose:
+        if words is not None and name.islower() and "_" not in name and name not in words:
             text = f"an install rule of {package.name} uses ${{{name}}}, which nothing sets"
-            yield _finding(text + (f"; there is ${{{near}}}" if near else ""), name, rule, package, near)
+            yield _finding(text, name, Evidence(rule.path, rule.line), package, None)
 
 
 def _absent(
@@ -86,7 +114,9 @@ def _absent(
     beside = [each.rpartition("/")[2] for each in there if each.rpartition("/")[0] == folder]
     near = nearest(name, beside) if len(missing) == 1 else None
     text = f"{package.name} installs {', '.join(missing)}, which {'is' if len(missing) == 1 else 'are'} not there"
-    yield _finding(text + (f"; there is {near}" if near else ""), " ".join(missing), rule, package, near)
+    yield _finding(
+        text + (f"; there is {near}" if near else ""), " ".join(missing), Evidence(rule.path, rule.line), package, near
+    )
 
 
 def _is_given(item: str, rule: InstallRule, there: frozenset[str], elsewhere: frozenset[str]) -> bool:
@@ -97,6 +127,6 @@ def _is_given(item: str, rule: InstallRule, there: frozenset[str], elsewhere: fr
     return path in there or bool({item, path, path.rpartition("/")[2]} & elsewhere)
 
 
-def _finding(text: str, name: str, rule: InstallRule, package: PackageFacts, near: str | None) -> Finding:
+def _finding(text: str, name: str, place: Evidence, package: PackageFacts, near: str | None) -> Finding:
     entity = Entity("file", name, near or "")
-    return RULE.finding(text, entity, package.name, [Evidence(rule.path, rule.line)], certainty="likely")
+    return RULE.finding(text, entity, package.name, [place], certainty="likely")
