@@ -104,3 +104,20 @@ def test_an_exported_folder_is_there(workspace: Workspace) -> None:
     """catkin_package refuses a folder of headers that the package does not have."""
     workspace.package({"CMakeLists.txt": "project(pkg)\ncatkin_package(INCLUDE_DIRS include)\n"}, ros=1)
     assert "LNT059" in [finding.rule for finding in lint(workspace.root)]
+
+
+@pytest.mark.parametrize(
+    ("installed", "expected"), [("", True), ("install(FILES plugins.xml DESTINATION share/pkg)\n", False)]
+)
+def test_an_exported_plugin_description(workspace: Workspace, installed: str, expected: bool) -> None:
+    """A loader reads the description where package.xml says that it is installed."""
+    files = {
+        "CMakeLists.txt": HEAD[1] + "catkin_python_setup()\nadd_library(pkg a.cpp)\n" + installed,
+        "plugins.xml": '<library path="libpkg"><class type="pkg::A" base_class_type="core::B"/></library>',
+        "setup.py": "from distutils.core import setup\nsetup(packages=['pkg'])\n",
+    }
+    workspace.package(files, ros=1)
+    manifest = workspace.root / "pkg" / "package.xml"
+    export = '<export><core plugin="${prefix}/plugins.xml"/></export></package>'
+    manifest.write_text(manifest.read_text("utf-8").replace("</package>", export), "utf-8")
+    assert ("LNT043" in [finding.rule for finding in lint(workspace.root)]) is expected

@@ -27,6 +27,9 @@ RULE = LintRule(
 )
 
 
+_INTERFACES = ("_msgs", "std_srvs")
+
+
 @cache
 def python_packages() -> Mapping[str, str]:
     """Return the package of widely used Python modules."""
@@ -86,7 +89,7 @@ def _python(module: str, own: set[str], workspace: Workspace) -> str | None:
     top = module.split(".")[0]
     if not top or top in own:
         return None
-    if top in workspace.by_name or top.endswith("_msgs"):
+    if top in workspace.by_name or top.endswith(_INTERFACES):
         return top
     return python_packages().get(top)
 
@@ -94,5 +97,5 @@ def _python(module: str, own: set[str], workspace: Workspace) -> str | None:
 def _cpp(path: str, built: set[str], workspace: Workspace) -> str | None:
     """The first folder of an include is its package, when that is in the tree, holds messages, or is found by CMake."""
     top, slash, _ = path.partition("/")
-    known = top in workspace.by_name or top.endswith("_msgs") or (top in built and top.islower())
+    known = top in workspace.by_name or top.endswith(_INTERFACES) or (top in built and top.islower())
     return top if slash and known else None

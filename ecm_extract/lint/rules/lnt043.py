@@ -38,14 +38,19 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     named = _named(workspace)
     for package in workspace.packages:
         path = f"{package.root.path}/CMakeLists.txt".lstrip("/")
-        if path not in package.cmake or package.root.rosbuild or package.setups or is_open(package, workspace):
+        is_python = bool(package.setups) and package.ros == 2
+        if path not in package.cmake or package.root.rosbuild or is_python or is_open(package, workspace):
             continue
         started = launched.get(package.name, set())
-        missing = sorted(_programs(package) - installed_targets(package) | _scripts(package, started))
+        scripts = _scripts(package, started) if not package.setups else set()  # setup.py may install some
+        missing = sorted(_programs(package) - installed_targets(package) | scripts)
         if missing:
             used = sorted(set(missing) & started)
             yield _finding(package, path, "program", used or missing, "warning" if used else "info")
         files = sorted(_launch_files(package, workspace))
+        described = sorted(_missing(_described(package), package))
+        if described:
+            yield _finding(package, path, "plugin description", described, "warning")
         others = sorted(_missing(named.get(package.name, set()), package))
         if files:
             yield _finding(package, path, "launch file", files, "warning")
@@ -77,6 +82,12 @@ def _named(workspace: Workspace) -> dict[str, set[str]]:
                 for match in _IN_SHARE.finditer(workspace.files.read(entry.path) or b""):
                     found.setdefault((match[1] or match[2]).decode(), set()).add(match[3].decode())
     return found
+
+
+def _described(package: PackageFacts) -> set[str]:
+    """Plugin descriptions that package.xml exports from where they are installed; in ROS 2 a command installs them."""
+    root = f"{package.root.path}/" if package.root.path else ""
+    return {path.removeprefix(root) for path in package.plugins} if package.ros == 1 else set()
 
 
 def _missing(names: set[str], package: PackageFacts) -> set[str]:
