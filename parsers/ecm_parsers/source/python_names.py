@@ -78,7 +78,25 @@ def loose_names(data: bytes) -> list[tuple[str, int]]:
             used.setdefault(name, node.start_point[0] + 1)
     if not _OPEN_NAMES.isdisjoint(used):
         return []
-    return [(name, line) for name, line in used.items() if name not in bound | _GIVEN]
+    found = [(name, line) for name, line in used.items() if name not in bound | _GIVEN]
+    return found + [("self", node.start_point[0] + 1) for node in _without_self(root)][:1]
+
+
+def _without_self(root: Node) -> Iterator[Node]:
+    """Uses of `self` in methods that take no argument at all."""
+    pending = [(root, False)]
+    while pending:
+        node, alone = pending.pop()
+        if node.type == "function_definition":
+            parameters = node.child_by_field_name("parameters")
+            in_class = node.parent is not None and node.parent.parent is not None
+            method = in_class and node.parent.parent.type == "class_definition"  # type: ignore[union-attr]
+            alone = bool(method and parameters is not None and parameters.named_child_count == 0)
+        elif node.type in {"lambda", "class_definition"}:
+            alone = False
+        if node.type == "identifier" and alone and node.text == b"self":
+            yield node
+        pending += [(child, alone) for child in reversed(node.named_children)]
 
 
 def _names(root: Node) -> Iterator[tuple[Node, bool]]:

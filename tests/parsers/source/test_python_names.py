@@ -36,6 +36,9 @@ ROWS = [
     ("f'{a!r:>{b}}'", ["a", "b"]),
     ("match 1:\n  case [a, b]:\n    a, b", []),
     ("unicode(raw_input(), xrange(3))", []),
+    ("class A:\n  def f():\n    return self.a\n  def g(self):\n    return self.a", ["self"]),
+    ("class A:\n  @staticmethod\n  def f():\n    return 1\n  def g(*args):\n    self = args[0]\n    return self", []),
+    ("class A:\n  def f(self):\n    def g():\n      return self\n    return g", []),
     ("def f(:\n  a", []),
     ("{% if a %}", []),
 ]
