@@ -1,4 +1,4 @@
-"""LNT064: a simulated camera publishes an image and the camera info of it in different namespaces."""
+"""LNT062: a simulated camera publishes an image and the camera info of it in different namespaces."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 
 RULE = LintRule(
-    id="LNT064",
+    id="LNT062",
     name="camera_info_apart",
     dimension="signature",
     severity="warning",
