@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from msgspec.structs import replace
+
 from ecm_parsers.source.cpp_expr import ExprReader, lambda_types
-from ecm_parsers.source.cpp_vexing import as_arguments
-from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member, Name, Number, Op, Opaque, Text
+from ecm_parsers.source.cpp_vexing import as_arguments, loop_macro
+from ecm_parsers.source.cpp_writes import written
+from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Name, Number, Op, Opaque, Text
 from ecm_parsers.source.facts import Function, Parameter, Statement, StatementKind
 
 if TYPE_CHECKING:
@@ -66,6 +69,8 @@ class BodyReader:
             self._declaration(node)
         elif kind in {"return_statement", "co_return_statement"}:
             self._return(node)
+        elif kind == "function_definition" and node.child_by_field_name("type") is None:
+            self._macro_block(node)
         self._nesting -= 1
 
     def initializers(self, node: Node) -> None:
@@ -103,6 +108,17 @@ class BodyReader:
         if declarator is not None and right is not None:
             self._add("each", node, self.expr.read(right), Name(declared_name(self.expr, declarator)))
 
+    def _macro_block(self, node: Node) -> None:
+        """`BOOST_FOREACH(const T & item, list) { ... }` reads as a function; within a body none can stand."""
+        self._depth += 1
+        declarator, body = node.child_by_field_name("declarator"), node.child_by_field_name("body")
+        loop = loop_macro(self.expr, declarator) if declarator is not None else None
+        if loop is not None:
+            self._add("each", node, loop[1], Name(declared_name(self.expr, loop[0])))
+        if body is not None:
+            self.read(body)
+        self._depth -= 1
+
     def _counter(self, node: Node) -> None:
         """`++i` of a loop: from here on the counter is not the value that it starts with."""
         counter = node.child_by_field_name("argument")
@@ -122,21 +138,38 @@ class BodyReader:
     def _expression(self, node: Node) -> None:
         if node.type == "call_expression" and self.expr.data.startswith(_LOGGING_BYTES, node.start_byte):
             return
-        value = self.expr.read(node)
+        counter = node.child_by_field_name("argument") if node.type == "update_expression" else None
+        if counter is not None:
+            self._counted(self.expr.read(counter))
+            return
+        self._effect(node, self.expr.read(node))
+
+    def _effect(self, node: Node, value: Expr) -> None:
+        """What an expression assigns, or that it calls something."""
         if isinstance(value, Op) and value.op == "=" and len(value.operands) == 2:
             target, assigned = value.operands
             if isinstance(assigned, Op) and assigned.op == "=":
                 self._chained(node, value)
             elif not isinstance(assigned, Opaque):
                 self._add("set", node, assigned, target)
+        elif isinstance(value, Op) and value.op == "+=" and self._depth and isinstance(value.operands[1], Number):
+            self._counted(value.operands[0])
         elif isinstance(value, Op) and value.op == "+=":
             self._add("set", node, Op("+", value.operands), value.operands[0])
         elif isinstance(value, Op) and value.op == "<<":
             self._stream(node, value)
-        elif isinstance(value, Call) and (pointer := _pointer_reset(value)) is not None:
-            self._add("set", node, value.args[0], pointer)
+        elif isinstance(value, Call) and (write := written(value)) is not None:
+            self._add("set", node, write[1], write[0])
         elif has_call(value):
             self._add("do", node, value)
+
+    def _counted(self, counter: Expr) -> None:
+        """`index++;` in a loop: what the counter starts with is not what it is."""
+        for at in range(len(self.statements) - 1, -1, -1) if self._depth else ():
+            known = self.statements[at]
+            if known.target == counter and isinstance(counter, Name) and isinstance(known.value, Number):
+                self.statements[at] = replace(known, value=Opaque(counter.id))
+                return
 
     def _chained(self, node: Node, value: Expr) -> None:
         """`a = b = c` gives `c` to both."""
@@ -253,13 +286,6 @@ class BodyReader:
 
 
 _LOGGING_BYTES = tuple(prefix.encode() for prefix in _LOGGING)
-
-
-def _pointer_reset(call: Call) -> Expr | None:
-    """The pointer that `pointer.reset(new T(...))` assigns."""
-    callee = call.callee
-    resets = isinstance(callee, Member) and callee.name == "reset" and len(call.args) == 1
-    return callee.base if resets and isinstance(callee, Member) and isinstance(call.args[0], Call) else None
 
 
 def _shifted(value: Expr) -> list[Expr]:

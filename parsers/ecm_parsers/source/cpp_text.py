@@ -13,11 +13,13 @@ _EXPORT_WORD = re.compile(rb"\b[A-Z][A-Z0-9_]*_(?:PUBLIC|EXPORT|LOCAL|API|IMPORT
 _CLASS_WORD = re.compile(rb"((?:class|struct) )([A-Z][A-Z0-9_]{2,})(?= \w+\s*(?:final\s*)?[:{])")
 _MACRO_LINE = re.compile(
     rb"(?<=[;{}:\n])([ \t]*)([A-Z][A-Z0-9_]{2,}[A-Z0-9](?:\([^;{}]{0,400}?\))?)"
-    rb"(?=[ \t]*\r?\n[ \t\r\n]*[^\s,).&|+*/?:<=\[-])"
+    rb"(?=[ \t]*\r?\n[ \t\r\n]*(?:[^\s,).&|+*/?:<=\[-]|/[/*]))"
 )
 _TYPENAME = re.compile(rb"(?<=[(,=<{ \t])typename(?=\s+[\w:]+(?:<[^;(){}]*>)?::)")
 _NO_POINTER = re.compile(rb"(?<=::type)\s*\*\s*=\s*nullptr(?=\s*[,>])")
 _LABEL_NOTE = re.compile(rb"(?<=\w)\s*\[\[[^\[\]]*\]\](?=\s*[=,}])")
+_ADJACENT = re.compile(rb"(?<=[(,])(\s*[A-Z][A-Z0-9]*_[A-Z0-9_]*)[ \t]([A-Z][A-Z0-9]*_[A-Z0-9_]*)(?=\s*[,)])")
+"""Two macros for texts side by side: the compiler joins them."""
 _EMPTY_BRACES = re.compile(rb"=\s*\{\}(?=\s*[,)])")
 _DIRECTIVE = re.compile(rb"^[ \t]*#[ \t]*(?:if|ifdef|ifndef|elif|else|endif)\b[^\n]*", re.MULTILINE)
 _DEFINE_LINE = re.compile(rb"^[ \t]*#[^\n]*(?:\\\n[^\n]*)*", re.MULTILINE)
@@ -33,7 +35,7 @@ def without_macros(data: bytes) -> bytes:
     kept = _outside_directives(data, lambda text: _EXPORT_WORD.sub(_blank, text))
     kept = _outside_directives(kept, lambda text: _MACRO_LINE.sub(_blank, text))
     kept = _CLASS_WORD.sub(lambda match: match[1] + b" " * len(match[2]), kept)
-    kept = _TYPENAME.sub(_blank, kept)
+    kept = _ADJACENT.sub(rb"\1+\2", _TYPENAME.sub(_blank, kept))
     kept = _LABEL_NOTE.sub(_blank, _NO_POINTER.sub(lambda match: b"= 0".ljust(len(match.group())), kept))
     return _EMPTY_BRACES.sub(lambda match: b"= 0".ljust(len(match.group())), kept)
 

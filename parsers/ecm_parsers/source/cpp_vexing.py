@@ -1,32 +1,52 @@
-"""Constructions that read as function declarations: `QoS qos(QoS::from(profile));` in a body makes an object."""
+"""What reads as a function without being one: `QoS qos(QoS::from(profile));` in a body, and loops of macros."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.cpp_expr import ExprReader
-from ecm_parsers.source.expr import Call, Expr, Name
+from ecm_parsers.source.expr import Call, Expr, Name, Op
 
 if TYPE_CHECKING:
     from tree_sitter import Node
 
 
 def as_arguments(reader: ExprReader, listed: Node) -> tuple[Expr, ...] | None:
-    """Return the arguments that a list of parameters without names means: `a`, `A::make(b)`; None for others."""
+    """Return the arguments that a list of parameters without names means: `a`, `a[1]`, `A::make(b)`."""
     args: list[Expr] = []
     for child in listed.named_children:
-        written, declarator = child.child_by_field_name("type"), child.child_by_field_name("declarator")
-        if written is None:
+        arg = _argument(reader, child)
+        if arg is None:
             return None
-        name = Name(reader.name(written))
-        if declarator is None:
-            args.append(name)
-            continue
-        inner = declarator.child_by_field_name("parameters")
-        if declarator.type != "abstract_function_declarator" or len(declarator.named_children) != 1 or inner is None:
-            return None
-        given = as_arguments(reader, inner)
-        if given is None:
-            return None
-        args.append(Call(name, given, (), reader.template_arguments(written), child.start_point[0] + 1))
+        args.append(arg)
     return tuple(args)
+
+
+def _argument(reader: ExprReader, child: Node) -> Expr | None:
+    """Return what one parameter without a name means; None for one that is no expression."""
+    written, declarator = child.child_by_field_name("type"), child.child_by_field_name("declarator")
+    if written is None:
+        return None
+    name = Name(reader.name(written))
+    if declarator is None:
+        return name
+    if len(declarator.named_children) != 1:
+        return None
+    size, inner = declarator.child_by_field_name("size"), declarator.child_by_field_name("parameters")
+    if declarator.type == "abstract_array_declarator" and size is not None:
+        return Op("[]", (name, reader.read(size)))
+    given = as_arguments(reader, inner) if declarator.type == "abstract_function_declarator" and inner else None
+    if given is None:
+        return None
+    return Call(name, given, (), reader.template_arguments(written), child.start_point[0] + 1)
+
+
+def loop_macro(reader: ExprReader, declarator: Node) -> tuple[Node, Expr] | None:
+    """Return (what is bound, the list) of a macro like `BOOST_FOREACH(const T & item, list)`."""
+    name, listed = declarator.child_by_field_name("declarator"), declarator.child_by_field_name("parameters")
+    if name is None or listed is None or "foreach" not in reader.text(name).lower():
+        return None
+    given = listed.named_children
+    bound = given[0].child_by_field_name("declarator") if len(given) == 2 else None
+    over = _argument(reader, given[1]) if bound is not None else None
+    return (bound, over) if bound is not None and over is not None else None

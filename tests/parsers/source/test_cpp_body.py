@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ecm_parsers.source.cpp import parse_cpp
-from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Member, Name, Number, Op, Text
+from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member, Name, Number, Op, Opaque, Text
 from ecm_parsers.source.facts import Function, Statement
 
 
@@ -50,6 +50,14 @@ def test_constructions_from_calls_are_calls() -> None:
     ]
 
 
+def test_constructions_from_elements_are_calls() -> None:
+    """`Thing a(argv[1]);` reads as a declaration with an array; it makes an object."""
+    assert [s.value for s in body("Thing a(argv[1]); Other b(list[i + 1], c);")] == [
+        Call(Name("Thing"), (Op("[]", (Name("argv"), Number(1))),), line=1),
+        Call(Name("Other"), (Op("[]", (Name("list"), Op("+", (Name("i"), Number(1))))), Name("c")), line=1),
+    ]
+
+
 def test_a_chain_of_assignments_gives_its_value_to_all() -> None:
     """`a = b = c` sets b, then a."""
     assert [(s.kind, s.target, s.value) for s in body('a.b = c = "x";')] == [
@@ -78,6 +86,33 @@ def test_range_loops_bind_each_element() -> None:
     """The variable of a range loop is bound to the elements of what it runs over."""
     first = body("for (const auto & name : names) { use(name); }")[0]
     assert (first.kind, first.target, first.value) == ("each", Name("name"), Name("names"))
+
+
+def test_loops_of_macros_bind_each_element() -> None:
+    """`BOOST_FOREACH` and blocks of other macros are no functions: what they hold is of the body."""
+    found = body("BOOST_FOREACH(const Item & item, items[0]) { use(item); } FOR_ALL(x) { go(); }")
+    assert [(s.kind, s.target, s.depth) for s in found] == [
+        ("each", Name("item"), 1),
+        ("do", None, 1),
+        ("do", None, 1),
+    ]
+    assert found[0].value == Op("[]", (Name("items"), Number(0)))
+
+
+def test_what_is_counted_is_no_constant() -> None:
+    """A variable that a loop counts up is not the number it starts with; one that is not keeps it."""
+    found = body("int i = 0; int k = 1; int n = 2; while (true) { use(i, k, n); i++; n += 2; }")
+    assert [s.value for s in found if s.kind == "let"] == [Opaque("i"), Number(1), Opaque("n")]
+
+
+def test_printing_to_a_buffer_assigns_it() -> None:
+    """`snprintf` and `sprintf` give their first argument the formatted text."""
+    found = body('snprintf(a, sizeof(a), "x%d", i); sprintf(b, "%s", c()); snprintf(d, 1, format);')
+    assert [(s.kind, s.target, s.value) for s in found[:2]] == [
+        ("set", Name("a"), Op("%", (Text("x%d"), Items((Name("i"),))))),
+        ("set", Name("b"), Op("%", (Text("%s"), Items((Call(Name("c"), (), line=1),))))),
+    ]
+    assert found[2].kind == "do"
 
 
 def test_conditions_that_call_are_kept() -> None:

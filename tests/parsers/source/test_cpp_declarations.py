@@ -6,7 +6,7 @@ import msgspec
 import pytest
 from ecm_parsers.source import cpp_parser
 from ecm_parsers.source.cpp import MAX_BYTES, parse_cpp
-from ecm_parsers.source.expr import Items, Number, Text
+from ecm_parsers.source.expr import Call, Items, Name, Number, Op, Text
 from ecm_parsers.source.facts import Alias, Import, SourceFile
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -119,6 +119,7 @@ def test_registration_macros(facts: SourceFile) -> None:
 DAMAGE = [b"{", b"}", b"(", b"<", b'"', b"#if 1\n", b"\x00", b"\xff", b"template<"]
 ODD = [
     b"class PKG_PUBLIC Widget : public Base { public: Widget(); EIGEN_MAKE_ALIGNED_OPERATOR_NEW\n void go(); };",
+    b"class Widget : public Base {\npublic:\n MAKE_ALIGNED\n\n /** made */\n Widget() : a_(1) { b(); }\n void go(); };",
     b"class Widget : public Base {\n Q_OBJECT\n public: Widget(); void go(); };",
     b"struct Widget : Base { Widget(const M & m = {}); void go(typename T::Goal g = typename T::Goal()); };",
     b"class Widget : public Base { public:\n#if A\n void go(int);\n#else\n void go();\n#endif\n};",
@@ -138,6 +139,12 @@ def test_members_in_capitals_are_no_macros() -> None:
     """Only macros stand alone on a line; an initialiser whose member ends in an underscore stays."""
     text = b"int broken = [ ;\nDemo::Demo()\n: WIDTH_(read(1)),\n  NAME_(read(2))\n{\n}\n"
     assert [len(f.body) for f in parse_cpp(text).facts.functions] == [2]
+
+
+def test_texts_of_macros_side_by_side_are_joined() -> None:
+    """`ANGULAR_SCALE X_PART` is one argument, as the compiler joins two literals."""
+    found = parse_cpp(b"void f() { declare(ANGULAR_SCALE X_PART, 1); }").facts.functions[0].body[0].value
+    assert found == Call(Name("declare"), (Op("+", (Name("ANGULAR_SCALE"), Name("X_PART"))), Number(1)), line=1)
 
 
 def test_a_broken_file_gives_what_can_be_read() -> None:
