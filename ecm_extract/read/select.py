@@ -25,9 +25,16 @@ def source_kind(entry: Entry, root: str) -> SourceKind | None:
     if suffix == ".py":
         inside = entry.path.removeprefix(f"{root}/") if root else entry.path
         return None if path.name == "setup.py" or inside.split("/")[0] in _SKIPPED_FOLDERS else "python"
-    if not suffix and path.parent.name in _SCRIPT_FOLDERS and entry.executable is not False:
+    if not suffix and _may_be_script(entry, path):
         return "script"
     return None
+
+
+def _may_be_script(entry: Entry, path: PurePosixPath) -> bool:
+    """A file without a suffix that can be run; where its mode is not known, one in a folder for programs."""
+    if entry.executable is None:
+        return path.parent.name in _SCRIPT_FOLDERS
+    return entry.executable and not entry.path.startswith(".") and "/." not in entry.path
 
 
 def sources(package: PackageRoot, include_tests: bool) -> list[tuple[str, SourceKind]]:

@@ -20,7 +20,7 @@ class Entry(msgspec.Struct, frozen=True):
         size: in bytes; None where knowing it would cost a system call, or the blob is missing.
         identity: git blob id; None in a folder until read (`Tree.identity`).
         target: of a symbolic link, the file of this tree that it leads to.
-        executable: has the x bit; None where not looked at.
+        executable: has the x bit; None where not looked at, and in a folder for no x bit: not all file systems have it.
     """
 
     path: str

@@ -87,7 +87,7 @@ class _Walk:
             if item.name not in _NEVER:
                 self.todo.append(path)
         elif item.is_file(follow_symlinks=False):
-            self.entries.append(Entry(path))
+            self.entries.append(Entry(path, executable=_may_run(item)))
         elif item.name not in _NEVER:
             self._note("info", "special-file", path, "A device, socket or pipe is not read.")
 
@@ -106,6 +106,16 @@ class _Walk:
 
     def _note(self, severity: Severity, code: str, path: str, message: str) -> None:
         self.diagnostics.append(FileDiagnostic(severity, code, printable(path), 0, message))
+
+
+def _may_run(item: os.DirEntry[str]) -> bool | None:
+    """Whether a file has the x bit; asked only of names without a dot, since each question is a system call."""
+    if "." in item.name:
+        return None
+    try:
+        return bool(item.stat(follow_symlinks=False).st_mode & 0o111) or None
+    except OSError:
+        return None
 
 
 def _is_generated(name: str, content: set[str]) -> bool:
