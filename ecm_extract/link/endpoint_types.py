@@ -14,6 +14,9 @@ from ecm_extract.link.program import plain
 from ecm_extract.link.site import Site
 from ecm_extract.link.types import Types
 
+_NO_TEXT = frozenset({"bool", "double", "integer"})
+"""Types whose default is no text: what folds to one comes from a call that gives something else when it runs."""
+
 
 class EndpointTypes:
     """Finds the type of what a site declares."""
@@ -31,9 +34,10 @@ class EndpointTypes:
         written = site.call.types[0] if site.form.type == "template:0" and site.call.types else ""
         written = site.env.types.get(written, written)
         out = next(positions(site.form.out, site.call), None)
-        declared = self._declared(written, site.env) or stated or (type_of_data(data) if data is not UNKNOWN else None)
-        known = declared or self._out_type(out, site.env) or self._default_type(default, site.env)
-        return known or self._target_type(site), data
+        declared = self._declared(written, site.env) or stated or self._out_type(out, site.env)
+        known = declared or (type_of_data(data) if data is not UNKNOWN else None)
+        known = known or self._default_type(default, site.env) or self._target_type(site)
+        return known, UNKNOWN if known in _NO_TEXT and isinstance(data, str) else data
 
     def _target_type(self, site: Site) -> str | None:
         """The type of the variable that takes the value: `int qos = declare_parameter("qos", (int)given)`."""
@@ -72,4 +76,18 @@ class EndpointTypes:
 
     def _out_type(self, out: Expr | None, env: Env) -> str | None:
         written = self.folder.objects.type_of(out, env) if out is not None else ""
+        if written and plain(written) in env.func.fact.template:
+            return self._deduced(plain(written), env)
         return declared_type(written) if written else None
+
+    def _deduced(self, template: str, env: Env) -> str | None:
+        """What a template parameter is at a call: given, or the type of an argument that is declared with it."""
+        if template in env.types:
+            return self._declared(env.types[template], env)
+        for parameter in env.func.params:
+            bound = env.args.get(parameter.name) if plain(parameter.type) == template else None
+            if bound is not None:
+                data = data_of(bound.expr, bound.env, self.folder)
+                known = type_of_data(data) if data is not UNKNOWN else None
+                return known or self._default_type(bound.expr, bound.env)
+        return None

@@ -1,0 +1,56 @@
+"""What a variable holds when the parameter that was to be read into it is not set.
+
+ROS 1 writes `if (!nh.getParam("rate", rate)) rate = 10.0;`, or gives the variable its value first.
+"""
+
+from __future__ import annotations
+
+from ecm_parsers.source.expr import Call, Constant, Expr, Member, Name, Op
+
+from ecm_extract.link.calls import Invocation
+from ecm_extract.link.env import Env
+from ecm_extract.link.fold import Folder
+from ecm_extract.link.match import positions
+from ecm_extract.link.site import Site
+
+
+def fallback(site: Site, at: int, folder: Folder) -> Expr | None:
+    """Return the default of a parameter whose row has no place for one; `at` is the statement of the call."""
+    out = next(positions(site.form.out, site.call), None) if not site.form.default else None
+    if not isinstance(out, Name | Member):
+        return None
+    if _is_denied(site.call):
+        return _assigned_next(site.call, out, at)
+    plainly = isinstance(site.call.statement.value, Call) and site.call.statement.kind == "do"
+    return _held_before(out, site.env, folder) if plainly else None
+
+
+def _is_denied(call: Invocation) -> bool:
+    """Tell whether a condition is just that the parameter is not set: `!read(...)`, `read(...) == false`."""
+    value = call.statement.value
+    if not isinstance(value, Op) or call.statement.kind != "do":
+        return False
+    denies = value.op == "!" or (value.op == "==" and value.operands[1:] == (Constant("false"),))
+    asked = value.operands[0]
+    return denies and isinstance(asked, Call) and asked.line == call.line and asked.args == call.args
+
+
+def _assigned_next(call: Invocation, out: Expr, at: int) -> Expr | None:
+    """What the branch behind the condition gives the variable."""
+    for statement in call.func.fact.body[at + 1 :]:
+        if statement.depth < call.statement.depth or statement.kind == "return":
+            return None
+        if statement.kind == "set" and statement.target == out:
+            return statement.value
+    return None
+
+
+def _held_before(out: Name | Member, env: Env, folder: Folder) -> Expr | None:
+    """What the variable was made with: a local in the same function, a member by its class or constructor."""
+    if isinstance(out, Member) and out.base != Name("this"):
+        return None
+    if isinstance(out, Name) and folder.scope.locals_of(env.func).get(out.id):
+        return out if folder.scope.is_certain(out.id, env) else None
+    given = [definition for definition, _ in folder.lists.definitions(out, env)]
+    made = all(definition.statement.kind == "init" or definition.func is env.func for definition in given)
+    return out if made else None
