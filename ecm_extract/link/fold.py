@@ -16,6 +16,7 @@ from ecm_parsers.source.expr import (
     Name,
     Number,
     Op,
+    Opaque,
     Template,
     Text,
 )
@@ -78,6 +79,8 @@ class Folder:
                 return (literal(str(expr.value)),)
             case Constant():
                 return (literal("" if expr.name == "null" else expr.name),)
+            case Opaque() if expr.text.isidentifier():
+                return (unknown(expr.text),)
         return (unknown("value"),)
 
     def guarded(self, label: str, env: Env, work: Callable[[], tuple[Value, ...]]) -> tuple[Value, ...]:

@@ -36,6 +36,7 @@ if TYPE_CHECKING:
 _WHOLE_PARAMETER = re.compile(r"\$\{([^={}]+)=(?:[^{}]|\{[^{}]*\})*\}")
 
 
+_CONTAINER = re.compile(r"vector|map$")
 _APPENDS = frozenset({"push_back", "emplace_back", "append"})
 
 
@@ -74,7 +75,7 @@ class ListFolder:
             return [Bound(value, env) for _, value in expr.entries]
         if isinstance(expr, Call) and len(expr.args) == 1 and isinstance(expr.args[0], Items):
             return self.items(expr.args[0], env)
-        if isinstance(expr, Call) and isinstance(expr.callee, Name) and "vector" in expr.callee.id:
+        if isinstance(expr, Call) and isinstance(expr.callee, Name) and _CONTAINER.search(expr.callee.id):
             return [Bound(item, env) for item in expr.args]
         if isinstance(expr, Name) and expr.id in env.args:
             return self.items(env.args[expr.id].expr, env.args[expr.id].env.before(env.args[expr.id].env.at))

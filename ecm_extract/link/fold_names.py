@@ -15,7 +15,7 @@ from ecm_parsers.source.expr import (
 )
 
 from ecm_extract.link.calls import last_name
-from ecm_extract.link.env import Env, invocation_of
+from ecm_extract.link.env import Env, bind, invocation_of
 from ecm_extract.link.scope import Definition
 from ecm_extract.link.values import (
     Value,
@@ -78,15 +78,20 @@ class NameFolder:
         """What functions of the tree write to a local that they get by reference."""
         values: list[Value] = []
         for at, expr, index in self.folder.scope.passed(env.func, name):
-            callee = (
-                self.folder.objects.callee(invocation_of(expr, env.before(at)), env.before(at)) if at < env.at else None
-            )
+            if at >= env.at:
+                continue
+            outer = env.before(at)
+            call = invocation_of(expr, outer)
+            callee = self.folder.objects.callee(call, outer)
             if callee is None or callee is env.func or index >= len(callee.fact.params):
                 continue
             target = callee.fact.params[index]
             if target.type.endswith("&") and "const" not in target.type:
-                inner = Env(callee, this=env.this, made=env.made, depth=env.depth + 1)
-                values += self._local(target.name, inner)
+                given = {key: bound for key, bound in bind(callee, call, outer).items() if key != target.name}
+                inner = Env(callee, args=given, this=env.this, made=env.made, depth=env.depth + 1)
+                found = self._local(target.name, inner)
+                always = any(entry.statement.depth == 0 for entry in self.folder.scope.local(target.name, inner))
+                values += found if always else lowered(found, "default")
         return values
 
     def _defined(self, definition: Definition, env: Env) -> tuple[Value, ...]:

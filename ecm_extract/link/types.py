@@ -138,8 +138,8 @@ class Types:
         outer = (self.program.alias(head, env.func.file, self._scope(env)) or self._macro(head, env)) if tail else None
         if outer is not None and plain(outer) != head:
             return self.written(f"{_bare(outer)}::{tail}", env, role, depth + 1)
-        full = self._full(bare, role)
-        return TypeFound(full if "::" in bare else self._unqualified(bare, env, role))
+        full = self._full(bare, role) if "::" in bare else self._unqualified(bare, env, role)
+        return TypeFound(full or self._in_lower_case(bare, env, role))
 
     def _macro(self, name: str, env: Env) -> str | None:
         """What `#define name other::name` stands for, as trees for two distributions rename packages."""
@@ -148,6 +148,17 @@ class Types:
             if renames and isinstance(constant.value, Name) and self.program.nearness(file, env.func.file):
                 return constant.value.id
         return None
+
+    def _in_lower_case(self, bare: str, env: Env, role: Role) -> str | None:
+        """`my_pkg::cloud_info`: a message named against the convention, told by the header that generation makes."""
+        package, _, name = bare.partition("::")
+        kind = _ROLE_KIND.get(role)
+        if not name[:1].islower() or "::" in name or kind is None:
+            return None
+        header = f"{package}/{name}.h"
+        files = (env.func.file, *self.program.included(env.func.file))
+        included = any(entry.module == header for file in files for entry in file.facts.imports)
+        return f"{package}/{kind}/{name}" if included else None
 
     def _unqualified(self, name: str, env: Env, role: Role) -> str | None:
         """A bare message name: its header says the package, else a `using namespace` of messages."""

@@ -48,6 +48,37 @@ def test_message_types(workspace: Any, kind: str, expected: str | None) -> None:
     assert workspace.package(files).only("publisher").type == expected
 
 
+LOWER = [
+    ("pkg_msgs::cloud_info", "pkg_msgs/msg/cloud_info"),
+    ("const pkg_msgs::cloud_infoConstPtr &", "pkg_msgs/msg/cloud_info"),
+    ("pkg_msgs::other_info", None),
+]
+
+
+@pytest.mark.parametrize(("kind", "expected"), LOWER, ids=[row[0] for row in LOWER])
+def test_a_message_in_lower_case_is_told_by_its_header(workspace: Any, kind: str, expected: str | None) -> None:
+    """`pkg::cloud_info` is a message where the header that generation makes of one is included."""
+    text = f'#include <pkg_msgs/cloud_info.h>\nvoid on({kind} m);\nint main(int c, char ** v) {{ ros::NodeHandle nh; auto s = nh.subscribe("in", 1, on); }}'
+    assert workspace.package({"src/d.cpp": text}, ros=1).only("subscriber").type == expected
+
+
+DEDUCED = [("0.5", "double"), ("count_", "integer"), ('std::string("a")', "string")]
+
+
+@pytest.mark.parametrize(("default", "expected"), DEDUCED, ids=[row[0] for row in DEDUCED])
+def test_a_template_parameter_is_deduced_from_an_argument(workspace: Any, default: str, expected: str) -> None:
+    """`T value; getParam(name, value)` has the type of the argument that is declared with `T`."""
+    text = f"""
+template <class T> T load(const ros::NodeHandle & nh, const std::string & name, const T & fallback) {{
+  T value;
+  if (nh.getParam(name, value)) return value;
+  return fallback;
+}}
+class Demo {{ public: Demo() {{ load(nh_, "p", {default}); }} ros::NodeHandle nh_; int count_; }};
+int main(int c, char ** v) {{ Demo demo; }}"""
+    assert workspace.package({"src/d.cpp": text}, ros=1).only("parameter").type == expected
+
+
 REQUESTS = [
     ("std_srvs::SetBool::Request", "std_srvs/srv/SetBool"),
     ("std_srvs::SetBoolRequest", "std_srvs/srv/SetBool"),

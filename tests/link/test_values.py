@@ -13,6 +13,10 @@ namespace demo {{
 constexpr auto CONSTANT = "constant";
 static const std::string PREFIX = "robot/";
 std::string joined(const std::string & ns, const std::string & leaf) {{ return ns + "/" + leaf; }}
+void fill(const std::string & key, std::string & out) {{ out = "filled/" + key; }}
+bool read_or(const std::string & key, std::string & out, const std::string & fallback) {{
+  if (!has(key)) {{ out = fallback; return false; }} else {{ out = get(key); return true; }}
+}}
 class Demo : public rclcpp::Node {{
  public:
   Demo() : Node("demo"), member_("from_initialiser") {{ set_in_body_ = "from_body"; }}
@@ -66,6 +70,11 @@ ROWS = [
     ("", 'std::string(get_namespace()) + "/state"', "/state", "folded"),
     ('std::string ns = get_namespace(); auto up = ns.substr(0, ns.rfind("/"));', 'up + "/state"', "/state", "folded"),
     ('std::string ns = "/a/b"; auto up = ns.substr(0, ns.rfind("/"));', 'up + "/state"', "/a/state", "folded"),
+    ('char n[9] = "arm00"; snprintf(n, sizeof(n), "arm%02d/%s", 7, "odom");', "n", "/arm7/odom", "folded"),
+    ('char n[9]; for (int i = 0; i < 4; i++) { sprintf(n, "arm%d", i); }', "n", "/arm{item}", "pattern"),
+    ('int i = 0; std::string n; while (more()) { n = "arm" + std::to_string(i); i++; }', "n", "/arm{i}", "pattern"),
+    ('std::string n; read_or("topic", n, "fallback");', "n", "/fallback", "default"),
+    ('std::string n; fill("topic", n);', "n", "/filled/topic", "folded"),
     ("", 'given + "/state"', "/{given}/state", "pattern"),
     ("", 'compute() + "/state"', "/{compute}/state", "pattern"),
 ]
