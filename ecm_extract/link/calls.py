@@ -104,10 +104,11 @@ def held_objects(cls: Cls) -> Iterator[Invocation]:
     """Yield a construction for each member that is an object, not a pointer, of a class with a method to hold it."""
     if not cls.methods or cls.file.language != "cpp":
         return
+    holder = next((method for method in cls.methods if method.file is cls.file), cls.methods[0])
     for field in cls.fact.fields:
         if by_value(field.type):
             statement = Statement("let", field.line, None, Name(field.name), field.type)
-            yield _construction(cls.methods[0], statement, field.type, (), field.line)
+            yield _construction(holder, statement, field.type, (), field.line)
 
 
 def invocation(func: Func, statement: Statement, call: Call) -> Invocation:

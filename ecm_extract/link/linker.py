@@ -14,11 +14,14 @@ from ecm_extract.link.claims import Claim, claims_of
 from ecm_extract.link.data import UNKNOWN, stated_type
 from ecm_extract.link.diagnoses import SUMMARIES, Diagnosis, diagnoses
 from ecm_extract.link.endpoint_types import EndpointTypes
+from ecm_extract.link.fallbacks import fallback
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.forms import FormTable
 from ecm_extract.link.generated import GeneratedParameters
 from ecm_extract.link.handles import OWN, Handle, Handles
+from ecm_extract.link.made import units_of
 from ecm_extract.link.match import Matcher, is_callback, name_argument, positions
+from ecm_extract.link.merging import merged
 from ecm_extract.link.module_kinds import is_managed
 from ecm_extract.link.modules import Module, Modules
 from ecm_extract.link.names import RosName, endpoint_name, is_below_node, local_name, parameter_name
@@ -161,15 +164,17 @@ class Linker:
     # --- endpoints ---------------------------------------------------------------------------------------
 
     def _attribute(self, site: Site, found: dict[int, list[Interface]], nodes: Mapping[int, str]) -> None:
-        unit = site.owner or site.root
-        owners = (self.modules.library(unit),) if self._only_offered(site) else self.modules.owners(unit)
-        for module in owners:
-            origin = None if unit is module.cls or unit is module.main or module.kind == "library" else unit.fact.name
-            node = self._node(module, nodes)
-            for interface, local in self._interfaces(site, node, origin):
-                found[id(module)].append(interface)
-                names = self._local[id(module)].setdefault((interface.role, interface.name, interface.type), [])
-                names += [local] * (local not in names)
+        offered = self._only_offered(site)
+        for unit in units_of(site, self.sites, self.modules):
+            for module in (self.modules.library(unit),) if offered else self.modules.owners(unit):
+                self._give(site, unit, module, found[id(module)], self._node(module, nodes))
+
+    def _give(self, site: Site, unit: Unit, module: Module, found: list[Interface], node: str | None) -> None:
+        origin = None if unit is module.cls or unit is module.main or module.kind == "library" else unit.fact.name
+        for interface, local in self._interfaces(site, node, origin):
+            found.append(interface)
+            names = self._local[id(module)].setdefault((interface.role, interface.name, interface.type), [])
+            names += [local] * (local not in names)
 
     def _only_offered(self, site: Site) -> bool:
         """A helper that nobody calls declares nothing in the modules that could call it."""
@@ -229,6 +234,7 @@ class Linker:
         if form.items:
             return self._listed(site)
         values = self.sites.names(site)
+        default = default or fallback(site, self.sites.position(site.call), self.folder)
         return [(value, default) for value in values[:MAX_NAMES]]
 
     def _listed(self, site: Site) -> list[tuple[Value, Expr | None]]:
@@ -268,40 +274,6 @@ class Linker:
 def _role(role: Role, kind: str | None) -> Role:
     """A client that a template makes for an action type is an action client, whatever the helper is called."""
     return "action_client" if role == "service_client" and kind is not None and "/action/" in kind else role
-
-
-def merged(interfaces: Iterable[Interface]) -> tuple[Interface, ...]:
-    """Join records of one endpoint that several lines make: same role, name and type; evidence adds up."""
-    by_key: dict[tuple[str, str, str | None], Interface] = {}
-    for entry in interfaces:
-        key = (entry.role, entry.name, entry.type)
-        known = by_key.get(key)
-        if known is None:
-            by_key[key] = entry
-            continue
-        evidence = tuple(dict.fromkeys((*known.evidence, *entry.evidence)))
-        by_key[key] = _joined(known, entry, evidence)
-    return tuple(
-        sorted(
-            by_key.values(),
-            key=lambda e: (e.role, e.name, e.type or "", e.evidence[0].path, e.evidence[0].line),
-        )
-    )
-
-
-def _joined(first: Interface, second: Interface, evidence: tuple[Evidence, ...]) -> Interface:
-    return Interface(
-        role=first.role,
-        name=first.name,
-        raw_name=first.raw_name,
-        type=first.type,
-        qos=first.qos or second.qos,
-        frame=first.frame or second.frame,
-        confidence=first.confidence,
-        evidence=evidence,
-        default=second.default if first.default is None else first.default,
-        inherited_from=first.inherited_from if second.inherited_from else None,
-    )
 
 
 def _files(packages: Iterable[PackageFacts]) -> list[File]:

@@ -16,6 +16,8 @@ from ecm_extract.link.references import References, Unit
 
 MAX_USERS = 4000
 _REGISTRATION_KINDS = {"RCLCPP_COMPONENTS_REGISTER_NODE": "component", "NODELET": "nodelet"}
+_LOADED = ("PLUGIN", "CLASS_LOADER", "NODE", "COMPONENT", "CONTROLLER", "FILTER", "DISPLAY", "HARDWARE")
+"""Words in macros that hand a class to a loader; those for point types, graph edges or metatypes have none of them."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -163,6 +165,7 @@ class Modules:
         return [*self.by_class.values(), *self.by_main.values(), *self.libraries.values()]
 
 
-def registration_kind(macro: str) -> str:
-    """Return the kind that a registration macro makes of its class."""
-    return _REGISTRATION_KINDS.get(macro, "plugin")
+def registration_kind(macro: str) -> str | None:
+    """Return the kind that a registration macro makes of its class; None for a macro that registers other things."""
+    known = _REGISTRATION_KINDS.get(macro)
+    return known or ("plugin" if any(word in macro for word in _LOADED) else None)

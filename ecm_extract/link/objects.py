@@ -134,6 +134,17 @@ class Objects:
             return self.part(self.base_instance(made, parent, written), base, depth + 1)
         return None
 
+    def held(self, expr: Expr | None, cls: Cls, env: Env) -> Instance:
+        """Return the part of class `cls` of an object of which only the type is known, with its template arguments."""
+        written = self.type_of(expr, env) if expr is not None else ""
+        owner = self.class_written(written, env) if written else None
+        if owner is None or cls not in self.program.ancestry(owner):
+            return Instance(cls, {}, {})
+        bare = pointee(written)
+        full = bare if "<" in bare else self.program.alias(plain(bare), env.func.file, env.scope) or bare
+        types = dict(zip(owner.fact.template, template_arguments(full), strict=False))
+        return self.part(Instance(owner, {}, types), cls) or Instance(cls, {}, {})
+
     def runs(self, func: Func, made: Instance | None) -> bool:
         """Tell whether a method can have run on an object: of several constructors only the one that made it."""
         if not func.is_constructor or made is None or func.cls is None:

@@ -14,8 +14,10 @@ from math import inf
 from typing import Final
 
 from ecm_parsers.source.expr import Call
-from ecm_parsers.source.facts import Alias, Class, Constant, Field, Function, Parameter, SourceFile
+from ecm_parsers.source.facts import Class, Constant, Field, Function, Parameter, SourceFile
 
+from ecm_extract.link.aliases import Aliases, enclosing_scopes
+from ecm_extract.link.class_alternatives import alternatives_joined
 from ecm_extract.link.includes import Includes
 from ecm_extract.link.walk import calls_in
 
@@ -112,7 +114,7 @@ class Program:
         self.classes: Mapping[str, list[Cls]] = _group_classes(self.files)
         self.functions: dict[str, list[Func]] = defaultdict(list)
         self.constants: dict[str, list[tuple[File, Constant]]] = defaultdict(list)
-        self.aliases: dict[str, list[tuple[File, Alias]]] = defaultdict(list)
+        self.aliases = Aliases(self.nearness)
         self._resolved: dict[tuple[str, str, int], Cls | None] = {}
         self._headers = Includes(self.files)
         self._mro: dict[int, tuple[Cls, ...]] = {}
@@ -130,7 +132,7 @@ class Program:
         for constant in file.facts.constants:
             self.constants[constant.name].append((file, constant))
         for alias in file.facts.aliases:
-            self.aliases[alias.name].append((file, alias))
+            self.aliases.add(file, alias)
         file.imported = _imported(file) if file.language == "python" else {}
 
     def _owner(self, function: Function, file: File) -> Cls | None:
@@ -180,7 +182,7 @@ class Program:
             return self._find_python(name, file)
         last = name.rsplit("::", 1)[-1]
         candidates = [cls for cls in self.classes.get(last, ()) if cls.file.language == "cpp"]
-        for prefix in _enclosing(scope):
+        for prefix in enclosing_scopes(scope):
             wanted = f"{prefix}::{name}" if prefix else name.removeprefix("::")
             exact = [cls for cls in candidates if cls.qualified == wanted]
             if exact:
@@ -209,30 +211,17 @@ class Program:
         return next((cls for cls in candidates if cls.file.package == file.package and cls.file is not file), None)
 
     def _aliased(self, name: str, file: File, scope: str) -> Cls | None:
-        target = self.alias(name, file, scope)
-        if target is None or plain(target) == name:
+        found = self.aliases.find(name, file, scope)
+        if found is None or plain(found[1].target) == name:
             return None
-        return self.class_named(plain(target), file, scope)
+        other, alias = found
+        target = plain(alias.target)
+        return self.class_named(target, file, scope) or self.class_named(target, other, alias.scope)
 
     def alias(self, name: str, file: File, scope: str = "") -> str | None:
         """Return what `using name = ...` or a typedef stands for, nearest declaration first."""
-        last = name.rsplit("::", 1)[-1]
-        entries = self.aliases.get(last)
-        if not entries:
-            return None
-        enclosing = set(_enclosing(scope))
-        fitting = [(other, alias) for other, alias in entries if self._alias_fits(alias, name, enclosing)]
-        near = [(self.nearness(other, file), alias) for other, alias in fitting]
-        near = [entry for entry in near if entry[0] > 0]
-        if not near:
-            return None
-        return max(near, key=lambda entry: (_is_named(entry[1], name), entry[1].scope in enclosing, entry[0]))[1].target
-
-    def _alias_fits(self, alias: Alias, name: str, enclosing: set[str]) -> bool:
-        if "::" not in name:
-            return True
-        qualified = f"{alias.scope}::{alias.name}" if alias.scope else alias.name
-        return _is_named(alias, name) or name.endswith("::" + qualified)
+        found = self.aliases.find(name, file, scope)
+        return found[1].target if found is not None else None
 
     def bases(self, cls: Cls) -> list[Cls]:
         """Return the direct base classes that stand in the tree."""
@@ -292,12 +281,6 @@ def _most(params: Sequence[Parameter]) -> float:
     return inf if any(parameter.name.startswith("*") for parameter in params) else len(params)
 
 
-def _is_named(alias: Alias, name: str) -> bool:
-    """Tell whether a qualified name means this alias and not one of the same name elsewhere."""
-    qualified = f"{alias.scope}::{alias.name}" if alias.scope else alias.name
-    return qualified == name or qualified.endswith("::" + name)
-
-
 def snake(name: str) -> str:
     """`ControllerServer` -> `controller_server`."""
     out = []
@@ -330,15 +313,9 @@ _QUALIFIERS = frozenset({"const", "typename", "class", "struct", "volatile", "pu
 def _group_classes(files: tuple[File, ...]) -> dict[str, list[Cls]]:
     grouped: dict[str, list[Cls]] = defaultdict(list)
     for file in files:
-        for fact in file.facts.classes:
+        for fact in alternatives_joined(file.facts.classes) if file.language == "cpp" else file.facts.classes:
             grouped[fact.name].append(Cls(fact, file, fields={entry.name: entry for entry in fact.fields}))
     return grouped
-
-
-def _enclosing(scope: str) -> list[str]:
-    """`a::b` -> [`a::b`, `a`, ``]."""
-    parts = scope.split("::") if scope else []
-    return ["::".join(parts[:count]) for count in range(len(parts), -1, -1)]
 
 
 def _imported(file: File) -> dict[str, str]:

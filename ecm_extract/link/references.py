@@ -9,6 +9,8 @@ import re
 from collections import defaultdict
 from collections.abc import Iterator
 
+from ecm_parsers.source.facts import Constant
+
 from ecm_extract.link.calls import by_value, last_name
 from ecm_extract.link.program import Cls, File, Func
 from ecm_extract.link.sites import Sites
@@ -26,6 +28,7 @@ class References:
         self.sites = sites
         self.program = sites.program
         self._mentions: dict[str, list[_Mention]] = defaultdict(list)
+        self._aliases = self.program.aliases.meaning(self.program.classes)
         self._holders: dict[str, list[_Mention]] = defaultdict(list)
         for group in self.program.classes.values():
             for cls in group:
@@ -34,6 +37,17 @@ class References:
         for functions in self.program.functions.values():
             for func in functions:
                 self._mention_body(func)
+
+        for constants in self.program.constants.values():
+            for file, constant in constants:
+                if constant.type and file.language == "cpp":
+                    self._mention_global(constant, file)
+
+    def _mention_global(self, constant: Constant, file: File) -> None:
+        """An object outside of functions is of the program that its file is the main one of."""
+        for main in self.program.functions.get("main", ()):
+            if main.file is file:
+                self._mention(constant.type, main, file, constant.scope)
 
     def _mention_body(self, func: Func) -> None:
         unit: Unit = func.cls or func
@@ -46,6 +60,9 @@ class References:
         held = by_value(text)
         for name in _NAME.findall(text):
             last = last_name(name)
+            if last in self._aliases:
+                meant = self.program.class_named(name, file, scope)
+                last = meant.fact.name if meant is not None else last
             if last in self.program.classes:
                 self._mentions[last].append((unit, name, file, scope))
                 if held:

@@ -36,10 +36,13 @@ def build_registry(program: Program, packages: Iterable[PackageFacts]) -> Regist
 
 def _macros(file: File, program: Program, registry: Registry) -> None:
     for macro in file.facts.macros:
+        kind = registration_kind(macro.name)
+        if kind is None:
+            continue
         for arg in macro.args:
             cls = program.class_named(plain(arg), file)
             if cls is not None:
-                _register(_namesake(cls, program), registration_kind(macro.name), registry)
+                _register(_namesake(cls, program), kind, registry)
                 break
 
 

@@ -11,7 +11,8 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from ecm_parsers.source.expr import Expr, Name
 
-from ecm_extract.link.calls import Invocation, held_objects, invocations, last_name
+from ecm_extract.link.call_index import call_index
+from ecm_extract.link.calls import Invocation
 from ecm_extract.link.env import Env, Instance, bind
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.match import Matcher, name_argument, positions
@@ -40,7 +41,6 @@ class Sites:
         self.types = types
         self.folder: Folder = matcher.folder
         self.parameters = parameters
-        self.calls: dict[str, list[Invocation]] = defaultdict(list)
         self._positions: dict[int, dict[int, int]] = {}
         self._derived: dict[int, list[Cls]] | None = None
         self._remembered: set[int] = set()
@@ -49,15 +49,9 @@ class Sites:
         self._called: set[str] = set()
         self._callers_of: dict[int, list[Invocation]] = defaultdict(list)
         self.openness = Openness(self.folder, types, self.derived)
+        self._aliases = program.aliases.meaning({*program.classes, *matcher.forms})
         wanted = {*matcher.forms, *program.functions, *program.classes, *_ALSO, *also}
-        for functions in program.functions.values():
-            for func in functions:
-                for call in invocations(func, wanted):
-                    self.calls[call.last].append(call)
-        for group in program.classes.values():
-            for cls in group:
-                for call in held_objects(cls):
-                    self.calls[call.last].append(call)
+        self.calls = call_index(program, wanted, self._aliases)
 
     def find(self, parameters: bool) -> list[Site]:
         """Return the sites of parameters, or of everything else."""
@@ -237,7 +231,7 @@ class Sites:
             and link.receiver in {None, Name("this")}
         )
         this = env.this if same else func.cls
-        inner = env.made if same else Instance(func.cls, {}, {})
+        inner = env.made if same else self.folder.objects.held(link.receiver, func.cls, env)
         return Env(func, at, args, types, this, inner)
 
     def _template(self, func: Func, link: Invocation, env: Env, args: object) -> dict[str, str]:
@@ -288,7 +282,7 @@ class Sites:
 
     def makes(self, call: Invocation, cls: Cls) -> bool:
         """Tell whether a call makes an object of a class."""
-        if last_name(call.path) != cls.fact.name or call.receiver is not None:
+        if call.receiver is not None or (call.last != cls.fact.name and call.last not in self._aliases):
             return False
         if not call.args and not call.keywords and not _default_constructible(cls):
             return False

@@ -19,6 +19,7 @@ class Demo : public rclcpp::Node {{
 """
 CPP1 = """
 #include <ros/ros.h>
+typedef actionlib::ActionServer<move_base_msgs::MoveBaseAction> Server;
 bool on_set(std_srvs::SetBool::Request & request, std_srvs::SetBool::Response & response);
 void on_scan(const sensor_msgs::LaserScanConstPtr & msg);
 int main(int argc, char ** argv) {{
@@ -94,9 +95,14 @@ ROWS = [
     ("cpp1", 'ros::ServiceClient c = nh.serviceClient<std_srvs::SetBool>("set");', "service_client", "/set", "std_srvs/srv/SetBool"),
     ("cpp1", 'actionlib::SimpleActionServer<move_base_msgs::MoveBaseAction> server(nh, "move", false);', "action_server", "/move", "move_base_msgs/action/MoveBase"),
     ("cpp1", 'actionlib::SimpleActionClient<move_base_msgs::MoveBaseAction> client("move", true);', "action_client", "/move", "move_base_msgs/action/MoveBase"),
+    ("cpp1", 'actionlib::SimpleActionClient<move_base_msgs::MoveBaseAction> client(pnh, "move", true);', "action_client", "/demo/move", "move_base_msgs/action/MoveBase"),
+    ("cpp1", 'typedef_server = new Server(pnh, "move", false);', "action_server", "/demo/move", "move_base_msgs/action/MoveBase"),
+    ("cpp1", 'Server server(nh, "move", false);', "action_server", "/move", "move_base_msgs/action/MoveBase"),
+    ("cpp1", 'BOOST_FOREACH(const Item & item, items) { item.pub = nh.advertise<std_msgs::String>("chatter", 5); }', "publisher", "/chatter", "std_msgs/msg/String"),
     ("cpp1", 'double rate; pnh.param("rate", rate, 10.0);', "parameter", "/demo/rate", "double"),
     ("cpp1", 'std::string frame; nh.getParam("frame", frame);', "parameter", "/frame", "string"),
     ("py2", "self.pub = self.create_publisher(String, 'chatter', 10)", "publisher", "/chatter", "std_msgs/msg/String"),
+    ("py2", "self.pub = self.create_lifecycle_publisher(String, 'chatter', 10)", "publisher", "/chatter", "std_msgs/msg/String"),
     ("py2", "self.sub = self.create_subscription(String, 'chatter', self.on, qos_profile=10)", "subscriber", "/chatter", "std_msgs/msg/String"),
     ("py2", "self.srv = self.create_service(SetBool, 'set', self.on)", "service_server", "/set", "std_srvs/srv/SetBool"),
     ("py2", "self.cli = self.create_client(SetBool, 'set')", "service_client", "/set", "std_srvs/srv/SetBool"),
@@ -127,6 +133,16 @@ def test_a_form_is_found_with_name_type_and_line(
     line = next(number for number, content in enumerate(source.splitlines(), 1) if body[:30] in content)
     assert (entry.name, entry.type, entry.confidence) == (name, kind, "literal")
     assert (entry.evidence[0].path, entry.evidence[0].line) == (f"pkg/{path}", line)
+
+
+def test_a_map_declares_a_parameter_for_each_entry(workspace: Any) -> None:
+    """`declare_parameters(namespace, map)` declares each key below the namespace, with its value."""
+    body = 'std::map<std::string, int64_t> axes{{"x", 5L}, {"yaw", -1L}}; declare_parameters("axis", axes);'
+    found = workspace.package({"src/demo.cpp": CPP2.format(body="@").replace("@", body)}).interfaces()
+    assert [(one.name, one.type, one.default) for one in found if one.role == "parameter"] == [
+        ("axis.x", "integer", 5),
+        ("axis.yaw", "integer", -1),
+    ]
 
 
 NOT_FORMS = [
