@@ -43,10 +43,12 @@ class EndpointTypes:
         """The type of the variable that takes the value: `int qos = declare_parameter("qos", (int)given)`."""
         statement = site.call.statement
         value, target = statement.value, statement.target
+        if site.env.func.file.language == "python":
+            return _cast(value, site.call.line)
         if site.chain or target is None or not isinstance(value, Call) or value.line != site.call.line:
             return None
         called = value.callee.name if isinstance(value.callee, Member) else getattr(value.callee, "id", "")
-        if called != site.call.last or site.env.func.file.language != "cpp":
+        if called != site.call.last:
             return None
         return declared_type(plain_type(statement.type or self.folder.objects.type_of(target, site.env)))
 
@@ -91,3 +93,14 @@ class EndpointTypes:
                 known = type_of_data(data) if data is not UNKNOWN else None
                 return known or self._default_type(bound.expr, bound.env)
         return None
+
+
+def _cast(value: Expr | None, line: int) -> str | None:
+    """The type that Python makes of a parameter at once: `int(rospy.get_param("~port"))`."""
+    if not isinstance(value, Call) or not isinstance(value.callee, Name) or len(value.args) != 1:
+        return None
+    inner = value.args[0]
+    return _CASTS.get(value.callee.id) if isinstance(inner, Call) and inner.line == line else None
+
+
+_CASTS = {"bool": "bool", "float": "double", "int": "integer", "str": "string"}

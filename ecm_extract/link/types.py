@@ -29,6 +29,10 @@ _REQUEST = re.compile(r"(::\w+)Request\b(?!\s*::)")
 _ACTION_PART = re.compile(r"Action$")
 
 
+_FUNCTION = re.compile(r"\bfunction\s*<\s*void\s*\(([^()]+)\)\s*>")
+"""The parameters of a callback that a variable holds: `std::function<void(const M &)>`."""
+
+
 class TypeFound(NamedTuple):
     """A type, and the template parameters in it that callers know."""
 
@@ -218,7 +222,8 @@ class Types:
             value = definition.statement.value
             if value is not None:
                 return self._callback(value, env.before(definition.at), role, service)
-        return UNKNOWN_TYPE
+        held = _FUNCTION.search(self.folder.objects.type_of(expr, env)) if isinstance(expr, Name | Member) else None
+        return self.written(template_arguments(f"<{held[1]}>")[0], env, role) if held else UNKNOWN_TYPE
 
     def _named(self, name: str, env: Env) -> list[Func]:
         last = name.rsplit("::", 1)[-1]

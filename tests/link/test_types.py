@@ -62,6 +62,21 @@ def test_a_message_in_lower_case_is_told_by_its_header(workspace: Any, kind: str
     assert workspace.package({"src/d.cpp": text}, ros=1).only("subscriber").type == expected
 
 
+def test_a_callback_in_a_variable_says_its_type(workspace: Any) -> None:
+    """`std::function<void(const M::ConstPtr &)>` takes messages of type M."""
+    text = 'void attach(ros::NodeHandle & nh, const boost::function<void(const std_msgs::Bool::ConstPtr &)> & f) { auto s = nh.subscribe("in", 1, f); }'
+    assert workspace.package({"src/d.cpp": text}, ros=1).only("subscriber").type == "std_msgs/msg/Bool"
+
+
+@pytest.mark.parametrize(
+    ("cast", "expected"), [("int", "integer"), ("float", "double"), ("str", "string"), ("f", None)]
+)
+def test_a_cast_of_python_says_the_type(workspace: Any, cast: str, expected: str | None) -> None:
+    """`int(rospy.get_param('~port'))` is an integer."""
+    text = f"#!/usr/bin/env python\nimport rospy\nrospy.init_node('d')\nport = {cast}(rospy.get_param('~port'))\n"
+    assert workspace.package({"scripts/d.py": text}, ros=1).only("parameter").type == expected
+
+
 DEDUCED = [("0.5", "double"), ("count_", "integer"), ('std::string("a")', "string")]
 
 
