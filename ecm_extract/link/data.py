@@ -12,6 +12,7 @@ from ecm_extract.link.fold import Folder
 from ecm_extract.link.numbers import NUMBERS, as_number
 
 MAX_DEPTH = 12
+MAX_POWER = 64
 _CPP_TYPES = {
     "bool": "bool",
     **NUMBERS,
@@ -101,6 +102,8 @@ def _call(expr: Call, env: Env, folder: Folder, depth: int) -> Any:
         return UNKNOWN if UNKNOWN in items else items
     if name in _WRAPPERS and len(expr.args) == 1:
         return as_number(data_of(expr.args[0], env, folder, depth + 1), name)
+    if name == "pow" and len(expr.args) == 2:
+        return _power(*[data_of(arg, env, folder, depth + 1) for arg in expr.args])
     call = invocation_of(expr, env)
     read = folder.reads.read(call)
     if read is not None and read[1] is not None:
@@ -110,6 +113,13 @@ def _call(expr: Call, env: Env, folder: Folder, depth: int) -> Any:
     values = folder.fold(expr, env)
     known = len(values) == 1 and values[0].confidence != "pattern"
     return values[0].text if known else UNKNOWN
+
+
+def _power(base: Any, exponent: Any) -> Any:
+    """`pow(0.03, 2)`, which is a double; small ones only, since the numbers are somebody else's."""
+    if not _numeric(base) or not _numeric(exponent) or base <= 0 or max(base, abs(exponent)) > MAX_POWER:
+        return UNKNOWN
+    return float(base) ** exponent
 
 
 def _variable(expr: Name | Member, env: Env, folder: Folder, depth: int) -> Any:

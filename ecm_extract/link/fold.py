@@ -24,6 +24,7 @@ from ecm_parsers.source.expr import (
 from ecm_extract.link import formats
 from ecm_extract.link.env import MAX_DEPTH, Env
 from ecm_extract.link.fold_calls import CallFolder
+from ecm_extract.link.fold_fields import FieldFolder
 from ecm_extract.link.fold_lists import ListFolder
 from ecm_extract.link.fold_members import MemberFolder
 from ecm_extract.link.fold_names import NameFolder
@@ -51,6 +52,7 @@ class Folder:
         self.reads = reads
         self.names = NameFolder(self)
         self.members = MemberFolder(self)
+        self.fields = FieldFolder(self)
         self.calls = CallFolder(self)
         self.lists = ListFolder(self)
         self.cuts = 0

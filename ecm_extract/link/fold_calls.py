@@ -73,6 +73,8 @@ class CallFolder:
     def call(self, expr: Call, env: Env) -> tuple[Value, ...]:
         """String constructions, formats, parameter reads and functions that return a value."""
         call = invocation_of(expr, env)
+        if call.path.endswith("names::resolve") and len(call.args) == 1:
+            return self._absolute(call.args[0], env.before(env.at))
         if call.path in _SAME or call.last in _STREAMS or (call.last in RESOLVERS and call.args):
             return self.folder.fold(call.args[0], env.before(env.at)) if call.args else (literal(""),)
         if call.last == "getCameraInfoTopic" and call.args:
@@ -93,6 +95,13 @@ class CallFolder:
         if call.receiver is not None and call.last in formats.VALUE_READS:
             return self.folder.fold(call.receiver, env.before(env.at))
         return self.folder.guarded(f"{call.path}()", env, lambda: self._returns(call, env))
+
+    def _absolute(self, name: Expr, env: Env) -> tuple[Value, ...]:
+        """`ros::names::resolve(name)`: below the namespace of the node, whatever handle it is given to later."""
+        values = self.folder.fold(name, env)
+        if any(value.text.startswith(("/", "~")) for value in values):
+            return values
+        return joined([(node_namespace(),), (literal("/"),), values])
 
     def _of_text(self, call: Invocation, env: Env) -> tuple[Value, ...] | None:
         """Methods of texts: what is appended, joined or cut off; None for other calls."""

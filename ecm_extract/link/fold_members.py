@@ -70,6 +70,9 @@ class MemberFolder:
         default = self._library_parameter(expr, env)
         if default is not None:
             return default
+        written = self.folder.fields.value(expr, env)
+        if written:
+            return written
         cls = self.folder.objects.class_of(expr.base, env)
         if cls is None:
             return ()

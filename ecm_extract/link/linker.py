@@ -24,7 +24,7 @@ from ecm_extract.link.match import Matcher, is_callback, name_argument, position
 from ecm_extract.link.merging import merged
 from ecm_extract.link.module_kinds import is_managed
 from ecm_extract.link.modules import Module, Modules
-from ecm_extract.link.names import RosName, endpoint_name, is_below_node, local_name, parameter_name
+from ecm_extract.link.names import RosName, endpoint_name, is_below_node, is_never_made, local_name, parameter_name
 from ecm_extract.link.node_names import NodeNames
 from ecm_extract.link.observe import Observation, observation_forms, observations
 from ecm_extract.link.parameters import Parameters
@@ -192,6 +192,8 @@ class Linker:
         evidence = tuple(Evidence(path, line) for path, line in dict.fromkeys(site.lines()))
         for named, default in self._named(site):
             value = settled(with_node(named, node))
+            if is_never_made(value, site.form.role):
+                continue
             local = local_name(settled(named), handle)
             name, confidence = self._name(site, value, handle, node, ros), value.confidence
             kind, data = self.typing.of(site, default)

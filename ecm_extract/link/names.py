@@ -56,6 +56,11 @@ def endpoint_name(value: Value, handle: Handle, node: str | None, ros: int | Non
     return RosName(relative if ros == 1 else raw, _clean(f"/{relative}"))
 
 
+def is_never_made(value: Value, role: str) -> bool:
+    """Tell whether a name is certainly empty: ROS refuses it, so sources ask first, `if (topic != "")`."""
+    return role != "parameter" and value.text == "" and value.template is None
+
+
 def _after(value: Value, kind: str) -> str | None:
     """What is below the node's own name or namespace, with which a value begins; None for other values.
 

@@ -152,6 +152,7 @@ class Parameters:
 
 
 def _variable(expr: Expr | None) -> str:
-    if isinstance(expr, Member) and expr.base == Name("this"):
-        return expr.name
+    """What a read writes to: a variable or member of `this` by its name, a field of another object as `.field`."""
+    if isinstance(expr, Member):
+        return expr.name if expr.base == Name("this") else f".{expr.name}"
     return expr.id if isinstance(expr, Name) else ""

@@ -34,6 +34,7 @@ class Scope:
         self._options: dict[tuple[int, str], Expr] | None = None
         self._passed: dict[int, dict[str, list[tuple[int, Call, int]]]] = {}
         self._members: dict[int, dict[str, list[Definition]]] = {}
+        self._fields: dict[int, dict[str, list[int]]] = {}
 
     def locals_of(self, func: Func) -> dict[str, list[int]]:
         """Return name -> indices of the statements that bind it in a function."""
@@ -121,6 +122,17 @@ class Scope:
                         known[target].append(Definition(method, at))
             self._members[id(cls)] = known
         return known.get(name, [])
+
+    def fields(self, func: Func) -> dict[str, list[int]]:
+        """Return field -> indices of the statements of a function that assign it on an object other than its own."""
+        known = self._fields.get(id(func))
+        if known is None:
+            known = self._fields[id(func)] = defaultdict(list)
+            for at, statement in enumerate(func.fact.body):
+                target = statement.target
+                if isinstance(target, Member) and target.base != Name("this") and statement.kind == "set":
+                    known[target.name].append(at)
+        return known
 
     def constant(self, name: str, env: Env) -> tuple[Expr, Func | None, File] | None:
         """Return the value of a constant that `name` means at a place, with the file it stands in."""

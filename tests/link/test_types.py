@@ -137,6 +137,8 @@ CASTS = [
     ("(int)LEVEL", "integer", 3),
     ("static_cast<size_t>(unknown())", "integer", None),
     ("(Other)entry", None, None),
+    ("std::pow(2, 3)", "double", 8.0),
+    ("pow(1e9, 1e9)", None, None),
 ]
 
 
