@@ -102,6 +102,8 @@ class _Header:
     def aliases(self, classes: set[str]) -> Iterator[PublicEntity]:
         """Yield the other names of classes: whoever uses `using A = B` has a class A with all that B has."""
         for alias in self.source.aliases:
+            if alias.local:
+                continue
             name = f"{alias.scope}::{alias.name}".lstrip(":")
             targets = {alias.target, f"{alias.scope}::{alias.target}"} & classes
             if targets and name not in classes and self._is_open(name, ()):

@@ -31,13 +31,16 @@ class Aliases:
         entries = self._entries.get(name.rsplit("::", 1)[-1])
         if not entries:
             return None
-        enclosing = set(enclosing_scopes(scope))
-        fitting = [(other, alias) for other, alias in entries if _fits(alias, name)]
+        enclosing = set(enclosing_scopes(scope.removeprefix("::")))
+        fitting = [(other, alias) for other, alias in entries if _fits(alias, name) and _is_known(alias, enclosing)]
         near = [(self._nearness(other, file), other, alias) for other, alias in fitting]
         near = [entry for entry in near if entry[0] > 0]
         if not near:
             return None
-        best = max(near, key=lambda entry: (_is_named(entry[2], name), entry[2].scope in enclosing, entry[0]))
+        best = max(
+            near,
+            key=lambda entry: (_is_named(entry[2], name), entry[2].scope.removesuffix("()") in enclosing, entry[0]),
+        )
         return best[1], best[2]
 
     def meaning(self, classes: Container[str]) -> frozenset[str]:
@@ -59,6 +62,11 @@ def _fits(alias: Alias, name: str) -> bool:
     if "::" not in name:
         return True
     return _is_named(alias, name) or name.endswith("::" + _qualified(alias))
+
+
+def _is_known(alias: Alias, enclosing: set[str]) -> bool:
+    """Tell whether a place can know an alias at all: one within a function is known there only."""
+    return not alias.local or alias.scope[:-2] in enclosing
 
 
 def _is_named(alias: Alias, name: str) -> bool:

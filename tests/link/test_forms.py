@@ -97,6 +97,8 @@ ROWS = [
     ("cpp1", 'actionlib::SimpleActionClient<move_base_msgs::MoveBaseAction> client("move", true);', "action_client", "/move", "move_base_msgs/action/MoveBase"),
     ("cpp1", 'actionlib::SimpleActionClient<move_base_msgs::MoveBaseAction> client(pnh, "move", true);', "action_client", "/demo/move", "move_base_msgs/action/MoveBase"),
     ("cpp1", 'typedef_server = new Server(pnh, "move", false);', "action_server", "/demo/move", "move_base_msgs/action/MoveBase"),
+    ("cpp1", 'typedef actionlib::ActionClient<move_base_msgs::MoveBaseAction> Client; Client client("move");', "action_client", "/move", "move_base_msgs/action/MoveBase"),
+    ("cpp1", 'using Text = std_msgs::String; auto p = nh.advertise<Text>("chatter", 1);', "publisher", "/chatter", "std_msgs/msg/String"),
     ("cpp1", 'Server server(nh, "move", false);', "action_server", "/move", "move_base_msgs/action/MoveBase"),
     ("cpp1", 'BOOST_FOREACH(const Item & item, items) { item.pub = nh.advertise<std_msgs::String>("chatter", 5); }', "publisher", "/chatter", "std_msgs/msg/String"),
     ("cpp1", 'double rate; pnh.param("rate", rate, 10.0);', "parameter", "/demo/rate", "double"),

@@ -62,6 +62,16 @@ def test_a_message_in_lower_case_is_told_by_its_header(workspace: Any, kind: str
     assert workspace.package({"src/d.cpp": text}, ros=1).only("subscriber").type == expected
 
 
+def test_an_alias_within_a_function_is_known_there_only(workspace: Any) -> None:
+    """Two functions may give one name to two types, and a third knows neither."""
+    text = """
+void one(ros::NodeHandle & nh) { using M = std_msgs::Bool; auto p = nh.advertise<M>("one", 1); }
+void two(ros::NodeHandle & nh) { typedef std_msgs::Int8 M; auto p = nh.advertise<M>("two", 1); }
+void three(ros::NodeHandle & nh) { auto p = nh.advertise<M>("three", 1); }"""
+    found = {entry.name: entry.type for entry in workspace.package({"src/d.cpp": text}, ros=1).interfaces()}
+    assert found == {"/one": "std_msgs/msg/Bool", "/two": "std_msgs/msg/Int8", "/three": None}
+
+
 def test_a_callback_in_a_variable_says_its_type(workspace: Any) -> None:
     """`std::function<void(const M::ConstPtr &)>` takes messages of type M."""
     text = 'void attach(ros::NodeHandle & nh, const boost::function<void(const std_msgs::Bool::ConstPtr &)> & f) { auto s = nh.subscribe("in", 1, f); }'

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
 from ecm_parsers.source.cpp_expr import ExprReader, lambda_types
+from ecm_parsers.source.cpp_parameters import declared_name, parameters
 from ecm_parsers.source.cpp_vexing import as_arguments, loop_macro
 from ecm_parsers.source.cpp_writes import written
 from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Name, Number, Op, Opaque, Text
-from ecm_parsers.source.facts import Function, Parameter, Statement, StatementKind
+from ecm_parsers.source.facts import Function, Statement, StatementKind
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -41,6 +43,7 @@ class BodyReader:
     Attributes:
         statements: what was read so far, in source order.
         functions: lambdas bound to a name, read as functions of their own.
+        types: `using A = B` and typedefs, whoever reads declarations reads them.
     """
 
     def __init__(self, data: bytes, scope: str) -> None:
@@ -48,6 +51,7 @@ class BodyReader:
         self.scope = scope
         self.statements: list[Statement] = []
         self.functions: list[Function] = []
+        self.types: list[Node] = []
         self._depth = 0
         self._nesting = 0
 
@@ -62,16 +66,16 @@ class BodyReader:
                 self.read(child)
         elif kind in _BRANCHES:
             self._branch(node)
-        elif kind == "expression_statement":
-            for child in node.named_children:
-                self._expression(child)
-        elif kind == "declaration":
-            self._declaration(node)
-        elif kind in {"return_statement", "co_return_statement"}:
-            self._return(node)
-        elif kind == "function_definition" and node.child_by_field_name("type") is None:
-            self._macro_block(node)
+        elif (step := _STEPS.get(kind)) is not None:
+            step(self, node)
         self._nesting -= 1
+
+    def _expressions(self, node: Node) -> None:
+        for child in node.named_children:
+            self._expression(child)
+
+    def _local_type(self, node: Node) -> None:
+        self.types.append(node)
 
     def initializers(self, node: Node) -> None:
         """Read a constructor's initialiser list."""
@@ -110,6 +114,8 @@ class BodyReader:
 
     def _macro_block(self, node: Node) -> None:
         """`BOOST_FOREACH(const T & item, list) { ... }` reads as a function; within a body none can stand."""
+        if node.child_by_field_name("type") is not None:
+            return
         self._depth += 1
         declarator, body = node.child_by_field_name("declarator"), node.child_by_field_name("body")
         loop = loop_macro(self.expr, declarator) if declarator is not None else None
@@ -305,61 +311,6 @@ def has_call(value: Expr) -> bool:
     return isinstance(value, Lambda)
 
 
-def parameters(reader: ExprReader, listed: Node | None) -> tuple[Parameter, ...]:
-    """Return the parameters of a parameter list with their types as written."""
-    found = []
-    for child in listed.named_children if listed is not None else ():
-        kind = child.child_by_field_name("type")
-        if kind is None or reader.text(child) == "void":
-            continue
-        declarator, default = (
-            child.child_by_field_name("declarator"),
-            child.child_by_field_name("default_value"),
-        )
-        name = declared_name(reader, declarator) if declarator is not None else ""
-        end = declarator if declarator is not None else default
-        written = reader.data[child.start_byte : end.start_byte if end is not None else child.end_byte]
-        suffix = _suffix(reader, declarator)
-        text = " ".join(written.decode("utf-8", "replace").rstrip(" =").split()) + suffix
-        value = reader.read(default) if default is not None else None
-        found.append(Parameter(name, text, value))
-    return tuple(found)
-
-
-def declared_name(reader: ExprReader, node: Node) -> str:
-    """Return the name that a declarator binds, through references, pointers and arrays."""
-    while node.type not in _NAMES:
-        inner = node.child_by_field_name("declarator")
-        if inner is None and node.named_children:
-            inner = next((c for c in node.named_children if c.type in _NAMES or c.type.endswith("declarator")), None)
-        if inner is None:
-            return ""
-        node = inner
-    return reader.name(node)
-
-
-_NAMES = frozenset(
-    {
-        "identifier",
-        "field_identifier",
-        "qualified_identifier",
-        "type_identifier",
-        "destructor_name",
-        "operator_name",
-    }
-    | {"operator_cast", "template_function"}
-)
-
-
-def _suffix(reader: ExprReader, declarator: Node | None) -> str:
-    if declarator is None:
-        return ""
-    if declarator.type.startswith("abstract_"):
-        return " " + reader.text(declarator)
-    marks = reader.data[declarator.start_byte : declarator.start_byte + 2].decode("utf-8", "replace")
-    return " " + "".join(mark for mark in marks if mark in "&*") if marks[:1] in {"&", "*"} else ""
-
-
 def _keeps_number(value: Expr | None) -> bool:
     return isinstance(value, Number | Text | Name | Constant) or (value is not None and has_call(value))
 
@@ -367,3 +318,14 @@ def _keeps_number(value: Expr | None) -> bool:
 def _line(node: Node) -> int:
     row: int = node.start_point[0]
     return row + 1
+
+
+_STEPS: dict[str, Callable[[BodyReader, Node], None]] = {
+    "expression_statement": BodyReader._expressions,
+    "declaration": BodyReader._declaration,
+    "alias_declaration": BodyReader._local_type,
+    "type_definition": BodyReader._local_type,
+    "return_statement": BodyReader._return,
+    "co_return_statement": BodyReader._return,
+    "function_definition": BodyReader._macro_block,
+}

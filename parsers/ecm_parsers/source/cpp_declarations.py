@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.cpp_body import BodyReader, declared_name, parameters
+from ecm_parsers.source.cpp_body import BodyReader
 from ecm_parsers.source.cpp_declarators import (
     GROUPS,
     first_value,
@@ -16,6 +16,7 @@ from ecm_parsers.source.cpp_declarators import (
     split_name,
 )
 from ecm_parsers.source.cpp_expr import ExprReader
+from ecm_parsers.source.cpp_parameters import declared_name, parameters
 from ecm_parsers.source.cpp_parser import parser
 from ecm_parsers.source.expr import Expr, Items
 from ecm_parsers.source.facts import Alias, Class, Constant, Field, Function, Import, Macro, SourceFile
@@ -220,6 +221,8 @@ class DeclarationReader:
                 read.initializers(child)
         if body is not None:
             read.read(body)
+        for local in read.types:
+            self._local_type(local, Place(f"{read.scope}()"))
         params = parameters(self.expr, declarator.child_by_field_name("parameters"))
         traits = (*place.traits(), *function_traits(self.expr, node, declarator, words, body is None))
         returns = self.expr.type_text(kind) if kind is not None else ""
@@ -261,6 +264,14 @@ class DeclarationReader:
         name, kind = node.child_by_field_name("name"), node.child_by_field_name("type")
         if name is not None and kind is not None:
             self.aliases.append(Alias(self.expr.text(name), place.scope, self.expr.type_text(kind), lines_of(node)[0]))
+
+    def _local_type(self, node: Node, place: Place) -> None:
+        """Another name for a type within a function; the scope with `()` keeps it from being one for others."""
+        kind = node.child_by_field_name("type")
+        if node.type == "alias_declaration":
+            self.alias(node, place)
+        elif kind is not None and kind.type not in _CLASSES | {"enum_specifier"}:
+            self.typedef(node, place)
 
     def typedef(self, node: Node, place: Place) -> None:
         """`typedef B A`."""

@@ -111,7 +111,12 @@ class Constant(_Fact, frozen=True):
 
 
 class Alias(_Fact, frozen=True):
-    """`using A = B`, `typedef B A`, `namespace A = B`."""
+    """`using A = B`, `typedef B A`, `namespace A = B`; the scope of one within a function ends in `()`."""
+
+    @property
+    def local(self) -> bool:
+        """Whether it stands within a function, and is known there only."""
+        return self.scope.endswith("()")
 
     name: str
     scope: str

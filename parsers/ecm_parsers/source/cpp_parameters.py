@@ -1,0 +1,66 @@
+"""Parameters of functions, and the names that declarators bind."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ecm_parsers.source.cpp_expr import ExprReader
+from ecm_parsers.source.facts import Parameter
+
+if TYPE_CHECKING:
+    from tree_sitter import Node
+
+
+def parameters(reader: ExprReader, listed: Node | None) -> tuple[Parameter, ...]:
+    """Return the parameters of a parameter list with their types as written."""
+    found = []
+    for child in listed.named_children if listed is not None else ():
+        kind = child.child_by_field_name("type")
+        if kind is None or reader.text(child) == "void":
+            continue
+        declarator, default = (
+            child.child_by_field_name("declarator"),
+            child.child_by_field_name("default_value"),
+        )
+        name = declared_name(reader, declarator) if declarator is not None else ""
+        end = declarator if declarator is not None else default
+        written = reader.data[child.start_byte : end.start_byte if end is not None else child.end_byte]
+        suffix = _suffix(reader, declarator)
+        text = " ".join(written.decode("utf-8", "replace").rstrip(" =").split()) + suffix
+        value = reader.read(default) if default is not None else None
+        found.append(Parameter(name, text, value))
+    return tuple(found)
+
+
+def declared_name(reader: ExprReader, node: Node) -> str:
+    """Return the name that a declarator binds, through references, pointers and arrays."""
+    while node.type not in _NAMES:
+        inner = node.child_by_field_name("declarator")
+        if inner is None and node.named_children:
+            inner = next((c for c in node.named_children if c.type in _NAMES or c.type.endswith("declarator")), None)
+        if inner is None:
+            return ""
+        node = inner
+    return reader.name(node)
+
+
+_NAMES = frozenset(
+    {
+        "identifier",
+        "field_identifier",
+        "qualified_identifier",
+        "type_identifier",
+        "destructor_name",
+        "operator_name",
+    }
+    | {"operator_cast", "template_function"}
+)
+
+
+def _suffix(reader: ExprReader, declarator: Node | None) -> str:
+    if declarator is None:
+        return ""
+    if declarator.type.startswith("abstract_"):
+        return " " + reader.text(declarator)
+    marks = reader.data[declarator.start_byte : declarator.start_byte + 2].decode("utf-8", "replace")
+    return " " + "".join(mark for mark in marks if mark in "&*") if marks[:1] in {"&", "*"} else ""
