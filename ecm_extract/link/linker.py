@@ -192,10 +192,10 @@ class Linker:
         evidence = tuple(Evidence(path, line) for path, line in dict.fromkeys(site.lines()))
         for named, default in self._named(site):
             value = settled(with_node(named, node))
-            if is_never_made(value, site.form.role):
-                continue
             local = local_name(settled(named), handle)
             name, confidence = self._name(site, value, handle, node, ros), value.confidence
+            if is_never_made(value, name) and site.form.role != "parameter":
+                continue
             kind, data = self.typing.of(site, default)
             if is_below_node(value):
                 confidence = "folded"

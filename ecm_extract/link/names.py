@@ -56,9 +56,9 @@ def endpoint_name(value: Value, handle: Handle, node: str | None, ros: int | Non
     return RosName(relative if ros == 1 else raw, _clean(f"/{relative}"))
 
 
-def is_never_made(value: Value, role: str) -> bool:
-    """Tell whether a name is certainly empty: ROS refuses it, so sources ask first, `if (topic != "")`."""
-    return role != "parameter" and value.text == "" and value.template is None
+def is_never_made(value: Value, name: RosName) -> bool:
+    """Tell whether a name is certainly empty, in no namespace either: sources ask first, `if (topic != "")`."""
+    return value.text == "" and value.template is None and name.resolved == "/"
 
 
 def _after(value: Value, kind: str) -> str | None:

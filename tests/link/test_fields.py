@@ -31,6 +31,7 @@ ROWS = [
     ('Other o; o.topic = "x"; nh_.advertise<std_msgs::Bool>(settings_.topic, 1);', {"/x"}),
     ('pnh_.advertise<std_msgs::Bool>(ros::names::resolve("imu") + "/data", 1);', {"/imu/data"}),
     ("send();", set()),
+    ('ros::NodeHandle image(nh_, "image"); image.advertise<std_msgs::Bool>("", 1);', {"/image"}),
     ('send(); send("said");', {"/said"}),
 ]
 
