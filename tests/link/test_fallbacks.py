@@ -46,3 +46,32 @@ def test_what_a_variable_holds_is_the_default(workspace: Any, body: str, kind: s
     """`if (!getParam(x)) x = 5;` and a value given before are defaults; what may have happened otherwise is none."""
     found = workspace.package({"src/d.cpp": TEXT.format(body=body)}, ros=1).only("parameter")
     assert (found.type, found.default) == (kind, default)
+
+
+HELPERS = [
+    ("if rospy.has_param('~' + name):\n        return rospy.get_param('~' + name)\n    return value", 10),
+    ("return rospy.get_param('~' + name)", None),
+    ("print(rospy.get_param('~' + name))\n    return value", None),
+]
+
+
+@pytest.mark.parametrize(("body", "default"), HELPERS, ids=range(len(HELPERS)))
+def test_what_a_helper_returns_instead_is_the_default(workspace: Any, body: str, default: object) -> None:
+    """A helper that returns what it read, or else its argument, gives the parameter that default."""
+    text = f"#!/usr/bin/env python\nimport rospy\ndef get(name, value=None):\n    {body}\nrospy.init_node('d')\nrate = get('rate', 10)\n"
+    found = workspace.package({"scripts/d.py": text}, ros=1).only("parameter")
+    assert (found.name, found.default) == ("/d/rate", default)
+
+
+def test_what_a_helper_returns_instead_is_the_default_in_cpp(workspace: Any) -> None:
+    """The same with a variable that is read into."""
+    text = """
+template <class T> T load(const ros::NodeHandle & nh, const std::string & name, const T & fallback) {
+  T value;
+  if (nh.hasParam(name)) { nh.getParam(name, value); return value; }
+  return fallback;
+}
+class Demo { public: Demo() { load(nh_, "rate", 2.5); } ros::NodeHandle nh_; };
+int main(int c, char ** v) { Demo demo; }"""
+    found = workspace.package({"src/d.cpp": text}, ros=1).only("parameter")
+    assert (found.type, found.default) == ("double", 2.5)
