@@ -46,6 +46,8 @@ _SAME = frozenset(
         "rclcpp::ParameterValue",
     }
 ) | frozenset(NUMBERS)
+_TIDIED = ("names::clean", "names::remap")
+"""Functions that give a name as it is passed, but for slashes and remaps."""
 RESOLVERS = frozenset(
     {"resolve_topic_or_service_name", "resolve_topic_name", "resolve_service_name", "resolveName", "resolve_name"}
     | {"expand_topic_or_service_name"}
@@ -75,7 +77,8 @@ class CallFolder:
         call = invocation_of(expr, env)
         if call.path.endswith("names::resolve") and len(call.args) == 1:
             return self._absolute(call.args[0], env.before(env.at))
-        if call.path in _SAME or call.last in _STREAMS or (call.last in RESOLVERS and call.args):
+        tidied = call.last in RESOLVERS or call.path.endswith(_TIDIED)
+        if call.path in _SAME or call.last in _STREAMS or (tidied and call.args):
             return self.folder.fold(call.args[0], env.before(env.at)) if call.args else (literal(""),)
         if call.last == "getCameraInfoTopic" and call.args:
             return self._beside(call.args[0], "camera_info", env.before(env.at))

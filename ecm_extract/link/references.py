@@ -83,8 +83,9 @@ class References:
     def _class_users(self, cls: Cls) -> Iterator[Unit]:
         found = [*self.sites.derived(cls), *self._makers(cls), *self._mentioning(cls, self._holders)]
         yield from found or self._mentioning(cls, self._mentions)
+        static = {method.fact.name for method in cls.methods if "static" in method.fact.traits}
         for method in cls.methods:
-            if "static" in method.fact.traits:
+            if method.fact.name in static:  # the word stands at the declaration, calls mean the definition
                 yield from self._callers(method)
 
     def _makers(self, cls: Cls) -> Iterator[Unit]:

@@ -113,3 +113,13 @@ def test_a_program_without_suffix_may_stand_anywhere(workspace: Any) -> None:
     workspace.package({"pkg/state/say": script, "pkg/state/notes": script})
     (workspace.root / "pkg/pkg/state/say").chmod(0o755)
     assert endpoints(workspace) == {"say": {"/b"}}
+
+
+def test_a_static_method_is_of_whoever_calls_it(workspace: Any) -> None:
+    """`static` stands at the declaration in the header; the definition declares for its caller."""
+    header = "struct Config { static void load(rclcpp::Node::SharedPtr & node); };"
+    source = '#include "pkg/c.hpp"\nvoid Config::load(rclcpp::Node::SharedPtr & node) { node->declare_parameter("rate", 1.0); }'
+    main = '#include "pkg/c.hpp"\nint main(int c, char ** v) { auto node = std::make_shared<rclcpp::Node>("demo"); Config::load(node); }'
+    cmake = "project(pkg)\nadd_executable(demo src/main.cpp src/c.cpp)\n"
+    files = {"include/pkg/c.hpp": header, "src/c.cpp": source, "src/main.cpp": main, "CMakeLists.txt": cmake}
+    assert endpoints(workspace.package(files)) == {"demo": {"rate"}}

@@ -30,6 +30,7 @@ ROWS = [
     ('settings_.topic = "kept"; nh_.advertise<std_msgs::Bool>(settings_.other, 1);', {"/{other}"}),
     ('Other o; o.topic = "x"; nh_.advertise<std_msgs::Bool>(settings_.topic, 1);', {"/x"}),
     ('pnh_.advertise<std_msgs::Bool>(ros::names::resolve("imu") + "/data", 1);', {"/imu/data"}),
+    ('nh_.advertise<std_msgs::Bool>(ros::names::clean("left/" + nh_.resolveName("image")), 1);', {"/left/image"}),
     ("send();", set()),
     ('ros::NodeHandle image(nh_, "image"); image.advertise<std_msgs::Bool>("", 1);', {"/image"}),
     ('send(); send("said");', {"/said"}),
