@@ -88,7 +88,7 @@ class _Composer:
             written = sites.folder.objects.type_of(call.receiver, sites.root_env(call.func, sites.position(call)))
             match = _LOADER.search(written or "")
             if match is not None:
-                yield match[1].strip(), call.func.cls or call.func
+                yield match[1].strip(), call.func.holder or call.func
 
     def _outermost(self, cls: Cls) -> Iterator[Unit]:
         """Yield the main functions and module classes in which an object of a class is made."""

@@ -81,7 +81,7 @@ class GeneratedParameters:
             classes = (cls for group in program.classes.values() for cls in group if cls.file.package == package)
             functions = (f for group in program.functions.values() for f in group if f.file.package == package)
             known = [(cls, " ".join([f"{entry.type}>" for entry in cls.fact.fields])) for cls in classes]
-            known += [(func.cls or func, _types_in(func)) for func in functions]
+            known += [(func.holder or func, _types_in(func)) for func in functions]
             self._texts[package] = known
         return known
 

@@ -128,6 +128,8 @@ class Modules:
                 if id(user) not in seen:
                     seen.add(id(user))
                     pending.append(user)
+        if not found and not isinstance(unit, Cls) and unit.cls is not None:
+            return self.owners(unit.cls)
         if not found:
             return (self.library(unit),)
         return tuple(sorted(found.values(), key=lambda module: (module.package, module.name, module.path)))

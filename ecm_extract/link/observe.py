@@ -70,7 +70,7 @@ def observations(sites: Sites) -> Iterator[tuple[Cls | Func, Observation]]:
             row = next((row for row in rows if _is(row, call)), None)
             if row is not None and not _hands_on(row, call):
                 env = sites.root_env(call.func, sites.position(call))
-                yield call.func.cls or call.func, _observed(row, call, env, sites.folder)
+                yield call.func.holder or call.func, _observed(row, call, env, sites.folder)
 
 
 def _is(row: ObservationForm, call: Invocation) -> bool:

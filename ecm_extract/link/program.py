@@ -86,6 +86,11 @@ class Func:
         return self._arity
 
     @property
+    def holder(self) -> Cls | None:
+        """The class whose objects have what it declares; None for functions and for static methods of C++."""
+        return None if self.cls is None or self.fact.name in self.cls.statics else self.cls
+
+    @property
     def is_constructor(self) -> bool:
         """Whether calling it makes an object of its class."""
         return self.cls is not None and self.fact.name in {self.cls.fact.name, "__init__"}
@@ -93,12 +98,13 @@ class Func:
 
 @dataclass(slots=True, eq=False, repr=False)
 class Cls:
-    """A class with its file and all definitions of its methods, wherever they stand."""
+    """A class with its file and all definitions of its methods, wherever they stand; `statics`: names, of C++."""
 
     fact: Class
     file: File
     methods: list[Func] = field(default_factory=list)
     fields: dict[str, Field] = field(default_factory=dict)
+    statics: set[str] = field(default_factory=set)
 
     @property
     def qualified(self) -> str:
@@ -129,6 +135,8 @@ class Program:
             namesakes.append(func)
             if owner is not None:
                 owner.methods.append(func)
+                if "static" in function.traits and file.language == "cpp":
+                    owner.statics.add(function.name)
         for constant in file.facts.constants:
             self.constants[constant.name].append((file, constant))
         for alias in file.facts.aliases:

@@ -50,7 +50,7 @@ class References:
                 self._mention(constant.type, main, file, constant.scope)
 
     def _mention_body(self, func: Func) -> None:
-        unit: Unit = func.cls or func
+        unit: Unit = func.holder or func
         scope = f"{func.fact.scope}::{func.fact.name}"
         for statement in func.fact.body:
             if statement.type and statement.type != "auto":
@@ -83,15 +83,14 @@ class References:
     def _class_users(self, cls: Cls) -> Iterator[Unit]:
         found = [*self.sites.derived(cls), *self._makers(cls), *self._mentioning(cls, self._holders)]
         yield from found or self._mentioning(cls, self._mentions)
-        static = {method.fact.name for method in cls.methods if "static" in method.fact.traits}
-        for method in cls.methods:
-            if method.fact.name in static:  # the word stands at the declaration, calls mean the definition
-                yield from self._callers(method)
+        for call in self.sites.calls.get(cls.fact.name, ()):
+            if call.func.cls is cls and call.func.holder is None and self.sites.makes(call, cls):
+                yield from self._callers(call.func)  # a static method that makes the object: a singleton, a factory
 
     def _makers(self, cls: Cls) -> Iterator[Unit]:
         for call in self.sites.calls.get(cls.fact.name, ()):
             if self.sites.makes(call, cls):
-                yield call.func.cls or call.func
+                yield call.func.holder or call.func
 
     def _mentioning(self, cls: Cls, index: dict[str, list[_Mention]]) -> Iterator[Unit]:
         for unit, name, file, scope in index.get(cls.fact.name, ()):
@@ -100,4 +99,4 @@ class References:
 
     def _callers(self, func: Func) -> Iterator[Unit]:
         for call in self.sites.callers(func):
-            yield call.func.cls or call.func
+            yield call.func.holder or call.func

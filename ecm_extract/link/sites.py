@@ -70,7 +70,7 @@ class Sites:
         form = self.matcher.form(call, env)
         if form is None or (form.role == "parameter") is not parameters:
             return None
-        return Site(form, call, env, (), func.cls, func)
+        return Site(form, call, env, (), func.holder, func)
 
     def root_env(self, func: Func, at: int) -> Env:
         """Return the place of a statement of a function about whose callers nothing is assumed."""
@@ -202,7 +202,7 @@ class Sites:
     def _through(self, site: Site, call: Invocation, outer: Env) -> Site:
         """Rebuild the chain of environments from a new outermost call."""
         env = self._enter(call, self._first(site), outer)
-        return Site(site.form, site.call, self._inside(site, env), (call, *site.chain), call.func.cls, call.func)
+        return Site(site.form, site.call, self._inside(site, env), (call, *site.chain), call.func.holder, call.func)
 
     def _first(self, site: Site) -> Invocation:
         return site.chain[0] if site.chain else site.call
@@ -278,7 +278,7 @@ class Sites:
         types = self._class_types(cls, call, outer)
         own = args if site.root.is_constructor and site.root.cls is cls else {}
         root = Env(site.root, at, own, types, cls, Instance(cls, args, types, constructor))
-        return Site(site.form, site.call, self._inside(site, root), (call, *site.chain), call.func.cls, call.func)
+        return Site(site.form, site.call, self._inside(site, root), (call, *site.chain), call.func.holder, call.func)
 
     def makes(self, call: Invocation, cls: Cls) -> bool:
         """Tell whether a call makes an object of a class."""

@@ -32,7 +32,7 @@ def stamps(sites: Sites) -> Iterator[tuple[Cls | Func, Stamp]]:
                     value = settled(sites.folder.fold(statement.value, sites.root_env(func, at))[0])
                     if value.confidence != "pattern" and value.text:
                         evidence = Evidence(func.file.path, statement.line)
-                        yield func.cls or func, Stamp(value.text.lstrip("/"), value.confidence, evidence)
+                        yield func.holder or func, Stamp(value.text.lstrip("/"), value.confidence, evidence)
 
 
 def _is_frame(target: Expr | None) -> bool:

@@ -123,3 +123,16 @@ def test_a_static_method_is_of_whoever_calls_it(workspace: Any) -> None:
     cmake = "project(pkg)\nadd_executable(demo src/main.cpp src/c.cpp)\n"
     files = {"include/pkg/c.hpp": header, "src/c.cpp": source, "src/main.cpp": main, "CMakeLists.txt": cmake}
     assert endpoints(workspace.package(files)) == {"demo": {"rate"}}
+
+
+def test_a_static_method_brings_no_object_along_unless_it_makes_one(workspace: Any) -> None:
+    """Who calls a helper of a class has no object of it; who asks for the only object has."""
+    text = """
+class Loader { public: Loader(rclcpp::Node * n) { n->create_publisher<std_msgs::msg::Bool>("loaded", 1); } static int size(); };
+int Loader::size() { return 1; }
+class Only { public: static Only & get(); Only() { rclcpp::Node::make()->create_client<std_srvs::srv::Empty>("once"); } };
+Only & Only::get() { static Only only; return only; }
+class A : public rclcpp::Node { public: A() : Node("a") { Loader::size(); } };
+class B : public rclcpp::Node { public: B() : Node("b") { Only::get(); } };
+class C : public rclcpp::Node { public: C() : Node("c"), loader_(this) {} Loader loader_; };"""
+    assert endpoints(workspace.package({"src/d.cpp": text})) == {"a": set(), "b": {"/once"}, "c": {"/loaded"}}
