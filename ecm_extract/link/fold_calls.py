@@ -102,7 +102,7 @@ class CallFolder:
     def _absolute(self, name: Expr, env: Env) -> tuple[Value, ...]:
         """`ros::names::resolve(name)`: below the namespace of the node, whatever handle it is given to later."""
         values = self.folder.fold(name, env)
-        if any(value.text.startswith(("/", "~")) for value in values):
+        if any(value.text.startswith(("/", "~")) or value.confidence == "pattern" for value in values):
             return values
         return joined([(node_namespace(),), (literal("/"),), values])
 

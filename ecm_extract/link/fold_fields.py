@@ -1,7 +1,7 @@
 """Fields of structures that hold settings: what the functions at hand write to them.
 
 `nh.param("topic", params_.topic, "scan")` or `params.topic = ...` in one method, `params_.topic` in another. The
-variables may have different names, so the field decides, and the class of the structure where it is known.
+variables may have different names: what is assigned is told by the class of the structure, what is read by the field.
 """
 
 from __future__ import annotations
@@ -50,10 +50,10 @@ class FieldFolder:
                 yield from demoted(self.folder.fold(func.fact.body[at].value, inner))
 
     def _same_kind(self, one: Expr, env: Env, other: Expr, inner: Env) -> bool:
-        """Tell whether two objects may be of one class: where both are known they are."""
+        """Tell whether two objects are of one class, or called the same where a class is not known."""
         first = self.folder.objects.class_of(one, env)
         second = self.folder.objects.class_of(other, inner)
-        return first is None or second is None or first is second
+        return one == other if first is None or second is None else first is second
 
     def _functions(self, expr: Member, env: Env) -> Iterator[Func]:
         """The function at hand, the methods of its class, and what it hands the object to."""

@@ -83,6 +83,9 @@ class References:
     def _class_users(self, cls: Cls) -> Iterator[Unit]:
         found = [*self.sites.derived(cls), *self._makers(cls), *self._mentioning(cls, self._holders)]
         yield from found or self._mentioning(cls, self._mentions)
+        for method in cls.methods if cls.file.language == "python" else ():
+            if "static" in method.fact.traits:
+                yield from self._callers(method)
         for call in self.sites.calls.get(cls.fact.name, ()):
             if call.func.cls is cls and call.func.holder is None and self.sites.makes(call, cls):
                 yield from self._callers(call.func)  # a static method that makes the object: a singleton, a factory
