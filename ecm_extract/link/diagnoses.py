@@ -63,7 +63,7 @@ def _diagnosis(told: _Told, sites: Sites) -> Iterator[tuple[Cls | Func, Diagnosi
     for value in sites.folder.fold(told.message, sites.root_env(told.func, told.at)):
         if value.confidence != "pattern" and value.text:
             evidence = Evidence(told.func.file.path, told.line)
-            yield told.func.cls or told.func, Diagnosis(level, value.text, evidence)
+            yield told.func.holder or told.func, Diagnosis(level, value.text, evidence)
 
 
 def _filled_in(func: Func) -> Iterator[_Told]:
