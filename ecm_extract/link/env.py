@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from ecm_parsers.source.expr import Call, Expr, Items
@@ -86,19 +86,9 @@ def bind(callee: Func, call: Invocation, env: Env) -> dict[str, Bound]:
     for name, value in call.keywords:
         bound[name] = Bound(value, env)
     if len(bound) < len(callee.params):
-        for name, default in _defaults(callee):
+        for name, default in callee.defaults:
             bound.setdefault(name, Bound(default, Env(callee, depth=env.depth)))
     return bound
-
-
-def _defaults(callee: Func) -> Iterator[tuple[str, Expr]]:
-    """The defaults of parameters by name; those of a method in C++ stand at its declaration."""
-    params = callee.params
-    for other in (callee, *callee.siblings()):
-        if len(other.params) == len(params):
-            for parameter, declared in zip(params, other.params, strict=True):
-                if declared.default is not None:
-                    yield parameter.name, declared.default
 
 
 def invocation_of(expr: Call, env: Env) -> Invocation:

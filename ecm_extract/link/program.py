@@ -13,7 +13,7 @@ from functools import lru_cache
 from math import inf
 from typing import Final
 
-from ecm_parsers.source.expr import Call
+from ecm_parsers.source.expr import Call, Expr
 from ecm_parsers.source.facts import Class, Constant, Field, Function, Parameter, SourceFile
 
 from ecm_extract.link.aliases import Aliases, enclosing_scopes
@@ -52,6 +52,7 @@ class Func:
     _params: tuple[Parameter, ...] | None = None
     _arity: tuple[int, float] | None = None
     _calls: tuple[Sequence[Call], ...] | None = None
+    _defaults: tuple[tuple[str, Expr], ...] | None = None
 
     def siblings(self) -> Iterator[Func]:
         """The declarations and definitions of that name in its class or namespace, itself included."""
@@ -84,6 +85,15 @@ class Func:
             least = min([_required(self.params), *(_required(other.params) for other in alike)])
             self._arity = (0, inf) if _takes_any(self.params[-1:]) else (least, _most(self.params))
         return self._arity
+
+    @property
+    def defaults(self) -> tuple[tuple[str, Expr], ...]:
+        """The defaults of its parameters by name; those of a method in C++ stand at its declaration."""
+        if self._defaults is None:
+            alike = [other.params for other in (self, *self.siblings()) if len(other.params) == len(self.params)]
+            pairs = [pair for params in alike for pair in zip(self.params, params, strict=True)]
+            self._defaults = tuple([(own.name, one.default) for own, one in pairs if one.default is not None])
+        return self._defaults
 
     @property
     def holder(self) -> Cls | None:

@@ -35,6 +35,7 @@ class Scope:
         self._passed: dict[int, dict[str, list[tuple[int, Call, int]]]] = {}
         self._members: dict[int, dict[str, list[Definition]]] = {}
         self._fields: dict[int, dict[str, list[int]]] = {}
+        self._class_fields: dict[int, dict[str, list[Definition]]] = {}
 
     def locals_of(self, func: Func) -> dict[str, list[int]]:
         """Return name -> indices of the statements that bind it in a function."""
@@ -132,6 +133,16 @@ class Scope:
                 target = statement.target
                 if isinstance(target, Member) and target.base != Name("this") and statement.kind == "set":
                     known[target.name].append(at)
+        return known
+
+    def class_fields(self, cls: Cls) -> dict[str, list[Definition]]:
+        """Return field -> the assignments of it on other objects in all methods of a class."""
+        known = self._class_fields.get(id(cls))
+        if known is None:
+            known = self._class_fields[id(cls)] = defaultdict(list)
+            for method in cls.methods:
+                for name, indices in self.fields(method).items():
+                    known[name] += [Definition(method, at) for at in indices]
         return known
 
     def constant(self, name: str, env: Env) -> tuple[Expr, Func | None, File] | None:
