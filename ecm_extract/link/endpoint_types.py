@@ -9,7 +9,7 @@ from ecm_parsers.source.expr import Call, Expr, Member, Name
 from ecm_extract.link.data import UNKNOWN, data_of, declared_type, plain_type, stated_type, type_of_data
 from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
-from ecm_extract.link.match import positions
+from ecm_extract.link.match import name_argument, positions
 from ecm_extract.link.program import plain
 from ecm_extract.link.site import Site
 from ecm_extract.link.types import Types
@@ -37,6 +37,7 @@ class EndpointTypes:
         declared = self._declared(written, site.env) or stated or self._out_type(out, site.env)
         known = declared or (type_of_data(data) if data is not UNKNOWN else None)
         known = known or self._default_type(default, site.env) or self._target_type(site)
+        known = known or self._read_type(site)
         return known, UNKNOWN if known in _NO_TEXT and isinstance(data, str) else data
 
     def _target_type(self, site: Site) -> str | None:
@@ -51,6 +52,15 @@ class EndpointTypes:
         if called != site.call.last:
             return None
         return declared_type(plain_type(statement.type or self.folder.objects.type_of(target, site.env)))
+
+    def _read_type(self, site: Site) -> str | None:
+        """The type of the variable that the same function reads the parameter into: `get_parameter("port", port)`."""
+        name = name_argument(site.form, site.call)
+        if name is None or site.chain or site.env.func.file.language != "cpp":
+            return None
+        targets = self.folder.reads.read_into(site.call.func, name)
+        types = (declared_type(plain_type(self.folder.objects.type_of(Name(target), site.env))) for target in targets)
+        return next((found for found in types if found is not None), None)
 
     def _bound_stated(self, default: Expr | None, env: Env) -> str | None:
         bound = env.args.get(getattr(default, "id", "")) if default is not None else None

@@ -23,6 +23,9 @@ class ParameterReads(Protocol):
     def written(self, func: Func, target: str) -> list[tuple[int, Expr, Expr | None]]:
         """Return (statement, name, default) of the calls of a function that write a parameter to a variable."""
 
+    def read_into(self, func: Func, name: Expr) -> list[str]:
+        """Return the variables that a function reads a parameter into, by its name as written."""
+
     def forget(self) -> None:
         """Drop what was remembered, since more is known now."""
 

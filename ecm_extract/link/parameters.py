@@ -72,6 +72,11 @@ class Parameters:
             known = self._written[id(func)] = self._index(func)
         return known
 
+    def read_into(self, func: Func, name: Expr) -> list[str]:
+        """Return the variables that a function reads a parameter into, by its name as written."""
+        written = self.all_written(func).items()
+        return [target for target, entries in written if any(entry[1] == name for entry in entries)]
+
     def members(self, cls: Cls, target: str) -> list[tuple[Func, int, Expr, Expr | None]]:
         """Return (method, statement, name, default) of the calls of a class that write a parameter to a member."""
         known = self._by_class.get(id(cls))

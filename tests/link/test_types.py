@@ -62,6 +62,13 @@ def test_a_message_in_lower_case_is_told_by_its_header(workspace: Any, kind: str
     assert workspace.package({"src/d.cpp": text}, ros=1).only("subscriber").type == expected
 
 
+@pytest.mark.parametrize(("kind", "expected"), [("std::string", "string"), ("int", "integer"), ("Thing", None)])
+def test_a_parameter_has_the_type_of_what_it_is_read_into(workspace: Any, kind: str, expected: str | None) -> None:
+    """`declare_parameter("port")` says no type, `get_parameter("port", port)` after it does."""
+    text = f'int main() {{ auto node = rclcpp::Node::make_shared("d"); {kind} port; node->declare_parameter("port"); node->get_parameter("port", port); }}'
+    assert workspace.package({"src/d.cpp": text}).only("parameter").type == expected
+
+
 def test_an_alias_within_a_function_is_known_there_only(workspace: Any) -> None:
     """Two functions may give one name to two types, and a third knows neither."""
     text = """
