@@ -51,16 +51,10 @@ def parse_tree(data: bytes) -> tuple[Tree, bytes]:
 
 
 def _less_torn(tree: Tree, data: bytes) -> tuple[Tree, bytes]:
-    """Parse without conditionals that cut across braces, then without any; what leaves least unread is taken."""
-    single = cpp_text.with_first_branches(data)
-    best, least = (tree, data), _unread(tree.root_node)
-    for text in (single, cpp_text.without_conditionals(single)):
-        if text != data and least:
-            other = _parse(text)
-            unread = _unread(other.root_node)
-            if unread < least:
-                best, least = (other, text), unread
-    return best
+    """Parse without conditionals; what leaves less unread is taken."""
+    bare = cpp_text.without_conditionals(data)
+    other = _parse(bare)
+    return (other, bare) if _unread(other.root_node) < _unread(tree.root_node) else (tree, data)
 
 
 def _unread(root: Node) -> int:

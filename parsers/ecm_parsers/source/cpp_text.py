@@ -50,42 +50,6 @@ def without_conditionals(data: bytes) -> bytes:
     return _DIRECTIVE.sub(_blank, data)
 
 
-def with_first_branches(data: bytes) -> bytes:
-    """Return `data` without the later branches of conditionals whose branches open what they do not close.
-
-    `#if A` / `if (x) {` / `#else` / `if (y) {` / `#endif` has one brace more than any compiler sees.
-    """
-    kept = bytearray(data)
-    for branches in _alternatives(data):
-        texts = [data[start:end] for start, end in branches]
-        if len(texts) > 1 and all(_opened(text) for text in texts):
-            for start, end in branches[1:]:
-                kept[start:end] = re.sub(rb"[^\n]", b" ", data[start:end])
-    return bytes(kept)
-
-
-def _alternatives(data: bytes) -> list[list[tuple[int, int]]]:
-    """Where the branches of each conditional begin and end, the inner ones first."""
-    found: list[list[tuple[int, int]]] = []
-    opened: list[list[int]] = []
-    for match in _DIRECTIVE.finditer(data):
-        word = match.group().lstrip(b" \t#")
-        if word.startswith(b"if"):
-            opened.append([match.end()])
-        elif opened:
-            opened[-1].append(match.start())
-            if word.startswith(b"endif"):
-                places = opened.pop()
-                found.append(list(zip(places[::2], places[1::2], strict=False)))
-            else:
-                opened[-1].append(match.end())
-    return found
-
-
-def _opened(text: bytes) -> int:
-    return text.count(b"{") - text.count(b"}") or text.count(b"(") - text.count(b")")
-
-
 def registrations(data: bytes) -> list[tuple[str, tuple[str, ...], int]]:
     """Return (macro, arguments as written, 1-based line) of each registration macro at the start of a line."""
     found = []
