@@ -3,6 +3,8 @@
 import re
 from typing import NamedTuple
 
+from ecm_parsers.source.cpp_text import blanked
+
 _TOKEN = re.compile(
     rb"""(?P<directive>^[ \t]*\#[ \t]*(?P<word>if|elif|else|endif)?(?:[^\n\\]|\\.)*)"""
     rb"""|//[^\n]*|/\*(?:[^*]|\*(?!/))*(?:\*/)?|"(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)'|(?P<bracket>[{}()])""",
@@ -34,7 +36,7 @@ def with_one_branch(data: bytes) -> bytes:
     pieces, position = [], 0
     for start, end in ranges:
         if end > position:
-            pieces += [data[position : max(start, position)], re.sub(rb"[^\n]", b" ", data[max(start, position) : end])]
+            pieces += [data[position : max(start, position)], blanked(data[max(start, position) : end])]
             position = end
     return b"".join([*pieces, data[position:]])
 

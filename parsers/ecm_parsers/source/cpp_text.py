@@ -26,8 +26,13 @@ _DEFINE_LINE = re.compile(rb"^[ \t]*#[^\n]*(?:\\\n[^\n]*)*", re.MULTILINE)
 _REGISTRATION = re.compile(rb"^[ \t]*([A-Z][A-Z0-9_]*(?:REGISTER|EXPORT|DECLARE)[A-Z0-9_]*)\s*\(", re.MULTILINE)
 
 
+def blanked(text: bytes) -> bytes:
+    """Return spaces and line ends in the place of a text."""
+    return b"\n".join([b" " * len(line) for line in text.split(b"\n")])
+
+
 def _blank(match: re.Match[bytes]) -> bytes:
-    return re.sub(rb"[^\n]", b" ", match.group())
+    return blanked(match.group())
 
 
 def without_macros(data: bytes) -> bytes:
