@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from ecm_parsers.source.cpp_body import BodyReader
 from ecm_parsers.source.cpp_declarators import (
     GROUPS,
+    announced_end,
     first_value,
     flat_members,
     function_declarator,
@@ -138,9 +139,8 @@ class DeclarationReader:
         fields = self._members(body, inner, access)
         bases = next((child for child in node.named_children if child.type == "base_class_clause"), None)
         listed = self._bases(bases) if bases is not None else ()
-        self.classes.append(
-            Class(own, place.scope, listed, *lines_of(node), tuple(fields), place.template, place.traits())
-        )
+        traits = (*place.traits(), *announced_end(self.expr, node))
+        self.classes.append(Class(own, place.scope, listed, *lines_of(node), tuple(fields), place.template, traits))
 
     def _declared_of(self, node: Node) -> str:
         """The variable, member or typedef whose type an unnamed struct is."""
@@ -181,6 +181,7 @@ class DeclarationReader:
             traits = (
                 *place.traits(),
                 *(word for word in words if word in {"static", "constexpr", "const", "mutable"}),
+                *announced_end(self.expr, node),
             )
             if "static" in traits or "constexpr" in traits:
                 self.constants.append(Constant(name, place.scope, value, lines_of(node)[0], written, traits))

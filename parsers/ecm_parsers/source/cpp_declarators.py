@@ -67,18 +67,22 @@ def function_traits(
     specifiers = {"virtual_specifier", "type_qualifier"}
     traits.extend(reader.text(child) for child in declarator.named_children if child.type in specifiers)
     default = node.child_by_field_name("default_value")
-    if default is not None:
+    if default is not None and reader.text(default) == "0":  # else the empty body of a method with a stray `;`
         traits.append("pure")
     if any(child.type == "delete_method_clause" for child in node.named_children):
         traits.append("deleted")
-    if any(
-        child.type == "attribute_declaration" and b"deprecated" in _bytes(reader, child)
-        for child in node.named_children
-    ):
-        traits.append("deprecated")
+    traits.extend(announced_end(reader, node))
     if declared and not any(child.type.endswith("_method_clause") for child in node.named_children):
         traits.append("declaration")
     return traits
+
+
+def announced_end(reader: ExprReader, node: Node) -> tuple[str, ...]:
+    """Return `deprecated` when an attribute of a declaration says so: `[[deprecated("use b")]] int a;`."""
+    for child in node.named_children:
+        if child.type == "attribute_declaration" and b"deprecated" in _bytes(reader, child):
+            return ("deprecated",)
+    return ()
 
 
 def _bytes(reader: ExprReader, node: Node) -> bytes:

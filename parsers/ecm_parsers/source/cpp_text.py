@@ -3,7 +3,7 @@
 Offsets and lines stay as they were. Applied only to text whose first parse has errors, since matching
 costs half a parse. Causes counted on real trees: export macros, macro-only lines, `typename` before an
 expression, `= {}` as default argument, a default of a nameless template parameter, notes on the values of an enum,
-`#if` inside an expression.
+`#if` inside an expression, a comment in a `#define` of several lines, which ends there for the grammar.
 """
 
 import re
@@ -22,7 +22,8 @@ _ADJACENT = re.compile(rb"(?<=[(,])(\s*[A-Z][A-Z0-9]*_[A-Z0-9_]*)[ \t]([A-Z][A-Z
 """Two macros for texts side by side: the compiler joins them."""
 _EMPTY_BRACES = re.compile(rb"=\s*\{\}(?=\s*[,)])")
 _DIRECTIVE = re.compile(rb"^[ \t]*#[ \t]*(?:if|ifdef|ifndef|elif|else|endif)\b[^\n]*", re.MULTILINE)
-_DEFINE_LINE = re.compile(rb"^[ \t]*#[^\n]*(?:\\\n[^\n]*)*", re.MULTILINE)
+_DEFINE_LINE = re.compile(rb"^[ \t]*#[^\\\n]*(?:\\(?:\r?\n|[^\n])[^\\\n]*)*", re.MULTILINE)
+_COMMENT = re.compile(rb"/\*.*?\*/", re.DOTALL)
 _REGISTRATION = re.compile(rb"^[ \t]*([A-Z][A-Z0-9_]*(?:REGISTER|EXPORT|DECLARE)[A-Z0-9_]*)\s*\(", re.MULTILINE)
 
 
@@ -37,7 +38,8 @@ def _blank(match: re.Match[bytes]) -> bytes:
 
 def without_macros(data: bytes) -> bytes:
     """Return `data` with export words, macro-only lines and odd `typename`s blanked, length unchanged."""
-    kept = _outside_directives(data, lambda text: _EXPORT_WORD.sub(_blank, text))
+    kept = _DEFINE_LINE.sub(lambda match: _COMMENT.sub(_blank, match.group()), data)
+    kept = _outside_directives(kept, lambda text: _EXPORT_WORD.sub(_blank, text))
     kept = _outside_directives(kept, lambda text: _MACRO_LINE.sub(_blank, text))
     kept = _CLASS_WORD.sub(lambda match: match[1] + b" " * len(match[2]), kept)
     kept = _ADJACENT.sub(rb"\1+\2", _TYPENAME.sub(_blank, kept))

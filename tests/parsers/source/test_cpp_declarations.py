@@ -254,3 +254,26 @@ void Node::stop() { close(2); }
     parsed = parse_cpp(text)
     assert [(each.scope, each.name) for each in parsed.facts.functions] == [("Node", "start"), ("Node", "stop")]
     assert parsed.diagnostics == ()
+
+
+def test_only_a_zero_makes_a_method_pure() -> None:
+    """An empty body with a stray `;` behind it looks like a default value."""
+    text = b"class A { virtual void run(int & a) {}; virtual void stop() = 0; };"
+    found = {each.name: "pure" in each.traits for each in parse_cpp(text).facts.functions}
+    assert found == {"run": False, "stop": True}
+
+
+def test_attributes_announce_the_end_of_classes_and_members() -> None:
+    """As they do of functions."""
+    text = b'class [[deprecated("use B")]] A { public:\n [[deprecated(\n  "x")]]\n int a;\n int b; };'
+    (cls,) = parse_cpp(text).facts.classes
+    assert "deprecated" in cls.traits
+    assert [(field.name, "deprecated" in field.traits) for field in cls.fields] == [("a", True), ("b", False)]
+
+
+def test_a_comment_in_a_macro_of_several_lines_hides_nothing() -> None:
+    """The grammar ends the macro at the comment, and its unbalanced rest would hide the class below."""
+    macro = b"#define BOTH() \\\n  int a() { \\\n  }  /* NOLINT */ \\\n  int b() { \\\n  }\n"
+    facts = parse_cpp(macro + b"\nclass A { public: void go(); };\n").facts
+    assert [cls.name for cls in facts.classes] == ["A"]
+    assert "go" in {function.name for function in facts.functions}
