@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 
+from ecm_extract.entities.cpp import ALIAS
 from ecm_extract.entities.model import Key, PublicEntity
 
 MAX_DEPTH = 20
@@ -32,6 +33,21 @@ class Bases:
             found = self._members.get((kind, base, name))
             if found is not None:
                 return found
+        return None
+
+    def offers(self, cls: str, below: str, kind: str, name: str) -> bool:
+        """Whether a class or one between it and a base of it has a member."""
+        ancestry = self.ancestry(cls)
+        own = ancestry[: ancestry.index(below)] if below in ancestry else ancestry
+        return any((kind, owner, name) in self._members for owner in own)
+
+    def constructor(self, cls: str) -> PublicEntity | None:
+        """Return the constructor of the class that an alias stands for; None of a class, which has its own."""
+        for entity in self._classes.get(cls, ()):
+            target = self.resolve(entity.bases[0], cls) if entity.type == ALIAS else None
+            if target is not None:
+                found = self._members.get(("method", target, target.rpartition("::")[2]))
+                return found or self.constructor(target)
         return None
 
     def ancestry(self, cls: str) -> list[str]:

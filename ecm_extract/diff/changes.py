@@ -9,12 +9,13 @@ from ecm_checker.contract import Evidence
 from ecm_checker.release import Change
 
 from ecm_extract.diff.causes import one_cause
+from ecm_extract.diff.duties import old_duties
 from ecm_extract.diff.effects import EFFECTS, Difference, added_breaks
 from ecm_extract.diff.model import Located, Pair
 from ecm_extract.diff.pair import CONTAINERS
 from ecm_extract.diff.successors import stated_successor
 from ecm_extract.diff.wire import nested_changes, wire_note
-from ecm_extract.entities.model import PublicEntity
+from ecm_extract.entities.model import Key, PublicEntity
 from ecm_extract.entities.side import Side
 
 Names = set[tuple[str, str, str, str]]
@@ -45,7 +46,8 @@ def changes_of(pairs: Iterable[Pair], old: Side, new: Side) -> list[Located]:
     listed = list(pairs)
     gone = {pair.old.key[:4] for pair in listed if pair.old is not None and pair.new is None}
     fresh = {pair.new.key[:4] for pair in listed if pair.new is not None and pair.old is None}
-    found = [located for pair in listed for located in _of_pair(pair, gone, fresh)]
+    duties = old_duties((pair.new for pair in listed if pair.new is not None and pair.old is None), old)
+    found = [located for pair in listed for located in _of_pair(pair, gone, fresh, duties)]
     found += [_nested(pair, path) for pair, path in nested_changes(listed, old, new)]
     told = [_with_successor(_with_wire(located, old, new), new) for located in found]
     return sorted(one_cause(told, new), key=_order)
@@ -57,7 +59,7 @@ def _order(located: Located) -> tuple[str, bool, str, str, str, str]:
     return change.package, not change.breaking, change.kind, change.owner, name, change.change
 
 
-def _of_pair(pair: Pair, gone: Names, fresh: Names) -> Iterator[Located]:
+def _of_pair(pair: Pair, gone: Names, fresh: Names, duties: frozenset[Key]) -> Iterator[Located]:
     if pair.old is not None and pair.new is not None:
         for effect in EFFECTS:
             for difference in effect(pair.old, pair.new, pair):
@@ -65,7 +67,7 @@ def _of_pair(pair: Pair, gone: Names, fresh: Names) -> Iterator[Located]:
     elif pair.old is not None and not _is_covered(pair.old, gone) and not _is_implicit(pair.old):
         yield Located(_record(pair, _removal(pair.old)), pair)
     elif pair.new is not None and not _is_covered(pair.new, fresh):
-        why = added_breaks(pair.new)
+        why = added_breaks(pair.new) if pair.new.key not in duties else None
         yield Located(_record(pair, Difference("added", why is not None, why or "new")), pair)
 
 

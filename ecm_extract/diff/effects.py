@@ -134,7 +134,8 @@ def signature_changed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Itera
     """A call or an override that was right no longer is; an overload that went takes its users with it."""
     if not old.forms or not new.forms or pair.how == "renamed":
         return
-    lost = [form for form in old.forms if not is_answered(form, new.forms)]
+    by_alias = old.name != new.name  # its class is another name of one that copies itself
+    lost = [form for form in old.forms if not (is_answered(form, new.forms) or (by_alias and _copies(form, old.name)))]
     if lost:
         shown_old = " | ".join(form.text for form in lost)
         shown_new = " | ".join(form.text for form in new.forms)
@@ -145,6 +146,10 @@ def signature_changed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Itera
     if fresh and not new.deprecated:
         others = " | ".join(form.text for form in new.forms if not form.deprecated)
         yield Difference("deprecated", False, f"{fresh[0].text} is marked deprecated; use {others}"[:400])
+
+
+def _copies(form: Form, name: str) -> bool:
+    return form.types in {(f"const {name}&",), (f"{name}&&",)}
 
 
 def is_answered(form: Form, news: Iterable[Form]) -> bool:

@@ -18,6 +18,7 @@ from ecm_extract.diff.history import History
 from ecm_extract.diff.model import How, Pair
 from ecm_extract.diff.moves import best_home, is_reshaped
 from ecm_extract.diff.same_form import given_away, only_ones
+from ecm_extract.diff.same_stem import other_endings
 from ecm_extract.diff.scores import score
 from ecm_extract.diff.similarity import last_part
 from ecm_extract.diff.successors import stated_successor
@@ -62,6 +63,7 @@ class Pairing:
         kinds = {key[0] for key in self.old} - set(CONTAINERS)
         self._inherited()
         self._reshaped()
+        self._endings()
         self._moved(kinds)
         self._computed()
         self._successors()
@@ -108,10 +110,18 @@ class Pairing:
         """A method that is now in a base class of its class is still there."""
         for entity in list(self.old.values()):
             if entity.kind in {"method", "member"}:
-                home = self.bases.provider(self.owners.get(entity.owner, entity.owner), entity.kind, entity.name)
+                owner = self.owners.get(entity.owner, entity.owner)
+                home = self.bases.provider(owner, entity.kind, entity.name)
+                if home is None and entity.name == entity.owner.rpartition("::")[2]:
+                    home = self.bases.constructor(owner)
                 if home is not None:
                     self.old.pop(entity.key)
                     self.pairs.append(Pair(entity, home))
+
+    def _endings(self) -> None:
+        """A header whose ending alone changed."""
+        for found in list(other_endings(self.old.values(), self.all_new.values())):
+            self.take(found)
 
     def _reshaped(self) -> None:
         """A parameter whose computed prefix is computed otherwise is the same parameter.

@@ -12,6 +12,7 @@ from ecm_extract.diff.similarity import (
     may_be_alike,
     name_similarity,
     shape_equal,
+    stem,
     words,
 )
 from ecm_extract.entities.model import PublicEntity
@@ -46,7 +47,7 @@ def score(
         return None
     if _is_another(old, new, place):
         return None
-    name = name_similarity(old.name, new.name)
+    name = name_similarity(stem(old), stem(new))
     shape = shape_equal(old, new)
     total = _NAME * name + _SHAPE * shape + _PLACE * place
     if _is_other_structure(old, new) or (shape == 0 and (name < _SURE_NAME or _parts(old) != _parts(new))):
@@ -81,7 +82,9 @@ def _models(name: str) -> list[str]:
 
 
 def _shared_words(old: PublicEntity, new: PublicEntity) -> frozenset[str]:
-    """The words that tell what both are; those of a common base only tell which kind of thing."""
+    """The words that tell what both are; those of a common base or folder only tell which kind of thing."""
+    if old.kind == "file":
+        return (words(last_part(stem(old))) & words(last_part(stem(new)))) - _GENERIC
     if old.kind not in _OF_A_KIND:
         return (words(old.name) & words(new.name)) - _GENERIC
     base = words(" ".join((*old.bases, old.type or "")))

@@ -9,6 +9,7 @@ from ecm_extract.entities.model import PublicEntity
 
 _WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
 SEPARATOR = re.compile(r"::|[/.]")
+_ENDING = re.compile(r"(?<=.)\.(?:h|hh|hpp|hxx|ipp|tpp)$")
 _LAST_EQUAL = 0.6
 _PARTS = frozenset({"request.", "response.", "goal.", "result.", "feedback."})
 """Of an interface file: what stands before a field there is no place that people name."""
@@ -22,6 +23,11 @@ def words(name: str) -> frozenset[str]:
 def last_part(name: str) -> str:
     """The last part of a name with `/`, `.` or `::`."""
     return SEPARATOR.split(name)[-1]
+
+
+def stem(entity: PublicEntity) -> str:
+    """What tells in the name of an entity: of a header all but its ending."""
+    return _ENDING.sub("", entity.name) if entity.kind == "file" and "/" in entity.name else entity.name
 
 
 def name_similarity(old: str, new: str) -> float:
@@ -44,7 +50,7 @@ def may_be_alike(old: PublicEntity, new: PublicEntity) -> bool:
     """A cheap test before the letters are compared: a shared word, or the same beginning."""
     if words(old.name) & words(new.name):
         return True
-    return last_part(old.name)[:4].lower() == last_part(new.name)[:4].lower()
+    return last_part(stem(old))[:4].lower() == last_part(stem(new))[:4].lower()
 
 
 def shape_equal(old: PublicEntity, new: PublicEntity) -> float:
@@ -55,6 +61,6 @@ def shape_equal(old: PublicEntity, new: PublicEntity) -> float:
         return 1.0 if before & after else 0.0
     if old.kind == "launch_argument" and (old.default is None) != (new.default is None):
         return 0.0
-    if old.type is None and new.type is None:
+    if old.kind == "class" or (old.type is None and new.type is None):
         return 0.5
     return float(old.type == new.type)

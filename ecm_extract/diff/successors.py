@@ -17,8 +17,13 @@ def stated_successor(entity: PublicEntity, new: Mapping[Key, PublicEntity]) -> P
         return None
     parts = _INSTEAD.split(entity.deprecated, maxsplit=1)
     for word in _NAME.findall(parts[1]) if len(parts) > 1 else ():
-        for owner in (entity.owner, ""):
-            found = new.get((entity.kind, entity.package, owner, word, entity.facet))
-            if found is not None and word != entity.name:
+        for owner, name in ((entity.owner, word), ("", word), (entity.owner, f"{_place(entity)}{word}")):
+            found = new.get((entity.kind, entity.package, owner, name, entity.facet))
+            if found is not None and name != entity.name:
                 return found
     return None
+
+
+def _place(entity: PublicEntity) -> str:
+    """What stands before the last part of a name: people leave out a namespace or folder that both have."""
+    return entity.name.removesuffix(re.split(r"::|/", entity.name)[-1])

@@ -18,10 +18,14 @@ from ecm_extract.tree import Tree
 
 _MARK = re.compile(r"deprecat|obsolete", re.IGNORECASE)
 _MARK_BYTES = re.compile(rb"[Dd]eprecat|DEPRECAT|[Oo]bsolete")
-_DIRECTIVE = re.compile(rb"^[ \t]*#[ \t]*(?:warning|pragma[ \t]+message)\b(.{0,400})$", re.MULTILINE)
+_DIRECTIVE = re.compile(
+    rb"^[ \t]*#[ \t]*(?:warning|pragma[ \t]+message)\b((?:[^\\\n]|\\\r?\n|\\.){0,600})$", re.MULTILINE
+)
+_JOIN = re.compile(r"\\\s|[\"()]+\s*[\"()]+")
 _COMMENT = re.compile(r"^\s*(?://|/\*|\*)")
 _HEADERS = (".h", ".hh", ".hpp", ".hxx")
 _IN_HEADERS = frozenset({"class", "member", "method", "function", "constant"})
+_TEMPLATE = re.compile(r"^\s*template\s*<.*>\s*$")
 MAX_COMMENT = 40
 
 
@@ -33,12 +37,19 @@ def announced(tree: Tree, packages: Iterable[PackageFacts], entities: Sequence[P
     for path, data in tree.read_many(sorted(headers)):
         if _MARK_BYTES.search(data):
             lines[path] = data.decode("utf-8", "replace").splitlines()
-            directive = next(
-                (found for found in _DIRECTIVE.findall(data) if _MARK.search(found.decode("latin-1"))), None
-            )
-            if directive is not None:
-                texts[path, 0] = " ".join(directive.decode("utf-8", "replace").split()).strip("()\"'")
+            text = _directive(data)
+            if text:
+                texts[path, 0] = text
     return [_told(entity, texts, lines) for entity in entities]
+
+
+def _directive(data: bytes) -> str:
+    """What a `#warning` or `#pragma message` of a header says about its end, which may go over several lines."""
+    for found in _DIRECTIVE.findall(data):
+        text = " ".join(_JOIN.sub(" ", found.decode("utf-8", "replace")).split())
+        if _MARK.search(text):
+            return text.strip('()" ')
+    return ""
 
 
 def _descriptions(packages: Iterable[PackageFacts]) -> dict[Line, str]:
@@ -68,10 +79,16 @@ def _told(entity: PublicEntity, texts: dict[Line, str], lines: dict[str, list[st
     elif entity.kind in _IN_HEADERS and entity.path in lines:
         if len(entity.forms) > 1:
             return _overloads_told(entity, lines[entity.path])
-        text = _comment_above(lines[entity.path], entity.line)
+        text = _comment_above(lines[entity.path], entity.line) or _named(entity, texts.get((entity.path, 0)))
     else:
         text = None
     return msgspec.structs.replace(entity, deprecated=text) if text else entity
+
+
+def _named(entity: PublicEntity, directive: str | None) -> str | None:
+    """The directive of a header that quotes a class of it: `'Box' is deprecated`."""
+    own = re.escape(entity.name.rpartition("::")[2])
+    return directive if directive and re.match(rf"['`\"]?{own}['`\"]? (?:is|has been) deprecated", directive) else None
 
 
 def _overloads_told(entity: PublicEntity, lines: list[str]) -> PublicEntity:
@@ -84,7 +101,10 @@ def _overloads_told(entity: PublicEntity, lines: list[str]) -> PublicEntity:
 
 def _comment_above(lines: list[str], line: int) -> str | None:
     """The sentence on the end of a declaration in the comment right above it; None when there is none."""
-    for above in range(line - 2, max(-1, line - 2 - MAX_COMMENT), -1):
+    start = line - 2
+    while 0 <= start < len(lines) and _TEMPLATE.match(lines[start]):
+        start -= 1
+    for above in range(start, max(-1, start - MAX_COMMENT), -1):
         if above >= len(lines) or not _COMMENT.match(lines[above]):
             return None
         text = lines[above].strip(" \t/*!<")

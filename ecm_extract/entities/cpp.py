@@ -4,20 +4,23 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Final
 
 from ecm_parsers.source.expr import Constant as Literal
 from ecm_parsers.source.expr import Number, Text
-from ecm_parsers.source.facts import Class, Constant, Field, Function, SourceFile
+from ecm_parsers.source.facts import Alias, Class, Constant, Field, Function, SourceFile
 
 from ecm_extract.entities.model import PublicEntity
 from ecm_extract.entities.public_files import HIDDEN, public_headers
-from ecm_extract.entities.signatures import form_of, normal_type
+from ecm_extract.entities.signatures import form_of, normal_type, template_names, written_type
 from ecm_extract.link.program import plain
 from ecm_extract.read.facts import PackageFacts
 
 _MACRO = re.compile(r"[A-Z][A-Z0-9]*(?:_[A-Z0-9]+){2,}")
 """`SMART_PTR_DEFINITIONS(Name)` looks like a member of that type."""
+ALIAS: Final = "alias"
+"""Type of what only stands for a class."""
 _WORDS = frozenset({"explicit", "virtual", "inline", "static", "friend", "constexpr"})
 """What is left of a declaration behind a macro that was misread."""
 _CLOSED = frozenset({"private", "anonymous", "deleted"})
@@ -29,8 +32,29 @@ def cpp_entities(facts: PackageFacts) -> Iterator[PublicEntity]:
     headers = [_Header(facts.name, path, source) for path, source in sources if source is not None]
     classes = {name for header in headers for name in header.classes}
     for header in headers:
-        yield from header.entities()
-        yield from header.aliases(classes)
+        yield from header.entities(classes)
+    for header, alias in _aliases_of_classes(headers, classes):
+        yield from header.alias(alias)
+
+
+def _aliases_of_classes(headers: Sequence[_Header], classes: set[str]) -> Iterator[tuple[_Header, Alias]]:
+    """Yield what stands for a class, by way of other aliases too (`using Box = BoxBase<T>`)."""
+    known = set(classes)
+    pending = [(header, alias) for header in headers for alias in header.source.aliases if not alias.local]
+    while pending:
+        found = [(header, alias) for header, alias in pending if not known.isdisjoint(_targets(alias))]
+        yield from ((header, alias) for header, alias in found if _alias_name(alias) not in known)
+        known |= {_alias_name(alias) for _, alias in found}
+        pending = [entry for entry in pending if entry not in found] if found else []
+
+
+def _targets(alias: Alias) -> tuple[str, str]:
+    target = plain(alias.target)
+    return target, f"{alias.scope}::{target}"
+
+
+def _alias_name(alias: Alias) -> str:
+    return f"{alias.scope}::{alias.name}".lstrip(":")
 
 
 class _Header:
@@ -42,13 +66,15 @@ class _Header:
         self.source = source
         self.closed = {qualified(entry) for entry in source.classes if not _CLOSED.isdisjoint(entry.traits)}
         self.classes = {qualified(entry) for entry in source.classes if entry.name}
+        self.templates = {qualified(entry): entry.template for entry in source.classes if entry.template}
         self.bodies = {f"{entry.scope}::{entry.name}".lstrip(":") for entry in source.functions}
 
-    def entities(self) -> Iterator[PublicEntity]:
+    def entities(self, classes: set[str]) -> Iterator[PublicEntity]:
+        """Yield its symbols; what it defines of classes of other headers is declared there."""
         for entry in self.source.classes:
             if entry.name and self._is_open(qualified(entry), entry.traits):
                 yield from self._class(entry)
-        yield from self._functions()
+        yield from self._functions(classes - self.classes)
         for constant in self.source.constants:
             if self._is_open(f"{constant.scope}::{constant.name}", constant.traits):
                 yield from self._constant(constant)
@@ -83,7 +109,8 @@ class _Header:
                     package=self.package,
                     owner=name,
                     name=field.name,
-                    type=normal_type(field.type),
+                    type=written_type(field.type, template_names(self._parameters(name))),
+                    deprecated="marked deprecated" if "deprecated" in field.traits else None,
                     path=self.path,
                     line=field.line,
                 )
@@ -99,29 +126,34 @@ class _Header:
             ):
                 yield from base.fields
 
-    def aliases(self, classes: set[str]) -> Iterator[PublicEntity]:
-        """Yield the other names of classes: whoever uses `using A = B` has a class A with all that B has."""
-        for alias in self.source.aliases:
-            if alias.local:
-                continue
-            name = f"{alias.scope}::{alias.name}".lstrip(":")
-            targets = {alias.target, f"{alias.scope}::{alias.target}"} & classes
-            if targets and name not in classes and self._is_open(name, ()):
-                yield PublicEntity(
-                    kind="class",
-                    package=self.package,
-                    owner="",
-                    name=name,
-                    bases=(alias.target,),
-                    path=self.path,
-                    line=alias.line,
-                )
+    def _parameters(self, cls: str) -> tuple[str, ...]:
+        """The template parameters that a class sees: those of the classes around it and its own."""
+        parts = cls.split("::")
+        around = ("::".join(parts[:count]) for count in range(1, len(parts) + 1))
+        return tuple(name for scope in around for name in self.templates.get(scope, ()))
 
-    def _functions(self) -> Iterator[PublicEntity]:
+    def alias(self, alias: Alias) -> Iterator[PublicEntity]:
+        """Yield the other name of a class: whoever uses `using A = B<T>` has a class A with all that B has."""
+        name = _alias_name(alias)
+        if self._is_open(name, ()):
+            yield PublicEntity(
+                kind="class",
+                package=self.package,
+                owner="",
+                name=name,
+                type=ALIAS,
+                bases=(plain(alias.target),),
+                path=self.path,
+                line=alias.line,
+            )
+
+    def _functions(self, elsewhere: set[str]) -> Iterator[PublicEntity]:
         groups: dict[tuple[str, str], list[Function]] = defaultdict(list)
         for entry in self.source.functions:
             local = entry.scope in self.bodies and entry.scope not in self.classes
             if entry.name.startswith(("~", "operator")) or local or "<" in entry.name or not entry.name:
+                continue
+            if entry.scope in elsewhere or (not entry.returns and _MACRO.fullmatch(entry.name)):
                 continue
             if self._is_open(f"{entry.scope}::{entry.name}".lstrip(":"), entry.traits):
                 groups[entry.scope, entry.name].append(entry)
@@ -129,7 +161,8 @@ class _Header:
             yield self._function(scope, name, functions)
 
     def _function(self, scope: str, name: str, functions: list[Function]) -> PublicEntity:
-        forms = {(form.types, form.returns): form for form in reversed([form_of(each) for each in functions])}
+        listed = [form_of(each, templates=template_names(self._parameters(scope), each.template)) for each in functions]
+        forms = {(form.types, form.returns): form for form in reversed(listed)}
         is_method = scope in self.classes
         outdated = all(form.deprecated for form in forms.values())
         return PublicEntity(

@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
+from types import MappingProxyType
+from typing import Final
 
 from ecm_parsers.source.facts import Function
 
 from ecm_extract.entities.model import Form
 
+_NOTHING: Final[Mapping[str, str]] = MappingProxyType({})
+_NAME = re.compile(r"\b[A-Za-z_]\w*\b")
 _QUALIFIER = re.compile(r"(?<![\w:])(?:\w+::)+")
 _SPACE = re.compile(r"\s*([<>,&*()\[\]])\s*")
 _IGNORED = re.compile(r"\b(?:typename|struct|class|inline|static|virtual|explicit|constexpr|friend)\s+")
@@ -43,14 +48,31 @@ def normal_type(written: str) -> str:
     return text.strip()
 
 
-def form_of(function: Function, virtual: bool = False) -> Form:
+def template_names(of_class: Sequence[str], own: Sequence[str] = ()) -> Mapping[str, str]:
+    """Return what stands for template parameters, whose names bind nobody.
+
+    Those of a class are fixed for its users (`T1`), those of a function take whatever comes (`A`).
+    """
+    given = {name: f"T{number}" for number, name in enumerate(of_class, 1)}
+    deduced = dict(zip(own, "ABCDEFGHIJ", strict=False))
+    return {**given, **deduced}
+
+
+def written_type(written: str, templates: Mapping[str, str]) -> str:
+    """Return a type as `normal_type` does, with template parameters by their place."""
+    if templates:
+        written = _NAME.sub(lambda match: templates.get(match[0], match[0]), written)
+    return normal_type(written)
+
+
+def form_of(function: Function, virtual: bool = False, templates: Mapping[str, str] = _NOTHING) -> Form:
     """Return the comparable form of a function."""
     params = [entry for entry in function.params if entry.name != "/" and entry.type != "void"]
     required = sum(entry.default is None and not entry.name.startswith("*") for entry in params)
     return Form(
-        types=tuple(normal_type(entry.type) for entry in params),
+        types=tuple(written_type(entry.type, templates) for entry in params),
         required=required,
-        returns=normal_type(function.returns),
+        returns=written_type(function.returns, templates),
         names=tuple(entry.name for entry in params),
         virtual=virtual or not {"virtual", "override", "pure"}.isdisjoint(function.traits),
         pure="pure" in function.traits,

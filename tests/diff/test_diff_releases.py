@@ -20,21 +20,6 @@ HELPER = (
 )
 
 
-@pytest.fixture
-def told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> object:
-    """A function from the files of two releases to what is told: kind, change, old, new."""
-
-    def compare(old: Files, new: Files) -> Told:
-        folder = tmp_path / "repo"
-        release(folder, {"arm/package.xml": package("arm"), **old}, "1.0.0")
-        release(folder, new, "2.0.0")
-        run(["diff", "1.0.0", "2.0.0", "--repo", str(folder), "--format", "json", "--no-cache"])
-        changes = json.loads(capsys.readouterr().out)["changes"]
-        return {(each["kind"], each["change"], each["old"], each["new"]) for each in changes}
-
-    return compare
-
-
 def _header(*lines: str) -> Files:
     return {"arm/include/arm/driver.hpp": "\n".join(("#pragma once", "namespace arm {", *lines, "}")) + "\n"}
 
