@@ -151,7 +151,7 @@ class Program:
             self.constants[constant.name].append((file, constant))
         for alias in file.facts.aliases:
             self.aliases.add(file, alias)
-        file.imported = _imported(file) if file.language == "python" else {}
+        file.imported = imported_names(file) if file.language == "python" else {}
 
     def _owner(self, function: Function, file: File) -> Cls | None:
         """The class that a scope names; with `using` it is a part of its name, inside a namespace it may repeat it."""
@@ -336,8 +336,8 @@ def _group_classes(files: tuple[File, ...]) -> dict[str, list[Cls]]:
     return grouped
 
 
-def _imported(file: File) -> dict[str, str]:
-    """Local name -> dotted path; `import a.b` binds `a`."""
+def imported_names(file: File) -> dict[str, str]:
+    """Return what each name that a Python file imports stands for; `import a.b` binds `a`."""
     found: dict[str, str] = {}
     for entry in file.facts.imports:
         if entry.alias or entry.name:

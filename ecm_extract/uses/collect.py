@@ -13,6 +13,7 @@ from ecm_extract.uses.frames import frame_uses
 from ecm_extract.uses.includes import include_uses
 from ecm_extract.uses.index import GONE, ChangeIndex
 from ecm_extract.uses.kept import kept_for
+from ecm_extract.uses.keywords import keyword_uses
 from ecm_extract.uses.launch import is_kept_alive, launch_uses, remaps_of
 from ecm_extract.uses.layouts import layout_uses
 from ecm_extract.uses.model import Use
@@ -36,6 +37,7 @@ _MATCHERS = (
     field_uses,
     result_uses,
     unpacked_uses,
+    keyword_uses,
     layout_uses,
 )
 

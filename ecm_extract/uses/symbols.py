@@ -15,6 +15,7 @@ from ecm_extract.uses.index import GONE, ChangeIndex
 from ecm_extract.uses.model import Place, Use, use_at
 
 _SYMBOLS = ("function", "class", "constant", "file")
+_GOING = GONE | {"deprecated"}
 _GENERATED = ("Request", "Response", "Goal", "Result", "Feedback", "Action")
 
 
@@ -56,7 +57,7 @@ def _imports(file: File, messages: Names, index: ChangeIndex) -> Iterator[Use]:
             yield use_at(changes[number], place, f"imports {entry.name} from {entry.module}")
         for kind in ("function", "class", "file"):
             for located in index.named(kind, _absolute(entry, file)):
-                if located.change.change in GONE and _is_python(located.pair.old):
+                if located.change.change in _GOING and _is_python(located.pair.old):
                     place = Place(file.package, file.path, entry.line)
                     yield use_at(located, place, f"imports {entry.name or entry.module}")
 
@@ -109,7 +110,7 @@ def _headers(index: ChangeIndex) -> dict[str, list[Located]]:
     found: dict[str, list[Located]] = {}
     for located in index.of_kind("file"):
         entity = located.pair.old
-        if entity is not None and located.change.change in GONE and not _is_python(entity):
+        if entity is not None and located.change.change in _GOING and not _is_python(entity):
             found.setdefault(entity.name, []).append(located)
     for located in index.of_kind("message"):
         entity = located.pair.old
@@ -127,8 +128,12 @@ def _certainty(located: Located, written: str) -> Certainty:
 
 
 def _includes(file: File, headers: dict[str, list[Located]]) -> Iterator[Use]:
+    """Includes of headers that are gone or going; a file that includes the successor too chooses by condition."""
+    written = {entry.module for entry in file.facts.imports}
     for entry in file.facts.imports:
         for located in headers.get(entry.module, ()):
+            if located.change.new != entry.module and located.change.new in written:
+                continue
             yield use_at(
                 located,
                 Place(file.package, file.path, entry.line),
@@ -143,5 +148,5 @@ def _bases(file: File, index: ChangeIndex) -> Iterator[Use]:
             name = plain(base)
             for located in index.named("class", name):
                 entity = located.pair.old
-                if located.change.change in GONE and entity is not None and entity.package != file.package:
+                if located.change.change in _GOING and entity is not None and entity.package != file.package:
                     yield use_at(located, Place(file.package, file.path, cls.line), f"derives from {name}")

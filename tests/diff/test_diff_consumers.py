@@ -1,0 +1,82 @@
+"""Consumers of Python and of headers whose end is announced."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from diff_repos import package, release, write
+
+from ecm_extract.cli.run import run
+
+SETUP = "from setuptools import setup\nsetup(name='lib', packages=['lib', 'lib.actions'])\n"
+NODE = "class Node:\n    def __init__(self, *, {name}, package=None, **kwargs):\n        pass\n"
+HEIR = """from .node import Node
+class LifecycleNode(Node):
+    def __init__(self, *, namespace, **kwargs):
+        pass
+"""
+LAUNCH = """from lib.actions import LifecycleNode, Node
+import lib
+
+def generate_launch_description():
+    return [
+        Node(
+            package='arm',
+            node_executable='arm'),
+        Node(package='arm', executable='arm'),
+        LifecycleNode(namespace='', node_executable='arm'),
+        lib.actions.Node(node_executable='arm'),
+        Other(node_executable='arm'),
+    ]
+"""
+
+
+def findings(capsys: pytest.CaptureFixture[str], repo: Path, user: Path) -> list[dict[str, Any]]:
+    run(["diff", "1.0.0", "2.0.0", "--repo", str(repo), "--consumer", str(user), "--format", "json", "--no-cache"])
+    found: list[dict[str, Any]] = json.loads(capsys.readouterr().out)["findings"]
+    return found
+
+
+def lines(found: list[dict[str, Any]], path: str) -> list[int]:
+    return sorted(each["line"] for entry in found for each in entry["evidence"] if each["path"] == path)
+
+
+@pytest.mark.parametrize("place", ["launch/arm.launch.py", "scripts/start.py"])
+def test_an_argument_that_a_class_no_longer_takes(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], place: str
+) -> None:
+    """Told on its own line: also of a class that hands it on, and by the module that offers the class."""
+    repo, user = tmp_path / "lib", tmp_path / "user"
+    same = {"setup.py": SETUP, "lib/__init__.py": "", "lib/actions/__init__.py": "from .node import Node\n"}
+    for tag, name in (("1.0.0", "node_executable"), ("2.0.0", "executable")):
+        files = {"package.xml": package("lib", tag), **same, "lib/actions/heir.py": HEIR}
+        release(repo, {**files, "lib/actions/node.py": NODE.format(name=name)}, tag)
+    write(user, {"package.xml": package("user"), place: LAUNCH})
+    assert lines(findings(capsys, repo, user), place) == [8, 10, 11]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("#include <lib/old.h>\n", [1]),
+        ("#include <lib/old.hpp>\n", []),
+        ("#if __has_include(<lib/old.hpp>)\n#include <lib/old.hpp>\n#else\n#include <lib/old.h>\n#endif\n", []),
+    ],
+)
+@pytest.mark.parametrize("severity", ["info", "error"])
+def test_includes_of_what_goes(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], text: str, expected: list[int], severity: str
+) -> None:
+    """A header that is going is told as information, one that is gone as an error; who asks for both is ready."""
+    repo, user = tmp_path / "lib", tmp_path / "user"
+    old = {"include/lib/old.h": "#pragma once\n", "include/lib/old.hpp": "#pragma once\n"}
+    end = None if severity == "error" else '#pragma once\n#warning "deprecated, use lib/old.hpp"\n'
+    release(repo, {"package.xml": package("lib"), **old}, "1.0.0")
+    release(repo, {"package.xml": package("lib", "2.0.0"), "include/lib/old.h": end}, "2.0.0")
+    write(user, {"package.xml": package("user"), "src/a.cpp": text})
+    found = findings(capsys, repo, user)
+    assert lines(found, "src/a.cpp") == expected
+    assert {entry["severity"] for entry in found} == ({severity} if expected else set())
