@@ -46,7 +46,8 @@ Effect = Callable[[PublicEntity, PublicEntity, Pair], Iterator[Difference]]
 def renamed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[Difference]:
     """Gone under the old name."""
     if pair.how == "renamed":
-        yield Difference("renamed", True, pair.reason)
+        kept = "; the old name still stands for it" if pair.kept else ""
+        yield Difference("renamed", not pair.kept, f"{pair.reason}{kept}")
 
 
 def moved(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[Difference]:
@@ -56,7 +57,7 @@ def moved(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[Differen
     harmless = (
         old.kind in _ENDPOINTS and not old.name.startswith("~") and old.package == new.package
     ) or old.name.startswith(HOLE)
-    harmless = harmless or (old.kind in _GLOBAL and old.name == new.name)
+    harmless = harmless or pair.kept or (old.kind in _GLOBAL and old.name == new.name)
     yield Difference("moved", not harmless, pair.reason)
 
 
@@ -64,7 +65,7 @@ def type_changed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[D
     """Message type of an endpoint, type of a parameter, field, member or constant, base class of a plugin."""
     if old.type is None or new.type is None or old.type == new.type or old.kind in {"message", "class"}:
         return
-    if old.kind == "constant" and old.default == new.default:
+    if (old.kind == "constant" and old.default == new.default) or old.type in new.others or new.type in old.others:
         return
     if pair.how == "renamed" and old.kind in {"member", "constant"}:
         return

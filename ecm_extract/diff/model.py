@@ -20,6 +20,7 @@ class Pair(msgspec.Struct, frozen=True):
         old: None when it was added. new: None when it was removed.
         how: why the two are one.
         confidence: 0 to 1. reason: for people, empty for the same key.
+        kept: whether the old name still stands for it.
     """
 
     old: PublicEntity | None
@@ -27,6 +28,7 @@ class Pair(msgspec.Struct, frozen=True):
     how: How = "same"
     confidence: float = 1.0
     reason: str = ""
+    kept: bool = False
 
 
 class Located(msgspec.Struct, frozen=True):

@@ -10,6 +10,8 @@ from collections import defaultdict
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+import msgspec
+
 from ecm_extract.diff.assignment import assign
 from ecm_extract.diff.bases import Bases
 from ecm_extract.diff.computed import Computed
@@ -22,6 +24,7 @@ from ecm_extract.diff.same_stem import other_endings
 from ecm_extract.diff.scores import score
 from ecm_extract.diff.similarity import last_part
 from ecm_extract.diff.successors import stated_successor
+from ecm_extract.diff.texts import Texts
 from ecm_extract.entities.model import Key, PublicEntity
 
 CONTAINERS = ("package", "message", "class", "bt_node", "launch_file")
@@ -32,10 +35,12 @@ _IN_MODULES = frozenset({"topic", "service", "action", "parameter"})
 
 @dataclass(slots=True)
 class Evidence:
-    """What helps to decide beside the entities: files that moved, what people wrote."""
+    """What helps to decide beside the entities: files that moved, what people wrote, names that Python still binds."""
 
     files: Mapping[str, str] = field(default_factory=dict)
     history: History | None = None
+    bound: frozenset[str] = frozenset()
+    texts: Texts | None = None
 
 
 class Pairing:
@@ -69,8 +74,27 @@ class Pairing:
         self._successors()
         self._renamed(kinds)
         self._by_signature()
-        removed = [Pair(entity, None) for entity in self.old.values()]
-        return [*self.pairs, *removed, *(Pair(None, entity) for entity in self.new.values())]
+        pairs = [msgspec.structs.replace(pair, kept=True) if self._is_bound(pair.old) else pair for pair in self.pairs]
+        removed = [Pair(entity, None) for entity in self.old.values() if not self._is_there(entity)]
+        return [*pairs, *removed, *(Pair(None, entity) for entity in self.new.values())]
+
+    def _is_bound(self, entity: PublicEntity | None) -> bool:
+        """Whether Python still offers something that is declared elsewhere (`Old = New`), or stands in such a class."""
+        if entity is None:
+            return False
+        if entity.kind in {"class", "function", "file"}:
+            return entity.name in self.evidence.bound
+        return entity.owner in self.evidence.bound and entity.owner not in self.owners
+
+    def _is_there(self, entity: PublicEntity) -> bool:
+        """Whether what no declaration shows any more is still read, or set by its name."""
+        texts = self.evidence.texts
+        if self._is_bound(entity) or texts is None:
+            return self._is_bound(entity)
+        if entity.kind == "parameter":
+            return texts.reads(entity.package, entity.name)
+        by_name = entity.kind == "constant" and entity.path.endswith(".py")
+        return by_name and texts.quotes(self.evidence.files.get(entity.path, entity.path), entity.name)
 
     def take(self, pair: Pair) -> None:
         """Decide on a pair."""
@@ -214,11 +238,13 @@ class Pairing:
     def _assign(self, before: list[PublicEntity], after: list[PublicEntity]) -> None:
         if not before or not after:
             return
+        kin = {(pair.old.owner, pair.new.owner) for pair in self.pairs if pair.old is not None and pair.new is not None}
         scores: dict[tuple[int, int], float] = {}
         reasons: dict[tuple[int, int], str] = {}
         for row, old in enumerate(before):
             for column, new in enumerate(after):
-                found = score(old, new, self.evidence.files, self.evidence.history)
+                known = old.kind != "parameter" or (old.owner, new.owner) in kin
+                found = score(old, new, self.evidence.files, self.evidence.history, known)
                 if found is not None:
                     scores[row, column], reasons[row, column] = found
         for row, column in assign(scores):

@@ -14,6 +14,7 @@ from ecm_extract.diff.history import History
 from ecm_extract.diff.model import Comparison, Located, RefInfo
 from ecm_extract.diff.pair import Evidence, Pairing
 from ecm_extract.diff.sides import Sides, both_sides
+from ecm_extract.diff.texts import Texts
 from ecm_extract.diff.verdict import package_verdicts, repository_verdict
 from ecm_extract.entities.side import Side, read_workspace
 from ecm_extract.extraction_model import Options
@@ -88,7 +89,9 @@ def compared(request: Request, sides: Sides, parsed: dict[str, SourceFile]) -> C
 
 def _changes(request: Request, old: Side, new: Side) -> list[Located]:
     files = renamed_files(old, new, request.repo)
-    pairs = Pairing(old.entities, new.entities, Evidence(files, History(old, new, request.repo))).run()
+    pairs = Pairing(
+        old.entities, new.entities, Evidence(files, History(old, new, request.repo), new.bound, Texts(new))
+    ).run()
     located = changes_of(pairs, old, new)
     if not request.packages:
         return located

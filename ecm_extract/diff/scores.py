@@ -39,9 +39,17 @@ _GENERIC |= {"min", "publish", "callback", "handler", "node", "server", "type", 
 
 
 def score(
-    old: PublicEntity, new: PublicEntity, files: Mapping[str, str], history: History | None
+    old: PublicEntity, new: PublicEntity, files: Mapping[str, str], history: History | None, kin: bool = True
 ) -> tuple[float, str] | None:
-    """Return a confidence from 0 to 1 with its reason; None when the two are not alike enough."""
+    """Return a confidence from 0 to 1 with its reason; None when the two are not alike enough.
+
+    Args:
+        old: what is gone.
+        new: what came, of the same kind.
+        files: new path of each file that moved.
+        history: what people wrote.
+        kin: whether the owner of the one has become that of the other, or nobody knows.
+    """
     place, where = _place(old, new, files)
     if not may_be_alike(old, new) and place < 1:
         return None
@@ -59,7 +67,7 @@ def score(
     written = history.mentions(old.name, new.name) if history is not None else None
     if not written and name < _LEAST_NAME:
         return None
-    if not written and place < 1 and shape < 1 and name < _SURE_ALONE:
+    if not written and place < 1 and (shape < 1 or not kin) and name < _SURE_ALONE:
         return None
     if written:
         total += _WRITTEN

@@ -9,9 +9,11 @@ from __future__ import annotations
 import re
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
+from itertools import takewhile
 
 import msgspec
 
+from ecm_extract.entities.cpp import MARKED
 from ecm_extract.entities.model import Line, PublicEntity
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.tree import Tree
@@ -26,6 +28,10 @@ _COMMENT = re.compile(r"^\s*(?://|/\*|\*)")
 _HEADERS = (".h", ".hh", ".hpp", ".hxx")
 _IN_HEADERS = frozenset({"class", "member", "method", "function", "constant"})
 _TEMPLATE = re.compile(r"^\s*template\s*<.*>\s*$")
+_ENDED = re.compile(r"(?i)^#+\s*(?:(?:it|this|the)\b.{0,60}\b(?:is|has been|was)\s+)?(?:deprecated|obsolete)\b")
+_ATTRIBUTE = re.compile(r"\bdeprecated\s*\(((?:\s*\"(?:[^\"\\]|\\.)*\")+)")
+_PIECE = re.compile(r"\"((?:[^\"\\]|\\.)*)\"")
+MAX_ATTRIBUTE = 6
 MAX_COMMENT = 40
 
 
@@ -34,6 +40,7 @@ def announced(tree: Tree, packages: Iterable[PackageFacts], entities: Sequence[P
     texts = _descriptions(packages)
     lines: dict[str, list[str]] = defaultdict(list)
     headers = {entity.path for entity in entities if entity.kind == "file" and entity.path.endswith(_HEADERS)}
+    texts |= _interface_heads(tree, (entity.path for entity in entities if entity.kind == "message"))
     for path, data in tree.read_many(sorted(headers)):
         if _MARK_BYTES.search(data):
             lines[path] = data.decode("utf-8", "replace").splitlines()
@@ -43,12 +50,25 @@ def announced(tree: Tree, packages: Iterable[PackageFacts], entities: Sequence[P
     return [_told(entity, texts, lines) for entity in entities]
 
 
+def _interface_heads(tree: Tree, paths: Iterable[str]) -> dict[Line, str]:
+    """What interface files say about their end above their first field."""
+    found: dict[Line, str] = {}
+    for path, data in tree.read_many(sorted(set(paths))):
+        if _MARK_BYTES.search(data):
+            lines = [line.strip() for line in data.decode("utf-8", "replace").splitlines()[:MAX_COMMENT]]
+            head = takewhile(lambda line: not line or line.startswith("#"), lines)
+            text = next((line.strip("# ") for line in head if _ENDED.search(line)), None)
+            if text:
+                found[path, 0] = text
+    return found
+
+
 def _directive(data: bytes) -> str:
     """What a `#warning` or `#pragma message` of a header says about its end, which may go over several lines."""
     for found in _DIRECTIVE.findall(data):
         text = " ".join(_JOIN.sub(" ", found.decode("utf-8", "replace")).split())
         if _MARK.search(text):
-            return text.strip('()" ')
+            return text.partition("//")[0].strip('()" ')
     return ""
 
 
@@ -71,10 +91,11 @@ def _descriptions(packages: Iterable[PackageFacts]) -> dict[Line, str]:
 def _told(entity: PublicEntity, texts: dict[Line, str], lines: dict[str, list[str]]) -> PublicEntity:
     """The entity with its announcement; of several overloads each has its own."""
     if entity.deprecated:
-        return entity
+        text = _attribute(lines.get(entity.path, []), entity.line) if entity.deprecated == MARKED else None
+        return msgspec.structs.replace(entity, deprecated=text) if text else entity
     if entity.kind in {"parameter", "plugin"}:
         text = texts.get((entity.path, entity.line))
-    elif entity.kind == "file":
+    elif entity.kind in {"file", "message"}:
         text = texts.get((entity.path, 0))
     elif entity.kind in _IN_HEADERS and entity.path in lines:
         if len(entity.forms) > 1:
@@ -83,6 +104,15 @@ def _told(entity: PublicEntity, texts: dict[Line, str], lines: dict[str, list[st
     else:
         text = None
     return msgspec.structs.replace(entity, deprecated=text) if text else entity
+
+
+def _attribute(lines: list[str], line: int) -> str | None:
+    """The text of the `deprecated` attribute that stands at a declaration, or right above it."""
+    first = max(0, line - MAX_ATTRIBUTE)
+    end = sum(len(text) + 1 for text in lines[first:line])
+    found = _ATTRIBUTE.finditer("\n".join(lines[first : line + MAX_ATTRIBUTE]))
+    near = [match for match in found if match.start() < end]
+    return " ".join("".join(_PIECE.findall(near[-1][1])).split()) if near else None
 
 
 def _named(entity: PublicEntity, directive: str | None) -> str | None:

@@ -22,6 +22,8 @@ from ecm_extract.link.linker import LinkedModule
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.tree import Tree
 
+_TYPED = frozenset({"topic", "service", "action"})
+
 
 def public_entities(
     tree: Tree, packages: Sequence[PackageFacts], linked: Iterable[LinkedModule]
@@ -41,7 +43,12 @@ def public_entities(
 
 
 def _joined(first: PublicEntity, other: PublicEntity) -> PublicEntity:
-    """The first of two with one key; overloads that stand in several headers are all its forms."""
+    """The first of two with one key; overloads that stand in several headers are all its forms.
+
+    An endpoint that has one type or another has both.
+    """
+    if first.kind in _TYPED and other.type is not None and other.type != first.type:
+        return msgspec.structs.replace(first, others=(*first.others, other.type))
     if not first.forms or not other.forms or first.path == other.path:
         return first
     forms = {(form.types, form.returns): form for form in (*other.forms, *first.forms)}

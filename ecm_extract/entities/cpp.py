@@ -21,6 +21,7 @@ _MACRO = re.compile(r"[A-Z][A-Z0-9]*(?:_[A-Z0-9]+){2,}")
 """`SMART_PTR_DEFINITIONS(Name)` looks like a member of that type."""
 ALIAS: Final = "alias"
 """Type of what only stands for a class."""
+MARKED: Final = "marked deprecated"
 _WORDS = frozenset({"explicit", "virtual", "inline", "static", "friend", "constexpr"})
 """What is left of a declaration behind a macro that was misread."""
 _CLOSED = frozenset({"private", "anonymous", "deleted"})
@@ -97,7 +98,7 @@ class _Header:
             owner="",
             name=name,
             bases=tuple(plain(base) for base in entry.bases),
-            deprecated="marked deprecated" if "deprecated" in entry.traits else None,
+            deprecated=MARKED if "deprecated" in entry.traits else None,
             path=self.path,
             line=entry.line,
         )
@@ -110,7 +111,7 @@ class _Header:
                     owner=name,
                     name=field.name,
                     type=written_type(field.type, template_names(self._parameters(name))),
-                    deprecated="marked deprecated" if "deprecated" in field.traits else None,
+                    deprecated=MARKED if "deprecated" in field.traits else None,
                     path=self.path,
                     line=field.line,
                 )
@@ -143,6 +144,7 @@ class _Header:
                 name=name,
                 type=ALIAS,
                 bases=(plain(alias.target),),
+                deprecated=MARKED if alias.deprecated else None,
                 path=self.path,
                 line=alias.line,
             )
@@ -171,7 +173,7 @@ class _Header:
             owner=scope if is_method else "",
             name=name if is_method else f"{scope}::{name}".lstrip(":"),
             forms=tuple(sorted(forms.values(), key=lambda form: (form.types, form.returns))),
-            deprecated="marked deprecated" if outdated else None,
+            deprecated=MARKED if outdated else None,
             path=self.path,
             line=functions[0].line,
         )

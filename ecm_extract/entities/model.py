@@ -61,6 +61,7 @@ class PublicEntity(msgspec.Struct, frozen=True, kw_only=True):
         path, line: where it is declared.
         node: name of the node that has an endpoint; None where no source says it.
         sharers: owners beside `owner` that have an endpoint by the same line.
+        others: message types that its owner has under that name as well, by a condition.
         chain: the calls from the module to the one that makes it; more than one when a wrapper or library does.
     """
 
@@ -73,6 +74,7 @@ class PublicEntity(msgspec.Struct, frozen=True, kw_only=True):
     facet: str = ""
     node: str | None = None
     sharers: tuple[str, ...] = ()
+    others: tuple[str, ...] = ()
     chain: tuple[Line, ...] = ()
     type: str | None = None
     default: Any = None

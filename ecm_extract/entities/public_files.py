@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from pathlib import PurePosixPath
+
+from ecm_parsers.cmake_facts import FileReference
 
 from ecm_extract.read.facts import PackageFacts
 
@@ -84,6 +87,16 @@ def python_modules(facts: PackageFacts) -> dict[str, str]:
     return found
 
 
+def stub_modules(facts: PackageFacts) -> Iterator[str]:
+    """Yield the dotted names of compiled modules that have a stub (`.pyi`) in an importable package."""
+    roots = _import_roots(facts)
+    for entry in facts.root.files:
+        below = inside(entry.path, facts.root.path)
+        root = next((root for root in roots if below.startswith(root)), None) if below.endswith(".pyi") else None
+        if root is not None:
+            yield below.removeprefix(root).removesuffix(".pyi").replace("/", ".").removesuffix(".__init__")
+
+
 def _import_roots(facts: PackageFacts) -> list[str]:
     """Folders that import packages lie in: `` or `src/`; a package of the own name is always importable."""
     stated = any(setup.packages for setup in facts.setups.values())
@@ -92,6 +105,7 @@ def _import_roots(facts: PackageFacts) -> list[str]:
         return []
     prefixes = {folder.strip("./") for setup in facts.setups.values() for folder in setup.package_dir.values()}
     roots = [f"{folder}/" if folder else "" for folder in sorted(prefixes, reverse=True)]
+    roots += [f"{folder}/" for file in facts.cmake.values() for folder in _package_folders(file.python_packages)]
     packages = {
         "/".join(PurePosixPath(inside(path, facts.root.path)).parts[:-1])
         for path in facts.sources
@@ -102,6 +116,11 @@ def _import_roots(facts: PackageFacts) -> list[str]:
         tops = {name.removeprefix(root).split("/")[0] for name in packages if name.startswith(root)}
         found += [f"{root}{top}/" for top in tops if top and top not in _NO_PACKAGES]
     return [entry.rsplit("/", 2)[0] + "/" if "/" in entry.rstrip("/") else "" for entry in found]
+
+
+def _package_folders(named: Iterable[FileReference]) -> Iterator[str]:
+    """Folders that installed packages lie in, where they are told: `PACKAGE_DIR python/arm`."""
+    return (entry.path.rpartition("/")[0] for entry in named if "/" in entry.path and "$" not in entry.path)
 
 
 def inside(path: str, root: str) -> str:

@@ -2,17 +2,25 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
+from typing import Final
 
 import msgspec
-from ecm_parsers.source.expr import Number, Text
+from ecm_parsers.source.expr import Call, Expr, Number, Text
 from ecm_parsers.source.facts import Function, SourceFile
 
 from ecm_extract.entities.model import PublicEntity
-from ecm_extract.entities.public_files import python_modules
+from ecm_extract.entities.public_files import python_modules, stub_modules
 from ecm_extract.entities.signatures import form_of
 from ecm_extract.link.tuples import returned_values
+from ecm_extract.link.walk import children
+from ecm_extract.link.walk import dotted as dotted_name
 from ecm_extract.read.facts import PackageFacts
+
+_LABEL: Final = re.compile(r"[A-Z][A-Z0-9_]+")
+"""How values of an enum are written, and other constants of a class."""
+_WARN: Final = frozenset({"warnings.warn", "warn"})
 
 
 def python_entities(facts: PackageFacts) -> Iterator[PublicEntity]:
@@ -21,6 +29,21 @@ def python_entities(facts: PackageFacts) -> Iterator[PublicEntity]:
         source = facts.sources[path]
         yield PublicEntity(kind="file", package=facts.name, owner="", name=dotted, path=path, line=1)
         yield from _symbols(facts.name, path, dotted, source)
+
+
+def bound_names(facts: PackageFacts) -> Iterator[str]:
+    """Yield what modules offer without declaring it: names that they import (`from .node import Node`) or assign.
+
+    So are compiled modules, of which a package holds only the stub.
+    """
+    yield from stub_modules(facts)
+    for path, dotted in python_modules(facts).items():
+        source = facts.sources[path]
+        for entry in source.imports:
+            name = entry.alias or entry.name
+            if name and name != "*":
+                yield f"{dotted}.{name}"
+        yield from (f"{dotted}.{entry.name}" for entry in source.constants if not entry.scope)
 
 
 def _symbols(package: str, path: str, dotted: str, source: SourceFile) -> Iterator[PublicEntity]:
@@ -34,18 +57,39 @@ def _symbols(package: str, path: str, dotted: str, source: SourceFile) -> Iterat
     for function in source.functions:
         if not _is_private(function):
             yield from _function(package, path, dotted, function, classes)
+    public = {name for name in classes if not any(part.startswith("_") for part in name.split("::"))}
     for constant in source.constants:
-        if not constant.scope and not constant.name.startswith("_"):
+        owner = f"{dotted}.{constant.scope.replace('::', '.')}" if constant.scope else dotted
+        label = constant.scope in public and _LABEL.fullmatch(constant.name) is not None
+        if label or (not constant.scope and not constant.name.startswith("_")):
             value = constant.value.value if isinstance(constant.value, Number | Text) else None
             yield PublicEntity(
                 kind="constant",
                 package=package,
-                owner=dotted,
+                owner=owner,
                 name=constant.name,
                 default=value,
                 path=path,
                 line=constant.line,
             )
+
+
+def _warning(function: Function) -> str | None:
+    """What a function warns of whenever it is called, when that is its own end."""
+    for statement in function.body:
+        call = statement.value
+        if statement.depth == 0 and isinstance(call, Call) and dotted_name(call.callee) in _WARN:
+            text = "".join(part.value for arg in call.args[:1] for part in _texts(arg))
+            if "deprecat" in text.lower() and function.name.strip("_") in {*re.findall(r"\w+", text), "init"}:
+                return text
+    return None
+
+
+def _texts(expr: Expr) -> Iterator[Text]:
+    if isinstance(expr, Text):
+        yield expr
+    for child in children(expr):
+        yield from _texts(child)
 
 
 def _is_private(function: Function) -> bool:
@@ -69,7 +113,7 @@ def _function(package: str, path: str, dotted: str, function: Function, classes:
         owner=f"{dotted}.{function.scope.replace('::', '.')}" if is_method else "",
         name=function.name if is_method else f"{dotted}.{function.name}",
         forms=(form,),
-        deprecated="marked deprecated" if form.deprecated else None,
+        deprecated="marked deprecated" if form.deprecated else _warning(function),
         path=path,
         line=function.line,
     )

@@ -11,6 +11,7 @@ from ecm_extract.collector import without_collector
 from ecm_extract.entities.collect import public_entities
 from ecm_extract.entities.interfaces import interface_name
 from ecm_extract.entities.model import Key, PublicEntity
+from ecm_extract.entities.python import bound_names
 from ecm_extract.entities.shared_reader import SharedReader
 from ecm_extract.extraction_model import Options
 from ecm_extract.link.forms import FormTable, form_table
@@ -40,6 +41,7 @@ class Side:
         tree: where it was read.
         packages: by name. entities: by key. interfaces: definition by `package/msg|srv|action/Name`.
         blobs: blob id of each file by path, where known.
+        bound: dotted names that Python modules offer without declaring them; see `bound_names`.
     """
 
     tree: Tree
@@ -47,6 +49,7 @@ class Side:
     entities: dict[Key, PublicEntity] = field(default_factory=dict)
     interfaces: dict[str, Definition] = field(default_factory=dict)
     blobs: dict[str, str] = field(default_factory=dict)
+    bound: frozenset[str] = frozenset()
 
 
 @dataclass(slots=True)
@@ -104,6 +107,7 @@ def side_of(workspace: Workspace) -> Side:
         entities=public_entities(workspace.tree, workspace.packages, workspace.linked),
         interfaces=_interfaces(workspace.packages),
         blobs={entry.path: entry.identity for entry in workspace.tree.files() if entry.identity},
+        bound=frozenset(name for facts in workspace.packages for name in bound_names(facts)),
     )
 
 

@@ -78,6 +78,11 @@ TOLD = {
         ),
         {("class", "deprecated", "arm::Clock", "arm::Clock"), ("member", "deprecated", "x", "x")},
     ),
+    "an attribute of an alias names the successor": (
+        _header("class Box { public: int size; };", "using BestBox = Box;"),
+        _header("class Box { public: int size; };", 'using BestBox [[deprecated("Use Box instead")]] = Box;'),
+        {("class", "deprecated", "arm::BestBox", "arm::Box")},
+    ),
     "a comment above a template": (
         _header("// Keeps one.", "template <class T>", "class Latched {", "public:", "T get();", "};"),
         _header("// THIS CLASS IS DEPRECATED.", "template <class T>", "class Latched {", "public:", "T get();", "};"),
@@ -151,3 +156,13 @@ def test_a_duty_that_is_new_breaks(changes) -> None:  # type: ignore[no-untyped-
     old = _header("class Shape : public ceres::Shape {};", "class Ball : public Shape {};")
     new = _header("class Shape { public: virtual bool plus(int a) = 0; };", "class Ball : public Shape {};")
     assert [each["new"] for each in changes(old, new) if each["breaking"]] == ["plus"]
+
+
+def test_an_interface_announces_its_end(told) -> None:  # type: ignore[no-untyped-def]
+    """Above its fields; a field that speaks of something deprecated says nothing of the whole."""
+    old: Files = {"arm/msg/Tool.msg": "int32 data\n", "arm/msg/Joint.msg": "# Note\n\nint32 data\n"}
+    new: Files = {
+        "arm/msg/Tool.msg": "# Once an example.\n# It is deprecated as of Foxy\n\nint32 data\n",
+        "arm/msg/Joint.msg": "# Not for the deprecated tools\n\nint32 data\n",
+    }
+    assert told(old, new) == {("message", "deprecated", "arm/msg/Tool", "arm/msg/Tool")}

@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 
+from ecm_extract.diff.effects import type_changed
 from ecm_extract.diff.model import Pair
 from ecm_extract.diff.pair import Evidence, Pairing
 from ecm_extract.entities.model import Form, PublicEntity
@@ -188,3 +189,21 @@ def test_a_node_keeps_its_parameters_under_another_target() -> None:
         [entity("parameter", "start_id", "own_player", node="player", path="src/b.cpp")],
     )
     assert shown(pairs) == [("start_id", "start_id", "same")]
+
+
+def test_a_parameter_follows_its_owner_only() -> None:
+    """Half alike names of two modules are two parameters, until another parameter went the same way."""
+    old = [entity("parameter", "window", "outlier", type="integer", path="src/outlier.cpp")]
+    new = [entity("parameter", "filter_window", "speckle", type="integer", path="src/speckle.cpp")]
+    assert {pair.how for pair in paired(old, new)} == {"same"}
+    old.append(entity("parameter", "max_range", "outlier", type="double", path="src/outlier.cpp"))
+    new.append(entity("parameter", "max_range", "speckle", type="double", path="src/speckle.cpp"))
+    assert ("window", "filter_window", "renamed") in shown(paired(old, new))
+
+
+def test_an_endpoint_of_two_types_keeps_both() -> None:
+    """A node that uses one type or another by a condition still has the old one."""
+    old = entity("topic", "/origin", type="geometry_msgs/msg/PoseStamped", facet="published")
+    new = entity("topic", "/origin", type="gps_msgs/msg/GPSFix", facet="published", others=(old.type,))
+    assert not list(type_changed(old, new, Pair(old, new)))
+    assert list(type_changed(old, entity("topic", "/origin", type="gps_msgs/msg/GPSFix"), Pair(old, new)))

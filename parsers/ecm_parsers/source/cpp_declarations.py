@@ -264,7 +264,8 @@ class DeclarationReader:
         """`using A = B`."""
         name, kind = node.child_by_field_name("name"), node.child_by_field_name("type")
         if name is not None and kind is not None:
-            self.aliases.append(Alias(self.expr.text(name), place.scope, self.expr.type_text(kind), lines_of(node)[0]))
+            target, outdated = self.expr.type_text(kind), bool(announced_end(self.expr, node))
+            self.aliases.append(Alias(self.expr.text(name), place.scope, target, lines_of(node)[0], outdated))
 
     def _local_type(self, node: Node, place: Place) -> None:
         """Another name for a type within a function; the scope with `()` keeps it from being one for others."""

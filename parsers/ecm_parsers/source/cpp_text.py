@@ -13,7 +13,7 @@ _EXPORT_WORD = re.compile(rb"\b[A-Z][A-Z0-9_]*_(?:PUBLIC|EXPORT|LOCAL|API|IMPORT
 _CLASS_WORD = re.compile(rb"((?:class|struct) )([A-Z][A-Z0-9_]{2,})(?= \w+\s*(?:final\s*)?[:{])")
 _MACRO_LINE = re.compile(
     rb"(?<=[;{}:\n])([ \t]*)([A-Z][A-Z0-9_]{2,}[A-Z0-9](?:\([^;{}]{0,400}?\))?)"
-    rb"(?=[ \t]*\r?\n[ \t\r\n]*(?:[^\s,).&|+*/?:<=\[-]|/[/*]))"
+    rb"(?=[ \t]*\r?\n[ \t\r\n]*(?:[^\s,).&|+*/?:<=\[-]|/[/*]|\[\[))"
 )
 _TYPENAME = re.compile(rb"(?<=[(,=<{ \t])typename(?=\s+[\w:]+(?:<[^;(){}]*>)?::)")
 _NO_POINTER = re.compile(rb"(?<=::type)\s*\*\s*=\s*nullptr(?=\s*[,>])")

@@ -111,17 +111,22 @@ class Constant(_Fact, frozen=True):
 
 
 class Alias(_Fact, frozen=True):
-    """`using A = B`, `typedef B A`, `namespace A = B`; the scope of one within a function ends in `()`."""
+    """`using A = B`, `typedef B A`, `namespace A = B`; the scope of one within a function ends in `()`.
+
+    `deprecated` when an attribute says so.
+    """
 
     @property
     def local(self) -> bool:
         """Whether it stands within a function, and is known there only."""
         return self.scope.endswith("()")
 
+
     name: str
     scope: str
     target: str
     line: int
+    deprecated: bool = False
 
 
 class Import(_Fact, frozen=True):
