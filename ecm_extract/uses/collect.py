@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import msgspec
 
 from ecm_extract.entities.side import Workspace
+from ecm_extract.uses.cpp_names import cpp_name_uses
 from ecm_extract.uses.endpoints import endpoint_uses
 from ecm_extract.uses.fields import field_uses
 from ecm_extract.uses.frames import frame_uses
@@ -33,6 +34,7 @@ _MATCHERS = (
     frame_uses,
     tree_uses,
     symbol_uses,
+    cpp_name_uses,
     override_uses,
     field_uses,
     result_uses,

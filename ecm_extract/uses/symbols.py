@@ -56,10 +56,21 @@ def _imports(file: File, messages: Names, index: ChangeIndex) -> Iterator[Use]:
             place = Place(file.package, file.path, entry.line)
             yield use_at(changes[number], place, f"imports {entry.name} from {entry.module}")
         for kind in ("function", "class", "file"):
-            for located in index.named(kind, _absolute(entry, file)):
+            for located in _named(kind, _absolute(entry, file), index):
                 if located.change.change in _GOING and _is_python(located.pair.old):
                     place = Place(file.package, file.path, entry.line)
                     yield use_at(located, place, f"imports {entry.name or entry.module}")
+
+
+def _named(kind: str, name: str, index: ChangeIndex) -> Iterator[Located]:
+    """Changes of a name, also where a module above the one that declared it no longer offers it."""
+    yield from index.named(kind, name)
+    module, _, last = name.rpartition(".")
+    if module and name in index.old.bound and name not in index.new.bound:
+        for located in index.of_kind(kind):
+            old = located.pair.old
+            if old is not None and old.name.startswith(f"{module}.") and old.name.rpartition(".")[2] == last:
+                yield located
 
 
 def _absolute(entry: Import, file: File) -> str:

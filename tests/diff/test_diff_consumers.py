@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from diff_repos import package, release, write
+from diff_repos import node, package, release, write
 
 from ecm_extract.cli.run import run
 
@@ -80,3 +80,41 @@ def test_includes_of_what_goes(
     found = findings(capsys, repo, user)
     assert lines(found, "src/a.cpp") == expected
     assert {entry["severity"] for entry in found} == ({severity} if expected else set())
+
+
+BOX = "#pragma once\nnamespace lib {{\nclass {name} {{ public: int size; }};\n{rest}\n}}\n"
+CPP = """#include <lib/box.hpp>
+// lib::OldBox in a comment
+lib::OldBox box;
+std::string text = "lib::OldBox";
+void use() {
+  lib::lock(text);
+  lib::lock();
+  lib::OldBoxes boxes;
+}
+"""
+
+
+def test_names_with_their_namespace(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A class that is gone where it is named, a function given more than it takes; no comments, no texts."""
+    repo, user = tmp_path / "lib", tmp_path / "user"
+    rest = "class OldBoxes {}; int lock(const std::string & why);"
+    after = "class OldBoxes {}; int lock();"
+    for tag, text in (("1.0.0", BOX.format(name="OldBox", rest=rest)), ("2.0.0", BOX.format(name="Crate", rest=after))):
+        release(repo, {"package.xml": package("lib", tag), "include/lib/box.hpp": text}, tag)
+    write(user, {"package.xml": package("user"), "src/a.cpp": CPP})
+    assert lines(findings(capsys, repo, user), "src/a.cpp") == [3, 6]
+
+
+def test_a_parameter_that_is_read_is_still_one(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A node that declares what it is given reads parameters without declaring them."""
+    repo, user = tmp_path / "arm", tmp_path / "user"
+    make = "project(arm)\nadd_executable(arm src/arm.cpp)\ninstall(TARGETS arm DESTINATION x)\n"
+    for tag, lines_of in (
+        ("1.0.0", ['declare_parameter("rate", 1);', 'declare_parameter("gain", 1);']),
+        ("2.0.0", ['get_parameter("rate", rate_);']),
+    ):
+        release(repo, {"package.xml": package("arm", tag), "CMakeLists.txt": make, "src/arm.cpp": node(*lines_of)}, tag)
+    text = "arm:\n  ros__parameters:\n    rate: 2\n    gain: 3\n"
+    write(user, {"package.xml": package("user"), "param/arm.yaml": text})
+    assert lines(findings(capsys, repo, user), "param/arm.yaml") == [4]
