@@ -116,17 +116,16 @@ class Alias(_Fact, frozen=True):
     `deprecated` when an attribute says so.
     """
 
-    @property
-    def local(self) -> bool:
-        """Whether it stands within a function, and is known there only."""
-        return self.scope.endswith("()")
-
-
     name: str
     scope: str
     target: str
     line: int
     deprecated: bool = False
+
+    @property
+    def local(self) -> bool:
+        """Whether it stands within a function, and is known there only."""
+        return self.scope.endswith("()")
 
 
 class Import(_Fact, frozen=True):
