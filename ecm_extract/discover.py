@@ -19,7 +19,7 @@ TEST_FILES = frozenset({"conftest.py"})
 TEST_EXTENSIONS = (".test", ".test.xml")
 """Of rostest, the ROS 1 test launcher."""
 
-SOURCE_EXTENSIONS = frozenset({".py", ".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp"})
+SOURCE_EXTENSIONS = frozenset({".py", ".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp", ".cu", ".cuh"})
 SOURCE_TEST_PREFIXES = ("test_",)
 SOURCE_TEST_SUFFIXES = ("_test", "_tests", "_unittest")
 """Of the name of a source file without its extension; a message named so is still an interface."""

@@ -24,7 +24,7 @@ from ecm_extract.link.match import Matcher, is_callback, name_argument, position
 from ecm_extract.link.merging import merged
 from ecm_extract.link.module_kinds import is_managed
 from ecm_extract.link.modules import Module, Modules
-from ecm_extract.link.names import RosName, endpoint_name, is_below_node, is_never_made, local_name, parameter_name
+from ecm_extract.link.names import RosName, endpoint_name, is_below_node, local_name, of_node, parameter_name
 from ecm_extract.link.node_names import NodeNames
 from ecm_extract.link.observe import Observation, observation_forms, observations
 from ecm_extract.link.parameters import Parameters
@@ -37,7 +37,7 @@ from ecm_extract.link.site import Site
 from ecm_extract.link.sites import Sites, overrides
 from ecm_extract.link.stamps import Stamp, stamps
 from ecm_extract.link.types import Types
-from ecm_extract.link.values import Value, literal, settled, unknown, with_node
+from ecm_extract.link.values import Value, literal, settled, unknown
 from ecm_extract.read.facts import PackageFacts
 
 MAX_NAMES = 40
@@ -191,7 +191,7 @@ class Linker:
         handle = self._handle(site)
         evidence = tuple(Evidence(path, line) for path, line in dict.fromkeys(site.lines()))
         for named, default in self._named(site):
-            value = settled(with_node(named, node))
+            value = of_node(named, node, ros)
             local = local_name(settled(named), handle)
             name, confidence = self._name(site, value, handle, node, ros), value.confidence
             if is_never_made(value, name) and site.form.role != "parameter":

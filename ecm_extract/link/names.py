@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from ecm_extract.link.handles import Handle, under
-from ecm_extract.link.values import Hole, Value
+from ecm_extract.link.values import Hole, Value, settled, with_node
 
 
 class RosName(NamedTuple):
@@ -42,7 +42,7 @@ def endpoint_name(value: Value, handle: Handle, node: str | None, ros: int | Non
     raw = value.text
     own = _after(value, "node")
     if own is not None:
-        return RosName(raw, _private(own, handle, node))
+        return RosName(f"~{own}" if ros == 1 else raw, _private(own, handle, node))
     beside = _after(value, "space")
     if beside is not None:
         return RosName(raw, _clean(f"/{beside}"))
@@ -79,6 +79,12 @@ def is_below_node(value: Value) -> bool:
         return False
     rest = parts[1:]
     return all(isinstance(part, str) for part in rest) and str(rest[0]).startswith("/")
+
+
+def of_node(value: Value, node: str | None, ros: int | None) -> Value:
+    """Fill in the name of the node; in ROS 1 a name below it is private, whatever name a launch file gives the node."""
+    private = ros == 1 and is_below_node(value)
+    return settled(value if private else with_node(value, node))
 
 
 def _private(rest: str, handle: Handle, node: str | None) -> str:

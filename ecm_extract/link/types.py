@@ -212,7 +212,8 @@ class Types:
             return UNKNOWN_TYPE
         if isinstance(name, Lambda):
             return self._callback(name, env, role, service)
-        for func in self._named(name, env):
+        overloads = sorted(self._named(name, env), key=lambda func: _serves(func) is not service)
+        for func in overloads:
             params = [p for p in func.fact.params if p.type]
             if params:
                 inner = Env(func, types=env.types, this=env.this, made=env.made)
@@ -234,6 +235,12 @@ class Types:
         methods = [func for func in candidates if func.cls in lineage]
         near = [func for func in candidates if func.file is env.func.file]
         return [*methods, *near]
+
+
+def _serves(func: Func) -> bool:
+    """Tell whether a function takes the request of a service and not a message."""
+    first = next((parameter.type for parameter in func.fact.params if parameter.type), "")
+    return "::Request" in first
 
 
 def _bare(text: str) -> str:

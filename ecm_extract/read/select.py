@@ -10,7 +10,7 @@ from ecm_extract.tree import Entry
 
 SourceKind = Literal["cpp", "python", "script"]
 
-_CPP = frozenset({".cpp", ".cc", ".cxx", ".c", ".hpp", ".hh", ".hxx", ".h", ".ipp", ".tpp"})
+_CPP = frozenset({".cpp", ".cc", ".cxx", ".c", ".hpp", ".hh", ".hxx", ".h", ".ipp", ".tpp", ".cu", ".cuh"})
 _SCRIPT_FOLDERS = frozenset({"scripts", "bin", "nodes", "src", "script", "tools", "python", "node_scripts"})
 INTERFACES = frozenset({".msg", ".srv", ".action"})
 _SKIPPED_FOLDERS = frozenset({"doc", "docs", "launch"})

@@ -10,8 +10,10 @@ from collections.abc import Iterable, Iterator, Sequence
 from ecm_extract.description.model import Description
 from ecm_extract.system.controllers import Controller
 from ecm_extract.system.model import Instance, Launched, Place, Remapping
+from ecm_extract.system.names import absolute
 
 _MANAGERS = frozenset({"ros2_control_node", "controller_manager"})
+_SIMULATOR = "gazebo_ros"
 _BRIDGE = "ros2_control"
 """Part of the library of each simulator plugin that holds a controller manager."""
 
@@ -21,6 +23,7 @@ class Hosts:
 
     def __init__(self, launched: Launched, robots: Sequence[Description]) -> None:
         self._managers = [entry for entry in launched.instances if entry.executable in _MANAGERS and entry.ros == 2]
+        self._simulators = [entry for entry in launched.instances if entry.ros == 1 and entry.package == _SIMULATOR]
         self._robots = robots
         self._settings = tuple(entry for instance in launched.instances for entry in instance.settings)
 
@@ -64,7 +67,14 @@ class Hosts:
 
     def _remaps(self, namespace: str) -> tuple[Remapping, ...]:
         own: Iterable[tuple[Remapping, ...]] = (each.remaps for each in self._managers if each.namespace == namespace)
-        return next(iter(own), None) or tuple(self._of_plugins())
+        return next(iter(own), None) or (*self._of_plugins(), *self._of_simulators())
+
+    def _of_simulators(self) -> Iterator[Remapping]:
+        """Remaps of a simulator of ROS 1, whose process holds the controllers, as seen from anywhere."""
+        for entry in self._simulators:
+            for remap in entry.remaps:
+                source, target = (absolute(name, entry.namespace, "") for name in (remap.source, remap.target))
+                yield Remapping(source, target, remap.place)
 
     def _of_plugins(self) -> Iterator[Remapping]:
         for robot in self._robots:

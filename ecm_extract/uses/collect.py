@@ -25,7 +25,7 @@ from ecm_extract.uses.symbols import symbol_uses
 from ecm_extract.uses.trees import tree_uses
 from ecm_extract.uses.unpacked import unpacked_uses
 
-_BUILT = (".cpp", ".cc", ".cxx", ".c", ".h", ".hh", ".hpp", ".hxx", ".ipp", ".tpp")
+_BUILT = (".cpp", ".cc", ".cxx", ".c", ".h", ".hh", ".hpp", ".hxx", ".ipp", ".tpp", ".cu", ".cuh")
 _MATCHERS = (
     endpoint_uses,
     parameter_uses,
