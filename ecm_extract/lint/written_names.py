@@ -31,6 +31,7 @@ class WrittenNames:
             for interface in entry.interfaces
             for place in interface.evidence
             if entry.module.kind in _RUNS and PurePosixPath(place.path).stem == PurePosixPath(entry.module.path).stem
+            if interface.role != "parameter" or not _remaps_parameters(workspace, entry.module.package)
             for below in range(CALL_LINES + 1)
         }
 
@@ -50,6 +51,12 @@ class WrittenNames:
             for at, line in enumerate((self._workspace.files.read(path) or b"").splitlines(), 1):
                 names = (match.decode() for match in _TEXT.findall(line))
                 yield from (name for name in names if (path, at, name) not in self._explained)
+
+
+def _remaps_parameters(workspace: Workspace, package: str) -> bool:
+    """Tell whether a remap reaches the names of parameters too, as it does in ROS 1."""
+    facts = workspace.by_name.get(package)
+    return facts is not None and facts.ros == 1
 
 
 def _bare(name: str) -> str:

@@ -156,9 +156,13 @@ def test_values_that_define_each_other_end(workspace: Any) -> None:
 def test_lists_that_define_each_other_end(workspace: Any) -> None:
     """Each way round members that are set from each other is walked once: without that this takes minutes."""
     names = "abcdefgh"
-    methods = "".join(f"    def {n}(self):\n        " + "; ".join(f"self.{m} = self.{n}" for m in names) + "\n" for n in "ab")
+    methods = "".join(
+        f"    def {n}(self):\n        " + "; ".join(f"self.{m} = self.{n}" for m in names) + "\n" for n in "ab"
+    )
     body = "\n".join(f"    def m{n}(self, {n}):\n        self.{n} = {n}\n        self.{n} = self.{n}" for n in names)
-    made = "    def start(self, a):\n        self.a = self.a\n        rospy.Publisher(self.a[0], String, queue_size=1)\n"
+    made = (
+        "    def start(self, a):\n        self.a = self.a\n        rospy.Publisher(self.a[0], String, queue_size=1)\n"
+    )
     text = f"import rospy\nfrom std_msgs.msg import String\nclass D(object):\n{made}{methods}{body}\nD().start('x')\n"
     assert workspace.package({"scripts/d.py": text}, ros=1).only("publisher").confidence == "pattern"
 

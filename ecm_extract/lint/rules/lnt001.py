@@ -32,8 +32,8 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     for entry in workspace.diagnostics("launch-include-missing", "launch-file-missing"):
         match = _NAMED.search(entry.message)
         name = match[1] if match else entry.message
-        if _OPEN & set(name):
-            continue
+        if _OPEN & set(name) or name.endswith("/"):
+            continue  # the last part is for somebody to give
         package = workspace.package_of(entry.path)
         evidence = [Evidence(entry.path, entry.line)]
         yield RULE.finding(f"{entry.path} names {name}, which is not there", Entity("file", name), package, evidence)

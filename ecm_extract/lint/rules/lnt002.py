@@ -36,8 +36,8 @@ def check(workspace: Workspace) -> Iterator[Finding]:
             match = _FILE.search(message) or _LEFT_OUT.search(message)
             if match is None and _defines_all(description):
                 match = _MACRO.search(message)
-            if match is None or _OPEN & set(match[1]):
-                continue
+            if match is None or _OPEN & set(match[1]) or (match.re is _FILE and match[1].startswith("/")):
+                continue  # an absolute path is one of the machine
             text = f"{message} (expanding {description.path})"
             evidence = [Evidence(path, line)]
             chosen = match.re is _FILE and match[2] is not None

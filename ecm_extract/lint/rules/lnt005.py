@@ -53,6 +53,8 @@ def _read_beside(node: SystemNode, system: System) -> set[str]:
 def _of(parameter: Parameter, node: SystemNode, declared: list[str], workspace: Workspace) -> Finding | None:
     if parameter.declared is not False or parameter.place is None or parameter.name.startswith(_ALWAYS):
         return None
+    if any(parameter.name.startswith(f"{name}/") for name in declared):
+        return None  # it is read with the whole map that it stands in
     near = _nearest(parameter.name, declared)
     if near is None or any(entry.name == near and entry.place is not None for entry in node.parameters):
         return None

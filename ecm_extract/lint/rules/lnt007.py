@@ -21,6 +21,8 @@ RULE = LintRule(
     consequence="the two are never connected and no message arrives",
     resolution="use one type on both sides, or two names",
 )
+_ANY = frozenset({"rospy/msg/AnyMsg", "topic_tools/msg/ShapeShifter"})
+"""Types of a side that takes messages as they come."""
 _SIDES = {"publisher": "subscriber", "service_server": "service_client", "action_server": "action_client"}
 
 
@@ -40,7 +42,8 @@ def _channels(system: System) -> Iterator[tuple[str, list[Endpoint], list[Endpoi
         by_name: dict[str, tuple[list[Endpoint], list[Endpoint]]] = {}
         for node in system.nodes:
             for entry in node.endpoints:
-                if entry.role in (offer, use) and entry.known and entry.type is not None and node.modules:
+                named = entry.known and entry.type is not None and entry.type not in _ANY
+                if entry.role in (offer, use) and named and node.modules:
                     by_name.setdefault(entry.name, ([], []))[entry.role == use].append(entry)
         yield from ((name, offers, uses) for name, (offers, uses) in sorted(by_name.items()))
 

@@ -9,7 +9,7 @@ from ecm_checker.finding import Entity, Finding
 from ecm_extract.assemble.resources import hardware_table
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace, evidence_of
-from ecm_extract.system.node_model import Endpoint
+from ecm_extract.system.node_model import Endpoint, SystemNode
 from ecm_extract.system.system import System
 
 RULE = LintRule(
@@ -49,6 +49,11 @@ def _written(system: System) -> dict[str, list[Endpoint]]:
             actuator = table.get(entry.type or "")
             last = entry.name.rsplit("/", 1)[-1]
             moves = actuator is not None and (not actuator.topics or any(word in last for word in actuator.topics))
-            if entry.role == "publisher" and entry.known and moves:
+            if entry.role == "publisher" and entry.known and moves and not _relays(node, entry.name):
                 found.setdefault(entry.name, []).append(entry)
     return found
+
+
+def _relays(node: SystemNode, topic: str) -> bool:
+    """Tell whether a node reads the topic as well: a bridge hands on what the others say."""
+    return any(entry.role == "subscriber" and entry.name == topic for entry in node.endpoints)

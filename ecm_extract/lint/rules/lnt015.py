@@ -22,6 +22,8 @@ RULE = LintRule(
     resolution="use one name on both sides, or remap it",
 )
 CUTOFF = 0.84
+_PEOPLE = frozenset({"/initialpose", "/goal_pose", "/clicked_point", "/move_base_simple/goal"})
+"""What people give with the tools of rviz, which need no launch file."""
 _OFFERS = {"subscriber": "publisher", "service_client": "service_server", "action_client": "action_server"}
 
 
@@ -51,7 +53,7 @@ def _of(
     entry: Endpoint, offered: dict[tuple[str, str | None], dict[str, Endpoint]], workspace: Workspace
 ) -> Finding | None:
     role = _OFFERS.get(entry.role)
-    if role is None or entry.type is None or not entry.known:
+    if role is None or entry.type is None or not entry.known or entry.name in _PEOPLE:
         return None
     providers = offered.get((role, entry.type), {})
     used = {other for (kind, _), names in offered.items() if kind == entry.role for other in names}

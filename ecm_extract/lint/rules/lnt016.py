@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding, Severity
 
+from ecm_extract.description.model import Joint
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 
@@ -34,7 +35,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
                     continue
                 seen.add(joint.where)
                 text = f"{joint.name} has the {side} limit {value:g}, which is beyond {_multiple(abs(value))} pi"
-                severity: Severity = "warning" if _multiple(abs(value)) == 1 else "info"
+                severity: Severity = "warning" if _multiple(abs(value)) == 1 and _turns_fully(joint) else "info"
                 evidence = [Evidence(joint.where.path, joint.where.line)]
                 entity = Entity("joint", joint.name, side)
                 package = workspace.package_of(joint.where.path)
@@ -48,3 +49,9 @@ def _multiple(value: float) -> int:
 def _is_rounded(value: float) -> bool:
     excess = value - _multiple(value) * math.pi
     return _multiple(value) > 0 and 1e-9 < excess < _CLOSE
+
+
+def _turns_fully(joint: Joint) -> bool:
+    """Tell whether a joint can take an angle in two ways, which is where a solver and a planner part."""
+    lower, upper = joint.limits.get("lower"), joint.limits.get("upper")
+    return lower is None or upper is None or upper - lower > math.tau - _CLOSE

@@ -54,8 +54,9 @@ def _compared(made: Description, written: Description, package: str) -> Iterator
 
 def _difference(source: Joint, joint: Joint) -> str | None:
     for name in ("kind", "parent", "child"):
-        if getattr(source, name) != getattr(joint, name):
-            return f"{name} {getattr(joint, name)}, its xacro {getattr(source, name)}"
+        own, made = getattr(joint, name), getattr(source, name)
+        if own != made and not made.endswith(f"/{own}"):  # the xacro puts the namespace of its robot before links
+            return f"{name} {own}, its xacro {made}"
     for name, value in joint.limits.items():
         other = source.limits.get(name)
         if other is not None and _differs(other, value):

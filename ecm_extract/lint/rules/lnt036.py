@@ -10,6 +10,7 @@ from ecm_checker.finding import Entity, Finding
 from ecm_extract.link.program import Func
 from ecm_extract.lint.deprecations import deprecated_in
 from ecm_extract.lint.rule import LintRule
+from ecm_extract.lint.rules.lnt021 import is_meta
 from ecm_extract.lint.workspace import Workspace
 
 RULE = LintRule(
@@ -46,7 +47,7 @@ def _packages(workspace: Workspace) -> Iterator[Finding]:
     }
     for package in workspace.packages:
         for entry in package.manifest.dependencies if package.manifest is not None else ():
-            if entry.name in marked and package.name not in marked:
+            if entry.name in marked and package.name not in marked and not is_meta(package):
                 reason = " ".join((marked[entry.name] or "").split())
                 text = f"{package.name} depends on {entry.name}, which is deprecated" + (f" ({reason})" * bool(reason))
                 place = [Evidence(package.root.manifest or "", entry.line)]

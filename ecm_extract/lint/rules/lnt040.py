@@ -68,11 +68,19 @@ def _node_names(workspace: Workspace) -> set[str]:
 
 
 def _is_loaded(path: str, package: PackageFacts, workspace: Workspace) -> bool:
-    """Tell whether a launch file of the package, which starts nodes, names the file."""
+    """Tell whether a launch file of the package, which starts nodes, names the file, and all nodes are here."""
     name = path.rpartition("/")[2].encode()
-    return any(
+    own = {path: facts for path, facts in workspace.launches.items() if workspace.package_of(path) == package.name}
+    starts = any(
         name in (workspace.files.read(launch) or b"")
         and any(isinstance(action, Node) for action in all_actions(facts.actions))
-        for launch, facts in workspace.launches.items()
-        if workspace.package_of(launch) == package.name
+        for launch, facts in own.items()
     )
+    return starts and not _includes_others(package, workspace)
+
+
+def _includes_others(package: PackageFacts, workspace: Workspace) -> bool:
+    """Tell whether a launch file of the package includes one of another repository, whose nodes are not known."""
+    _ = workspace.systems  # evaluating launch files reports it
+    outside = workspace.diagnostics("launch-include-outside")
+    return any(workspace.package_of(entry.path) == package.name for entry in outside)

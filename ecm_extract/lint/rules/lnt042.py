@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from ecm_checker.finding import Entity, Finding, Severity
@@ -21,6 +22,7 @@ RULE = LintRule(
 )
 _IN_INCLUDED: Severity = "warning"
 """Who includes a file may put it in a namespace; a file that is started itself chooses its own."""
+_GIVEN = re.compile(rb"""\bto\s*=\s*["']\$\((?:arg|var)\s""")
 _MANAGER = 2
 """Of `load pkg/Class manager`, the arguments of a nodelet."""
 
@@ -41,7 +43,8 @@ def check(workspace: Workspace) -> Iterator[Finding]:
                 owner = "/" + name.split("/")[1]
                 if owner in owners and owner != node.name and (name, place) not in seen:
                     seen.add((name, place))
-                    level = _IN_INCLUDED if place.path.rpartition("/")[2] in included else None
+                    shared = place.path.rpartition("/")[2] in included and _is_written(place, workspace)
+                    level = _IN_INCLUDED if shared else None
                     yield _finding(name, [place, owners[owner]], workspace, level)
 
 
@@ -53,6 +56,12 @@ def _absolute(instance: Instance) -> Iterator[tuple[str, Place]]:
     manager = words[_MANAGER] if instance.executable == "nodelet" and words[:1] == ["load"] and words[_MANAGER:] else ""
     if manager.startswith("/"):
         yield manager, instance.place
+
+
+def _is_written(place: Place, workspace: Workspace) -> bool:
+    """Tell whether the name stands where it is remapped: whoever gives it as an argument knows the namespace."""
+    lines = (workspace.files.read(place.path) or b"").splitlines()
+    return _GIVEN.search(lines[place.line - 1]) is None if place.line <= len(lines) else True
 
 
 def _finding(name: str, places: list[Place], workspace: Workspace, level: Severity | None) -> Finding:

@@ -45,7 +45,8 @@ def _may_have(node: SystemNode, remap: Remapping) -> bool:
     """Tell whether a node has such a private name, or its code is not in the tree."""
     tail = remap.target.split("/", 2)[2]
     own = {f"{node.name}/{tail}", f"{node.name.rpartition('/')[0]}/{tail}"}
-    return not node.modules or any(own & {entry.name, entry.before} for entry in node.endpoints)
+    unknown = not node.modules and not node.endpoints
+    return unknown or any(own & {entry.name, entry.before} for entry in node.endpoints)
 
 
 def _first(remap: Remapping) -> str:

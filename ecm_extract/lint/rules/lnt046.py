@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from ecm_checker.contract import Interface
 from ecm_checker.finding import Entity, Finding, Severity
 
+from ecm_extract.link.linker import LinkedModule
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 
@@ -40,7 +41,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
                 continue
             seen.add(interface.evidence[0])
             name = interface.raw_name
-            level: Severity = "warning" if _space(name) and spaces[_space(name)] > 1 else "info"
+            level: Severity = "warning" if spaces[_space(name)] > 1 and _is_own(_space(name), entry) else "info"
             text = f"{entry.module.name} reads {name}, which is absolute"
             evidence = interface.evidence[:2]
             yield RULE.finding(text, Entity("parameter", name), entry.module.package, evidence, severity=level)
@@ -55,3 +56,14 @@ def _is_absolute(interface: Interface) -> bool:
 def _space(name: str) -> str:
     """The namespace that a name begins with; empty where it has none."""
     return name.split("/")[1] if name.count("/") > 1 else ""
+
+
+def _is_own(space: str, entry: LinkedModule) -> bool:
+    """Tell whether a namespace is called as the program or its node is, or as its package."""
+    wanted = _plain(space)
+    names = [_plain(name) for name in (entry.module.name, entry.node or "") if name]
+    return wanted == _plain(entry.module.package) or any(wanted in name or name in wanted for name in names)
+
+
+def _plain(name: str) -> str:
+    return name.rpartition("/")[2].replace("_", "").lower()

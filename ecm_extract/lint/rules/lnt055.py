@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import Final
 
@@ -9,6 +10,7 @@ from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding, Severity
 from ecm_parsers.package_facts import Dependency
 
+from ecm_extract.lint.fetched import fetched_repositories
 from ecm_extract.lint.known_packages import known_packages
 from ecm_extract.lint.near import nearest
 from ecm_extract.lint.rule import LintRule
@@ -32,14 +34,18 @@ _NO_PACKAGE: Final = frozenset({"group_depend", "member_of_group", "conflict", "
 """Elements that do not ask for a package."""
 
 
+_VENDOR: Final = re.compile(r"(?:lib)?(?:ignition|gz|sdformat|gazebo)(?:-[a-z]+)*-?\d+(?:-dev)?")
+"""Keys of the list of Gazebo's makers (github.com/osrf/osrf-rosdep), where each major version has its own."""
+
+
 def check(workspace: Workspace) -> Iterator[Finding]:
     """Report each name once for a package; what holds under a condition only is left alone."""
-    own = frozenset(workspace.by_name) | workspace.externals
+    own = frozenset(workspace.by_name) | workspace.externals | fetched_repositories(workspace.tree)
     for package in workspace.packages:
         asked = package.manifest.dependencies if package.manifest is not None and not package.root.rosbuild else ()
         first = {entry.name: entry for entry in reversed(asked) if entry.kind not in _NO_PACKAGE}
         for name, entry in sorted(first.items()):
-            if name not in own and entry.condition is None:
+            if name not in own and entry.condition is None and _VENDOR.fullmatch(name) is None:
                 yield from _of(entry, package, own)
 
 
