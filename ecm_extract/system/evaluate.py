@@ -206,7 +206,7 @@ class Evaluator:
             message = f"Included file `{shown}` is looked for in the folder that the launch is started from."
             self.report(file.path, action.line, "launch-include-relative", message)
             return
-        if path.known and not self.files.is_elsewhere(path.text):
+        if path.known and not path.emptied and not self.files.is_elsewhere(path.text):
             message = f"Included file `{shown}` is not in the tree. Correct the path or add the file."
             self.report(file.path, action.line, "launch-include-missing", message)
             return

@@ -16,10 +16,16 @@ class Place(NamedTuple):
 
 
 class Text(NamedTuple):
-    """A text after substitution; parts that only the launch knows stand as `{name}`, then it is not `known`."""
+    """A text after substitution.
+
+    Attributes:
+        text: as it is. known: whether no part is `{name}`, which stands for what only the launch knows.
+        emptied: a substitution gave nothing to it, as a default does that waits for somebody to fill it in.
+    """
 
     text: str
     known: bool = True
+    emptied: bool = False
 
     def __bool__(self) -> bool:
         """Whether there is any text."""

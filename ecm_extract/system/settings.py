@@ -103,7 +103,7 @@ class Settings:
         if not shown:
             return
         self.missing.append(shown)
-        if text.known and not self.files.is_elsewhere(text.text):
+        if text.known and not text.emptied and not self.files.is_elsewhere(text.text):
             message = f"Parameter file `{shown}` is not in the tree. Correct the path or add the file."
             self.tree.report(FileDiagnostic("warning", "launch-file-missing", self.path, source.line, message))
 

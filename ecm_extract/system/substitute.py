@@ -22,6 +22,9 @@ _CALL = re.compile(r"""\b(arg|env|optenv|find)\(\s*(['"])([^'"]*)\2\s*(?:,\s*(['
 _TRUE = frozenset({"true", "1", "on", "yes"})
 _FALSE = frozenset({"false", "0", "", "off", "no"})
 
+_REPLACED = re.compile(r"^tree:\S*/(?=tree:)")
+"""What a join drops before a path that is absolute itself."""
+
 
 class Substituter:
     """Evaluates the templates of one launch file.
@@ -39,7 +42,12 @@ class Substituter:
     def text(self, template: Template | None, depth: int = 0) -> Text:
         """Return the text of a template."""
         parts = [self._part(part, depth) for part in template or ()]
-        return Text("".join(part.text for part in parts)[:MAX_TEXT], all(part.known for part in parts))
+        joined = _REPLACED.sub("", "".join(part.text for part in parts)[:MAX_TEXT])
+        emptied = any(
+            part.emptied or not (part.text or isinstance(source, str))
+            for part, source in zip(parts, template or (), strict=True)
+        )
+        return Text(joined, all(part.known for part in parts), emptied)
 
     def truth(self, template: Template | None) -> bool | None:
         """Return whether a condition holds, None when only the launch knows."""

@@ -2,239 +2,81 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Any
 
+import near_miss_files as files_of
 import pytest
 from lint_fixtures import lint
-
-Files = Mapping[str, str]
-
-CMAKE = "add_executable({0} src/{0}.cpp)\ninstall(TARGETS {0} RUNTIME DESTINATION lib)\n"
-WHEELS = '<?xml version="1.0"?><robot name="a" xmlns:xacro="http://ros.org/wiki/xacro">{}</robot>'
-JOINT = (
-    '<link name="{ns}base"/><link name="{ns}wheel"/><joint name="turn" type="revolute"><parent link="{ns}base"/>'
-    '<child link="{ns}wheel"/><limit lower="{lower}" upper="{upper}" effort="1" velocity="1"/></joint>'
-)
-
-
-def script(node: str, *lines: str) -> str:
-    """A program of ROS 1."""
-    head = "#!/usr/bin/env python3\nimport rospy\nfrom std_msgs.msg import Bool, String\n"
-    return head + f"rospy.init_node('{node}')\n" + "\n".join(lines) + "\n"
-
-
-def node(name: str, program: str, *inner: str) -> str:
-    return f'<node name="{name}" pkg="pkg" type="{program}">{"".join(inner)}</node>'
-
-
-def launch(*nodes: str) -> str:
-    return "<launch>" + "\n".join(nodes) + "</launch>"
-
-
-def cpp(callback: str) -> str:
-    both = (
-        "void update(const std_msgs::String::ConstPtr &msg) {}\n"
-        "bool update(pkg::Update::Request &a, pkg::Update::Response &b) { return true; }\n"
-    )
-    served = f'ros::ServiceServer s = n.advertiseService(std::string("list"), {callback});'
-    return f'{both}int main(int c, char **v) {{ ros::init(c, v, "server"); ros::NodeHandle n; {served} }}\n'
-
-
-def wildcard(taken: str) -> Files:
-    return {
-        "scripts/a.py": script("a", "rospy.Publisher('/stop', Bool, queue_size=1)"),
-        "scripts/b.py": script("b", f"rospy.Subscriber('/stop', {taken}, print)"),
-        "launch/a.launch": launch(node("a", "a.py"), node("b", "b.py")),
-    }
-
-
-def overload(service: str) -> Files:
-    main = 'int main(int c, char **v) { ros::init(c, v, "b"); ros::NodeHandle n; '
-    client = main + f'ros::ServiceClient s = n.serviceClient<{service}>("list"); }}\n'
-    return {
-        "src/server.cpp": cpp("update"),
-        "src/b.cpp": client,
-        "CMakeLists.txt": CMAKE.format("server") + CMAKE.format("b"),
-        "launch/a.launch": launch(node("server", "server"), node("b", "b")),
-    }
-
-
-def own_name(prefix: str) -> Files:
-    main = 'int main(int c, char **v) { ros::init(c, v, "gps_base"); ros::NodeHandle n; double a; '
-    read = f'n.getParam({prefix} + "/primary_port/serial_stop_bits", a); }}\n'
-    given = '<param name="primary_port/serial_stop_bits" value="1"/>'
-    return {
-        "src/gps.cpp": main + read,
-        "CMakeLists.txt": CMAKE.format("gps"),
-        "launch/a.launch": launch(node("gps_rover", "gps", given)),
-    }
-
-
-def whole_map(key: str) -> Files:
-    return {
-        "scripts/a.py": script("a", "rospy.get_param('~axis_linear', {})", "rospy.get_param('~scale', 1)"),
-        "launch/a.launch": launch(node("a", "a.py", f'<param name="{key}" value="1"/>')),
-    }
-
-
-def remapped(source: str) -> Files:
-    lines = ("rospy.Publisher('~out', Bool, queue_size=1)", "rospy.get_param('hand_description', '')")
-    return {
-        "scripts/a.py": script("a", *lines),
-        "launch/a.launch": launch(node("a", "a.py", f'<remap from="{source}" to="robot"/>')),
-    }
-
-
-def pair(namespace: str, lower: str = "-1") -> Files:
-    name = '<xacro:arg name="ns" default="rover/"/><xacro:property name="ns" value="$(arg ns)"/>'
-    made = WHEELS.format(name + JOINT.format(ns="${ns}" if namespace else "", lower=-1, upper=1))
-    return {"urdf/a.xacro": made, "urdf/a.urdf": WHEELS.format(JOINT.format(ns="", lower=lower, upper=1))}
-
-
-def plugin(suffix: str) -> Files:
-    export = (
-        "namespace pkg { class %s : public nodelet::Nodelet {}; }\nPLUGINLIB_EXPORT_CLASS(pkg::%s, nodelet::Nodelet)\n"
-    )
-    entry = '<class name="pkg/{0}" type="pkg::{0}" base_class_type="nodelet::Nodelet"/>'
-    listed = f'<library path="lib/libpkg">{entry.format("Plain")}{entry.format("Fast")}</library>'
-    return {
-        "src/plain.cpp": export % ("Plain", "Plain"),
-        f"src/fast{suffix}": export % ("Fast", "Fast"),
-        "plugins.xml": listed,
-        "package.xml": '<package format="2"><name>pkg</name><version>1.0.0</version><buildtool_depend>catkin'
-        '</buildtool_depend><export><nodelet plugin="${prefix}/plugins.xml"/></export></package>',
-    }
-
-
-def described(path: str) -> Files:
-    return {"urdf/a.urdf.xacro": WHEELS.format(f'<xacro:include filename="{path}"/><link name="base"/>')}
-
-
-def included(path: str) -> Files:
-    return {"launch/a.launch.xml": f'<launch><include file="$(find-pkg-share pkg)/launch/{path}"/></launch>'}
-
-
-def bridge(topic: str) -> Files:
-    words = f'"{topic}@geometry_msgs/msg/Twist@gz.msgs.Twist"'
-    other = '<node pkg="teleop_twist_keyboard" exec="teleop_twist_keyboard"/><node pkg="joy" exec="joy_node"/>'
-    teleop = '<node pkg="teleop_twist_joy" exec="teleop_node"/>' if topic == "/cmd" else ""
-    bridged = f"<node pkg='ros_gz_bridge' exec='parameter_bridge' args={words}/>"
-    return {"launch/a.launch.xml": f"<launch>{other}{teleop}{bridged}</launch>"}
-
-
-def pose(name: str) -> Files:
-    head = "#!/usr/bin/env python3\nimport rospy\nfrom geometry_msgs.msg import PoseStamped\n"
-    return {
-        "scripts/a.py": f"{head}rospy.init_node('a')\nrospy.Publisher('/initialpose3d', PoseStamped, queue_size=1)\n",
-        "scripts/b.py": f"{head}rospy.init_node('b')\nrospy.Subscriber('{name}', PoseStamped, print)\n",
-        "launch/a.launch": launch(node("a", "a.py"), node("b", "b.py")),
-    }
-
-
-def limited(lower: str) -> Files:
-    return {"urdf/a.urdf": WHEELS.format(JOINT.format(ns="", lower=lower, upper="3.1416"))}
-
-
-def read_below(space: str) -> Files:
-    reads = [f"rospy.get_param('/{space}/{leaf}', 1)" for leaf in ("low", "high")]
-    return {"scripts/monitor.py": script("battery_monitor", *reads)}
-
-
-def manifest(*asked: str, extra: str = "") -> str:
-    wanted = "".join(f"<exec_depend>{name}</exec_depend>" for name in asked)
-    head = '<package format="2"><name>{}</name><version>1.0.0</version><buildtool_depend>catkin</buildtool_depend>'
-    return f"{head.format('pkg')}{wanted}<export>{extra}</export></package>"
-
-
-def deprecated(extra: str) -> Files:
-    old = manifest(extra="<deprecated/>").replace("<name>pkg", "<name>old_plugins")
-    return {"package.xml": manifest("old_plugins", extra=extra), "../old_plugins/package.xml": old}
-
-
-def fetched(name: str) -> Files:
-    listed = f"- git:\n    local-name: {name}\n    uri: https://example.org/{name}.git\n"
-    return {"package.xml": manifest("kortex_driver"), "deps.rosinstall": listed}
-
-
-def given(target: str) -> Files:
-    inner = launch(
-        '<arg name="labels" default="/decomposer/label"/>',
-        node("decomposer", "a.py"),
-        node("b", "b.py", f'<remap from="~labels" to="{target}"/>'),
-    )
-    return {
-        "scripts/a.py": script("a", "rospy.Publisher('~label', Bool, queue_size=1)"),
-        "scripts/b.py": script("b", "rospy.Subscriber('~labels', Bool, print)"),
-        "launch/inner.launch": inner,
-        "launch/a.launch": launch('<include file="$(find pkg)/launch/inner.launch"/>'),
-    }
-
-
-def analyzed(package: str) -> Files:
-    analyzer = (
-        "analyzers:\n  a:\n    type: diagnostic_aggregator/GenericAnalyzer\n    path: A\n    remove_prefix: gone\n"
-    )
-    load = '<rosparam command="load" file="$(find pkg)/param/d.yaml"/>'
-    aggregator = f'<node name="d" pkg="diagnostic_aggregator" type="aggregator_node">{load}</node>'
-    return {
-        "param/d.yaml": analyzer,
-        "launch/b.launch": launch(node("b", "b.py")),
-        "scripts/b.py": script("b"),
-        "launch/a.launch": launch(f'<include file="$(find {package})/launch/b.launch"/>', aggregator),
-    }
-
-
-def named_alike(kind: str) -> Files:
-    spawner = '<node name="s" pkg="controller_manager" type="spawner" args="arm"/>'
-    other = {"controller": spawner, "node": '<node name="arm" pkg="somebody" type="arm"/>'}[kind]
-    remap = '<remap from="out" to="/arm/limb/left"/>'
-    front = f'<group ns="front"><rosparam file="$(find pkg)/config/c.yaml" command="load"/>{other}</group>'
-    return {
-        "config/c.yaml": "arm:\n  type: effort_controllers/JointTrajectoryController\n  joints: [a]\n",
-        "scripts/a.py": script("a", "rospy.Publisher('out', Bool, queue_size=1)"),
-        "launch/a.launch": launch(front, node("a", "a.py", remap)),
-    }
-
-
-def simulated(source: str) -> Files:
-    name = "arm/follow_joint_trajectory"
-    head = "#!/usr/bin/env python3\nimport rospy\nimport actionlib\n"
-    head += "from control_msgs.msg import FollowJointTrajectoryAction\n"
-    client = f"actionlib.SimpleActionClient('/{name}_action', FollowJointTrajectoryAction)\n"
-    gazebo = f'<node name="gazebo" pkg="gazebo_ros" type="gzserver"><remap from="{source}" to="{name}_action"/></node>'
-    return {
-        "config/c.yaml": "arm:\n  type: effort_controllers/JointTrajectoryController\n  joints: [a]\n",
-        "scripts/a.py": f"{head}rospy.init_node('a')\n{client}",
-        "launch/a.launch": launch(
-            gazebo,
-            '<rosparam file="$(find pkg)/config/c.yaml" command="load"/>',
-            '<node name="s" pkg="controller_manager" type="spawner" args="arm"/>',
-            node("a", "a.py"),
-        ),
-    }
-
+from near_miss_files import Files
 
 ROWS = [
-    ("a reader of anything", "LNT007", 1, wildcard("rospy.AnyMsg"), wildcard("String"), None),
-    ("the overload that serves", "LNT007", 1, overload("pkg::Update"), overload("pkg::Other"), None),
-    ("its own name", "LNT005", 1, own_name("ros::this_node::getName()"), own_name('std::string("gps")'), None),
-    ("read with its map", "LNT005", 1, whole_map("axis_linear/x"), whole_map("axis_linea"), None),
-    ("remap of a parameter", "LNT006", 1, remapped("hand_description"), remapped("foot_description"), None),
-    ("links below a namespace", "LNT027", 1, pair("x"), pair("", "-2"), None),
-    ("exported by CUDA", "LNT009", 1, plugin(".cu"), plugin(".txt"), None),
-    ("a file of the machine", "LNT002", 1, described("/etc/a.xacro"), described("b.xacro"), None),
-    ("the last part is missing", "LNT001", 2, included(""), included("b.launch.xml"), None),
-    ("a bridge both ways", "LNT012", 2, bridge("/cmd_vel"), bridge("/cmd"), None),
-    ("given by people in rviz", "LNT015", 1, pose("/initialpose"), pose("/initialpose2d"), None),
-    ("remapped in the simulator", "LNT015", 1, simulated("arm/follow_joint_trajectory"), simulated("leg/x"), None),
-    ("a topic called as a controller", "LNT045", 1, named_alike("controller"), named_alike("node"), None),
-    ("one angle, one way", "LNT016", 1, limited("0"), limited("-3.1416"), "info"),
-    ("a namespace of several", "LNT046", 1, read_below("robot"), read_below("monitor"), "info"),
-    ("a metapackage names all", "LNT036", 1, deprecated("<metapackage/>"), deprecated(""), None),
-    ("fetched from source", "LNT055", 1, fetched("kortex_driver"), fetched("other"), None),
-    ("given by who includes it", "LNT042", 1, given("$(arg labels)"), given("/decomposer/label"), "info"),
-    ("nodes of another repository", "LNT040", 1, analyzed("other_bringup"), analyzed("pkg"), None),
+    ("a reader of anything", "LNT007", 1, files_of.wildcard("rospy.AnyMsg"), files_of.wildcard("String"), None),
+    ("the overload that serves", "LNT007", 1, files_of.overload("pkg::Update"), files_of.overload("pkg::Other"), None),
+    (
+        "its own name",
+        "LNT005",
+        1,
+        files_of.own_name("ros::this_node::getName()"),
+        files_of.own_name('std::string("gps")'),
+        None,
+    ),
+    ("read with its map", "LNT005", 1, files_of.whole_map("axis_linear/x"), files_of.whole_map("axis_linea"), None),
+    (
+        "remap of a parameter",
+        "LNT006",
+        1,
+        files_of.remapped("hand_description"),
+        files_of.remapped("foot_description"),
+        None,
+    ),
+    ("links below a namespace", "LNT027", 1, files_of.pair("x"), files_of.pair("", "-2"), None),
+    ("exported by CUDA", "LNT009", 1, files_of.plugin(".cu"), files_of.plugin(".txt"), None),
+    ("a file of the machine", "LNT002", 1, files_of.described("/etc/a.xacro"), files_of.described("b.xacro"), None),
+    ("the last part is missing", "LNT001", 2, files_of.included(""), files_of.included("b.launch.xml"), None),
+    ("a part of another description", "LNT002", 1, files_of.part("inner.xacro"), files_of.part("other.xacro"), None),
+    ("an argument for somebody to give", "LNT001", 1, files_of.chosen(""), files_of.chosen("b"), None),
+    ("absolute in the middle", "LNT001", 2, files_of.joined("a"), files_of.joined("b"), None),
+    ("named by another parameter", "LNT005", 1, files_of.pipeline("pipeline_of_filters"), files_of.pipeline("x"), None),
+    (
+        "a parameter called as its node",
+        "LNT014",
+        1,
+        files_of.self_named("plane"),
+        files_of.self_named("plane/height"),
+        None,
+    ),
+    ("told to be absolute", "LNT042", 1, files_of.lidar("/lidar/scan"), files_of.lidar("~scan"), None),
+    ("a bridge both ways", "LNT012", 2, files_of.bridge("/cmd_vel"), files_of.bridge("/cmd"), None),
+    ("given by people in rviz", "LNT015", 1, files_of.pose("/initialpose"), files_of.pose("/initialpose2d"), None),
+    (
+        "remapped in the simulator",
+        "LNT015",
+        1,
+        files_of.simulated("arm/follow_joint_trajectory"),
+        files_of.simulated("leg/x"),
+        None,
+    ),
+    (
+        "a topic called as a controller",
+        "LNT045",
+        1,
+        files_of.named_alike("controller"),
+        files_of.named_alike("node"),
+        None,
+    ),
+    ("one angle, one way", "LNT016", 1, files_of.limited("0"), files_of.limited("-3.1416"), "info"),
+    ("a namespace of several", "LNT046", 1, files_of.read_below("robot"), files_of.read_below("monitor"), "info"),
+    ("a metapackage names all", "LNT036", 1, files_of.deprecated("<metapackage/>"), files_of.deprecated(""), None),
+    ("fetched from source", "LNT055", 1, files_of.fetched("kortex_driver"), files_of.fetched("other"), None),
+    (
+        "given by who includes it",
+        "LNT042",
+        1,
+        files_of.given("$(arg labels)"),
+        files_of.given("/decomposer/label"),
+        "info",
+    ),
+    ("nodes of another repository", "LNT040", 1, files_of.analyzed("other_bringup"), files_of.analyzed("pkg"), None),
 ]
 
 

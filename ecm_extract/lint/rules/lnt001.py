@@ -29,14 +29,17 @@ _NAMED = re.compile(r"`([^`]*)`")
 def check(workspace: Workspace) -> Iterator[Finding]:
     """Report includes and parameter files of launch files that are not in their package, or found by chance only."""
     _ = workspace.systems  # evaluating launch files reports what is missing
+    found: dict[tuple[str, str], list[int]] = {}
     for entry in workspace.diagnostics("launch-include-missing", "launch-file-missing"):
         match = _NAMED.search(entry.message)
         name = match[1] if match else entry.message
         if _OPEN & set(name) or name.endswith("/"):
             continue  # the last part is for somebody to give
-        package = workspace.package_of(entry.path)
-        evidence = [Evidence(entry.path, entry.line)]
-        yield RULE.finding(f"{entry.path} names {name}, which is not there", Entity("file", name), package, evidence)
+        found.setdefault((entry.path, name), []).append(entry.line)
+    for (path, name), lines in found.items():
+        evidence = [Evidence(path, line) for line in lines]
+        text = f"{path} names {name}, which is not there"
+        yield RULE.finding(text, Entity("file", name), workspace.package_of(path), evidence)
     yield from _relative(workspace)
     yield from _absent(workspace)
 

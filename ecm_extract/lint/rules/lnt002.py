@@ -31,10 +31,12 @@ _OPEN = frozenset("{}[]<>$")
 
 def check(workspace: Workspace) -> Iterator[Finding]:
     """Report what xacro cannot expand, in descriptions whose files are all in the tree."""
+    parts = {path for each in workspace.descriptions for path in each.files if path != each.path}
     for description in workspace.descriptions:
+        whole = _defines_all(description) and description.path not in parts
         for path, line, message in description.problems:
             match = _FILE.search(message) or _LEFT_OUT.search(message)
-            if match is None and _defines_all(description):
+            if match is None and whole:
                 match = _MACRO.search(message)
             if match is None or _OPEN & set(match[1]) or (match.re is _FILE and match[1].startswith("/")):
                 continue  # an absolute path is one of the machine

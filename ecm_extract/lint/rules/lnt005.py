@@ -55,6 +55,8 @@ def _of(parameter: Parameter, node: SystemNode, declared: list[str], workspace: 
         return None
     if any(parameter.name.startswith(f"{name}/") for name in declared):
         return None  # it is read with the whole map that it stands in
+    if any(entry.value == parameter.name for entry in node.parameters):
+        return None  # another parameter says that it is to be read
     near = _nearest(parameter.name, declared)
     if near is None or any(entry.name == near and entry.place is not None for entry in node.parameters):
         return None

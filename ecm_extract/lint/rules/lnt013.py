@@ -34,15 +34,19 @@ def check(workspace: Workspace) -> Iterator[Finding]:
 
 
 def _doubled(active: list[Controller], workspace: Workspace) -> Iterator[Finding]:
+    """One finding for two controllers, whatever they share."""
     owners: dict[tuple[str, str], Controller] = {}
     for controller in active:
+        shared: dict[str, tuple[Controller, list[str]]] = {}
         for claim in controller.claims or ():
             first = owners.setdefault((controller.namespace, claim), controller)
             if first is not controller and "{" not in claim:
-                text = f"{first.name} and {controller.name} both claim {claim}"
-                evidence = [evidence_of(controller.place), evidence_of(first.place)]
-                package = workspace.package_of(controller.place.path)
-                yield RULE.finding(text, Entity("claim", claim, f"{first.name} {controller.name}"), package, evidence)
+                shared.setdefault(first.name, (first, []))[1].append(claim)
+        for first, claims in shared.values():
+            text = f"{first.name} and {controller.name} both claim {', '.join(claims)}"
+            evidence = [evidence_of(controller.place), evidence_of(first.place)]
+            package = workspace.package_of(controller.place.path)
+            yield RULE.finding(text, Entity("claim", claims[0], f"{first.name} {controller.name}"), package, evidence)
 
 
 def _unoffered(active: list[Controller], system: System, workspace: Workspace) -> Iterator[Finding]:

@@ -45,6 +45,8 @@ def _doubled(workspace: Workspace) -> Iterator[Finding]:
     for entry in workspace.linked:
         for interface in entry.interfaces:
             parts = [part for part in interface.name.split("/") if part]
+            if parts[:-1] == [entry.node]:
+                continue  # a node may call a parameter as itself
             twice = next((one for one, two in pairwise(parts) if one == two), None)
             place = interface.evidence[0]
             is_ros1 = interface.role == "parameter" and "/" in interface.name

@@ -29,13 +29,34 @@ _COMMENT = re.compile(rb"<!--.*?-->", re.DOTALL)
 def check(workspace: Workspace) -> Iterator[Finding]:
     """Report paths without substitutions into packages of the tree that have such files at all."""
     for package in workspace.packages:
+        folders: dict[tuple[str, str], dict[str, list[Evidence]]] = {}
         for entry in package.root.files:
             if entry.path.endswith((".urdf", ".xacro", ".sdf")) and not is_test_path(entry.path, package.root.path):
                 for (owner, name), lines in _named(workspace.files.read(entry.path) or b"").items():
                     if _is_missing(owner, name, workspace):
                         evidence = [Evidence(entry.path, line) for line in lines]
-                        entity = Entity("file", f"{owner}/{name}")
-                        yield RULE.finding(f"{owner} has no {name}", entity, package.name, evidence)
+                        if _has_folder(owner, name, workspace):
+                            entity = Entity("file", f"{owner}/{name}")
+                            yield RULE.finding(f"{owner} has no {name}", entity, package.name, evidence)
+                        else:
+                            names = folders.setdefault((owner, name.rpartition("/")[0]), {})
+                            names.setdefault(name, []).extend(evidence)
+        yield from (_of_folder(*key, names, package.name) for key, names in folders.items())
+
+
+def _of_folder(owner: str, folder: str, names: dict[str, list[Evidence]], package: str) -> Finding:
+    """One finding for all that is missing with its folder, or the file when it is one."""
+    (first, *others), evidence = names, [place for places in names.values() for place in places]
+    text = (
+        f"{owner} has no folder {folder}, where {len(names)} meshes should be" if others else f"{owner} has no {first}"
+    )
+    return RULE.finding(text, Entity("file", f"{owner}/{folder if others else first}"), package, evidence)
+
+
+def _has_folder(owner: str, name: str, workspace: Workspace) -> bool:
+    root = workspace.by_name[owner].root
+    folder = f"{root.path}/{name}".lstrip("/").rpartition("/")[0]
+    return any(entry.path.startswith(f"{folder}/") for entry in root.files)
 
 
 def _named(data: bytes) -> dict[tuple[str, str], list[int]]:

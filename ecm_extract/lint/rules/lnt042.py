@@ -35,13 +35,20 @@ def check(workspace: Workspace) -> Iterator[Finding]:
         for instance in (node.instance for node in system.nodes)
         if instance.full_name and instance.namespace == "/" and instance.kind not in {"component", "controller"}
     }
+    given = {
+        (node.instance.full_name, remap.target)
+        for system in workspace.systems
+        for node in system.nodes
+        for remap in node.instance.remaps
+    }  # a node that is told to use the absolute name is met by it anywhere
     seen = set()
     included = workspace.included
     for system in workspace.systems:
         for node in system.nodes:
             for name, place in _absolute(node.instance):
                 owner = "/" + name.split("/")[1]
-                if owner in owners and owner != node.name and (name, place) not in seen:
+                offered = (owner, name) in given
+                if owner in owners and not offered and owner != node.name and (name, place) not in seen:
                     seen.add((name, place))
                     shared = place.path.rpartition("/")[2] in included and _is_written(place, workspace)
                     level = _IN_INCLUDED if shared else None

@@ -1,0 +1,48 @@
+"""One cause is one finding, with all the lines that show it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from lint_fixtures import lint
+
+MESH = '<visual><geometry><mesh filename="package://pkg/meshes/{}.dae"/></geometry></visual>'
+CONTROLLER = "{}:\n  type: effort_controllers/JointTrajectoryController\n  joints: [a, b]\n"
+
+
+def findings(workspace: Any, rule: str) -> list[tuple[str, int]]:
+    """What each finding of a rule says before its consequence, and how many lines it has."""
+    found = [each for each in lint(workspace.root) if each.rule == rule]
+    return [(each.message.partition(": ")[0], len(each.evidence)) for each in found]
+
+
+def test_a_file_that_is_missing_twice(workspace: Any) -> None:
+    """A launch file that names one missing file on two lines."""
+    load = '<rosparam command="load" file="$(find pkg)/param/a.yaml"/>'
+    workspace.package({"launch/a.launch": f"<launch>\n{load}\n{load}\n</launch>"}, ros=1)
+    assert findings(workspace, "LNT001") == [("pkg/launch/a.launch names pkg/param/a.yaml, which is not there", 2)]
+
+
+def test_a_folder_that_is_missing(workspace: Any) -> None:
+    """Meshes of a folder that is not there are missing with it, those of one that is are missing one by one."""
+    named = ["hand/palm", "hand/thumb", "foot/toe", "foot/heel"]
+    links = "".join(f'<link name="{at}">{MESH.format(name)}</link>\n' for at, name in enumerate(named))
+    files = {"meshes/foot/sole.dae": "", "urdf/a.urdf": f'<robot name="a">\n{links}</robot>'}
+    workspace.package(files, ros=1)
+    assert sorted(findings(workspace, "LNT025")) == [
+        ("pkg has no folder meshes/hand, where 2 meshes should be", 2),
+        ("pkg has no meshes/foot/heel.dae", 1),
+        ("pkg has no meshes/foot/toe.dae", 1),
+    ]
+
+
+def test_two_controllers_that_share_two_joints(workspace: Any) -> None:
+    """The pair is the cause."""
+    spawner = '<node name="s" pkg="controller_manager" type="spawner" args="left right"/>'
+    load = '<rosparam command="load" file="$(find pkg)/config/c.yaml"/>'
+    files = {
+        "config/c.yaml": CONTROLLER.format("left") + CONTROLLER.format("right"),
+        "launch/a.launch": f"<launch>{load}{spawner}</launch>",
+    }
+    workspace.package(files, ros=1)
+    assert [text for text, _ in findings(workspace, "LNT013")] == ["left and right both claim a/effort, b/effort"]
