@@ -177,7 +177,7 @@ def limited(lower: str) -> Files:
 
 
 def read_below(space: str) -> Files:
-    reads = [f"rospy.get_param('/{space}/{leaf}', 1)" for leaf in ("low", "high")]
+    reads = [f"rospy.get_param('{space}/{leaf}', 1)" for leaf in ("low", "high")]
     return {"scripts/monitor.py": script("battery_monitor", *reads)}
 
 

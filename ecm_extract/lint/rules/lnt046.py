@@ -61,6 +61,8 @@ def _space(name: str) -> str:
 def _is_own(space: str, entry: LinkedModule) -> bool:
     """Tell whether a namespace is called as the program or its node is, or as its package."""
     wanted = _plain(space)
+    if not wanted:
+        return False
     names = [_plain(name) for name in (entry.module.name, entry.node or "") if name]
     return wanted == _plain(entry.module.package) or any(wanted in name or name in wanted for name in names)
 
