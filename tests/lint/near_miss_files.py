@@ -263,3 +263,36 @@ def joined(name: str) -> Files:
     run = f"Node(package='other', executable='a', parameters=[{path}])"
     text = f"{head}def generate_launch_description():\n    return LaunchDescription([{run}])\n"
     return {"launch/a.launch.py": text, "config/a.yaml": "a:\n  ros__parameters:\n    x: 1\n"}
+
+
+def generated(body: str) -> Files:
+    return {
+        "CMakeLists.txt": "include(cmake/gen.cmake)\ngenerate_all_bridges()\nadd_executable(a src/a.cpp)\n",
+        "cmake/gen.cmake": f"macro(bridges_of)\n{body}\nendmacro()\nbridges_of()\n",
+        "src/a.cpp": "int main() {}\n",
+        "../other/CMakeLists.txt": "bridges_of()\n",
+        "../other/package.xml": manifest().replace("<name>pkg", "<name>other"),
+        "launch/a.launch": launch('<node name="b" pkg="other" type="b_bridge"/>'),
+    }
+
+
+def filled_in(template: str) -> Files:
+    return {f"urdf/{template}": WHEELS.format("<link name='b'/>"), **described("b.xacro")}
+
+
+def sent(made: str) -> Files:
+    head = (
+        "geometry_msgs::PoseStamped origin() { geometry_msgs::PoseStamped p; p.header.frame_id = frame; return p; }\n"
+    )
+    body = f"geometry_msgs::PoseStamped ps = {made}; ps.pose.position.x = 1; pub_.publish(ps);"
+    return {"src/a.cpp": f"{head}void A::send() {{ {body} }}\n", "CMakeLists.txt": CMAKE.format("a")}
+
+
+def moved(depends: str) -> Files:
+    fields = ("rospy.Publisher('/robot/global/fix', Bool, queue_size=1)",)
+    return {
+        "package.xml": manifest(*depends.split()),
+        "scripts/a.py": script("a", "rospy.Subscriber('/robot/gps/fix', Bool, print)"),
+        "../driver/scripts/b.py": script("b", *fields),
+        "../driver/package.xml": manifest().replace("<name>pkg", "<name>driver"),
+    }

@@ -36,6 +36,17 @@ ROWS = [
     ("a part of another description", "LNT002", 1, files_of.part("inner.xacro"), files_of.part("other.xacro"), None),
     ("an argument for somebody to give", "LNT001", 1, files_of.chosen(""), files_of.chosen("b"), None),
     ("absolute in the middle", "LNT001", 2, files_of.joined("a"), files_of.joined("b"), None),
+    (
+        "a command that builds",
+        "LNT003",
+        1,
+        files_of.generated("add_executable(${x} a.cpp)"),
+        files_of.generated(""),
+        None,
+    ),
+    ("filled in by the build", "LNT002", 1, files_of.filled_in("b.xacro.in"), files_of.filled_in("c.xacro.in"), None),
+    ("made by a function", "LNT024", 1, files_of.sent("origin()"), files_of.sent("geometry_msgs::PoseStamped()"), None),
+    ("of a stranger", "LNT029", 1, files_of.moved(""), files_of.moved("driver"), None),
     ("named by another parameter", "LNT005", 1, files_of.pipeline("pipeline_of_filters"), files_of.pipeline("x"), None),
     (
         "a parameter called as its node",

@@ -11,6 +11,7 @@ from ecm_checker.finding import Entity, Finding
 from ecm_extract.description.model import Description
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
+from ecm_extract.system.files import TREE
 
 RULE = LintRule(
     id="LNT002",
@@ -38,8 +39,10 @@ def check(workspace: Workspace) -> Iterator[Finding]:
             match = _FILE.search(message) or _LEFT_OUT.search(message)
             if match is None and whole:
                 match = _MACRO.search(message)
-            if match is None or _OPEN & set(match[1]) or (match.re is _FILE and match[1].startswith("/")):
-                continue  # an absolute path is one of the machine
+            if match is None or _OPEN & set(match[1]):
+                continue
+            if match.re is _FILE and _is_elsewhere(match[1], path, workspace):
+                continue
             text = f"{message} (expanding {description.path})"
             evidence = [Evidence(path, line)]
             chosen = match.re is _FILE and match[2] is not None
@@ -50,6 +53,12 @@ def check(workspace: Workspace) -> Iterator[Finding]:
                 evidence,
                 certainty="likely" if chosen else "proved",
             )
+
+
+def _is_elsewhere(name: str, path: str, workspace: Workspace) -> bool:
+    """Tell whether an included file may exist all the same: on the machine, or made by the build."""
+    places = (name,) if name.startswith("/") else (f"{TREE}{name}", f"{workspace.files.folder(path)}/{name}")
+    return any(workspace.files.is_elsewhere(place) for place in places)
 
 
 def _defines_all(description: Description) -> bool:

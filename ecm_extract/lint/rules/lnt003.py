@@ -9,6 +9,7 @@ from difflib import get_close_matches
 from ecm_checker.finding import Entity, Finding
 from ecm_parsers.launch.model import Node
 
+from ecm_extract.lint.cmake_makers import asks, makers
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace, all_actions, evidence_of, plain_text
 from ecm_extract.read.facts import PackageFacts
@@ -30,13 +31,15 @@ _OUTPUT_NAME = re.compile(rb"OUTPUT_NAME\s+\"?([\w.${}-]+)")
 
 def check(workspace: Workspace) -> Iterator[Finding]:
     """Report nodes of launch files whose program no build file of their package, being in the tree, makes."""
+    commands = makers(workspace)
+    open_ended = {package.name for package in workspace.packages if asks(package, commands, workspace)}
     for path, facts in workspace.launches.items():
         for action in all_actions(facts.actions):
             if not isinstance(action, Node) or action.kind == "component":
                 continue
             package, name = plain_text(action.package), plain_text(action.executable)
             target = workspace.by_name.get(package or "")
-            if not name or target is None or not _is_understood(target):
+            if not name or target is None or target.name in open_ended or not _is_understood(target):
                 continue
             programs = executables(workspace, target)
             files = {entry.path.rsplit("/", 1)[-1] for entry in target.root.files}

@@ -109,8 +109,11 @@ def _touches(target: Expr | None, value: Expr | None, name: str) -> bool:
 
 
 def _is_fresh(made: Expr | None) -> bool:
-    """Tell whether an expression makes an empty message; what a method returns may have a header."""
-    return isinstance(made, Call) and isinstance(made.callee, Name) and not made.args
+    """Tell whether an expression makes an empty message; what a function returns may have a header."""
+    if not isinstance(made, Call) or not isinstance(made.callee, Name) or made.args:
+        return False
+    last = plain(made.callee.id).rpartition("::")[2]
+    return last[:1].isupper() or last.startswith("make_")
 
 
 def _path(expr: Expr) -> list[str]:

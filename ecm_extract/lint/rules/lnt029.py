@@ -38,13 +38,23 @@ def check(workspace: Workspace) -> Iterator[Finding]:
                 used.setdefault((place, interface.role), []).append(interface)
                 packages.setdefault(place, entry.module.package)
     for (place, role), names in used.items():
+        user = packages[place]
         providers = list(offered.get((_OFFERS[role], names[0].type), {}).values())
         near = _elsewhere(names, providers)
-        if near is not None:
-            yield _finding(names[0], near, packages[place])
-            continue
-        for name, other in _lost(names, providers):
-            yield _finding(name, other, packages[place])
+        pairs = [(names[0], near)] if near is not None else _lost(names, providers)
+        for name, other in pairs:
+            if _is_related(user, workspace.package_of(other.evidence[0].path), workspace):
+                yield _finding(name, other, user)
+
+
+def _is_related(user: str, provider: str, workspace: Workspace) -> bool:
+    """Tell whether a package knows another, so that the one is likely to mean what the other offers."""
+    asked = {
+        name: {entry.name for entry in package.manifest.dependencies} if package.manifest is not None else set()
+        for name, package in workspace.by_name.items()
+        if name in (user, provider)
+    }
+    return user == provider or provider in asked.get(user, ()) or user in asked.get(provider, ())
 
 
 def _elsewhere(names: list[Interface], providers: list[Interface]) -> Interface | None:
