@@ -19,7 +19,9 @@ from ecm_extract.entities.side import Workspace as Side
 from ecm_extract.extraction_model import Options
 from ecm_extract.link.composition import composition_of
 from ecm_extract.link.linker import Linker
+from ecm_extract.lint.builds import builds
 from ecm_extract.lint.service_calls import ServiceCall, request_fields, service_calls
+from ecm_extract.read.facts import PackageFacts
 from ecm_extract.settings import config_of
 from ecm_extract.system.files import Files
 from ecm_extract.system.launch_files import is_launch_file, read_launch
@@ -46,8 +48,10 @@ class Workspace:
 
     def __init__(self, tree: Tree, options: Options, read: PackagesRead | None = None) -> None:
         self.tree = tree
+        self._options = options
+        self._is_part = False
         self.config = config = config_of(tree, options)
-        found = read or read_packages(tree, options, {})
+        self._read = found = read or read_packages(tree, options, {})
         self.packages = found.packages
         with without_collector():
             self.linker = Linker(found.packages, found.forms)
@@ -58,6 +62,17 @@ class Workspace:
         composition = composition_of(self.linker.modules, self.linker.references)
         self.programs = composition.programs
         self.index = ModuleIndex(self.linked, self.packages, composition)
+
+    @cached_property
+    def parts(self) -> Sequence[Workspace]:
+        """The workspace itself, or one for each set of packages that are built together."""
+        groups = builds(self.packages)
+        return [self] if len(groups) < 2 else [self._part(group) for group in groups]
+
+    def _part(self, packages: list[PackageFacts]) -> Workspace:
+        part = Workspace(self.tree, self._options, PackagesRead(self.tree, packages, self._read.forms))
+        part._is_part = True
+        return part
 
     @cached_property
     def launches(self) -> Mapping[str, LaunchFile]:
@@ -111,7 +126,8 @@ class Workspace:
 
     def diagnostics(self, *codes: str) -> Iterator[FileDiagnostic]:
         """Yield what reading has reported under these codes."""
-        return (entry for entry in self.tree.diagnostics if entry.code in codes)
+        found = (entry for entry in self.tree.diagnostics if entry.code in codes)
+        return (entry for entry in found if not self._is_part or self.package_of(entry.path))
 
     def as_side(self) -> Side:
         """Return the workspace as a comparison reads it."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import near_miss_files as files_of
+import near_miss_sources as sources_of
 import pytest
 from lint_fixtures import lint
 from near_miss_files import Files
@@ -46,6 +47,12 @@ ROWS = [
     ),
     ("filled in by the build", "LNT002", 1, files_of.filled_in("b.xacro.in"), files_of.filled_in("c.xacro.in"), None),
     ("made by a function", "LNT024", 1, files_of.sent("origin()"), files_of.sent("geometry_msgs::PoseStamped()"), None),
+    ("copied by a command", "LNT003", 1, sources_of.copied("runner"), sources_of.copied("other"), None),
+    ("a plugin of Python", "LNT009", 1, sources_of.view("pkg.view.View"), sources_of.view("pkg::View"), None),
+    ("both of two results", "LNT024", 1, sources_of.filled("tie(image, depth)"), sources_of.filled("x"), None),
+    ("one of two results", "LNT028", 1, sources_of.converted("auto [enu, b]"), sources_of.converted("auto enu"), None),
+    ("scoped by its model", "LNT054", 1, sources_of.sensor("m->SensorScopedName(n)[0]"), sources_of.sensor("n"), None),
+    ("a centimeter on purpose", "LNT049", 1, sources_of.shape("0.01"), sources_of.shape("0.02"), "info"),
     ("of a stranger", "LNT029", 1, files_of.moved(""), files_of.moved("driver"), None),
     ("named by another parameter", "LNT005", 1, files_of.pipeline("pipeline_of_filters"), files_of.pipeline("x"), None),
     (

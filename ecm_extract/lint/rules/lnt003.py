@@ -26,6 +26,8 @@ RULE = LintRule(
 )
 RENAME = re.compile(r"builds no program (?P<old>\S+); it builds (?P<new>[^\s:]+)")
 
+_OUTPUT = re.compile(rb"\bOUTPUT\s+\"?(?:[^\s\"()]*/)?([\w.-]+)")
+"""The last part of what a custom command makes."""
 _OUTPUT_NAME = re.compile(rb"OUTPUT_NAME\s+\"?([\w.${}-]+)")
 
 
@@ -59,7 +61,8 @@ def executables(workspace: Workspace, package: PackageFacts) -> set[str]:
     found |= {entry.name for setup in package.setups.values() for entry in setup.entry_points}
     found |= {name for owner, name in workspace.programs if owner == package.name}
     for path in package.cmake:
-        names = _OUTPUT_NAME.findall(workspace.files.read(path) or b"")
+        data = workspace.files.read(path) or b""
+        names = [*_OUTPUT_NAME.findall(data), *_OUTPUT.findall(data)]
         found |= {match.decode().replace("${PROJECT_NAME}", package.name) for match in names}
     return found
 

@@ -40,7 +40,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
             continue
         for path, classes in package.plugins.items():
             for entry in classes if not is_test_path(path, package.root.path) else ():
-                if _is_borrowed(entry, package, workspace):
+                if _is_borrowed(entry, package, workspace) or _is_python(entry):
                     continue
                 if not entry.type or _is_exported(entry, exported) or _is_of_other(entry, package, workspace):
                     continue
@@ -70,6 +70,11 @@ def _is_borrowed(entry: PluginClass, package: PackageFacts, workspace: Workspace
     library = _library(entry)
     dependencies = package.manifest.dependencies if package.manifest is not None else ()
     return library not in workspace.by_name and any(each.name == library for each in dependencies)
+
+
+def _is_python(entry: PluginClass) -> bool:
+    """Tell whether a class is one of Python, which needs no macro."""
+    return "::" not in entry.type and "." in entry.type
 
 
 def _library(entry: PluginClass) -> str:

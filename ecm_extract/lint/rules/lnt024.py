@@ -94,6 +94,8 @@ def _called(call: Call) -> str:
 
 def _touches(target: Expr | None, value: Expr | None, name: str) -> bool:
     """Tell whether a statement writes the header, the whole message, or hands the message to somebody."""
+    if isinstance(target, Call) and any(_root(arg) == name for arg in target.args):
+        return True  # `tie(a, b) = f()`
     if (
         target is not None
         and _root(target) == name

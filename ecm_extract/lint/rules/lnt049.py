@@ -28,8 +28,8 @@ RULE = LintRule(
 _MESH: Final = re.compile(r"(?:package://|\$\(find(?:-pkg-share)? )(\w+)\)?/([\w./-]+\.(?:stl|dae))$", re.IGNORECASE)
 _TOO_FAR: Final = 10.0
 """Bounding shapes are coarse; units are wrong by 10 and more."""
-_DUMMY: Final = 0.005
-"""A shape of a few millimeters is mostly there on purpose: something has to be."""
+_DUMMY: Final = 0.01
+"""A shape of a centimeter or less is mostly there on purpose: something has to be."""
 MAX_MESHES: Final = 80
 
 

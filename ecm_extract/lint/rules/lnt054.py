@@ -25,7 +25,7 @@ RULE = LintRule(
     resolution='look it up by its scoped name, "world::model::link::sensor"',
 )
 _LOOKUPS: Final = frozenset({"GetSensor", "get_sensor"})
-_SCOPING: Final = frozenset({"GetScopedName", "ScopedName", "GetParentName", "ParentName"})
+_SCOPING: Final = frozenset({"GetScopedName", "ScopedName", "GetParentName", "ParentName", "SensorScopedName"})
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:

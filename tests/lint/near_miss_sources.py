@@ -1,0 +1,50 @@
+"""Small C++ packages of which one shows something and another nearly does."""
+
+from __future__ import annotations
+
+from near_miss_files import CMAKE, Files, launch, node
+
+
+def copied(name: str) -> Files:
+    command = f"add_custom_command(OUTPUT ${{CATKIN_DEVEL_PREFIX}}/bin/{name} COMMAND cmake -E copy a b)\n"
+    return {"CMakeLists.txt": command + CMAKE.format("a"), "launch/a.launch": launch(node("r", "runner"))}
+
+
+def view(name: str) -> Files:
+    entry = f'<class name="pkg/View" type="{name}" base_class_type="rqt_gui_py::Plugin"/>'
+    export = (
+        "namespace pkg { class A : public nodelet::Nodelet {}; }\nPLUGINLIB_EXPORT_CLASS(pkg::A, nodelet::Nodelet)\n"
+    )
+    return {
+        "src/a.cpp": export,
+        "plugins.xml": f'<library path="src">{entry}</library>',
+        "package.xml": '<package format="2"><name>pkg</name><version>1.0.0</version><buildtool_depend>catkin'
+        '</buildtool_depend><export><rqt_gui plugin="${prefix}/plugins.xml"/></export></package>',
+    }
+
+
+def filled(target: str) -> Files:
+    body = f"sensor_msgs::Image image; sensor_msgs::Image depth; {target} = made(); pub_.publish(image);"
+    return {"src/a.cpp": f"void A::send() {{ {body} }}\n", "CMakeLists.txt": CMAKE.format("a")}
+
+
+def converted(target: str) -> Files:
+    body = f"{target} = transform_frame_ned_enu(given); use(b);"
+    return {"src/a.cpp": f"void A::send(int given) {{ {body} }}\n", "CMakeLists.txt": CMAKE.format("a")}
+
+
+def sensor(name: str) -> Files:
+    found = f"this->s = sensors::SensorManager::Instance()->GetSensor({name});"
+    return {
+        "src/a.cpp": f"#include <gazebo/sensors/sensors.hh>\nvoid A::Load(M m, std::string n) {{ {found} }}\n",
+        "CMakeLists.txt": CMAKE.format("a"),
+    }
+
+
+def shape(size: str) -> Files:
+    corners = ((0, 0, 0), (1, 0, 0), (0, 1, 1))
+    facet = "facet normal 0 0 1\nouter loop\n" + "".join(f"vertex {x} {y} {z}\n" for x, y, z in corners)
+    mesh = f"solid a\n{facet}endloop\nendfacet\nendsolid a\n"
+    drawn = '<visual><geometry><mesh filename="package://pkg/meshes/a.stl"/></geometry></visual>'
+    kept = f'<collision><geometry><box size="{size} {size} {size}"/></geometry></collision>'
+    return {"meshes/a.stl": mesh, "urdf/a.urdf": f'<robot name="a"><link name="b">{drawn}{kept}</link></robot>'}

@@ -1,0 +1,38 @@
+"""A repository may hold several workspaces."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from lint_fixtures import lint
+
+from ecm_extract.discover import PackageRoot
+from ecm_extract.lint.builds import builds
+from ecm_extract.read.facts import PackageFacts
+
+ROWS = [
+    (["a", "b"], [["a", "b"]]),
+    (["1/a", "1/b", "2/a", "c"], [["c"], ["1/a", "1/b"], ["2/a"]]),
+    (["x/1/a", "x/2/a", "x/3/b", "c"], [["c"], ["x/3/b"], ["x/1/a"], ["x/2/a"]]),
+    (["x/1/ros1/a", "x/1/ros2/a", "x/2/a"], [["x/1/ros1/a"], ["x/1/ros2/a"], ["x/2/a"]]),
+]
+
+
+@pytest.mark.parametrize(("paths", "expected"), ROWS, ids=[" ".join(row[0]) for row in ROWS])
+def test_groups(paths: list[str], expected: list[list[str]]) -> None:
+    """No group holds a name twice, and what stands once stays together."""
+    packages = [PackageFacts(PackageRoot(path, None, ())) for path in paths]
+    assert [[package.root.path for package in group] for group in builds(packages)] == expected
+
+
+def test_a_package_is_that_of_its_own_workspace(workspace: Any) -> None:
+    """The first exercise has the file that its launch file includes, the second has not."""
+    text = '<launch><include file="$(find demo)/launch/b.launch"/></launch>'
+    for name in ("one", "two"):
+        workspace.package({"launch/a.launch": text}, ros=1, name=f"{name}/demo")
+        manifest = workspace.root / name / "demo" / "package.xml"
+        manifest.write_text(manifest.read_text().replace(f"{name}/demo", "demo"))
+    (workspace.root / "one" / "demo" / "launch" / "b.launch").write_text("<launch/>")
+    found = [each.evidence[0].path for each in lint(workspace.root) if each.rule == "LNT001"]
+    assert found == ["two/demo/launch/a.launch"]
