@@ -111,10 +111,11 @@ class Types:
                 value = definition.statement.value
                 if value is not None:
                     return self.expression(value, env.before(definition.at), role)
-            starred = [entry.module for entry in env.func.file.facts.imports if entry.name == "*"]
-            for module in starred:
-                if module.rsplit(".", 1)[-1] in _KINDS:
-                    return TypeFound(self._full("::".join([*module.split("."), head]), role))
+            starred = {entry.module for entry in env.func.file.facts.imports if entry.name == "*"}
+            wanted = {"action", "msg"} if role.startswith("action") else {_ROLE_KIND.get(role, "msg")}
+            found = [module for module in starred if module.rsplit(".", 1)[-1] in wanted]
+            if len(found) == 1:  # of several, any can bring the name
+                return TypeFound(self._full("::".join([*found[0].split("."), head]), role))
         return UNKNOWN_TYPE
 
     def written(self, text: str, env: Env, role: Role, depth: int = 0) -> TypeFound:

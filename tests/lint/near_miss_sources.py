@@ -48,3 +48,30 @@ def shape(size: str) -> Files:
     drawn = '<visual><geometry><mesh filename="package://pkg/meshes/a.stl"/></geometry></visual>'
     kept = f'<collision><geometry><box size="{size} {size} {size}"/></geometry></collision>'
     return {"meshes/a.stl": mesh, "urdf/a.urdf": f'<robot name="a"><link name="b">{drawn}{kept}</link></robot>'}
+
+
+def starred(second: str) -> Files:
+    head = "#!/usr/bin/env python3\nimport rospy\nfrom one_msgs.msg import *\n"
+    named = "#!/usr/bin/env python3\nimport rospy\nfrom two_msgs.msg import Event\n"
+    return {
+        "scripts/a.py": f"{head}{second}rospy.init_node('a')\nrospy.Publisher('/event', Event, queue_size=1)\n",
+        "scripts/b.py": f"{named}rospy.init_node('b')\nrospy.Subscriber('/event', Event, print)\n",
+        "launch/a.launch": launch(node("a", "a.py"), node("b", "b.py")),
+    }
+
+
+def goal_of(name: str) -> Files:
+    return {"action/Run.action": "int32 a\n---\n---\n", "msg/Stat.msg": f"pkg/{name} goal\n"}
+
+
+def made_by_build(listed: str) -> Files:
+    return {
+        "CMakeLists.txt": f"add_message_files(DIRECTORY msg FILES A.msg {listed})\n",
+        "msg/A.msg": "int32 a\n",
+        "scripts/a.py": "#!/usr/bin/env python3\nfrom pkg.msg import Made\n",
+    }
+
+
+def configured(path: str) -> Files:
+    installed = f"install(PROGRAMS ${{CATKIN_DEVEL_PREFIX}}/{path} DESTINATION bin)\n"
+    return {"CMakeLists.txt": installed + CMAKE.format("a"), "launch/a.launch": launch(node("r", "runner"))}

@@ -72,6 +72,7 @@ def _possible(package: PackageFacts) -> set[str]:
     found = {word for file in package.cmake.values() for word in file.foreign}
     installs = [each for file in package.cmake.values() for each in file.installs]
     found |= {item for each in installs if each.kind == "targets" for item in each.items}
+    found |= {item.rpartition("/")[2] for each in installs if each.kind == "programs" for item in each.items}
     return found - {target.name for file in package.cmake.values() for target in file.targets}
 
 

@@ -13,6 +13,7 @@ from ecm_extract.link.program import File
 from ecm_extract.lint.near import nearest
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
+from ecm_extract.read.facts import PackageFacts
 
 RULE = LintRule(
     id="LNT010",
@@ -25,7 +26,7 @@ RULE = LintRule(
 )
 RENAME = re.compile(r"has no \w+/(?P<old>\w+); it has (?P<new>\w+)")
 _KINDS = {"msg": ("",), "srv": ("", "Request", "Response", "_Request", "_Response"), "action": ("",)}
-_ACTION_PARTS = ("Action", "Goal", "Result", "Feedback", "ActionGoal", "ActionResult", "ActionFeedback")
+ACTION_PARTS = ("Action", "Goal", "Result", "Feedback", "ActionGoal", "ActionResult", "ActionFeedback")
 _PYTHON = re.compile(r"(\w+)\.(msg|srv|action)")
 
 
@@ -50,8 +51,18 @@ def _known(workspace: Workspace) -> dict[str, set[str]]:
             names = found.setdefault(package.name, set())
             names |= {f"{definition.shape}.{stem}{suffix}" for suffix in _KINDS[definition.shape]}
             if definition.shape == "action":
-                names |= {f"msg.{stem}{part}" for part in _ACTION_PARTS}
+                names |= {f"msg.{stem}{part}" for part in ACTION_PARTS}
+        if package.name in found:
+            found[package.name] |= set(_listed(package))
     return found
+
+
+def _listed(package: PackageFacts) -> Iterator[str]:
+    """What a build file lists: the build may make a definition that is not in the tree."""
+    for file in package.cmake.values():
+        for entry in file.interfaces:
+            stem = entry.path.rpartition("/")[2].rpartition(".")[0]
+            yield from (f"{entry.kind}.{stem}{suffix}" for suffix in _KINDS.get(entry.kind, ()))
 
 
 def _missing(file: File, entry: Import, match: re.Match[str], known: set[str]) -> Iterator[Finding]:

@@ -11,6 +11,7 @@ from ecm_parsers.interface_facts import Field
 
 from ecm_extract.lint.near import nearest
 from ecm_extract.lint.rule import LintRule
+from ecm_extract.lint.rules.lnt010 import ACTION_PARTS
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
 
@@ -30,9 +31,9 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     """Report fields whose type names a package of the tree that has messages."""
     known = {
         package.name: {
-            path.rpartition("/")[2].rpartition(".")[0]
+            name
             for path in (*package.interfaces, *(entry.path for entry in package.root.files))
-            if path.endswith((".msg", ".idl"))
+            for name in _messages(path)
         }
         for package in workspace.packages
         if package.interfaces
@@ -42,6 +43,14 @@ def check(workspace: Workspace) -> Iterator[Finding]:
             for section in definition.sections:
                 for field in section.fields:
                     yield from _of(field, path, package, known, set(workspace.by_name))
+
+
+def _messages(path: str) -> list[str]:
+    """The messages that a file defines; in ROS 1 an action is generated as seven."""
+    stem, _, suffix = path.rpartition("/")[2].rpartition(".")
+    if suffix == "action":
+        return [f"{stem}{part}" for part in ACTION_PARTS]
+    return [stem] if suffix in {"msg", "idl"} else []
 
 
 def _of(
