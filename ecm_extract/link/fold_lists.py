@@ -46,7 +46,7 @@ class ListFolder:
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
         self._appending: dict[int, list[tuple[int, str, Expr]]] = {}
-        self._active: set[tuple[int, int, int]] = set()
+        self._searching: set[tuple[int, int, int]] = set()
 
     def elements(self, expr: Expr | None, env: Env, index: Expr | None = None) -> tuple[Value, ...]:
         """Return the values that the elements of a list, or one of them, can have."""
@@ -79,22 +79,9 @@ class ListFolder:
             return [Bound(item, env) for item in expr.args]
         if isinstance(expr, Name) and expr.id in env.args:
             return self.items(env.args[expr.id].expr, env.args[expr.id].env.before(env.args[expr.id].env.at))
-        key = (id(env.func), id(expr), env.at)
-        if key in self._active:  # members that are set from each other: each way round would be walked again
-            return None
-        self._active.add(key)
-        try:
-            return self._held(expr, env)
-        finally:
-            self._active.discard(key)
-
-    def _held(self, expr: Expr, env: Env) -> list[Bound] | None:
-        """Return the elements of the list that a variable, member or constant holds."""
-        for definition, inner in self.definitions(expr, env):
-            value = definition.statement.value
-            found = self.items(value, inner) if definition.statement.kind != "each" else None
-            if found is not None:
-                return found
+        found = self._assigned(expr, env)
+        if found is not None:
+            return found
         appended = self._appended(expr, env)
         if appended:
             return appended

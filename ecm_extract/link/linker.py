@@ -24,7 +24,15 @@ from ecm_extract.link.match import Matcher, is_callback, name_argument, position
 from ecm_extract.link.merging import merged
 from ecm_extract.link.module_kinds import is_managed
 from ecm_extract.link.modules import Module, Modules
-from ecm_extract.link.names import RosName, endpoint_name, is_below_node, local_name, of_node, parameter_name
+from ecm_extract.link.names import (
+    RosName,
+    endpoint_name,
+    is_below_node,
+    is_never_made,
+    local_name,
+    of_node,
+    parameter_name,
+)
 from ecm_extract.link.node_names import NodeNames
 from ecm_extract.link.observe import Observation, observation_forms, observations
 from ecm_extract.link.parameters import Parameters
