@@ -15,11 +15,10 @@ import msgspec
 
 from ecm_extract.entities.cpp import MARKED
 from ecm_extract.entities.model import Line, PublicEntity
+from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.read.facts import PackageFacts
-from ecm_extract.tree import Tree
 
 _MARK = re.compile(r"deprecat|obsolete", re.IGNORECASE)
-_MARK_BYTES = re.compile(rb"[Dd]eprecat|DEPRECAT|[Oo]bsolete")
 _DIRECTIVE = re.compile(
     rb"^[ \t]*#[ \t]*(?:warning|pragma[ \t]+message)\b((?:[^\\\n]|\\\r?\n|\\.){0,600})$", re.MULTILINE
 )
@@ -35,14 +34,16 @@ MAX_ATTRIBUTE = 6
 MAX_COMMENT = 40
 
 
-def announced(tree: Tree, packages: Iterable[PackageFacts], entities: Sequence[PublicEntity]) -> list[PublicEntity]:
+def announced(
+    side: SideTexts, packages: Iterable[PackageFacts], entities: Sequence[PublicEntity]
+) -> list[PublicEntity]:
     """Return the entities, with what their declarations say about their end."""
     texts = _descriptions(packages)
     lines: dict[str, list[str]] = defaultdict(list)
     headers = {entity.path for entity in entities if entity.kind == "file" and entity.path.endswith(_HEADERS)}
-    texts |= _interface_heads(tree, (entity.path for entity in entities if entity.kind == "message"))
-    for path, data in tree.read_many(sorted(headers)):
-        if _MARK_BYTES.search(data):
+    texts |= _interface_heads(side, {entity.path for entity in entities if entity.kind == "message"})
+    for path, data in side.speaking.items():
+        if path in headers:
             lines[path] = data.decode("utf-8", "replace").splitlines()
             text = _directive(data)
             if text:
@@ -50,11 +51,11 @@ def announced(tree: Tree, packages: Iterable[PackageFacts], entities: Sequence[P
     return [_told(entity, texts, lines) for entity in entities]
 
 
-def _interface_heads(tree: Tree, paths: Iterable[str]) -> dict[Line, str]:
+def _interface_heads(side: SideTexts, paths: set[str]) -> dict[Line, str]:
     """What interface files say about their end above their first field."""
     found: dict[Line, str] = {}
-    for path, data in tree.read_many(sorted(set(paths))):
-        if _MARK_BYTES.search(data):
+    for path, data in side.speaking.items():
+        if path in paths:
             lines = [line.strip() for line in data.decode("utf-8", "replace").splitlines()[:MAX_COMMENT]]
             head = takewhile(lambda line: not line or line.startswith("#"), lines)
             text = next((line.strip("# ") for line in head if _ENDED.search(line)), None)

@@ -18,6 +18,7 @@ from ecm_extract.entities.model import Key, PublicEntity
 from ecm_extract.entities.naming import at_their_names
 from ecm_extract.entities.packaging import packaging_entities
 from ecm_extract.entities.python import python_entities
+from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.link.linker import LinkedModule
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.tree import Tree
@@ -33,9 +34,10 @@ def public_entities(
     for entry in linked:
         modules[entry.module.package].append(entry)
     ports = base_ports(packages)
-    every = [entity for facts in packages for entity in _of_package(tree, facts, modules[facts.name], ports)]
+    texts = SideTexts(tree, packages)
+    every = [entity for facts in packages for entity in _of_package(texts, facts, modules[facts.name], ports)]
     found: dict[Key, PublicEntity] = {}
-    placed = announced(tree, packages, at_their_names(every))
+    placed = announced(texts, packages, at_their_names(every))
     for entity in sorted(placed, key=lambda e: (e.package, e.path, e.line)):
         known = found.get(entity.key)
         found[entity.key] = entity if known is None else _joined(known, entity)
@@ -74,13 +76,13 @@ def _line(entity: PublicEntity) -> tuple[str, str, str, str, int]:
 
 
 def _of_package(
-    tree: Tree, facts: PackageFacts, modules: list[LinkedModule], ports: dict[str, list[Port]]
+    texts: SideTexts, facts: PackageFacts, modules: list[LinkedModule], ports: dict[str, list[Port]]
 ) -> Iterator[PublicEntity]:
-    yield from packaging_entities(tree, facts)
+    yield from packaging_entities(texts, facts)
     yield from interface_entities(facts)
-    yield from endpoint_entities(tree, facts, modules)
+    yield from endpoint_entities(texts, facts, modules)
     yield from cpp_entities(facts)
     yield from python_entities(facts)
     yield from bt_entities(facts, ports)
-    yield from launch_entities(tree, facts)
-    yield from description_entities(tree, facts)
+    yield from launch_entities(texts, facts)
+    yield from description_entities(texts, facts)

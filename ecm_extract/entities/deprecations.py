@@ -6,9 +6,7 @@ Log calls are not among the facts of a source file, so the files that declare en
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
-
-from ecm_extract.tree import Tree
+from collections.abc import Iterable, Iterator, Mapping
 
 _LITERAL = rb"\"(?:[^\"\\\n]|\\.){0,400}\"|'(?:[^'\\\n]|\\.){0,400}'"
 _TEXTS = re.compile(rb"(?:%s)(?:\s{1,200}(?:%s)){0,12}" % (_LITERAL, _LITERAL))
@@ -20,10 +18,15 @@ _QUOTED = re.compile(r"[\"'`]([\w./~:-]+)[\"'`]")
 _WORD = re.compile(r"[\w./~-]+")
 
 
-def deprecated_names(tree: Tree, paths: Iterable[str]) -> dict[str, str]:
-    """Return the names that texts of these files call deprecated, with the text."""
+def deprecated_names(speaking: Mapping[str, bytes], paths: Iterable[str]) -> dict[str, str]:
+    """Return the names that texts of these files call deprecated, with the text.
+
+    Args:
+        speaking: contents by path, see `SideTexts`.
+        paths: of the files that are asked.
+    """
     found: dict[str, str] = {}
-    for _, data in tree.read_many(sorted(set(paths))):
+    for data in (speaking[path] for path in sorted(set(paths)) if path in speaking):
         if b"eprecat" in data:
             for text in warnings_in(data):
                 for word in old_names(text):

@@ -15,6 +15,7 @@ from ecm_extract.discover import is_test_path
 from ecm_extract.entities.endpoints import HOLE
 from ecm_extract.entities.model import PublicEntity
 from ecm_extract.entities.public_files import inside
+from ecm_extract.entities.side_texts import DESCRIPTIONS, SideTexts
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.tree import Tree
 
@@ -24,9 +25,9 @@ _PREFIXED: Final = re.compile(rf"{re.escape(HOLE)}/?[A-Za-z]")
 _EXAMPLES: Final = frozenset({"example", "examples", "tutorial", "tutorials", "demo", "demos"})
 
 
-def description_entities(tree: Tree, facts: PackageFacts) -> Iterator[PublicEntity]:
+def description_entities(texts: SideTexts, facts: PackageFacts) -> Iterator[PublicEntity]:
     """Yield the files, frames and command interfaces; a name that several files have is one."""
-    for path, names in descriptions(tree, facts):
+    for path, names in descriptions(texts, facts):
         own = inside(path, facts.root.path)
         yield PublicEntity(kind="file", package=facts.name, owner="", name=own, path=path, line=1)
         if _EXAMPLES.isdisjoint(own.split("/")):
@@ -34,12 +35,12 @@ def description_entities(tree: Tree, facts: PackageFacts) -> Iterator[PublicEnti
             yield from _entities(facts.name, "command_interface", path, names.commands)
 
 
-def descriptions(tree: Tree, facts: PackageFacts) -> Iterator[tuple[str, RobotNames]]:
+def descriptions(tree: Tree | SideTexts, facts: PackageFacts) -> Iterator[tuple[str, RobotNames]]:
     """Yield the description files of a package by path, without those of tests and those of planning groups."""
     paths = [
         entry.path
         for entry in facts.root.files
-        if entry.path.endswith((".urdf", ".xacro"))
+        if entry.path.endswith(DESCRIPTIONS)
         and ".srdf" not in entry.path
         and not is_test_path(entry.path, facts.root.path)
     ]

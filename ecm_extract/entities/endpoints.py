@@ -11,9 +11,9 @@ from ecm_checker.contract import Interface
 from ecm_extract.entities.deprecations import deprecated_names
 from ecm_extract.entities.model import PublicEntity
 from ecm_extract.entities.reconfigure import server_namespaces
+from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.link.linker import LinkedModule
 from ecm_extract.read.facts import PackageFacts
-from ecm_extract.tree import Tree
 
 _KINDS = {
     "publisher": "topic",
@@ -28,10 +28,10 @@ _NAME = re.compile(r"[\w~/.-]*")
 HOLE = "<*>"
 
 
-def endpoint_entities(tree: Tree, facts: PackageFacts, modules: Sequence[LinkedModule]) -> Iterator[PublicEntity]:
+def endpoint_entities(texts: SideTexts, facts: PackageFacts, modules: Sequence[LinkedModule]) -> Iterator[PublicEntity]:
     """Yield what the modules of a package offer; an endpoint that several of them share is given once."""
     paths = {at.path for module in modules for entry in module.interfaces for at in entry.evidence[:1]}
-    deprecated = deprecated_names(tree, paths & set(facts.sources))
+    deprecated = deprecated_names(texts.speaking, paths & set(facts.sources))
     namespaces = server_namespaces(facts)
     shared: dict[tuple[str, str, str, str, int], PublicEntity] = {}
     for module in modules:

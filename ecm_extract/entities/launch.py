@@ -9,6 +9,7 @@ from ecm_parsers.launch.model import Action, Argument, Group, LaunchFile, Substi
 
 from ecm_extract.discover import is_test_path
 from ecm_extract.entities.model import PublicEntity
+from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.system.launch_files import is_launch_file, read_launch
 from ecm_extract.tree import Tree
@@ -16,9 +17,9 @@ from ecm_extract.tree import Tree
 MAX_BYTES = 1_000_000
 
 
-def launch_entities(tree: Tree, facts: PackageFacts) -> Iterator[PublicEntity]:
+def launch_entities(texts: SideTexts, facts: PackageFacts) -> Iterator[PublicEntity]:
     """Yield the launch files of a package and their arguments; a file goes by its name, as for `ros2 launch`."""
-    for path, file in launch_files(tree, facts):
+    for path, file in launch_files(texts, facts):
         name = PurePosixPath(path).name
         yield PublicEntity(kind="launch_file", package=facts.name, owner="", name=name, path=path, line=1)
         for argument in arguments(file.actions):
@@ -35,7 +36,7 @@ def launch_entities(tree: Tree, facts: PackageFacts) -> Iterator[PublicEntity]:
                 )
 
 
-def launch_files(tree: Tree, facts: PackageFacts) -> Iterator[tuple[str, LaunchFile]]:
+def launch_files(tree: Tree | SideTexts, facts: PackageFacts) -> Iterator[tuple[str, LaunchFile]]:
     """Yield the launch files of a package that can be read, by path, without those of tests."""
     paths = [
         entry.path

@@ -8,19 +8,19 @@ from collections.abc import Iterator
 from ecm_extract.entities.deprecations import deprecated_names
 from ecm_extract.entities.model import PublicEntity
 from ecm_extract.entities.public_files import public_headers
+from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.read.facts import PackageFacts
-from ecm_extract.tree import Tree
 
 _PYTHON = re.compile(r"python|(?:site|dist)-packages", re.IGNORECASE)
 """Where extension modules lie: Python imports them, nothing links with them."""
 
 
-def packaging_entities(tree: Tree, facts: PackageFacts) -> Iterator[PublicEntity]:
+def packaging_entities(texts: SideTexts, facts: PackageFacts) -> Iterator[PublicEntity]:
     """Yield the entities that build files and descriptions name."""
     yield from _package(facts)
     yield from _targets(facts)
     yield from _scripts(facts)
-    yield from _plugins(tree, facts)
+    yield from _plugins(texts, facts)
     for path, include in public_headers(facts).items():
         yield PublicEntity(kind="file", package=facts.name, owner="", name=include, path=path, line=1)
 
@@ -100,8 +100,8 @@ def _setup_programs(facts: PackageFacts) -> Iterator[tuple[str, str, int]]:
         yield from ((script, path, 1) for script in setup.scripts)
 
 
-def _plugins(tree: Tree, facts: PackageFacts) -> Iterator[PublicEntity]:
-    named = deprecated_names(tree, facts.sources) if facts.plugins else {}
+def _plugins(texts: SideTexts, facts: PackageFacts) -> Iterator[PublicEntity]:
+    named = deprecated_names(texts.speaking, facts.sources) if facts.plugins else {}
     outdated = {name.replace("::", "/"): text for name, text in named.items()}
     for path, classes in facts.plugins.items():
         for entry in classes:

@@ -1,0 +1,48 @@
+"""What entities are read from beside facts: launch files, descriptions, and sources that speak of the end of something.
+
+All of it is read in one go: of a git ref, a process for each package would cost more than reading.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Final
+
+from ecm_extract.read.facts import PackageFacts
+from ecm_extract.system.launch_files import is_launch_file
+from ecm_extract.tree import Tree
+
+DESCRIPTIONS: Final = (".urdf", ".xacro")
+_HEADERS: Final = (".h", ".hh", ".hpp", ".hxx")
+_ENDS: Final = re.compile(rb"[Dd]eprecat|DEPRECAT|[Oo]bsolete")
+
+
+class SideTexts:
+    """Contents of the files of one side.
+
+    Attributes:
+        speaking: contents of sources, headers and interface files that call something deprecated or obsolete, by path.
+    """
+
+    def __init__(self, tree: Tree, packages: Sequence[PackageFacts]) -> None:
+        self._tree = tree
+        self._whole: dict[str, bytes] = {}
+        self.speaking: dict[str, bytes] = {}
+        listed = [entry.path for facts in packages for entry in facts.root.files]
+        whole = {path for path in listed if path.endswith(DESCRIPTIONS) or is_launch_file(path)}
+        searched = {path for facts in packages for path in (*facts.sources, *facts.interfaces)}
+        searched |= {path for path in listed if path.endswith(_HEADERS)}
+        for path, data in tree.read_many(sorted(whole | searched)):
+            if path in whole:
+                self._whole[path] = data
+            if path in searched and _ENDS.search(data):
+                self.speaking[path] = data
+
+    def read_many(self, paths: Iterable[str]) -> Iterator[tuple[str, bytes]]:
+        """Yield path and content of launch files and descriptions, in the order asked for; of others from the tree."""
+        for path in paths:
+            if path in self._whole:
+                yield path, self._whole[path]
+            else:
+                yield from self._tree.read_many([path])
