@@ -102,7 +102,9 @@ class Tool:
 
     def __init__(self, cache: Path) -> None:
         self.cache = cache
-        self.environment = {**os.environ, "ECM_CACHE_DIR": str(cache)}
+        # An installed package has its bytecode; where Python may not write it, each run would compile the tool anew.
+        inherited = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
+        self.environment = {**inherited, "ECM_CACHE_DIR": str(cache)}
 
     def extraction(self, root: str, *options: str) -> list[str]:
         """Command line of an extraction."""
