@@ -10,7 +10,7 @@ from ecm_parsers.source.facts import Function, SourceFile
 from ecm_extract.entities.model import Line, PublicEntity
 from ecm_extract.entities.public_files import inside
 from ecm_extract.entities.signatures import normal_type
-from ecm_extract.link.program import plain
+from ecm_extract.link.spelling import plain
 from ecm_extract.link.walk import dotted, expressions
 from ecm_extract.read.facts import PackageFacts
 

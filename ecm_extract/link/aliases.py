@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from ecm_parsers.source.facts import Alias
 
 if TYPE_CHECKING:
-    from ecm_extract.link.program import File
+    from ecm_extract.link.units import File
 
 Declared = tuple["File", Alias]
 """An alias with the file it stands in."""

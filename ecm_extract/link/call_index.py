@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Set
 
-from ecm_extract.link.calls import Invocation, held_objects, invocations, last_name, template_arguments
-from ecm_extract.link.program import Program, plain
+from ecm_extract.link.calls import Invocation, held_objects, invocations
+from ecm_extract.link.program import Program
+from ecm_extract.link.spelling import last_name, plain, template_arguments
 
 
 def call_index(program: Program, wanted: Set[str], aliases: Set[str]) -> dict[str, list[Invocation]]:

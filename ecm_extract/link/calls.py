@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Container, Iterator
-from functools import lru_cache
 from typing import NamedTuple
 
 from ecm_parsers.source.expr import (
@@ -15,7 +13,15 @@ from ecm_parsers.source.expr import (
 )
 from ecm_parsers.source.facts import Statement
 
-from ecm_extract.link.program import MAX_SPELLINGS, Cls, Func, is_node_interface, plain
+from ecm_extract.link.spelling import (
+    by_value,
+    is_node_interface,
+    last_name,
+    plain,
+    pointee,
+    template_arguments,
+)
+from ecm_extract.link.units import Cls, Func
 
 _INTERFACE_NAMES = (
     "interface",
@@ -29,9 +35,6 @@ _INTERFACE_NAMES = (
     "params",
 )
 _MAKERS = frozenset({"make_shared", "make_unique", "allocate_shared"})
-_POINTERS = frozenset(
-    {"shared_ptr", "unique_ptr", "scoped_ptr", "optional", "SharedPtr", "UniquePtr", "Ptr", "weak_ptr"}
-)
 
 
 class Invocation(NamedTuple):
@@ -63,12 +66,6 @@ class Invocation(NamedTuple):
     def simple(self) -> bool:
         """Whether it is a bare name: an implicit method of `this`, or a function in scope."""
         return self.receiver is None and "::" not in self.path and "." not in self.path
-
-
-@lru_cache(maxsize=MAX_SPELLINGS)
-def last_name(path: str) -> str:
-    """Return the last part of a qualified name of either language."""
-    return path.replace("::", ".").rsplit(".", 1)[-1]
 
 
 def invocations(func: Func, wanted: Container[str] | None = None) -> Iterator[Invocation]:
@@ -190,52 +187,3 @@ def _implied(func: Func, statement: Statement) -> Invocation | None:
     same = isinstance(value, Call) and value.callee == statement.target
     args = value.args if same and isinstance(value, Call) else (value,) if value is not None else ()
     return _construction(func, statement, pointee(field.type), one_node(func, args), statement.line)
-
-
-@lru_cache(maxsize=MAX_SPELLINGS)
-def by_value(written: str) -> bool:
-    """Tell whether a variable of a type is an object itself, not a pointer or reference to one."""
-    text = written.removeprefix("const ").removeprefix("::")
-    return text[:1].isalpha() and text != "auto" and not text.endswith(("*", "&")) and pointee(text) == text
-
-
-@lru_cache(maxsize=MAX_SPELLINGS)
-def pointee(written: str) -> str:
-    """Return the class that a type's objects are of: through smart pointers and `::SharedPtr` aliases."""
-    text = written.strip().removeprefix("const ").rstrip("&* ")
-    for _ in range(4):
-        name = plain(text)
-        last = name.rsplit("::", 1)[-1]
-        inner = template_arguments(text)
-        if last in _POINTERS and inner and not text.rstrip().endswith(last):
-            text = inner[0].removeprefix("const ").rstrip("&* ")
-        elif _ALIASED.search(text):
-            text = _ALIASED.sub("", text)
-        else:
-            return text
-    return text
-
-
-_ALIASED = re.compile(r"::(?:Const)?(?:SharedPtr|UniquePtr|Ptr|WeakPtr|SharedConstPtr)$")
-
-
-@lru_cache(maxsize=MAX_SPELLINGS)
-def template_arguments(written: str) -> tuple[str, ...]:
-    """Split the template arguments of a type as written; empty without any."""
-    start = written.find("<")
-    if start < 0:
-        return ()
-    depth, begin, found = 0, start + 1, []
-    for index in range(start, len(written)):
-        char = written[index]
-        if char in "<([":
-            depth += 1
-        elif char in ">)]":
-            depth -= 1
-            if depth == 0:
-                found.append(written[begin:index].strip())
-                break
-        elif char == "," and depth == 1:
-            found.append(written[begin:index].strip())
-            begin = index + 1
-    return tuple(entry for entry in found if entry)

@@ -15,7 +15,7 @@ from ecm_parsers.source.expr import Call, Expr, Items, Member, Name
 from ecm_extract.link.calls import Invocation, invocations
 from ecm_extract.link.env import Env, Instance
 from ecm_extract.link.fold import Folder
-from ecm_extract.link.program import Cls, Func
+from ecm_extract.link.units import Cls, Func
 from ecm_extract.link.values import Value
 from ecm_extract.link.walk import calls_in
 

@@ -12,8 +12,8 @@ from ecm_parsers.source.expr import Expr, Text
 
 from ecm_extract.link.calls import Invocation
 from ecm_extract.link.modules import Module, Modules
-from ecm_extract.link.program import Cls
 from ecm_extract.link.references import References, Unit
+from ecm_extract.link.units import Cls
 
 MAX_USERS = 4_000
 _NAMESPACE = "__ns:="

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from ecm_extract.link.calls import template_arguments
-from ecm_extract.link.program import plain
+from ecm_extract.link.spelling import plain, template_arguments
 
 ELEMENT_METHODS: Final = frozenset({"at", "front", "back", "top"})
 

@@ -6,10 +6,10 @@ from typing import Any
 
 from ecm_parsers.source.expr import Call, Constant, Expr, Items, Member, Name, Number, Op, Text
 
-from ecm_extract.link.calls import last_name
 from ecm_extract.link.env import Env, invocation_of
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.numbers import NUMBERS, as_number
+from ecm_extract.link.spelling import last_name
 
 MAX_DEPTH = 12
 MAX_POWER = 64

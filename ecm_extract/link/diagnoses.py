@@ -13,9 +13,9 @@ from ecm_checker.contract import Evidence
 from ecm_parsers.source.expr import Expr, Member, Name, Number
 from ecm_parsers.source.facts import Statement
 
-from ecm_extract.link.calls import last_name
-from ecm_extract.link.program import Cls, Func
 from ecm_extract.link.sites import Sites
+from ecm_extract.link.spelling import last_name
+from ecm_extract.link.units import Cls, Func
 
 SUMMARIES: Final = ("summary", "summaryf", "mergeSummary", "mergeSummaryf")
 """Methods of a status that set its level and its message."""

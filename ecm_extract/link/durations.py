@@ -11,10 +11,10 @@ from typing import Any
 
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Number, Op
 
-from ecm_extract.link.calls import last_name
 from ecm_extract.link.data import UNKNOWN, data_of
 from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
+from ecm_extract.link.spelling import last_name
 
 MAX_DEPTH = 8
 _SECONDS: Mapping[str, float] = MappingProxyType(

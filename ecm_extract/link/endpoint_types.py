@@ -10,8 +10,8 @@ from ecm_extract.link.data import UNKNOWN, data_of, declared_type, plain_type, s
 from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.match import name_argument, positions
-from ecm_extract.link.program import plain
 from ecm_extract.link.site import Site
+from ecm_extract.link.spelling import plain
 from ecm_extract.link.types import Types
 
 _NO_TEXT = frozenset({"bool", "double", "integer"})

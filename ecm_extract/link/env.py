@@ -9,7 +9,7 @@ from ecm_parsers.source.expr import Call, Expr, Items
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.link.calls import Invocation, invocation
-from ecm_extract.link.program import Cls, Func
+from ecm_extract.link.units import Cls, Func
 
 MAX_DEPTH = 24
 """Nesting of evaluations beyond which a value counts as unknown."""

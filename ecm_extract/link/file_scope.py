@@ -7,8 +7,9 @@ from collections import defaultdict
 from ecm_parsers.source.expr import Name
 
 from ecm_extract.link.env import Env
-from ecm_extract.link.program import Func, Program
+from ecm_extract.link.program import Program
 from ecm_extract.link.scope import Definition, Scope
+from ecm_extract.link.units import Func
 
 
 class FileScope:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from ecm_parsers.source.expr import Expr, Member, Name
 
 from ecm_extract.link.env import Env, invocation_of
-from ecm_extract.link.program import Func
+from ecm_extract.link.units import Func
 from ecm_extract.link.values import MAX_ALTERNATIVES, Value, demoted, unique
 
 if TYPE_CHECKING:

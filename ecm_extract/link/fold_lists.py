@@ -18,8 +18,8 @@ from ecm_parsers.source.expr import (
 
 from ecm_extract.link.calls import invocations
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, Instance
-from ecm_extract.link.program import Cls, Func
 from ecm_extract.link.scope import Definition
+from ecm_extract.link.units import Cls, Func
 from ecm_extract.link.values import (
     MAX_ALTERNATIVES,
     Value,

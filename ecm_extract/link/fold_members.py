@@ -13,11 +13,12 @@ from ecm_parsers.source.expr import (
 from ecm_parsers.source.facts import Statement
 from msgspec.structs import replace
 
-from ecm_extract.link.calls import dotted_name, last_name
+from ecm_extract.link.calls import dotted_name
 from ecm_extract.link.env import Env, Instance
 from ecm_extract.link.formats import VALUE_READS
-from ecm_extract.link.program import Cls, Func
 from ecm_extract.link.scope import Definition
+from ecm_extract.link.spelling import last_name
+from ecm_extract.link.units import Cls, Func
 from ecm_extract.link.values import (
     MAX_ALTERNATIVES,
     Value,

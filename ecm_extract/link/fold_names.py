@@ -14,9 +14,9 @@ from ecm_parsers.source.expr import (
     Name,
 )
 
-from ecm_extract.link.calls import last_name
 from ecm_extract.link.env import Env, bind, invocation_of
 from ecm_extract.link.scope import Definition
+from ecm_extract.link.spelling import last_name
 from ecm_extract.link.values import (
     Value,
     demoted,

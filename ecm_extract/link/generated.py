@@ -12,8 +12,9 @@ from ecm_parsers.source.expr import Member, Name
 
 from ecm_extract.link.calls import dotted_name
 from ecm_extract.link.parameters import Parameters
-from ecm_extract.link.program import Cls, File, Func, Program
+from ecm_extract.link.program import Program
 from ecm_extract.link.references import Unit
+from ecm_extract.link.units import Cls, File, Func
 from ecm_extract.read.facts import PackageFacts
 
 _TYPES = {"int": "integer", "str": "string", "double": "double", "bool": "bool"}

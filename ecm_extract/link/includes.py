@@ -8,7 +8,7 @@ from pathlib import PurePosixPath
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from ecm_extract.link.program import File
+    from ecm_extract.link.units import File
 
 
 class Includes:

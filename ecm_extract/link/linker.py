@@ -36,7 +36,7 @@ from ecm_extract.link.names import (
 from ecm_extract.link.node_names import NodeNames
 from ecm_extract.link.observe import Observation, observation_forms, observations
 from ecm_extract.link.parameters import Parameters
-from ecm_extract.link.program import File, Program
+from ecm_extract.link.program import Program
 from ecm_extract.link.qos import QosReader
 from ecm_extract.link.references import References, Unit
 from ecm_extract.link.registry import build_registry
@@ -45,6 +45,7 @@ from ecm_extract.link.site import Site
 from ecm_extract.link.sites import Sites, overrides
 from ecm_extract.link.stamps import Stamp, stamps
 from ecm_extract.link.types import Types
+from ecm_extract.link.units import File
 from ecm_extract.link.values import Value, literal, settled, unknown
 from ecm_extract.read.facts import PackageFacts
 

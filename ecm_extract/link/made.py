@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from ecm_extract.link.calls import Invocation
 from ecm_extract.link.modules import Modules
-from ecm_extract.link.program import Cls
 from ecm_extract.link.references import Unit
 from ecm_extract.link.site import Site
 from ecm_extract.link.sites import Sites
+from ecm_extract.link.units import Cls
 
 _NODES = frozenset({"node", "component"})
 

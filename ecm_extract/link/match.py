@@ -6,12 +6,13 @@ from collections.abc import Iterator
 
 from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Member, Name, Number, Op, Text
 
-from ecm_extract.link.calls import Invocation, invocations, last_name, pointee
+from ecm_extract.link.calls import Invocation, invocations
 from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.fold_calls import RESOLVERS
 from ecm_extract.link.forms import Form, FormTable
-from ecm_extract.link.program import Func, plain
+from ecm_extract.link.spelling import last_name, plain, pointee
+from ecm_extract.link.units import Func
 
 
 class Matcher:

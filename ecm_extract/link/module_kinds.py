@@ -7,8 +7,9 @@ from collections.abc import Mapping
 from functools import cache
 from importlib import resources
 
-from ecm_extract.link.calls import last_name
-from ecm_extract.link.program import Cls, Program
+from ecm_extract.link.program import Program
+from ecm_extract.link.spelling import last_name
+from ecm_extract.link.units import Cls
 
 
 @cache

@@ -11,8 +11,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from ecm_extract.link.module_kinds import class_kind
-from ecm_extract.link.program import Cls, Func, Program, snake
+from ecm_extract.link.program import Program
 from ecm_extract.link.references import References, Unit
+from ecm_extract.link.spelling import snake
+from ecm_extract.link.units import Cls, Func
 
 MAX_USERS = 4000
 _REGISTRATION_KINDS = {"RCLCPP_COMPONENTS_REGISTER_NODE": "component", "NODELET": "nodelet"}

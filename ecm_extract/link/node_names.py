@@ -8,8 +8,9 @@ from ecm_extract.link.calls import Invocation
 from ecm_extract.link.env import Env, Instance
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.module_kinds import is_node_base
-from ecm_extract.link.program import Cls, Func, plain
 from ecm_extract.link.sites import Sites
+from ecm_extract.link.spelling import plain
+from ecm_extract.link.units import Cls, Func
 from ecm_extract.link.values import Value
 
 _INITS = {"ros::init": 2, "rospy.init_node": 0, "rclpy.create_node": 0}

@@ -7,13 +7,15 @@ from collections.abc import Sequence
 
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
 
-from ecm_extract.link.calls import Invocation, dotted_name, last_name, one_node, pointee, template_arguments
+from ecm_extract.link.calls import Invocation, dotted_name, one_node
 from ecm_extract.link.containers import ELEMENT_METHODS, element_type
 from ecm_extract.link.env import MAX_DEPTH, Env, Instance, bind
 from ecm_extract.link.file_scope import FileScope
 from ecm_extract.link.overloads import NO, score
-from ecm_extract.link.program import Cls, Func, Program, plain
+from ecm_extract.link.program import Program
 from ecm_extract.link.scope import Scope
+from ecm_extract.link.spelling import last_name, plain, pointee, template_arguments
+from ecm_extract.link.units import Cls, Func
 
 _POINTER_SUFFIX = re.compile(r"(?:Const)?(?:Shared|Unique|Weak)?Ptr$")
 _ITSELF = frozenset({"lock", "get", "shared_from_this", "value", "release"})

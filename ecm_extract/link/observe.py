@@ -18,8 +18,8 @@ from ecm_extract.link.durations import seconds_of
 from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.match import positions
-from ecm_extract.link.program import Cls, Func
 from ecm_extract.link.sites import Sites
+from ecm_extract.link.units import Cls, Func
 
 Kind = Literal["timer", "rate", "wait_service", "wait_action", "wait_message", "wait_transform"]
 MAX_RATE = 1e5

@@ -9,9 +9,9 @@ from ecm_parsers.source.expr import Call, Expr, Member, Name
 from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.match import name_argument, positions
-from ecm_extract.link.program import Cls, Func
 from ecm_extract.link.site import Site
 from ecm_extract.link.types import Types
+from ecm_extract.link.units import Cls, Func
 from ecm_extract.link.values import Value
 from ecm_extract.link.walk import children
 

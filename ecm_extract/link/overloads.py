@@ -6,7 +6,8 @@ from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Name, Number, 
 from ecm_parsers.source.facts import Parameter
 
 from ecm_extract.link.calls import Invocation
-from ecm_extract.link.program import Func, plain
+from ecm_extract.link.spelling import plain
+from ecm_extract.link.units import Func
 
 _NUMERIC = frozenset({"int", "double", "float", "bool", "unsigned", "long", "short", "char", "size_t"})
 NO = -1

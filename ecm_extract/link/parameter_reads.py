@@ -11,7 +11,7 @@ from ecm_parsers.source.expr import (
 
 from ecm_extract.link.calls import Invocation
 from ecm_extract.link.env import Env
-from ecm_extract.link.program import Cls, Func
+from ecm_extract.link.units import Cls, Func
 
 
 class ParameterReads(Protocol):

@@ -12,7 +12,7 @@ from ecm_extract.link.env import Env, bind
 from ecm_extract.link.forms import Form, FormTable
 from ecm_extract.link.match import name_argument, positions
 from ecm_extract.link.overloads import NO, score
-from ecm_extract.link.program import Cls, Func
+from ecm_extract.link.units import Cls, Func
 
 _READERS = frozenset({"get_parameter", "getParam", "get_param", "get_parameter_or", "getInput"})
 

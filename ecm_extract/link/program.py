@@ -5,121 +5,16 @@ A name resolves to the nearest candidate: same file, included or imported file, 
 
 from __future__ import annotations
 
-import re
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
-from functools import lru_cache
-from math import inf
-from typing import Final
+from collections.abc import Iterable, Mapping
 
-from ecm_parsers.source.expr import Call, Expr
-from ecm_parsers.source.facts import Class, Constant, Field, Function, Parameter, SourceFile
+from ecm_parsers.source.facts import Constant, Function
 
 from ecm_extract.link.aliases import Aliases, enclosing_scopes
 from ecm_extract.link.class_alternatives import alternatives_joined
 from ecm_extract.link.includes import Includes
-from ecm_extract.link.walk import calls_in
-
-MAX_SPELLINGS: Final = 4096
-"""How many spellings of types and names are remembered: the same few hundred come by the ten thousand."""
-
-
-@dataclass(slots=True, eq=False, repr=False)
-class File:
-    """One source file: its path, the package it belongs to, its facts."""
-
-    path: str
-    package: str
-    ros: int | None
-    facts: SourceFile
-    imported: dict[str, str] = field(default_factory=dict)
-
-    @property
-    def language(self) -> str:
-        """`cpp` or `python`."""
-        return self.facts.language
-
-
-@dataclass(slots=True, eq=False, repr=False)
-class Func:
-    """A function with the file it stands in, for a method its class, and all functions of its name."""
-
-    fact: Function
-    file: File
-    cls: Cls | None = None
-    namesakes: Sequence[Func] = ()
-    _params: tuple[Parameter, ...] | None = None
-    _arity: tuple[int, float] | None = None
-    _calls: tuple[Sequence[Call], ...] | None = None
-    _defaults: tuple[tuple[str, Expr], ...] | None = None
-
-    def siblings(self) -> Iterator[Func]:
-        """The declarations and definitions of that name in its class or namespace, itself included."""
-        if self.cls is not None:
-            yield from (other for other in self.cls.methods if other.fact.name == self.fact.name)
-            return
-        for other in self.namesakes:
-            if other.cls is None and other.fact.scope == self.fact.scope and other.file.package == self.file.package:
-                yield other
-
-    @property
-    def params(self) -> tuple[Parameter, ...]:
-        """Its parameters as callers are read: several node interfaces in front are the one node they stand for."""
-        if self._params is None:
-            self._params = _one_node(self.fact.params)
-        return self._params
-
-    @property
-    def calls(self) -> tuple[Sequence[Call], ...]:
-        """The calls in the value of each statement of its body, inner ones first."""
-        if self._calls is None:
-            self._calls = tuple([calls_in(entry.value) for entry in self.fact.body])
-        return self._calls
-
-    @property
-    def arity(self) -> tuple[int, float]:
-        """The fewest and the most arguments that a call of it has; defaults may stand at another declaration."""
-        if self._arity is None:
-            alike = (other for other in self.siblings() if len(other.fact.params) == len(self.fact.params))
-            least = min([_required(self.params), *(_required(other.params) for other in alike)])
-            self._arity = (0, inf) if _takes_any(self.params[-1:]) else (least, _most(self.params))
-        return self._arity
-
-    @property
-    def defaults(self) -> tuple[tuple[str, Expr], ...]:
-        """The defaults of its parameters by name; those of a method in C++ stand at its declaration."""
-        if self._defaults is None:
-            alike = [other.params for other in (self, *self.siblings()) if len(other.params) == len(self.params)]
-            pairs = [pair for params in alike for pair in zip(self.params, params, strict=True)]
-            self._defaults = tuple([(own.name, one.default) for own, one in pairs if one.default is not None])
-        return self._defaults
-
-    @property
-    def holder(self) -> Cls | None:
-        """The class whose objects have what it declares; None for functions and for static methods of C++."""
-        return None if self.cls is None or self.fact.name in self.cls.statics else self.cls
-
-    @property
-    def is_constructor(self) -> bool:
-        """Whether calling it makes an object of its class."""
-        return self.cls is not None and self.fact.name in {self.cls.fact.name, "__init__"}
-
-
-@dataclass(slots=True, eq=False, repr=False)
-class Cls:
-    """A class with its file and all definitions of its methods, wherever they stand; `statics`: names, of C++."""
-
-    fact: Class
-    file: File
-    methods: list[Func] = field(default_factory=list)
-    fields: dict[str, Field] = field(default_factory=dict)
-    statics: set[str] = field(default_factory=set)
-
-    @property
-    def qualified(self) -> str:
-        """Name with its namespaces."""
-        return f"{self.fact.scope}::{self.fact.name}" if self.fact.scope else self.fact.name
+from ecm_extract.link.spelling import plain
+from ecm_extract.link.units import Cls, File, Func
 
 
 class Program:
@@ -272,60 +167,6 @@ class Program:
             return ".".join([file.imported.get(head, head), *rest])
         target = self.alias(bare, file, scope)
         return plain(target) if target else bare
-
-
-@lru_cache(maxsize=MAX_SPELLINGS)
-def is_node_interface(written: str) -> bool:
-    """Tell whether a type is one of the interfaces that a node consists of, such as `NodeTopicsInterface`."""
-    return "Interface" in written and _NODE_INTERFACE.search(written) is not None
-
-
-def _one_node(params: tuple[Parameter, ...]) -> tuple[Parameter, ...]:
-    if len(params) < 2 or not is_node_interface(params[0].type) or not is_node_interface(params[1].type):
-        return params
-    rest = next((at for at, entry in enumerate(params) if not is_node_interface(entry.type)), len(params))
-    return (Parameter("node"), *params[rest:])
-
-
-def _required(params: Iterable[Parameter]) -> int:
-    return sum([parameter.default is None for parameter in params])
-
-
-def _takes_any(params: Iterable[Parameter]) -> bool:
-    return any(parameter.name.startswith("*") or "..." in parameter.type for parameter in params)
-
-
-def _most(params: Sequence[Parameter]) -> float:
-    return inf if any(parameter.name.startswith("*") for parameter in params) else len(params)
-
-
-def snake(name: str) -> str:
-    """`ControllerServer` -> `controller_server`."""
-    out = []
-    for index, char in enumerate(name):
-        previous = name[index - 1] if index else ""
-        following = name[index + 1] if index + 1 < len(name) else ""
-        if (
-            char.isupper()
-            and previous
-            and previous != "_"
-            and (previous.islower() or previous.isdigit() or following.islower())
-        ):
-            out.append("_")
-        out.append(char.lower())
-    return "".join(out)
-
-
-@lru_cache(maxsize=MAX_SPELLINGS)
-def plain(text: str) -> str:
-    """Return a type name without template arguments, qualifiers and marks."""
-    head = text.split("<", 1)[0] if "<" in text else text
-    words = [word for word in head.replace("&", " ").replace("*", " ").split() if word not in _QUALIFIERS]
-    return words[-1] if words else ""
-
-
-_NODE_INTERFACE = re.compile(r"\bNode\w+Interface\b")
-_QUALIFIERS = frozenset({"const", "typename", "class", "struct", "volatile", "public", "virtual", "static"})
 
 
 def _group_classes(files: tuple[File, ...]) -> dict[str, list[Cls]]:

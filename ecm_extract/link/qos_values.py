@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Number
 
-from ecm_extract.link.calls import dotted_name, last_name
+from ecm_extract.link.calls import dotted_name
+from ecm_extract.link.spelling import last_name
 
 _WORDS = (
     *("best_effort", "reliable", "transient_local", "volatile", "keep_last", "keep_all"),

@@ -11,9 +11,9 @@ from collections.abc import Iterator
 
 from ecm_parsers.source.facts import Constant
 
-from ecm_extract.link.calls import by_value, last_name
-from ecm_extract.link.program import Cls, File, Func
 from ecm_extract.link.sites import Sites
+from ecm_extract.link.spelling import by_value, last_name
+from ecm_extract.link.units import Cls, File, Func
 
 Unit = Cls | Func
 _NAME = re.compile(r"[\w:.]+")

@@ -11,7 +11,9 @@ from ecm_parsers.cmake_facts import Target
 
 from ecm_extract.link.module_kinds import class_kind
 from ecm_extract.link.modules import Registry, registration_kind
-from ecm_extract.link.program import Cls, File, Func, Program, plain, snake
+from ecm_extract.link.program import Program
+from ecm_extract.link.spelling import plain, snake
+from ecm_extract.link.units import Cls, File, Func
 from ecm_extract.read.facts import PackageFacts
 
 _TEMPLATE = re.compile(r"<([\w:\s]+)>")

@@ -10,7 +10,8 @@ from ecm_parsers.source.expr import Call, Expr, Member, Name, Text
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.link.env import Env
-from ecm_extract.link.program import Cls, File, Func, Program
+from ecm_extract.link.program import Program
+from ecm_extract.link.units import Cls, File, Func
 
 
 class Definition(NamedTuple):

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from ecm_extract.link.calls import Invocation
 from ecm_extract.link.env import Env
 from ecm_extract.link.forms import Form
-from ecm_extract.link.program import Cls, Func
+from ecm_extract.link.units import Cls, Func
 
 
 @dataclass(slots=True, eq=False, repr=False)

@@ -19,9 +19,11 @@ from ecm_extract.link.match import Matcher, name_argument, positions
 from ecm_extract.link.openness import MAX_CHAIN, Openness
 from ecm_extract.link.overloads import NO, score
 from ecm_extract.link.parameters import Parameters
-from ecm_extract.link.program import Cls, Func, Program, plain
+from ecm_extract.link.program import Program
 from ecm_extract.link.site import Site
+from ecm_extract.link.spelling import plain
 from ecm_extract.link.types import Types
+from ecm_extract.link.units import Cls, Func
 from ecm_extract.link.values import Value
 
 _LOADS_ALL = "getDeclaredClasses"

@@ -8,8 +8,8 @@ from typing import NamedTuple
 from ecm_checker.contract import Confidence, Evidence
 from ecm_parsers.source.expr import Expr, Member, Name
 
-from ecm_extract.link.program import Cls, Func
 from ecm_extract.link.sites import Sites
+from ecm_extract.link.units import Cls, Func
 from ecm_extract.link.values import settled
 
 _HOLDERS = frozenset({"header", "Header"})

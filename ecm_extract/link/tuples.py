@@ -8,8 +8,9 @@ from typing import Final, Literal, NamedTuple
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Number, Op, Table, Template, Text
 from ecm_parsers.source.facts import Function, Statement
 
-from ecm_extract.link.calls import dotted_name, last_name
-from ecm_extract.link.program import Cls, Func
+from ecm_extract.link.calls import dotted_name
+from ecm_extract.link.spelling import last_name
+from ecm_extract.link.units import Cls, Func
 from ecm_extract.link.walk import calls_in
 
 _THIS: Final = Name("this")

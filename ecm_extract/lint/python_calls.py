@@ -5,7 +5,8 @@ from __future__ import annotations
 from ecm_parsers.source.expr import Call, Member, Name
 
 from ecm_extract.link.calls import dotted_name
-from ecm_extract.link.program import Cls, Func, Program, module_matches
+from ecm_extract.link.program import Program, module_matches
+from ecm_extract.link.units import Cls, Func
 
 
 def callees(call: Call, func: Func, program: Program) -> list[Func]:

@@ -18,7 +18,7 @@ from ecm_parsers.source.expr import Call, Expr, Member
 from ecm_parsers.source.facts import Function
 
 from ecm_extract.link.linker import LinkedModule
-from ecm_extract.link.program import File
+from ecm_extract.link.units import File
 from ecm_extract.link.walk import dotted, expressions
 from ecm_extract.read.facts import PackageFacts
 

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from ecm_extract.diff.model import Located
 from ecm_extract.entities.model import PublicEntity
 from ecm_extract.entities.side import Side, Workspace
-from ecm_extract.link.program import File
+from ecm_extract.link.units import File
 from ecm_extract.uses.index import GONE, ChangeIndex
 from ecm_extract.uses.model import Place, Use, use_at
 

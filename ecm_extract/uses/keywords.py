@@ -12,7 +12,8 @@ from ecm_parsers.source.python import parse_python
 from ecm_extract.diff.model import Located
 from ecm_extract.entities.model import PublicEntity
 from ecm_extract.entities.side import Side, Workspace
-from ecm_extract.link.program import File, imported_names
+from ecm_extract.link.program import imported_names
+from ecm_extract.link.units import File
 from ecm_extract.link.walk import dotted, expressions
 from ecm_extract.system.launch_files import is_launch_file
 from ecm_extract.tree import Tree

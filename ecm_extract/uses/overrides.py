@@ -10,7 +10,7 @@ from ecm_extract.diff.model import Located
 from ecm_extract.entities.model import Form
 from ecm_extract.entities.side import Workspace
 from ecm_extract.entities.signatures import form_of
-from ecm_extract.link.program import Cls
+from ecm_extract.link.units import Cls
 from ecm_extract.uses.index import ChangeIndex
 from ecm_extract.uses.model import Place, Use, use_at
 

@@ -13,7 +13,7 @@ from ecm_parsers.source.expr import Call, Member, Name
 
 from ecm_extract.diff.model import Located
 from ecm_extract.entities.side import Workspace
-from ecm_extract.link.program import Func
+from ecm_extract.link.units import Func
 from ecm_extract.link.walk import expressions
 from ecm_extract.uses.index import ChangeIndex
 from ecm_extract.uses.model import Place, Use, use_at

@@ -9,7 +9,8 @@ from ecm_parsers.source.facts import Import
 
 from ecm_extract.diff.model import Located
 from ecm_extract.entities.side import Workspace
-from ecm_extract.link.program import File, plain, snake
+from ecm_extract.link.spelling import plain, snake
+from ecm_extract.link.units import File
 from ecm_extract.link.walk import dotted, expressions
 from ecm_extract.uses.index import GONE, ChangeIndex
 from ecm_extract.uses.model import Place, Use, use_at

@@ -10,8 +10,8 @@ from ecm_parsers.source.facts import Function, Statement
 from ecm_extract.diff.model import Located
 from ecm_extract.entities.model import PublicEntity
 from ecm_extract.entities.side import Workspace
-from ecm_extract.link.program import File
 from ecm_extract.link.tuples import count_of
+from ecm_extract.link.units import File
 from ecm_extract.link.walk import dotted, expressions
 from ecm_extract.uses.index import ChangeIndex
 from ecm_extract.uses.model import Place, Use, use_at

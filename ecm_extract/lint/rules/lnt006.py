@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from ecm_checker.finding import Entity, Finding
 
-from ecm_extract.link.calls import last_name
+from ecm_extract.link.spelling import last_name
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace, evidence_of
 from ecm_extract.lint.written_names import WrittenNames

@@ -10,7 +10,7 @@ from ecm_checker.finding import Entity, Finding
 from ecm_parsers.plugin_xml import PluginClass
 
 from ecm_extract.discover import is_test_path
-from ecm_extract.link.program import plain
+from ecm_extract.link.spelling import plain
 from ecm_extract.lint.plugin_bases import mismatches
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace

@@ -9,7 +9,7 @@ from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 from ecm_parsers.source.facts import Import
 
-from ecm_extract.link.program import File
+from ecm_extract.link.units import File
 from ecm_extract.lint.near import nearest
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace

@@ -10,7 +10,7 @@ from ecm_checker.finding import Entity, Finding
 from ecm_parsers.source.expr import Expr, Member, Name
 from ecm_parsers.source.python_names import loose_names
 
-from ecm_extract.link.program import File
+from ecm_extract.link.units import File
 from ecm_extract.lint.near import nearest
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 
-from ecm_extract.link.program import Func
+from ecm_extract.link.units import Func
 from ecm_extract.lint.deprecations import deprecated_in
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.rules.lnt021 import is_meta

@@ -14,7 +14,8 @@ from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 from ecm_parsers.source.expr import Call, Member, Name
 
-from ecm_extract.link.program import Func, Program
+from ecm_extract.link.program import Program
+from ecm_extract.link.units import Func
 from ecm_extract.link.walk import calls_in
 from ecm_extract.lint.expressions import identifiers, texts
 from ecm_extract.lint.rule import LintRule

@@ -1,0 +1,99 @@
+"""Types and names as they are written: their parts, what qualifies them, what stands behind a pointer."""
+
+from __future__ import annotations
+
+import re
+from functools import lru_cache
+from typing import Final
+
+MAX_SPELLINGS: Final = 4096
+"""How many spellings of types and names are remembered: the same few hundred come by the ten thousand."""
+_NODE_INTERFACE = re.compile(r"\bNode\w+Interface\b")
+_QUALIFIERS = frozenset({"const", "typename", "class", "struct", "volatile", "public", "virtual", "static"})
+_POINTERS = frozenset(
+    {"shared_ptr", "unique_ptr", "scoped_ptr", "optional", "SharedPtr", "UniquePtr", "Ptr", "weak_ptr"}
+)
+_ALIASED = re.compile(r"::(?:Const)?(?:SharedPtr|UniquePtr|Ptr|WeakPtr|SharedConstPtr)$")
+
+
+@lru_cache(maxsize=MAX_SPELLINGS)
+def plain(text: str) -> str:
+    """Return a type name without template arguments, qualifiers and marks."""
+    head = text.split("<", 1)[0] if "<" in text else text
+    words = [word for word in head.replace("&", " ").replace("*", " ").split() if word not in _QUALIFIERS]
+    return words[-1] if words else ""
+
+
+def snake(name: str) -> str:
+    """`ControllerServer` -> `controller_server`."""
+    out = []
+    for index, char in enumerate(name):
+        previous = name[index - 1] if index else ""
+        following = name[index + 1] if index + 1 < len(name) else ""
+        if (
+            char.isupper()
+            and previous
+            and previous != "_"
+            and (previous.islower() or previous.isdigit() or following.islower())
+        ):
+            out.append("_")
+        out.append(char.lower())
+    return "".join(out)
+
+
+@lru_cache(maxsize=MAX_SPELLINGS)
+def is_node_interface(written: str) -> bool:
+    """Tell whether a type is one of the interfaces that a node consists of, such as `NodeTopicsInterface`."""
+    return "Interface" in written and _NODE_INTERFACE.search(written) is not None
+
+
+@lru_cache(maxsize=MAX_SPELLINGS)
+def last_name(path: str) -> str:
+    """Return the last part of a qualified name of either language."""
+    return path.replace("::", ".").rsplit(".", 1)[-1]
+
+
+@lru_cache(maxsize=MAX_SPELLINGS)
+def by_value(written: str) -> bool:
+    """Tell whether a variable of a type is an object itself, not a pointer or reference to one."""
+    text = written.removeprefix("const ").removeprefix("::")
+    return text[:1].isalpha() and text != "auto" and not text.endswith(("*", "&")) and pointee(text) == text
+
+
+@lru_cache(maxsize=MAX_SPELLINGS)
+def pointee(written: str) -> str:
+    """Return the class that a type's objects are of: through smart pointers and `::SharedPtr` aliases."""
+    text = written.strip().removeprefix("const ").rstrip("&* ")
+    for _ in range(4):
+        name = plain(text)
+        last = name.rsplit("::", 1)[-1]
+        inner = template_arguments(text)
+        if last in _POINTERS and inner and not text.rstrip().endswith(last):
+            text = inner[0].removeprefix("const ").rstrip("&* ")
+        elif _ALIASED.search(text):
+            text = _ALIASED.sub("", text)
+        else:
+            return text
+    return text
+
+
+@lru_cache(maxsize=MAX_SPELLINGS)
+def template_arguments(written: str) -> tuple[str, ...]:
+    """Split the template arguments of a type as written; empty without any."""
+    start = written.find("<")
+    if start < 0:
+        return ()
+    depth, begin, found = 0, start + 1, []
+    for index in range(start, len(written)):
+        char = written[index]
+        if char in "<([":
+            depth += 1
+        elif char in ">)]":
+            depth -= 1
+            if depth == 0:
+                found.append(written[begin:index].strip())
+                break
+        elif char == "," and depth == 1:
+            found.append(written[begin:index].strip())
+            begin = index + 1
+    return tuple(entry for entry in found if entry)
