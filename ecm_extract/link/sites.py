@@ -12,16 +12,15 @@ from collections.abc import Iterable, Iterator, Sequence
 from ecm_parsers.source.expr import Expr, Name
 
 from ecm_extract.link.call_index import call_index
+from ecm_extract.link.call_targets import CallTargets
 from ecm_extract.link.calls import Invocation
 from ecm_extract.link.env import Env, Instance, bind
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.match import Matcher, name_argument, positions
 from ecm_extract.link.openness import MAX_CHAIN, Openness
-from ecm_extract.link.overloads import NO, score
 from ecm_extract.link.parameters import Parameters
 from ecm_extract.link.program import Program
 from ecm_extract.link.site import Site
-from ecm_extract.link.spelling import plain
 from ecm_extract.link.types import Types
 from ecm_extract.link.units import Cls, Func
 from ecm_extract.link.values import Value
@@ -47,13 +46,11 @@ class Sites:
         self._derived: dict[int, list[Cls]] | None = None
         self._remembered: set[int] = set()
         self._names: dict[int, tuple[Site, tuple[Value, ...]]] = {}
-        self._targets: dict[int, tuple[Func, ...]] = {}
-        self._called: set[str] = set()
-        self._callers_of: dict[int, list[Invocation]] = defaultdict(list)
         self.openness = Openness(self.folder, types, self.derived)
         self._aliases = program.aliases.meaning({*program.classes, *matcher.forms})
         wanted = {*matcher.forms, *program.functions, *program.classes, *_ALSO, *also}
         self.calls = call_index(program, wanted, self._aliases)
+        self._calls_of = CallTargets(self.folder, self.calls, self._place)
 
     def find(self, parameters: bool) -> list[Site]:
         """Return the sites of parameters, or of everything else."""
@@ -78,6 +75,9 @@ class Sites:
         """Return the place of a statement of a function about whose callers nothing is assumed."""
         made = Instance(func.cls, {}, {}) if func.cls is not None else None
         return Env(func, at, this=func.cls, made=made)
+
+    def _place(self, call: Invocation) -> Env:
+        return self.root_env(call.func, self.position(call))
 
     def position(self, call: Invocation) -> int:
         """Return the index of a call's statement."""
@@ -150,56 +150,8 @@ class Sites:
             yield self._through(site, call, outer)
 
     def callers(self, func: Func) -> Sequence[Invocation]:
-        """Return the calls of a function by others: those that mean it by name, arguments and receiver."""
-        name = func.fact.name
-        if name not in self._called:
-            self._called.add(name)
-            for call in self.calls.get(name, ()):
-                for target in self.targets(call):
-                    if target is not call.func:
-                        self._callers_of[id(target)].append(call)
-        return self._callers_of.get(id(func), ())
-
-    def targets(self, call: Invocation) -> tuple[Func, ...]:
-        """Return the functions of the tree that a call can mean, the best fitting overloads only."""
-        known = self._targets.get(id(call))
-        if known is None:
-            scored = [(score(call, func), func) for func in self.program.functions.get(call.last, ())]
-            fitting = [(fit, func) for fit, func in scored if fit != NO and self._visible(call, func)]
-            if call.simple and any(func.cls is not None for _, func in fitting):
-                fitting = [(fit, func) for fit, func in fitting if func.cls is not None]  # members hide functions
-            best = max((fit for fit, _ in fitting), default=0)
-            known = self._targets[id(call)] = _own_first(call, [func for fit, func in fitting if fit == best])
-        return known
-
-    def _visible(self, call: Invocation, func: Func) -> bool:
-        if "lambda" in func.fact.traits:
-            here = f"{call.func.fact.scope}::{call.func.fact.name}"
-            return (
-                call.func.file is func.file
-                and call.receiver is None
-                and func.fact.scope in {here, call.func.fact.scope}
-            )
-        if func.cls is not None:
-            return self._method_means(call, func.cls)
-        near = self.program.nearness(func.file, call.func.file)
-        return call.receiver is None and near >= (0 if "::" in call.path or "." in call.path else 1)
-
-    def _method_means(self, call: Invocation, cls: Cls) -> bool:
-        if call.receiver is None and "::" not in call.path:
-            own = call.func.cls
-            return own is not None and cls in self.program.ancestry(own)
-        if call.receiver is None:
-            return cls.fact.name in call.path.split("::")
-        env = self.root_env(call.func, self.position(call))
-        owner = self.folder.objects.class_of(call.receiver, env)
-        if owner is not None:
-            return cls in self.program.ancestry(owner)
-        written = plain(self.folder.objects.type_of(call.receiver, env))
-        return not written or written == "auto" or written in self._templates(call.func)
-
-    def _templates(self, func: Func) -> set[str]:
-        return {*func.fact.template, *(func.cls.fact.template if func.cls is not None else ())}
+        """Return the calls of a function by others."""
+        return self._calls_of.callers(func)
 
     def _through(self, site: Site, call: Invocation, outer: Env) -> Site:
         """Rebuild the chain of environments from a new outermost call."""
@@ -306,12 +258,6 @@ class Sites:
                     for base in self.program.ancestry(entry)[1:]:
                         self._derived[id(base)].append(entry)
         return self._derived.get(id(cls), [])
-
-
-def _own_first(call: Invocation, funcs: list[Func]) -> tuple[Func, ...]:
-    """A function that the file defines is meant, and none of that name in another program of the package."""
-    own = [func for func in funcs if func.file is call.func.file and "declaration" not in func.fact.traits]
-    return tuple(own if call.simple and own and all(func.cls is None for func in own) else funcs)
 
 
 def overrides(func: Func) -> bool:

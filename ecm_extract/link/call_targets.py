@@ -1,0 +1,92 @@
+"""Which functions of the tree a call means, and which calls mean a function."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Callable, Mapping, Sequence
+
+from ecm_extract.link.calls import Invocation
+from ecm_extract.link.env import Env
+from ecm_extract.link.fold import Folder
+from ecm_extract.link.overloads import NO, score
+from ecm_extract.link.spelling import plain
+from ecm_extract.link.units import Cls, Func
+
+
+class CallTargets:
+    """Matches calls and functions by name, arguments and receiver; each call and each name is asked about once.
+
+    Args:
+        folder: knows the classes of receivers.
+        calls: all calls by the last part of what they name.
+        place: gives the place of evaluation of a call.
+    """
+
+    def __init__(
+        self, folder: Folder, calls: Mapping[str, Sequence[Invocation]], place: Callable[[Invocation], Env]
+    ) -> None:
+        self.folder = folder
+        self.calls = calls
+        self.place = place
+        self._targets: dict[int, tuple[Func, ...]] = {}
+        self._called: set[str] = set()
+        self._callers_of: dict[int, list[Invocation]] = defaultdict(list)
+
+    def callers(self, func: Func) -> Sequence[Invocation]:
+        """Return the calls of a function by others: those that mean it by name, arguments and receiver."""
+        name = func.fact.name
+        if name not in self._called:
+            self._called.add(name)
+            for call in self.calls.get(name, ()):
+                for target in self.targets(call):
+                    if target is not call.func:
+                        self._callers_of[id(target)].append(call)
+        return self._callers_of.get(id(func), ())
+
+    def targets(self, call: Invocation) -> tuple[Func, ...]:
+        """Return the functions of the tree that a call can mean, the best fitting overloads only."""
+        known = self._targets.get(id(call))
+        if known is None:
+            scored = [(score(call, func), func) for func in self.folder.program.functions.get(call.last, ())]
+            fitting = [(fit, func) for fit, func in scored if fit != NO and self._visible(call, func)]
+            if call.simple and any(func.cls is not None for _, func in fitting):
+                fitting = [(fit, func) for fit, func in fitting if func.cls is not None]  # members hide functions
+            best = max((fit for fit, _ in fitting), default=0)
+            known = self._targets[id(call)] = _own_first(call, [func for fit, func in fitting if fit == best])
+        return known
+
+    def _visible(self, call: Invocation, func: Func) -> bool:
+        if "lambda" in func.fact.traits:
+            here = f"{call.func.fact.scope}::{call.func.fact.name}"
+            return (
+                call.func.file is func.file
+                and call.receiver is None
+                and func.fact.scope in {here, call.func.fact.scope}
+            )
+        if func.cls is not None:
+            return self._method_means(call, func.cls)
+        near = self.folder.program.nearness(func.file, call.func.file)
+        return call.receiver is None and near >= (0 if "::" in call.path or "." in call.path else 1)
+
+    def _method_means(self, call: Invocation, cls: Cls) -> bool:
+        if call.receiver is None and "::" not in call.path:
+            own = call.func.cls
+            return own is not None and cls in self.folder.program.ancestry(own)
+        if call.receiver is None:
+            return cls.fact.name in call.path.split("::")
+        env = self.place(call)
+        owner = self.folder.objects.class_of(call.receiver, env)
+        if owner is not None:
+            return cls in self.folder.program.ancestry(owner)
+        written = plain(self.folder.objects.type_of(call.receiver, env))
+        return not written or written == "auto" or written in _templates(call.func)
+
+
+def _own_first(call: Invocation, funcs: list[Func]) -> tuple[Func, ...]:
+    """A function that the file defines is meant, and none of that name in another program of the package."""
+    own = [func for func in funcs if func.file is call.func.file and "declaration" not in func.fact.traits]
+    return tuple(own if call.simple and own and all(func.cls is None for func in own) else funcs)
+
+
+def _templates(func: Func) -> set[str]:
+    return {*func.fact.template, *(func.cls.fact.template if func.cls is not None else ())}
