@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING
 
 from ecm_parsers.result import Diagnostic, Parsed
 from ecm_parsers.source import cpp_text
-from ecm_parsers.source.cpp_declarations import DeclarationReader, Place
+from ecm_parsers.source.cpp_declarations import DeclarationReader
 from ecm_parsers.source.cpp_parser import MAX_SECONDS, TooSlowError, first_error, parse_tree
+from ecm_parsers.source.cpp_place import Place
 from ecm_parsers.source.facts import Macro, SourceFile
 
 if TYPE_CHECKING:

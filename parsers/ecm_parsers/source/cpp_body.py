@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
+from ecm_parsers.source.cpp_effects import has_call, keeps_number, shifted
 from ecm_parsers.source.cpp_expr import ExprReader, lambda_types
 from ecm_parsers.source.cpp_parameters import declared_name, parameters
 from ecm_parsers.source.cpp_vexing import as_arguments, loop_macro
 from ecm_parsers.source.cpp_writes import written
-from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Name, Number, Op, Opaque, Text
+from ecm_parsers.source.expr import Call, Expr, Items, Lambda, Name, Number, Op, Opaque
 from ecm_parsers.source.facts import Function, Statement, StatementKind
 
 if TYPE_CHECKING:
@@ -189,7 +190,7 @@ class BodyReader:
 
     def _stream(self, node: Node, value: Op) -> None:
         """`stream << a << b` appends to the stream."""
-        parts = _shifted(value)
+        parts = shifted(value)
         if isinstance(parts[0], Name) and "::" not in parts[0].id:
             self._add("set", node, Op("+", tuple(parts)), parts[0])
         elif has_call(value):
@@ -222,7 +223,7 @@ class BodyReader:
             self._named_lambda(name, value)
             return
         read = self._initial(kind, value)
-        if kind.type == "primitive_type" and read is not None and not _keeps_number(read):
+        if kind.type == "primitive_type" and read is not None and not keeps_number(read):
             read = None
         mark = "" if kind.type == "placeholder_type_specifier" else _MARKS.get(bound.type, "")
         self._add("let", declarator, read, Name(name), self.expr.type_text(kind) + mark)
@@ -292,27 +293,6 @@ class BodyReader:
 
 
 _LOGGING_BYTES = tuple(prefix.encode() for prefix in _LOGGING)
-
-
-def _shifted(value: Expr) -> list[Expr]:
-    parts: list[Expr] = []
-    while isinstance(value, Op) and value.op == "<<" and len(value.operands) == 2:
-        parts.insert(0, value.operands[1])
-        value = value.operands[0]
-    return [value, *parts]
-
-
-def has_call(value: Expr) -> bool:
-    """Tell whether an expression calls anything."""
-    if isinstance(value, Call):
-        return True
-    if isinstance(value, Op):
-        return any(has_call(operand) for operand in value.operands)
-    return isinstance(value, Lambda)
-
-
-def _keeps_number(value: Expr | None) -> bool:
-    return isinstance(value, Number | Text | Name | Constant) or (value is not None and has_call(value))
 
 
 def _line(node: Node) -> int:

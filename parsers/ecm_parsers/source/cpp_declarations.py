@@ -9,7 +9,6 @@ from ecm_parsers.source.cpp_declarators import (
     GROUPS,
     announced_end,
     first_value,
-    flat_members,
     function_declarator,
     function_traits,
     leading_words,
@@ -17,40 +16,17 @@ from ecm_parsers.source.cpp_declarators import (
     split_name,
 )
 from ecm_parsers.source.cpp_expr import ExprReader
+from ecm_parsers.source.cpp_members import CLASSES, declared_type, members
 from ecm_parsers.source.cpp_parameters import declared_name, parameters
 from ecm_parsers.source.cpp_parser import parser
+from ecm_parsers.source.cpp_place import Place
 from ecm_parsers.source.expr import Expr, Items
-from ecm_parsers.source.facts import Alias, Class, Constant, Field, Function, Import, Macro, SourceFile
+from ecm_parsers.source.facts import Alias, Class, Constant, Function, Import, Macro, SourceFile
 
 if TYPE_CHECKING:
     from tree_sitter import Node
 
 MAX_NESTING = 60
-_CLASSES = frozenset({"class_specifier", "struct_specifier", "union_specifier"})
-
-
-class Place:
-    """Where a declaration stands: scope, access, template parameters, anonymous namespace."""
-
-    __slots__ = ("access", "anonymous", "scope", "template")
-
-    def __init__(
-        self, scope: str = "", access: str = "", anonymous: bool = False, template: tuple[str, ...] = ()
-    ) -> None:
-        self.scope = scope
-        self.access = access
-        self.anonymous = anonymous
-        self.template = template
-
-    def inside(self, name: str, access: str = "") -> Place:
-        """Return the place within a namespace of that name."""
-        scope = f"{self.scope}::{name}" if self.scope and name else self.scope or name
-        return Place(scope, access, self.anonymous or not name)
-
-    def traits(self) -> tuple[str, ...]:
-        """Return what the place makes of its declarations: hidden access, anonymous namespace."""
-        hidden = (self.access,) if self.access in {"private", "protected"} else ()
-        return (*hidden, "anonymous") if self.anonymous else hidden
 
 
 class DeclarationReader:
@@ -136,7 +112,7 @@ class DeclarationReader:
         own = self.expr.name(name) if name is not None else self._declared_of(node)
         inner = Place(f"{place.scope}::{own}" if place.scope else own, "", place.anonymous)
         access = "private" if node.type == "class_specifier" else ""
-        fields = self._members(body, inner, access)
+        fields = members(self, body, inner, access)
         bases = next((child for child in node.named_children if child.type == "base_class_clause"), None)
         listed = self._bases(bases) if bases is not None else ()
         traits = (*place.traits(), *announced_end(self.expr, node))
@@ -151,51 +127,8 @@ class DeclarationReader:
     def _bases(self, node: Node) -> tuple[str, ...]:
         return tuple([self.expr.type_text(c) for c in node.named_children if c.type not in _NOT_BASES])
 
-    def _members(self, body: Node, place: Place, access: str) -> list[Field]:
-        fields: list[Field] = []
-        place.access = access
-        for child in flat_members(body):
-            if child.type == "access_specifier":
-                place.access = self.expr.text(child).split()[0]
-            elif child.type == "field_declaration":
-                fields.extend(self._field(child, place))
-            else:
-                self.read(child, place)
-        return fields
-
-    def _field(self, node: Node, place: Place) -> list[Field]:
-        kind = node.child_by_field_name("type")
-        if kind is not None and (kind.type in _CLASSES or kind.type == "enum_specifier"):
-            self.read(kind, Place(place.scope, place.access, place.anonymous))
-        words = leading_words(self.expr, node)
-        fields = []
-        for declarator in node.children_by_field_name("declarator"):
-            function = function_declarator(declarator)
-            if function is not None:
-                self._function(node, function, place, words)
-                continue
-            default = node.child_by_field_name("default_value")
-            value = self._initial(default, kind)
-            name = declared_name(self.expr, declarator)
-            written = self._declared_type(kind, declarator)
-            traits = (
-                *place.traits(),
-                *(word for word in words if word in {"static", "constexpr", "const", "mutable"}),
-                *announced_end(self.expr, node),
-            )
-            if "static" in traits or "constexpr" in traits:
-                self.constants.append(Constant(name, place.scope, value, lines_of(node)[0], written, traits))
-            fields.append(Field(name, written, lines_of(declarator)[0], value, traits))
-        return fields
-
-    def _declared_type(self, kind: Node | None, declarator: Node) -> str:
-        if kind is not None and kind.type in _CLASSES and kind.child_by_field_name("body") is not None:
-            named = kind.child_by_field_name("name")
-            return self.expr.name(named) if named is not None else declared_name(self.expr, declarator)
-        mark = "*" if declarator.type == "pointer_declarator" else ""
-        return (self.expr.type_text(kind) if kind is not None else "") + mark
-
-    def _initial(self, node: Node | None, kind: Node | None) -> Expr | None:
+    def initial(self, node: Node | None, kind: Node | None) -> Expr | None:
+        """Return the value that a variable begins with; of several arguments of a constructor a list."""
         if node is None:
             return None
         if node.type in {"initializer_list", "argument_list"}:
@@ -208,9 +141,10 @@ class DeclarationReader:
         declarator = node.child_by_field_name("declarator")
         function = function_declarator(declarator) if declarator is not None else None
         if function is not None:
-            self._function(node, function, place, leading_words(self.expr, node))
+            self.add_function(node, function, place, leading_words(self.expr, node))
 
-    def _function(self, node: Node, declarator: Node, place: Place, words: tuple[str, ...]) -> None:
+    def add_function(self, node: Node, declarator: Node, place: Place, words: tuple[str, ...]) -> None:
+        """Add a function; `words` stand before its declarator, such as `static`."""
         named = declarator.child_by_field_name("declarator")
         if named is None:
             return
@@ -246,18 +180,18 @@ class DeclarationReader:
     def declaration(self, node: Node, place: Place) -> None:
         """Variables, and functions without a body."""
         kind = node.child_by_field_name("type")
-        if kind is not None and kind.type in _CLASSES | {"enum_specifier"}:
+        if kind is not None and kind.type in CLASSES | {"enum_specifier"}:
             self.read(kind, place)
         words = leading_words(self.expr, node)
         for declarator in node.children_by_field_name("declarator"):
             function = function_declarator(declarator)
             if function is not None:
-                self._function(node, function, place, words)
+                self.add_function(node, function, place, words)
                 continue
             bound = declarator.child_by_field_name("declarator") or declarator
             scope, name = split_name(declared_name(self.expr, bound), place.scope)
-            value = self._initial(declarator.child_by_field_name("value"), kind)
-            written = self._declared_type(kind, bound)
+            value = self.initial(declarator.child_by_field_name("value"), kind)
+            written = declared_type(self, kind, bound)
             self.constants.append(Constant(name, scope, value, lines_of(node)[0], written, (*place.traits(), *words)))
 
     def alias(self, node: Node, place: Place) -> None:
@@ -272,13 +206,13 @@ class DeclarationReader:
         kind = node.child_by_field_name("type")
         if node.type == "alias_declaration":
             self.alias(node, place)
-        elif kind is not None and kind.type not in _CLASSES | {"enum_specifier"}:
+        elif kind is not None and kind.type not in CLASSES | {"enum_specifier"}:
             self.typedef(node, place)
 
     def typedef(self, node: Node, place: Place) -> None:
         """`typedef B A`."""
         kind = node.child_by_field_name("type")
-        if kind is not None and kind.type in _CLASSES | {"enum_specifier"}:
+        if kind is not None and kind.type in CLASSES | {"enum_specifier"}:
             self.read(kind, place)
         for declarator in node.children_by_field_name("declarator"):
             if kind is not None and declarator.type == "type_identifier":

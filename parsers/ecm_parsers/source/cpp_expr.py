@@ -6,14 +6,13 @@ since what happens in a callback happens in the module that wrote it.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.cpp_casts import cast_arguments
+from ecm_parsers.source.cpp_literals import concatenated, constant, number, string, user_literal
 from ecm_parsers.source.expr import (
     Call,
-    Constant,
     Expr,
     Items,
     Lambda,
@@ -22,7 +21,6 @@ from ecm_parsers.source.expr import (
     Number,
     Op,
     Opaque,
-    Text,
 )
 
 if TYPE_CHECKING:
@@ -41,8 +39,6 @@ _CASTS = frozenset(
         "std::cref",
     }
 )
-_ESCAPES = {"n": "\n", "t": "\t", "r": "\r", "0": "\0", "\\": "\\", '"': '"', "'": "'"}
-_DIGITS = re.compile(r"^-?[\d'.]+(?:[eE][+-]?\d+)?")
 
 
 class ExprReader:
@@ -114,54 +110,6 @@ class ExprReader:
 
 
 _TEMPLATED = frozenset({"template_function", "template_type", "template_method"})
-
-
-def _string(reader: ExprReader, node: Node) -> Expr:
-    return Text(_string_value(reader, node))
-
-
-def _string_value(reader: ExprReader, node: Node) -> str:
-    parts = []
-    for child in node.named_children:
-        if child.type == "escape_sequence":
-            parts.append(_ESCAPES.get(reader.text(child)[1:], reader.text(child)))
-        elif child.type in {"string_content", "character", "raw_string_content"}:
-            parts.append(reader.text(child))
-        elif child.type in {"string_literal", "raw_string_literal"}:
-            parts.append(_string_value(reader, child))
-    return "".join(parts)
-
-
-def _concatenated(reader: ExprReader, node: Node) -> Expr:
-    parts = [reader.read(child) for child in node.named_children if child.type != "comment"]
-    if all(isinstance(part, Text) for part in parts):
-        return Text("".join(part.value for part in parts if isinstance(part, Text)))
-    return Op("+", tuple(parts))
-
-
-def _number(reader: ExprReader, node: Node) -> Expr:
-    text = reader.text(node)
-    try:
-        if text[:2].lower() in {"0x", "0b"}:
-            return Number(int(text.rstrip("uUlL").replace("'", ""), 0))
-        match = _DIGITS.match(text)
-        digits = match.group().replace("'", "") if match else text
-        return Number(float(digits) if any(c in digits for c in ".eE") else int(digits))
-    except ValueError:
-        return Opaque(text[:80])
-
-
-def _user_literal(reader: ExprReader, node: Node) -> Expr:
-    children = node.named_children
-    suffix = next((reader.text(child) for child in children if child.type == "literal_suffix"), "")
-    value = next((reader.read(child) for child in children if child.type != "literal_suffix"), None)
-    if value is None:
-        return _number(reader, node)
-    return value if isinstance(value, Text) else Call(Name(suffix), (value,), line=node.start_point[0] + 1)
-
-
-def _constant(reader: ExprReader, node: Node) -> Expr:
-    return Constant("null" if node.type in {"null", "nullptr"} else node.type)
 
 
 def _name(reader: ExprReader, node: Node) -> Expr:
@@ -281,16 +229,16 @@ def lambda_types(reader: ExprReader, node: Node) -> tuple[str, ...]:
 
 
 _READERS: dict[str, Callable[[ExprReader, Node], Expr]] = {
-    "string_literal": _string,
-    "raw_string_literal": _string,
-    "char_literal": _string,
-    "concatenated_string": _concatenated,
-    "number_literal": _number,
-    "user_defined_literal": _user_literal,
-    "true": _constant,
-    "false": _constant,
-    "null": _constant,
-    "nullptr": _constant,
+    "string_literal": string,
+    "raw_string_literal": string,
+    "char_literal": string,
+    "concatenated_string": concatenated,
+    "number_literal": number,
+    "user_defined_literal": user_literal,
+    "true": constant,
+    "false": constant,
+    "null": constant,
+    "nullptr": constant,
     "this": lambda reader, node: Name("this"),
     "identifier": _name,
     "field_identifier": _name,

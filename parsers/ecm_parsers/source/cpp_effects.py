@@ -1,0 +1,28 @@
+"""What of an expression in C++ matters beside its value: calls, and parts that are shifted into a stream."""
+
+from __future__ import annotations
+
+from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Name, Number, Op, Text
+
+
+def shifted(value: Expr) -> list[Expr]:
+    """Return the operands of a chain of `<<` from left to right."""
+    parts: list[Expr] = []
+    while isinstance(value, Op) and value.op == "<<" and len(value.operands) == 2:
+        parts.insert(0, value.operands[1])
+        value = value.operands[0]
+    return [value, *parts]
+
+
+def has_call(value: Expr) -> bool:
+    """Tell whether an expression calls anything."""
+    if isinstance(value, Call):
+        return True
+    if isinstance(value, Op):
+        return any(has_call(operand) for operand in value.operands)
+    return isinstance(value, Lambda)
+
+
+def keeps_number(value: Expr | None) -> bool:
+    """Tell whether the value of a variable may be needed: a literal, a name, or what is called."""
+    return isinstance(value, Number | Text | Name | Constant) or (value is not None and has_call(value))

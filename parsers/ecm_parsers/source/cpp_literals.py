@@ -1,0 +1,69 @@
+"""Literals of C++: texts, numbers, constants."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from ecm_parsers.source.expr import Call, Constant, Expr, Name, Number, Op, Opaque, Text
+
+if TYPE_CHECKING:
+    from tree_sitter import Node
+
+    from ecm_parsers.source.cpp_expr import ExprReader
+
+_ESCAPES = {"n": "\n", "t": "\t", "r": "\r", "0": "\0", "\\": "\\", '"': '"', "'": "'"}
+_DIGITS = re.compile(r"^-?[\d'.]+(?:[eE][+-]?\d+)?")
+
+
+def string(reader: ExprReader, node: Node) -> Expr:
+    """A string or character, unescaped."""
+    return Text(_string_value(reader, node))
+
+
+def _string_value(reader: ExprReader, node: Node) -> str:
+    parts = []
+    for child in node.named_children:
+        if child.type == "escape_sequence":
+            parts.append(_ESCAPES.get(reader.text(child)[1:], reader.text(child)))
+        elif child.type in {"string_content", "character", "raw_string_content"}:
+            parts.append(reader.text(child))
+        elif child.type in {"string_literal", "raw_string_literal"}:
+            parts.append(_string_value(reader, child))
+    return "".join(parts)
+
+
+def concatenated(reader: ExprReader, node: Node) -> Expr:
+    """Strings side by side; a macro between them is added to them."""
+    parts = [reader.read(child) for child in node.named_children if child.type != "comment"]
+    if all(isinstance(part, Text) for part in parts):
+        return Text("".join(part.value for part in parts if isinstance(part, Text)))
+    return Op("+", tuple(parts))
+
+
+def number(reader: ExprReader, node: Node) -> Expr:
+    """A number without suffix and digit separators."""
+    text = reader.text(node)
+    try:
+        if text[:2].lower() in {"0x", "0b"}:
+            return Number(int(text.rstrip("uUlL").replace("'", ""), 0))
+        match = _DIGITS.match(text)
+        digits = match.group().replace("'", "") if match else text
+        return Number(float(digits) if any(c in digits for c in ".eE") else int(digits))
+    except ValueError:
+        return Opaque(text[:80])
+
+
+def user_literal(reader: ExprReader, node: Node) -> Expr:
+    """`100ms` is a call of its suffix, a text with a suffix the text."""
+    children = node.named_children
+    suffix = next((reader.text(child) for child in children if child.type == "literal_suffix"), "")
+    value = next((reader.read(child) for child in children if child.type != "literal_suffix"), None)
+    if value is None:
+        return number(reader, node)
+    return value if isinstance(value, Text) else Call(Name(suffix), (value,), line=node.start_point[0] + 1)
+
+
+def constant(reader: ExprReader, node: Node) -> Expr:
+    """`true`, `false` or null."""
+    return Constant("null" if node.type in {"null", "nullptr"} else node.type)

@@ -1,0 +1,66 @@
+"""Members of a class in C++, each with the access that stands above it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ecm_parsers.source.cpp_declarators import announced_end, flat_members, function_declarator, leading_words, lines_of
+from ecm_parsers.source.cpp_parameters import declared_name
+from ecm_parsers.source.cpp_place import Place
+from ecm_parsers.source.facts import Constant, Field
+
+if TYPE_CHECKING:
+    from tree_sitter import Node
+
+    from ecm_parsers.source.cpp_declarations import DeclarationReader
+
+CLASSES = frozenset({"class_specifier", "struct_specifier", "union_specifier"})
+
+
+def members(reader: DeclarationReader, body: Node, place: Place, access: str) -> list[Field]:
+    """Read the body of a class: its data members are returned, all else goes to the reader."""
+    fields: list[Field] = []
+    place.access = access
+    for child in flat_members(body):
+        if child.type == "access_specifier":
+            place.access = reader.expr.text(child).split()[0]
+        elif child.type == "field_declaration":
+            fields.extend(_field(reader, child, place))
+        else:
+            reader.read(child, place)
+    return fields
+
+
+def _field(reader: DeclarationReader, node: Node, place: Place) -> list[Field]:
+    kind = node.child_by_field_name("type")
+    if kind is not None and (kind.type in CLASSES or kind.type == "enum_specifier"):
+        reader.read(kind, Place(place.scope, place.access, place.anonymous))
+    words = leading_words(reader.expr, node)
+    fields = []
+    for declarator in node.children_by_field_name("declarator"):
+        function = function_declarator(declarator)
+        if function is not None:
+            reader.add_function(node, function, place, words)
+            continue
+        default = node.child_by_field_name("default_value")
+        value = reader.initial(default, kind)
+        name = declared_name(reader.expr, declarator)
+        written = declared_type(reader, kind, declarator)
+        traits = (
+            *place.traits(),
+            *(word for word in words if word in {"static", "constexpr", "const", "mutable"}),
+            *announced_end(reader.expr, node),
+        )
+        if "static" in traits or "constexpr" in traits:
+            reader.constants.append(Constant(name, place.scope, value, lines_of(node)[0], written, traits))
+        fields.append(Field(name, written, lines_of(declarator)[0], value, traits))
+    return fields
+
+
+def declared_type(reader: DeclarationReader, kind: Node | None, declarator: Node) -> str:
+    """Return the type of a variable as written; of one whose type stands here without a name, its own name."""
+    if kind is not None and kind.type in CLASSES and kind.child_by_field_name("body") is not None:
+        named = kind.child_by_field_name("name")
+        return reader.expr.name(named) if named is not None else declared_name(reader.expr, declarator)
+    mark = "*" if declarator.type == "pointer_declarator" else ""
+    return (reader.expr.type_text(kind) if kind is not None else "") + mark

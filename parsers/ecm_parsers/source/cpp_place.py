@@ -1,0 +1,27 @@
+"""Where a declaration of C++ stands."""
+
+from __future__ import annotations
+
+
+class Place:
+    """Where a declaration stands: scope, access, template parameters, anonymous namespace."""
+
+    __slots__ = ("access", "anonymous", "scope", "template")
+
+    def __init__(
+        self, scope: str = "", access: str = "", anonymous: bool = False, template: tuple[str, ...] = ()
+    ) -> None:
+        self.scope = scope
+        self.access = access
+        self.anonymous = anonymous
+        self.template = template
+
+    def inside(self, name: str, access: str = "") -> Place:
+        """Return the place within a namespace of that name."""
+        scope = f"{self.scope}::{name}" if self.scope and name else self.scope or name
+        return Place(scope, access, self.anonymous or not name)
+
+    def traits(self) -> tuple[str, ...]:
+        """Return what the place makes of its declarations: hidden access, anonymous namespace."""
+        hidden = (self.access,) if self.access in {"private", "protected"} else ()
+        return (*hidden, "anonymous") if self.anonymous else hidden
