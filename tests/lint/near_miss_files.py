@@ -237,6 +237,15 @@ def named_alike(kind: str) -> Files:
     }
 
 
+def meeting(second: str) -> Files:
+    """A node is started in a namespace; another remaps to its name, and a third one to `second`."""
+    remap, other = (f'<remap from="out" to="{name}"/>' for name in ("/arm/limb/left", second))
+    front = '<group ns="front"><node name="arm" pkg="somebody" type="arm"/></group>'
+    source = script("a", "rospy.Publisher('out', Bool, queue_size=1)")
+    files = {"scripts/a.py": source, "scripts/b.py": source}
+    return {**files, "launch/a.launch": launch(front, node("a", "a.py", remap), node("b", "b.py", other))}
+
+
 def simulated(source: str) -> Files:
     name = "arm/follow_joint_trajectory"
     head = "#!/usr/bin/env python3\nimport rospy\nimport actionlib\n"

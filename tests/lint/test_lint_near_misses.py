@@ -100,6 +100,7 @@ ROWS = [
         files_of.named_alike("node"),
         None,
     ),
+    ("two meet there", "LNT045", 1, files_of.meeting("/arm/limb/left"), files_of.meeting("/elsewhere"), None),
     ("one angle, one way", "LNT016", 1, files_of.limited("0"), files_of.limited("-3.1416"), "info"),
     ("a namespace of several", "LNT046", 1, files_of.read_below("/robot"), files_of.read_below("/monitor"), "info"),
     ("no namespace", "LNT046", 1, files_of.read_below(""), files_of.read_below("/monitor"), "info"),

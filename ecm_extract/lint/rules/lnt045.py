@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping
 
 from ecm_checker.finding import Entity, Finding
 
@@ -31,14 +32,25 @@ def check(workspace: Workspace) -> Iterator[Finding]:
         if node.instance.full_name and "{" not in node.instance.full_name:
             places.setdefault(node.instance.full_name.rpartition("/")[2], []).append(node)
     roots = {instance.full_name.split("/")[1] for instance in instances if instance.full_name}
+    users = _users(nodes)
     seen = set()
-    for instance in instances:
-        for remap in instance.remaps:
+    for node in nodes:
+        for remap in node.instance.remaps:
             name = _first(remap)
-            others = [node.instance for node in places.get(name, []) if _may_have(node, remap)]
-            if name and name not in roots and others and remap not in seen:
+            others = [other.instance for other in places.get(name, []) if _may_have(other, remap)]
+            met = users[remap.target] - {node.name}
+            if name and name not in roots and others and not met and remap not in seen:
                 seen.add(remap)
                 yield _finding(remap, name, others[0], workspace)
+
+
+def _users(nodes: Iterable[SystemNode]) -> Mapping[str, set[str]]:
+    """The nodes that use a name, by themselves or by a remap: where two do, they meet there."""
+    users: dict[str, set[str]] = defaultdict(set)
+    for node in nodes:
+        for name in (*(entry.name for entry in node.endpoints), *(remap.target for remap in node.instance.remaps)):
+            users[name].add(node.name)
+    return users
 
 
 def _may_have(node: SystemNode, remap: Remapping) -> bool:
