@@ -87,6 +87,7 @@ class Program:
         """Return the class that `name` (possibly qualified, without template arguments) means in a scope of a file."""
         key = (name, scope, id(file))
         if key not in self._resolved:
+            self._resolved[key] = None  # aliases may stand for each other
             self._resolved[key] = self._find_class(name, file, scope)
         return self._resolved[key]
 

@@ -79,6 +79,17 @@ void three(ros::NodeHandle & nh) { auto p = nh.advertise<M>("three", 1); }"""
     assert found == {"/one": "std_msgs/msg/Bool", "/two": "std_msgs/msg/Int8", "/three": None}
 
 
+def test_aliases_that_stand_for_each_other_end(workspace: Any) -> None:
+    """Two libraries that replace each other name each other's type, and neither stands in the tree."""
+    text = """
+namespace old_utils { using Point = new_utils::Point; }
+namespace new_utils { using Point = old_utils::Point; }
+class Node : public new_utils::Point { public: Node() { p_ = nh_.advertise<std_msgs::Bool>("out", 1); }
+  ros::NodeHandle nh_; ros::Publisher p_; };
+int main(int c, char ** v) { ros::init(c, v, "d"); Node node; }"""
+    assert workspace.package({"src/d.cpp": text}, ros=1).only("publisher").name == "/out"
+
+
 def test_a_callback_in_a_variable_says_its_type(workspace: Any) -> None:
     """`std::function<void(const M::ConstPtr &)>` takes messages of type M."""
     text = 'void attach(ros::NodeHandle & nh, const boost::function<void(const std_msgs::Bool::ConstPtr &)> & f) { auto s = nh.subscribe("in", 1, f); }'
