@@ -41,6 +41,23 @@ def test_arguments(workspace: Workspace, ros: int, part: str, outer: str, given:
     assert _names(workspace.root) == expected
 
 
+@pytest.mark.parametrize(
+    ("declared", "includer", "severity"),
+    [
+        ("", "", "info"),
+        ('<arg name="bag_filenam"/>', "", "error"),
+        ("", f'<launch><include file="{FIND[1]}"/></launch>', "error"),
+    ],
+    ids=["started by people", "a slip", "included"],
+)
+def test_who_could_give_what_is_not_declared(workspace: Workspace, declared: str, includer: str, severity: str) -> None:
+    """A person can, on the command line; a file that includes it cannot."""
+    part = f'<launch>{declared}<node pkg="rosbag" type="play" name="play" args="$(arg bag_filename)"/></launch>'
+    files = {"launch/part.launch": part, **({"launch/all.launch": includer} if includer else {})}
+    root = workspace.package(files, ros=1).root
+    assert [each.severity for each in lint(root) if "bag_filename) is used" in each.message] == [severity]
+
+
 def test_all_arguments_are_passed(workspace: Workspace) -> None:
     """A file that is included with all arguments of another one may use any of them."""
     include = f'<include file="{FIND[1]}" pass_all_args="true"/>'

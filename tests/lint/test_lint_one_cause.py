@@ -23,6 +23,13 @@ def test_a_file_that_is_missing_twice(workspace: Any) -> None:
     assert findings(workspace, "LNT001") == [("pkg/launch/a.launch names pkg/param/a.yaml, which is not there", 2)]
 
 
+def test_a_mesh_that_two_descriptions_name(workspace: Any) -> None:
+    """The file that is not there is the cause, not who names it."""
+    robot = f'<robot name="a"><link name="l">{MESH.format("toe")}</link></robot>'
+    workspace.package({"meshes/sole.dae": "", "urdf/a.urdf": robot, "urdf/b.urdf": robot}, ros=1)
+    assert findings(workspace, "LNT025") == [("pkg has no meshes/toe.dae", 2)]
+
+
 def test_a_folder_that_is_missing(workspace: Any) -> None:
     """Meshes of a folder that is not there are missing with it, those of one that is are missing one by one."""
     named = ["hand/palm", "hand/thumb", "foot/toe", "foot/heel"]

@@ -30,17 +30,20 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     """Report paths without substitutions into packages of the tree that have such files at all."""
     for package in workspace.packages:
         folders: dict[tuple[str, str], dict[str, list[Evidence]]] = {}
+        single: dict[str, list[Evidence]] = {}
         for entry in package.root.files:
             if entry.path.endswith((".urdf", ".xacro", ".sdf")) and not is_test_path(entry.path, package.root.path):
                 for (owner, name), lines in _named(workspace.files.read(entry.path) or b"").items():
                     if _is_missing(owner, name, workspace):
                         evidence = [Evidence(entry.path, line) for line in lines]
                         if _has_folder(owner, name, workspace):
-                            entity = Entity("file", f"{owner}/{name}")
-                            yield RULE.finding(f"{owner} has no {name}", entity, package.name, evidence)
+                            single.setdefault(f"{owner}/{name}", []).extend(evidence)
                         else:
                             names = folders.setdefault((owner, name.rpartition("/")[0]), {})
                             names.setdefault(name, []).extend(evidence)
+        for file, places in single.items():
+            text = f"{file.partition('/')[0]} has no {file.partition('/')[2]}"
+            yield RULE.finding(text, Entity("file", file), package.name, places)
         yield from (_of_folder(*key, names, package.name) for key, names in folders.items())
 
 

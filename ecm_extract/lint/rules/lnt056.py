@@ -31,7 +31,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     reach = Reach(files)
     for path, entry in files.items():
         if entry.ros == 1 and not any(call.passes_all for _, call in callers.get(path, ())):
-            yield from _undeclared(path, entry, workspace)
+            yield from _undeclared(path, entry, path in callers, workspace)
         for call in entry.includes:
             target = files.get(call.target or "")
             if target is not None and target.ros == entry.ros == 1 and not call.passes_all:
@@ -54,12 +54,16 @@ def _callers(files: Mapping[str, Interface]) -> dict[str, list[tuple[str, Handed
     return found
 
 
-def _undeclared(path: str, entry: Interface, workspace: Workspace) -> Iterator[Finding]:
+def _undeclared(path: str, entry: Interface, is_included: bool, workspace: Workspace) -> Iterator[Finding]:
+    """An include cannot give what is not declared; a person who starts the file can, on the command line."""
     for name, line in entry.used.items():
         if name not in entry.declared:
             near = nearest(name, entry.declared)
             text = f"$(arg {name}) is used and {path} declares no such argument" + (f"; it has {near}" if near else "")
-            yield _finding(text, name, near, Evidence(path, line), workspace, "proved")
+            if is_included or near:
+                yield _finding(text, name, near, Evidence(path, line), workspace, "proved")
+            else:
+                yield _info(text, name, Evidence(path, line), workspace)
 
 
 def _refused(path: str, call: Handed, target: Interface, workspace: Workspace) -> Iterator[Finding]:
@@ -102,3 +106,15 @@ def _finding(
 ) -> Finding:
     entity = Entity("launch_argument", name, near or "")
     return RULE.finding(text, entity, workspace.package_of(place.path), [place], certainty=certainty)
+
+
+def _info(text: str, name: str, place: Evidence, workspace: Workspace) -> Finding:
+    return RULE.finding(
+        f"{text}, so that whoever starts it must give it",
+        Entity("launch_argument", name, ""),
+        workspace.package_of(place.path),
+        [place],
+        certainty="likely",
+        severity="info",
+        resolution="declare the argument, so that it is listed with the others",
+    )
