@@ -133,7 +133,7 @@ def _executables(package: PackageFacts, listed: set[str]) -> dict[str, str]:
         for target in file.targets:
             if target.kind == "executable":
                 for source in _sources(target, path, listed):
-                    found.setdefault(source, target.name)
+                    found.setdefault(source, target.output or target.name)
     return found
 
 

@@ -4,6 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
+from ecm_extract.extraction_model import Options
+from ecm_extract.lint.run import findings_of
+from ecm_extract.lint.workspace import Workspace
+from ecm_extract.tree import open_tree
+
 
 def kinds(workspace: Any) -> dict[str, str]:
     return {name: module.ecm.kind for name, module in workspace.modules().items()}
@@ -17,6 +22,19 @@ def test_a_program_whose_node_has_no_class_is_a_module(workspace: Any) -> None:
     )
     assert kinds(workspace) == {"ecm.pkg.talker": "node"}
     assert workspace.only("publisher").name == "/talker_node/out"
+
+
+def test_a_program_is_called_like_its_file(workspace: Any) -> None:
+    """`OUTPUT_NAME` is what rosrun and launch files know, whatever the target is called, also where a macro sets it."""
+    main = 'int main(int c, char ** v) { ros::init(c, v, "talker"); ros::NodeHandle nh; }'
+    cmake = (
+        "project(pkg)\nmacro(add_program name)\nadd_executable(${name}_exe src/${name}.cpp)\n"
+        "SET_TARGET_PROPERTIES(${name}_exe PROPERTIES OUTPUT_NAME ${name})\nendmacro()\nadd_program(talker)\n"
+    )
+    launch = '<launch><node pkg="pkg" type="talker" name="a"/></launch>'
+    files = {"src/talker.cpp": main, "CMakeLists.txt": cmake, "launch/a.launch": launch}
+    assert kinds(workspace.package(files, ros=1)) == {"ecm.pkg.talker": "node"}
+    assert "LNT003" not in {finding.rule for finding in findings_of(Workspace(open_tree(workspace.root), Options()))}
 
 
 def test_registered_classes_are_components_and_plugins(workspace: Any) -> None:

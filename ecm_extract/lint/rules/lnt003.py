@@ -56,7 +56,8 @@ def check(workspace: Workspace) -> Iterator[Finding]:
 
 def executables(workspace: Workspace, package: PackageFacts) -> set[str]:
     """Return every name under which a program of a package can be started."""
-    found = {target.name for file in package.cmake.values() for target in file.targets if target.kind == "executable"}
+    targets = [target for file in package.cmake.values() for target in file.targets if target.kind == "executable"]
+    found = {name for target in targets for name in (target.name, target.output) if name}
     found |= {entry.executable for file in package.cmake.values() for entry in file.components if entry.executable}
     found |= {entry.name for setup in package.setups.values() for entry in setup.entry_points}
     found |= {name for owner, name in workspace.programs if owner == package.name}
