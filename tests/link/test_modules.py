@@ -26,7 +26,7 @@ def test_a_program_whose_node_has_no_class_is_a_module(workspace: Any) -> None:
 
 def test_a_program_is_called_like_its_file(workspace: Any) -> None:
     """`OUTPUT_NAME` is what rosrun and launch files know, whatever the target is called, also where a macro sets it."""
-    main = 'int main(int c, char ** v) { ros::init(c, v, "talker"); ros::NodeHandle nh; }'
+    main = 'int main(int c, char ** v) { ros::init(c, v, "t"); ros::NodeHandle n; auto p = n.advertise<std_msgs::Bool>("o", 1); }'
     cmake = (
         "project(pkg)\nmacro(add_program name)\nadd_executable(${name}_exe src/${name}.cpp)\n"
         "SET_TARGET_PROPERTIES(${name}_exe PROPERTIES OUTPUT_NAME ${name})\nendmacro()\nadd_program(talker)\n"
