@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import msgspec
+
 from ecm_parsers.result import Diagnostic, Parsed
 from ecm_parsers.source import cpp_text
 from ecm_parsers.source.cpp_declarations import DeclarationReader
+from ecm_parsers.source.cpp_mentions import mentions
 from ecm_parsers.source.cpp_parser import MAX_SECONDS, TooSlowError, first_error, parse_tree
 from ecm_parsers.source.cpp_place import Place
 from ecm_parsers.source.facts import Macro, SourceFile
@@ -37,7 +40,8 @@ def parse_cpp(data: bytes) -> Parsed[SourceFile]:
     reader = DeclarationReader(read)
     reader.read(tree.root_node, Place())
     macros = tuple([Macro(name, args, line) for name, args, line in cpp_text.registrations(data)])
-    return Parsed(reader.facts(macros), _diagnostics(tree))
+    facts = msgspec.structs.replace(reader.facts(macros), mentions=mentions(tree.root_node, read))
+    return Parsed(facts, _diagnostics(tree))
 
 
 def _diagnostics(tree: Tree) -> tuple[Diagnostic, ...]:

@@ -149,6 +149,18 @@ class Macro(_Fact, frozen=True):
     line: int
 
 
+class Mention(_Fact, frozen=True):
+    """A name with its namespace, as C++ writes it (`a::B`): 1-based line and column, and how a call of it is made.
+
+    `arguments` is how many a call gives; -1 where the name is not called.
+    """
+
+    name: str
+    line: int
+    column: int
+    arguments: int = -1
+
+
 class SourceFile(_Fact, frozen=True):
     """All facts of one source file."""
 
@@ -161,3 +173,4 @@ class SourceFile(_Fact, frozen=True):
     constants: tuple[Constant, ...] = ()
     macros: tuple[Macro, ...] = ()
     shebang: str = ""
+    mentions: tuple[Mention, ...] = ()

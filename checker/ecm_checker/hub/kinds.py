@@ -1,0 +1,69 @@
+"""The vocabulary: kinds of names, and ways in which a name is used. A new kind or use is a row."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Mapping
+from functools import cache
+from importlib import resources
+from typing import Any, Literal
+
+import msgspec
+
+from ecm_checker.finding import Who
+
+World = Literal["graph", "package"]
+Breach = Literal["gone", "type", "signature", "layout", "duty", "default"]
+
+
+class Kind(msgspec.Struct, frozen=True):
+    """A kind of name that packages provide.
+
+    Attributes:
+        who: what breaks when it is gone.
+        world: whether any package may provide a name (`graph`), or only the one that is named with it (`package`).
+        silence: what happens when its loss is ignored.
+    """
+
+    who: Who
+    world: World
+    silence: str
+
+
+class UseKind(msgspec.Struct, frozen=True, kw_only=True):
+    """A way in which a line depends on a name.
+
+    Attributes:
+        of: kinds of names that it may mean.
+        facet: of what is provided, where one direction only counts: who subscribes needs what is published.
+        names: how the name that is used and the one that is provided compare; a row of `ecm_checker.match`.
+        phrase: what the line does, with fields of the requirement in braces.
+        breaches: what a provider can do to it: `gone`, another `type`, `signature` or `layout`; a new `duty`
+            (an argument that must be given); another `default`.
+        warned: whether a deprecation of the name concerns the line.
+        built: whether the line is compiled or interpreted together with what it uses, in its own package.
+    """
+
+    of: tuple[str, ...]
+    names: str
+    phrase: str
+    facet: str = ""
+    breaches: tuple[Breach, ...] = ("gone",)
+    warned: bool = True
+    built: bool = False
+
+
+@cache
+def kinds() -> Mapping[str, Kind]:
+    """Return the kinds of names by their word in documents."""
+    return msgspec.convert(_table("kinds.toml"), dict[str, Kind])
+
+
+@cache
+def uses() -> Mapping[str, UseKind]:
+    """Return the uses by their word in documents."""
+    return msgspec.convert(_table("uses.toml"), dict[str, UseKind])
+
+
+def _table(name: str) -> dict[str, Any]:
+    return tomllib.loads(resources.files("ecm_checker.hub").joinpath(name).read_text("utf-8"))

@@ -1,0 +1,75 @@
+"""What a package requires: one place that depends on a name which somebody, mostly another package, provides."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+
+from ecm_checker.contract import Evidence, Qos
+from ecm_checker.finding import Certainty
+from ecm_checker.hub.kinds import uses
+
+
+class Given(msgspec.Struct, frozen=True, omit_defaults=True):
+    """How a name is used: what has to fit what its provider takes and gives.
+
+    Attributes:
+        count: of positional arguments of a call; None where it is no call, or they cannot be counted.
+        names: arguments that are given by name.
+        takes: of a result: `2 values`, `1 value`.
+        types: parameter types of an overriding method, as a provider's form has them. returns: its return type.
+        forwarded: whether arguments of the surrounding file are handed on as well.
+    """
+
+    count: int | None = None
+    names: tuple[str, ...] = ()
+    takes: str = ""
+    types: tuple[str, ...] | None = None
+    returns: str = ""
+    forwarded: bool = False
+
+
+class Requirement(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
+    """One name that a package depends on.
+
+    Attributes:
+        use: what the line does with it; a row of the vocabulary, which tells the kinds that it may mean.
+        kind: of the name, where one is meant; else the first of its use.
+        name: as it is used, resolved as far as its own package tells. Computed parts are `{hole}`.
+        package: that must provide it; None where any may.
+        owner: of the name: a node or pattern of nodes, a message, a class, a launch file.
+        type: message type, type of a given value.
+        value: that is given, as data.
+        qos: that is asked for, or offered.
+        given: how it is called.
+        ros: whose rules decide, 1 or 2; None where both do.
+        certainty: `proved` where names are literal and resolved, `likely` where they may mean something else.
+        conditions: under which the line runs, as written.
+        by: who requires it: `node talker`, `launch_file bringup.launch.py`.
+        said: what else the phrase of the use needs.
+        evidence: the line first; of one name that a file uses in several lines all of them.
+    """
+
+    use: str
+    kind: str
+    name: str
+    evidence: tuple[Evidence, ...]
+    package: str | None = None
+    owner: str = ""
+    type: str | None = None
+    value: Any = None
+    qos: Qos | None = None
+    given: Given | None = None
+    ros: int | None = None
+    certainty: Certainty = "proved"
+    conditions: tuple[str, ...] = ()
+    by: str = ""
+    said: str = ""
+
+    @property
+    def phrase(self) -> str:
+        """What the line does, in words."""
+        return uses()[self.use].phrase.format(
+            name=self.name, owner=self.owner, package=self.package, said=self.said, last=self.name.rpartition(".")[2]
+        )
