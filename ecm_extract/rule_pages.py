@@ -8,10 +8,10 @@ from pathlib import Path
 from ecm_checker.catalogue import catalogue as checker_rules
 from ecm_checker.rule import Rule
 
+from ecm_extract.diff.break_findings import RULE as BREAK
 from ecm_extract.errors import InputError
 from ecm_extract.lint.catalogue import catalogue as lint_rules
 from ecm_extract.lint.rule import LintRule
-from ecm_extract.uses.findings import RULE as BREAK
 
 _INSTALLED = Path(sys.prefix) / "share" / "ecm-extract" / "rules"
 _BESIDE = Path(__file__).parent.parent / "docs" / "rules"

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from ecm_extract.diff.bases import Bases
+from ecm_checker.match.hierarchy import Bases
+
 from ecm_extract.entities.model import Key, PublicEntity
 from ecm_extract.entities.side import Side
 

@@ -11,9 +11,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import msgspec
+from ecm_checker.match.hierarchy import Bases
 
 from ecm_extract.diff.assignment import assign
-from ecm_extract.diff.bases import Bases
 from ecm_extract.diff.computed import Computed
 from ecm_extract.diff.file_moves import alone_in_moved_files
 from ecm_extract.diff.history import History

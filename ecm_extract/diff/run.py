@@ -7,7 +7,10 @@ from pathlib import Path
 import msgspec
 from ecm_parsers.source.facts import SourceFile
 
+from ecm_extract.diff.break_findings import findings_of
+from ecm_extract.diff.broken_names import BrokenNames
 from ecm_extract.diff.changes import changes_of
+from ecm_extract.diff.consumers import uses_of
 from ecm_extract.diff.contract_sides import contract_sides, holds_contracts
 from ecm_extract.diff.git_renames import renamed_files
 from ecm_extract.diff.history import History
@@ -18,10 +21,8 @@ from ecm_extract.diff.texts import Texts
 from ecm_extract.diff.verdict import package_verdicts, repository_verdict
 from ecm_extract.entities.side import Side, read_workspace
 from ecm_extract.extraction_model import Options
+from ecm_extract.requires.collect import consumers
 from ecm_extract.tree import Tree
-from ecm_extract.uses.collect import uses_of
-from ecm_extract.uses.findings import findings_of
-from ecm_extract.uses.index import ChangeIndex
 
 
 class Request(msgspec.Struct, frozen=True):
@@ -70,10 +71,10 @@ def compared(request: Request, sides: Sides, parsed: dict[str, SourceFile]) -> C
     """
     old, new, workspace = sides
     located = _changes(request, old, new)
-    index = ChangeIndex(located, old, new)
-    uses = list(uses_of(workspace, index, own=True)) if workspace is not None else []
+    broken = BrokenNames(located, old, new)
+    uses = list(uses_of(consumers(workspace), broken, new.tree.commit, own=True)) if workspace is not None else []
     for tree in request.consumers:
-        uses += uses_of(read_workspace(tree, request.options, parsed), index)
+        uses += uses_of(consumers(read_workspace(tree, request.options, parsed)), broken, tree.commit)
     findings = findings_of(uses)
     changes = tuple(entry.change for entry in located)
     return Comparison(

@@ -7,6 +7,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Final
 
+from ecm_checker.hub.provision import ALIAS
 from ecm_parsers.source.expr import Constant as Literal
 from ecm_parsers.source.expr import Number, Text
 from ecm_parsers.source.facts import Alias, Class, Constant, Field, Function, SourceFile
@@ -19,8 +20,6 @@ from ecm_extract.read.facts import PackageFacts
 
 _MACRO = re.compile(r"[A-Z][A-Z0-9]*(?:_[A-Z0-9]+){2,}")
 """`SMART_PTR_DEFINITIONS(Name)` looks like a member of that type."""
-ALIAS: Final = "alias"
-"""Type of what only stands for a class."""
 MARKED: Final = "marked deprecated"
 _WORDS = frozenset({"explicit", "virtual", "inline", "static", "friend", "constexpr"})
 """What is left of a declaration behind a macro that was misread."""

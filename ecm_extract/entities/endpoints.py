@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 
 import msgspec
 from ecm_checker.contract import Interface
+from ecm_checker.hub.provision import HOLE
 
 from ecm_extract.entities.deprecations import deprecated_names
 from ecm_extract.entities.model import PublicEntity
@@ -25,7 +26,6 @@ _KINDS = {
 _FACETS = {"publisher": "published", "subscriber": "subscribed"}
 _HOLE = re.compile(r"\{[^{}]*\}")
 _NAME = re.compile(r"[\w~/.-]*")
-HOLE = "<*>"
 
 
 def endpoint_entities(texts: SideTexts, facts: PackageFacts, modules: Sequence[LinkedModule]) -> Iterator[PublicEntity]:

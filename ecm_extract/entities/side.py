@@ -16,6 +16,7 @@ from ecm_extract.entities.shared_reader import SharedReader
 from ecm_extract.extraction_model import Options
 from ecm_extract.link.forms import FormTable, form_table
 from ecm_extract.link.linker import LinkedModule, Linker
+from ecm_extract.link.objects import Objects
 from ecm_extract.link.program import Program
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.settings import config_of
@@ -60,6 +61,7 @@ class Workspace:
     packages: list[PackageFacts]
     linked: list[LinkedModule]
     program: Program
+    objects: Objects
 
 
 @dataclass(slots=True)
@@ -96,7 +98,7 @@ def link_packages(read: PackagesRead) -> Workspace:
     """Link what was read."""
     with without_collector():
         linker = Linker(read.packages, read.forms)
-        return Workspace(read.tree, read.packages, linker.link(), linker.program)
+        return Workspace(read.tree, read.packages, linker.link(), linker.program, linker.folder.objects)
 
 
 def side_of(workspace: Workspace) -> Side:

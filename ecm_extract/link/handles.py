@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from ecm_checker.match.generated import snake
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Text
 
 from ecm_extract.link.calls import Invocation
 from ecm_extract.link.env import Env, invocation_of
 from ecm_extract.link.fold import Folder
-from ecm_extract.link.spelling import last_name, plain, pointee, snake
+from ecm_extract.link.spelling import last_name, plain, pointee
 from ecm_extract.link.values import Value, joined, literal
 
 MAX_DEPTH = 12

@@ -10,10 +10,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
+from ecm_checker.match.generated import snake
+
 from ecm_extract.link.module_kinds import class_kind
 from ecm_extract.link.program import Program
 from ecm_extract.link.references import References, Unit
-from ecm_extract.link.spelling import snake
 from ecm_extract.link.units import Cls, Func
 
 MAX_USERS = 4000

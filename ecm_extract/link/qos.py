@@ -14,6 +14,7 @@ from types import MappingProxyType
 from typing import Any
 
 from ecm_checker.contract import Qos
+from ecm_checker.match.generated import snake
 from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member, Name, Number, Op
 
 from ecm_extract.link.calls import dotted_name
@@ -21,7 +22,7 @@ from ecm_extract.link.data import declared_type, plain_type
 from ecm_extract.link.env import Bound, Env, bind, invocation_of
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.qos_values import milliseconds, policy_word
-from ecm_extract.link.spelling import last_name, snake
+from ecm_extract.link.spelling import last_name
 
 _FLAGS: dict[str, tuple[str, str]] = {
     "reliable": ("reliability", "reliable"),

@@ -7,12 +7,13 @@ from collections.abc import Iterable
 from fnmatch import fnmatch
 from pathlib import PurePosixPath
 
+from ecm_checker.match.generated import snake
 from ecm_parsers.cmake_facts import Target
 
 from ecm_extract.link.module_kinds import class_kind
 from ecm_extract.link.modules import Registry, registration_kind
 from ecm_extract.link.program import Program
-from ecm_extract.link.spelling import plain, snake
+from ecm_extract.link.spelling import plain
 from ecm_extract.link.units import Cls, File, Func
 from ecm_extract.read.facts import PackageFacts
 

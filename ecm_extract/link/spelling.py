@@ -24,23 +24,6 @@ def plain(text: str) -> str:
     return words[-1] if words else ""
 
 
-def snake(name: str) -> str:
-    """`ControllerServer` -> `controller_server`."""
-    out = []
-    for index, char in enumerate(name):
-        previous = name[index - 1] if index else ""
-        following = name[index + 1] if index + 1 < len(name) else ""
-        if (
-            char.isupper()
-            and previous
-            and previous != "_"
-            and (previous.islower() or previous.isdigit() or following.islower())
-        ):
-            out.append("_")
-        out.append(char.lower())
-    return "".join(out)
-
-
 @lru_cache(maxsize=MAX_SPELLINGS)
 def is_node_interface(written: str) -> bool:
     """Tell whether a type is one of the interfaces that a node consists of, such as `NodeTopicsInterface`."""

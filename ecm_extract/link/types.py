@@ -6,12 +6,13 @@ import re
 from typing import NamedTuple
 
 from ecm_checker.contract import Role
+from ecm_checker.match.generated import snake
 from ecm_parsers.source.expr import Call, Expr, Lambda, Member, Name, Op, Text
 
 from ecm_extract.link.calls import Invocation, dotted_name
 from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
-from ecm_extract.link.spelling import plain, pointee, snake, template_arguments
+from ecm_extract.link.spelling import plain, pointee, template_arguments
 from ecm_extract.link.units import Func
 
 _KINDS = ("msg", "srv", "action")

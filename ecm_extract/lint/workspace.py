@@ -131,7 +131,7 @@ class Workspace:
 
     def as_side(self) -> Side:
         """Return the workspace as a comparison reads it."""
-        return Side(self.tree, self.packages, self.linked, self.linker.program)
+        return Side(self.tree, self.packages, self.linked, self.linker.program, self.linker.folder.objects)
 
     def provides(self, package: str, versions: str) -> bool:
         """Tell whether the tree itself holds a package in a range of versions, such as `<1.11.1`."""

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import pytest
-
-from ecm_extract.uses.names import graph_name_matches, node_matches, parameter_name_matches
+from ecm_checker.match.spelling import graph_name_matches, node_matches, parameter_name_matches
 
 
 @pytest.mark.parametrize(

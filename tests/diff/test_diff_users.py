@@ -10,7 +10,7 @@ import pytest
 from diff_repos import node, package, release, write
 
 from ecm_extract.cli.run import run
-from ecm_extract.uses.kept import kept_for
+from ecm_extract.requires.kept import kept_for
 
 YAML = "arm:\n  ros__parameters:\n    {name}: fine\n"
 CLIENT = """#pragma once

@@ -39,6 +39,7 @@ class Requirement(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True)
         name: as it is used, resolved as far as its own package tells. Computed parts are `{hole}`.
         package: that must provide it; None where any may.
         owner: of the name: a node or pattern of nodes, a message, a class, a launch file.
+        scope: namespace or class in which C++ looks the owner up; empty where it is written in full.
         type: message type, type of a given value.
         value: that is given, as data.
         qos: that is asked for, or offered.
@@ -48,6 +49,7 @@ class Requirement(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True)
         conditions: under which the line runs, as written.
         by: who requires it: `node talker`, `launch_file bringup.launch.py`.
         said: what else the phrase of the use needs.
+        kept_for: the distribution whose folder the file lies in, beside the same file for all others; empty for none.
         evidence: the line first; of one name that a file uses in several lines all of them.
     """
 
@@ -57,6 +59,7 @@ class Requirement(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True)
     evidence: tuple[Evidence, ...]
     package: str | None = None
     owner: str = ""
+    scope: str = ""
     type: str | None = None
     value: Any = None
     qos: Qos | None = None
@@ -66,6 +69,7 @@ class Requirement(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True)
     conditions: tuple[str, ...] = ()
     by: str = ""
     said: str = ""
+    kept_for: str = ""
 
     @property
     def phrase(self) -> str:

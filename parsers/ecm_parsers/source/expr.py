@@ -55,6 +55,7 @@ class Call(_Node, frozen=True):
         keywords: Python keyword arguments.
         types: C++ template arguments, as written.
         line: 1-based line of the callee's last name, where people look for the call.
+        keyword_lines: 1-based line of each keyword argument.
     """
 
     callee: Expr
@@ -62,6 +63,7 @@ class Call(_Node, frozen=True):
     keywords: tuple[tuple[str, Expr], ...] = ()
     types: tuple[str, ...] = ()
     line: int = 0
+    keyword_lines: tuple[int, ...] = ()
 
 
 class Op(_Node, frozen=True):

@@ -59,18 +59,21 @@ def _call(scan: Scan, node: Node) -> Expr:
         return Call(callee, (scan.expr(arguments),), line=line)
     args: list[Expr] = []
     keywords: list[tuple[str, Expr]] = []
+    lines: list[int] = []
     for child in arguments.named_children:
         kind = child.type
         if kind == "keyword_argument":
             named = child.children
             keywords.append((scan.text(named[0]), expr(named[-1])))
+            lines.append(child.start_point[0] + 1)
         elif kind == "dictionary_splat":
             keywords.append(("**", expr(child)))
+            lines.append(child.start_point[0] + 1)
         elif kind == "ERROR":
             salvage(scan, child)
         elif kind not in EXTRAS:
             args.append(expr(child))
-    return Call(callee, tuple(args), tuple(keywords), (), line)
+    return Call(callee, tuple(args), tuple(keywords), (), line, tuple(lines))
 
 
 def salvage(scan: Scan, node: Node) -> None:

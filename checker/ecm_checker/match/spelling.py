@@ -1,13 +1,15 @@
-"""Whether a name that a consumer writes is the name that a provider offers, across namespaces."""
+"""Whether a name that is used is the name that is provided, across namespaces and computed parts."""
 
 from __future__ import annotations
 
 import re
 from fnmatch import fnmatchcase
+from typing import Final
 
-from ecm_extract.entities.endpoints import HOLE
+from ecm_checker.hub.provision import HOLE
 
-_UNKNOWN = re.compile(r"\{[^{}]*\}")
+_UNKNOWN: Final = re.compile(r"\{[^{}]*\}")
+_EVERY_NODE: Final = frozenset({"", "/**", "/*", "**", "*"})
 
 
 def graph_name_matches(offered: str, used: str) -> bool:
@@ -38,8 +40,6 @@ def parameter_name_matches(declared: str, given: str) -> bool:
     return "/" in rest and re.fullmatch(rf"(?:.*/)?{pattern}", given) is not None
 
 
-def node_matches(owner: str, node: str | None) -> bool:
+def node_matches(owner: str, node: str) -> bool:
     """Whether parameters that a file gives to a node pattern reach a module; `**` fits any depth, `*` one part."""
-    if node is None or node in {"/**", "/*", "**", "*"}:
-        return True
-    return fnmatchcase(owner, node.rsplit("/", 1)[-1])
+    return node in _EVERY_NODE or fnmatchcase(owner, node.rsplit("/", 1)[-1])

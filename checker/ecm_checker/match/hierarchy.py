@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
-from ecm_extract.entities.cpp import ALIAS
-from ecm_extract.entities.model import Key, PublicEntity
+from ecm_checker.hub.provision import ALIAS, Key, Provision
 
 MAX_DEPTH = 20
 
@@ -14,20 +13,20 @@ MAX_DEPTH = 20
 class Bases:
     """Class hierarchy of one side, looked up by qualified name."""
 
-    def __init__(self, entities: Mapping[Key, PublicEntity]) -> None:
-        self._classes: dict[str, list[PublicEntity]] = defaultdict(list)
-        self._members: dict[tuple[str, str, str], PublicEntity] = {}
+    def __init__(self, entities: Mapping[Key, Provision]) -> None:
+        self._classes: dict[str, list[Provision]] = defaultdict(list)
+        self._members: dict[tuple[str, str, str], Provision] = {}
         for entity in entities.values():
             if entity.kind == "class":
                 self._classes[entity.name].append(entity)
             elif entity.kind in {"method", "member"}:
                 self._members[entity.kind, entity.owner, entity.name] = entity
 
-    def named(self, name: str) -> Sequence[PublicEntity]:
+    def named(self, name: str) -> Sequence[Provision]:
         """Return the classes of a qualified name."""
         return self._classes.get(name, ())
 
-    def provider(self, cls: str, kind: str, name: str) -> PublicEntity | None:
+    def provider(self, cls: str, kind: str, name: str) -> Provision | None:
         """Return the member that a class inherits under a name, from its base classes only."""
         for base in self.ancestry(cls)[1:]:
             found = self._members.get((kind, base, name))
@@ -41,7 +40,7 @@ class Bases:
         own = ancestry[: ancestry.index(below)] if below in ancestry else ancestry
         return any((kind, owner, name) in self._members for owner in own)
 
-    def constructor(self, cls: str) -> PublicEntity | None:
+    def constructor(self, cls: str) -> Provision | None:
         """Return the constructor of the class that an alias stands for; None of a class, which has its own."""
         for entity in self._classes.get(cls, ()):
             target = self.resolve(entity.bases[0], cls) if entity.type == ALIAS else None
@@ -49,6 +48,16 @@ class Bases:
                 found = self._members.get(("method", target, target.rpartition("::")[2]))
                 return found or self.constructor(target)
         return None
+
+    def handing_on(self, init: Provision) -> Iterator[str]:
+        """Yield Python classes of a package that hand what they do not know themselves (`**kwargs`) to an `__init__`."""
+        own = init.owner.rpartition(".")[2]
+        for name, group in self._classes.items():
+            for entity in group:
+                if entity.package == init.package and any(base.rpartition(".")[2] == own for base in entity.bases):
+                    made = self._members.get(("method", name, "__init__"))
+                    if made is not None and any(each.startswith("**") for form in made.forms for each in form.names):
+                        yield name
 
     def ancestry(self, cls: str) -> list[str]:
         """Return a class and its bases in the tree, nearest first."""

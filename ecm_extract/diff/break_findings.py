@@ -6,43 +6,15 @@ from collections.abc import Iterable
 from typing import Final
 
 from ecm_checker.contract import Evidence
-from ecm_checker.finding import Certainty, Entity, Finding, Severity, Who, fingerprint
+from ecm_checker.finding import Certainty, Entity, Finding, Severity, fingerprint
+from ecm_checker.hub.kinds import kinds
 from ecm_checker.release import Change
 
 from ecm_extract.diff.model import Located
-from ecm_extract.uses.model import Use
+from ecm_extract.diff.use import Use
 
 RULE: Final = "VER001"
 NAME: Final = "field_break"
-_WHO: Final[dict[str, Who]] = {
-    "message": "wire",
-    "message_field": "wire",
-    "topic": "graph",
-    "service": "graph",
-    "action": "graph",
-    "frame": "graph",
-    "qos": "qos",
-    "parameter": "config",
-    "launch_file": "config",
-    "launch_argument": "config",
-    "executable": "config",
-    "bt_node": "config",
-    "bt_port": "config",
-}
-_IGNORED: Final = {
-    "topic": "no error is shown: the peer waits for ever",
-    "service": "no error is shown until the call: the client waits for ever",
-    "action": "no error is shown: the client waits for ever for the server",
-    "parameter": "no error is shown: the value is ignored and the default runs",
-    "plugin": "the loader throws when the robot starts",
-    "launch_file": "the launch fails",
-    "frame": "no error is shown until a transform is asked for: who looks it up waits, or throws",
-    "bt_node": "the tree fails to load",
-    "bt_port": "the tree fails to load, or the value is ignored",
-    "launch_argument": "the value is ignored, or the launch fails",
-    "message": "the import or include fails",
-    "message_field": "the access fails when the line runs, or the build fails",
-}
 
 
 def findings_of(uses: Iterable[Use]) -> tuple[Finding, ...]:
@@ -75,7 +47,7 @@ def _finding(located: Located, uses: list[Use]) -> Finding:
         subjects=_subjects(change, readers),
         evidence=_evidence(located, readers),
         fingerprint=fingerprint(RULE, Entity(change.kind, name, change.new or ""), packages),
-        who=_WHO.get(change.kind, "source"),
+        who=kinds()[change.kind].who,
         certainty=certainty,
     )
 
@@ -93,7 +65,7 @@ def _message(change: Change, readers: list[Use]) -> str:
     of = f" of {change.owner}" if change.owner else ""
     count = f", and {len(readers) - 1} more" if len(readers) > 1 else ""
     first = f"{readers[0].path}:{readers[0].line} {readers[0].what}{count}"
-    ignored = _IGNORED.get(change.kind, "the build or the import fails")
+    ignored = kinds()[change.kind].silence
     if change.change == "deprecated":
         return f"{kind} {change.old}{of} in {change.package} is deprecated: {first}. It still works in this release."
     happened = {

@@ -1,0 +1,110 @@
+"""What a package provides: one public name, in a form that two releases can be compared by."""
+
+from __future__ import annotations
+
+from typing import Any, Final
+
+import msgspec
+
+from ecm_checker.contract import Qos
+
+HOLE: Final = "<*>"
+"""A computed part of a name."""
+ALIAS: Final = "alias"
+"""Type of a class that only stands for another one."""
+Key = tuple[str, str, str, str, str]
+Line = tuple[str, int]
+"""A path and a line, 1-based."""
+
+
+class Form(msgspec.Struct, frozen=True):
+    """One overload of a function or method.
+
+    Attributes:
+        types: of its parameters, without qualification, names, marks of by-value `const` and white space.
+        required: how many parameters have no default.
+        returns: return type in the same writing, for Python how many values where that is known; else empty.
+        names: of the parameters; they count in Python only, where callers may name them.
+        virtual: whether a consumer may override it. pure: whether a consumer must.
+        override: whether a base class has it as well.
+        deprecated: whether it is marked so.
+        line: 1-based.
+    """
+
+    types: tuple[str, ...]
+    required: int
+    returns: str = ""
+    names: tuple[str, ...] = ()
+    virtual: bool = False
+    pure: bool = False
+    override: bool = False
+    deprecated: bool = False
+    line: int = 0
+
+    @property
+    def text(self) -> str:
+        """The form as people write it."""
+        shown = self.types if any(self.types) or not self.names else self.names
+        arguments = ", ".join(item if index < self.required else f"{item} = ..." for index, item in enumerate(shown))
+        return f"({arguments}) -> {self.returns}" if self.returns else f"({arguments})"
+
+
+class Provision(msgspec.Struct, frozen=True, kw_only=True):
+    """One public name.
+
+    Attributes:
+        kind: a row of the vocabulary. package: that releases it.
+        owner: module, class, message or file that has it; empty for what the package itself has.
+        name: own name; computed parts are `<*>`.
+        facet: what tells apart entities of one name: the direction of an endpoint.
+        type: message type, parameter type, field type, or base class of a plugin.
+        default: of a parameter, constant or launch argument, as data.
+        forms: of a function or method.
+        bases: of a class, qualified as far as the tree shows.
+        qos: of a topic. ros: 1, 2 or None.
+        deprecated: what its own source says about its end; None when it is not deprecated.
+        path, line: where it is declared.
+        node: name of the node that has an endpoint; None where no source says it.
+        sharers: owners beside `owner` that have an endpoint by the same line.
+        others: message types that its owner has under that name as well, by a condition.
+        chain: the calls from the module to the one that makes it; more than one when a wrapper or library does.
+    """
+
+    kind: str
+    package: str
+    owner: str
+    name: str
+    path: str
+    line: int
+    facet: str = ""
+    node: str | None = None
+    sharers: tuple[str, ...] = ()
+    others: tuple[str, ...] = ()
+    chain: tuple[Line, ...] = ()
+    type: str | None = None
+    default: Any = None
+    forms: tuple[Form, ...] = ()
+    bases: tuple[str, ...] = ()
+    qos: Qos | None = None
+    ros: int | None = None
+    deprecated: str | None = None
+
+    @property
+    def key(self) -> Key:
+        """What makes it the same entity in another release."""
+        return self.kind, self.package, self.owner, self.name, self.facet
+
+    @property
+    def is_python(self) -> bool:
+        """Whether Python declares it."""
+        return self.path.endswith(".py")
+
+    @property
+    def is_computed(self) -> bool:
+        """Whether a part of its name is computed."""
+        return HOLE in self.name
+
+    @property
+    def own_name(self) -> str:
+        """Its name without the section of the interface that it is in."""
+        return self.name.rpartition(".")[2]

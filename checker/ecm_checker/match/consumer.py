@@ -1,0 +1,48 @@
+"""A consumer: what one package requires, with what its files say around each requirement."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+
+from ecm_checker.hub.requirement import Requirement
+
+
+class Consumer:
+    """The requirements of a package.
+
+    Attributes:
+        package: its name. requirements: all of them.
+    """
+
+    def __init__(self, package: str, requirements: Sequence[Requirement]) -> None:
+        self.package, self.requirements = package, requirements
+
+    def headers_of(self, path: str) -> frozenset[str]:
+        """Return what a C++ file includes, as written."""
+        return self._said("includes").get(path, frozenset())
+
+    def modules_of(self, path: str) -> frozenset[str]:
+        """Return the first part of what a Python file imports."""
+        return self._tops.get(path, frozenset())
+
+    def symbols_of(self, path: str) -> frozenset[str]:
+        """Return the names with a namespace that a C++ file has."""
+        return self._said("names_symbol").get(path, frozenset())
+
+    @cached_property
+    def _by_use(self) -> Mapping[str, Mapping[str, frozenset[str]]]:
+        found: dict[str, dict[str, set[str]]] = defaultdict(lambda: defaultdict(set))
+        for entry in self.requirements:
+            if entry.use in {"includes", "imports", "names_symbol"}:
+                found[entry.use][entry.evidence[0].path].add(entry.name)
+        return {use: {path: frozenset(names) for path, names in paths.items()} for use, paths in found.items()}
+
+    def _said(self, use: str) -> Mapping[str, frozenset[str]]:
+        return self._by_use.get(use, {})
+
+    @cached_property
+    def _tops(self) -> Mapping[str, frozenset[str]]:
+        imports = self._said("imports")
+        return {path: frozenset(name.partition(".")[0] for name in names) for path, names in imports.items()}

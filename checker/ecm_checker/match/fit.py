@@ -1,0 +1,54 @@
+"""Whether a use fits what is provided under its name: type, arguments, results, overriding forms."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Final
+
+from ecm_checker.hub.kinds import Breach
+from ecm_checker.hub.provision import Form, Provision
+from ecm_checker.hub.requirement import Given, Requirement
+
+_TYPED: Final = frozenset({"topic", "service", "action", "parameter"})
+
+
+def misfit(requirement: Requirement, provision: Provision) -> Breach | None:
+    """Return in which way a use does not fit; None when it fits, or nothing tells."""
+    if provision.kind in _TYPED:
+        return "type" if _is_other_type(requirement, provision) else None
+    given = requirement.given
+    if given is None or not provision.forms:
+        return None
+    check = _CHECKS.get(requirement.use)
+    return "signature" if check is not None and not any(check(given, form) for form in provision.forms) else None
+
+
+def _is_other_type(requirement: Requirement, provision: Provision) -> bool:
+    known = requirement.type, provision.type
+    return None not in known and requirement.type not in {provision.type, *provision.others}
+
+
+def _takes_count(given: Given, form: Form) -> bool:
+    return given.count is None or form.required <= given.count <= len(form.types)
+
+
+def _takes_names(given: Given, form: Form) -> bool:
+    return all(name in form.names for name in given.names) or any(name.startswith("**") for name in form.names)
+
+
+def _gives(given: Given, form: Form) -> bool:
+    return not form.returns or form.returns == given.takes
+
+
+def _is_overridden(given: Given, form: Form) -> bool:
+    same_result = not form.returns or not given.returns or form.returns == given.returns
+    return form.types == given.types and same_result
+
+
+_CHECKS: Final[Mapping[str, Callable[[Given, Form], bool]]] = {
+    "names_symbol": _takes_count,
+    "calls_method": _takes_count,
+    "gives_keyword": _takes_names,
+    "takes_result": _gives,
+    "overrides": _is_overridden,
+}

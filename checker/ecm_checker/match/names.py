@@ -1,0 +1,223 @@
+"""How the name that is used and the one that is provided compare: one row for each way of the vocabulary."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import Final
+
+import msgspec
+
+from ecm_checker.hub.provision import Provision
+from ecm_checker.hub.requirement import Requirement
+from ecm_checker.match.consumer import Consumer
+from ecm_checker.match.generated import python_names, section_owners
+from ecm_checker.match.hierarchy import Bases
+from ecm_checker.match.spelling import graph_name_matches, node_matches, parameter_name_matches
+
+
+class Site(msgspec.Struct, frozen=True):
+    """A requirement where it stands, and what the providing side knows.
+
+    Attributes:
+        folders: packages by what stands first in the includes of their headers.
+        bound: dotted names that Python modules offer without declaring them.
+        bases: its class hierarchy.
+    """
+
+    requirement: Requirement
+    consumer: Consumer
+    folders: Mapping[str, frozenset[str]]
+    bound: frozenset[str]
+    bases: Bases
+
+    @property
+    def path(self) -> str:
+        """Of the file that requires."""
+        return self.requirement.evidence[0].path
+
+
+class Names(msgspec.Struct, frozen=True):
+    """A way to compare names.
+
+    Attributes:
+        keys: what provisions are looked up by, of a requirement.
+        meant: whether a requirement means one of them.
+    """
+
+    keys: Callable[[Requirement], Iterator[str]]
+    meant: Callable[[Site, Provision], bool]
+
+
+def _whole(requirement: Requirement) -> Iterator[str]:
+    yield requirement.name
+
+
+def _last(requirement: Requirement) -> Iterator[str]:
+    yield requirement.name.replace("::", "/").replace(".", "/").rstrip("/").rpartition("/")[2]
+
+
+def _plugin_name(requirement: Requirement) -> Iterator[str]:
+    yield requirement.name.replace("::", "/")
+
+
+def _launch_keys(requirement: Requirement) -> Iterator[str]:
+    yield requirement.name
+    yield f"{requirement.name}?"
+
+
+def _called_keys(requirement: Requirement) -> Iterator[str]:
+    for last in _last(requirement):
+        yield last
+        yield f"{last}()"
+
+
+def _prefixes(requirement: Requirement) -> Iterator[str]:
+    """The name and each name that it begins with: `a::B` of `a::B::c`; constants are found with dots."""
+    parts = requirement.name.split("::")
+    for count in range(2, len(parts) + 1):
+        yield "::".join(parts[:count])
+    yield ".".join(parts)
+
+
+def _dotted_keys(requirement: Requirement) -> Iterator[str]:
+    yield requirement.name
+    yield from _last(requirement)
+
+
+def _graph(site: Site, entity: Provision) -> bool:
+    return graph_name_matches(entity.name, site.requirement.name)
+
+
+def _parameter(site: Site, entity: Provision) -> bool:
+    wanted = site.requirement
+    if wanted.package is not None and wanted.package != entity.package:
+        return False
+    if entity.ros not in (None, wanted.ros) and wanted.use == "sets_parameter":
+        return False
+    if not parameter_name_matches(entity.name, wanted.name):
+        return False
+    return wanted.ros == 1 or entity.is_computed or node_matches(entity.owner, wanted.owner)
+
+
+def _exact(site: Site, entity: Provision) -> bool:
+    wanted = site.requirement
+    same_place = wanted.package in (None, entity.package) and wanted.owner in ("", entity.owner)
+    return same_place and wanted.name == entity.name
+
+
+def _plugin(site: Site, entity: Provision) -> bool:
+    return entity.name.replace("::", "/") == site.requirement.name.replace("::", "/")
+
+
+def _launch(site: Site, entity: Provision) -> bool:
+    wanted = site.requirement
+    name = entity.name if entity.kind == "launch_file" else entity.owner
+    return wanted.package == entity.package and wanted.name == name
+
+
+def _header(site: Site, entity: Provision) -> bool:
+    """A header of that name, or one that is generated of an interface, which the index has found by its headers."""
+    return entity.kind == "message" or (entity.name == site.requirement.name and not entity.is_python)
+
+
+def _python(site: Site, entity: Provision) -> bool:
+    """A dotted name, also one that a module above the declaring one offers as its own."""
+    name = site.requirement.name
+    if entity.kind == "message":
+        return name in python_names(entity.name)
+    if not entity.is_python:
+        return False
+    full = f"{entity.owner}.{entity.name}" if entity.kind == "constant" else entity.name
+    if full == name:
+        return True
+    module, _, last = name.rpartition(".")
+    return name in site.bound and full.startswith(f"{module}.") and full.rpartition(".")[2] == last
+
+
+def called_names(entity: Provision, bases: Bases) -> Iterator[str]:
+    """Yield the dotted names that a Python function or constructor is called by."""
+    if entity.kind == "function":
+        yield entity.name
+    elif entity.name == "__init__":
+        yield entity.owner
+        yield from bases.handing_on(entity)
+
+
+def _called(site: Site, entity: Provision) -> bool:
+    """A package may offer a name above the module that has it, so the module has only to begin that of the name."""
+    name = site.requirement.name
+    module, _, last = name.rpartition(".")
+    if not entity.is_python or not module:
+        return False
+    targets = called_names(entity, site.bases)
+    return any(each == name or (each.startswith(f"{module}.") and each.rpartition(".")[2] == last) for each in targets)
+
+
+def _result(site: Site, entity: Provision) -> bool:
+    """Functions go by their dotted name; methods by their own, in files that import from the same package."""
+    if not entity.is_python:
+        return False
+    top = (entity.owner or entity.name).partition(".")[0]
+    return entity.name == site.requirement.name and top in site.consumer.modules_of(site.path)
+
+
+def _method(site: Site, entity: Provision) -> bool:
+    return entity.name == site.requirement.name and not entity.is_python
+
+
+def _cpp(site: Site, entity: Provision) -> bool:
+    """A name of a package of which the file includes a header."""
+    if entity.is_python or not _reaches(site, entity.package):
+        return False
+    if entity.kind == "constant":
+        return _is_section(entity, site.requirement.name.rpartition("::")[0])
+    return site.requirement.name == entity.name or site.requirement.name.startswith(f"{entity.name}::")
+
+
+def _reaches(site: Site, package: str) -> bool:
+    included = site.consumer.headers_of(site.path)
+    return any(package in site.folders.get(header.partition("/")[0], ()) for header in included)
+
+
+def _is_section(entity: Provision, owner: str) -> bool:
+    """Whether a type as written is the one whose section has a field or constant."""
+    if "/" not in entity.owner:
+        return False
+    return owner.replace("::", ".") in section_owners(entity.owner, entity.facet)
+
+
+def _override(site: Site, entity: Provision) -> bool:
+    wanted = site.requirement
+    if entity.name != wanted.name or entity.is_python or not any(form.virtual for form in entity.forms):
+        return False
+    base = site.bases.resolve(wanted.owner, wanted.scope)
+    return base is not None and entity.owner in site.bases.ancestry(base)
+
+
+def _member(site: Site, entity: Provision) -> bool:
+    wanted = site.requirement
+    if _is_section(entity, wanted.owner):
+        return entity.own_name == wanted.name
+    return entity.name == wanted.name and entity.owner in site.bases.ancestry(wanted.owner) and not entity.is_python
+
+
+def _field(site: Site, entity: Provision) -> bool:
+    return entity.own_name == site.requirement.name and _is_section(entity, site.requirement.owner)
+
+
+NAMES: Final[Mapping[str, Names]] = {
+    "exact": Names(_whole, _exact),
+    "graph": Names(_last, _graph),
+    "parameter": Names(_last, _parameter),
+    "plugin": Names(_plugin_name, _plugin),
+    "launch": Names(_launch_keys, _launch),
+    "header": Names(_whole, _header),
+    "python": Names(_dotted_keys, _python),
+    "called": Names(_called_keys, _called),
+    "result": Names(_dotted_keys, _result),
+    "method": Names(_whole, _method),
+    "cpp": Names(_prefixes, _cpp),
+    "override": Names(_whole, _override),
+    "member": Names(_whole, _member),
+    "field": Names(_whole, _field),
+}

@@ -1,0 +1,126 @@
+"""Provisions of any number of packages, found by what a requirement says of them."""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import cached_property
+from typing import Final
+
+from ecm_checker.hub.kinds import uses
+from ecm_checker.hub.provision import HOLE, Provision
+from ecm_checker.hub.requirement import Requirement
+from ecm_checker.match.consumer import Consumer
+from ecm_checker.match.generated import headers, python_names, section_owners
+from ecm_checker.match.hierarchy import Bases
+from ecm_checker.match.names import NAMES, Site
+
+_PARTS: Final = re.compile(r"[/.:~]+")
+OPEN: Final = "*"
+"""Key of names whose last part is computed."""
+
+
+class Provisions:
+    """An index over what is provided.
+
+    Attributes:
+        bound: dotted names that Python modules offer without declaring them.
+        bases: the class hierarchy of all classes of the side.
+    """
+
+    def __init__(
+        self, entities: Iterable[Provision], bound: frozenset[str] = frozenset(), whole: Provisions | None = None
+    ) -> None:
+        """Index provisions; `whole` is the side that they are a part of, which knows its classes and folders."""
+        self._entities = tuple(entities)
+        self._whole = whole
+        self.bound = whole.bound if whole is not None else bound
+        self._by_key: dict[tuple[str, str], list[Provision]] = defaultdict(list)
+        for entity in self._entities:
+            for key in dict.fromkeys(_keys(entity)):
+                self._by_key[entity.kind, key].append(entity)
+
+    @cached_property
+    def bases(self) -> Bases:
+        """The class hierarchy of the whole side."""
+        return self._whole.bases if self._whole is not None else Bases({each.key: each for each in self._entities})
+
+    @cached_property
+    def folders(self) -> Mapping[str, frozenset[str]]:
+        """Packages by what stands first in the includes of their headers."""
+        if self._whole is not None:
+            return self._whole.folders
+        found: dict[str, set[str]] = defaultdict(set)
+        for entity in self._entities:
+            if entity.kind == "file" and "/" in entity.name:
+                found[entity.name.partition("/")[0]].add(entity.package)
+        return {folder: frozenset(packages) for folder, packages in found.items()}
+
+    def of(self, kind: str, key: str) -> Iterator[Provision]:
+        """Yield the provisions of a kind that a key finds, those whose names are computed last."""
+        yield from self._by_key.get((kind, key), ())
+        if key != OPEN:
+            yield from self._by_key.get((kind, OPEN), ())
+
+    def named(self, requirement: Requirement, consumer: Consumer) -> list[Provision]:
+        """Return what a requirement of a consumer may mean, each once."""
+        row = uses()[requirement.use]
+        names = NAMES[row.names]
+        site = Site(requirement, consumer, self.folders, self.bound, self.bases)
+        found: dict[int, Provision] = {}
+        for kind in row.of:
+            for key in names.keys(requirement):
+                for entity in self.of(kind, key):
+                    if row.facet in {"", entity.facet} and id(entity) not in found and names.meant(site, entity):
+                        found[id(entity)] = entity
+        return list(found.values())
+
+
+def last_part(name: str) -> str:
+    """Return the last part of a name of any kind."""
+    return _PARTS.split(name)[-1]
+
+
+def _keys(entity: Provision) -> Iterator[str]:
+    """What a provision is found by: its name, the last part of it, and names that are made of it."""
+    last = last_part(entity.name)
+    yield entity.name
+    yield OPEN if HOLE in last or not last else last
+    more = _MORE.get(entity.kind)
+    if more is not None:
+        yield from more(entity)
+
+
+def _of_message(entity: Provision) -> Iterator[str]:
+    yield from headers(entity.name)
+    yield from python_names(entity.name)
+
+
+def _of_constant(entity: Provision) -> Iterator[str]:
+    if "/" not in entity.owner:
+        yield f"{entity.owner}.{entity.name}"
+    else:
+        yield from (f"{owner}.{last_part(entity.name)}" for owner in section_owners(entity.owner, entity.facet))
+
+
+def _of_argument(entity: Provision) -> Iterator[str]:
+    yield f"{entity.owner}?"
+
+
+def _of_method(entity: Provision) -> Iterator[str]:
+    if entity.name == "__init__":
+        yield f"{last_part(entity.owner)}()"
+
+
+def _of_plugin(entity: Provision) -> Iterator[str]:
+    yield entity.name.replace("::", "/")
+
+
+_MORE: Final[Mapping[str, Callable[[Provision], Iterator[str]]]] = {
+    "message": _of_message,
+    "constant": _of_constant,
+    "launch_argument": _of_argument,
+    "method": _of_method,
+    "plugin": _of_plugin,
+}

@@ -1,0 +1,98 @@
+"""The changes that can break somebody, found by what consumers require."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Final
+
+from ecm_checker.hub.provision import Provision
+from ecm_checker.hub.requirement import Requirement
+from ecm_checker.match.consumer import Consumer
+from ecm_checker.match.names import called_names
+from ecm_checker.match.provisions import Provisions
+
+from ecm_extract.diff.model import Located
+from ecm_extract.entities.side import Side
+
+GONE: Final = frozenset({"removed", "renamed", "moved"})
+_SECOND: Final = frozenset({"type_changed", "default_changed", "signature_changed"})
+"""What else changed of a name that is gone: who used the name has that one cause."""
+
+
+class BrokenNames:
+    """What the old side provided and the new one does not, or provides otherwise.
+
+    Attributes:
+        after: all that the new side provides.
+    """
+
+    def __init__(self, located: Iterable[Located], old: Side, new: Side) -> None:
+        self._located = tuple(located)
+        self._changes: dict[int, list[Located]] = defaultdict(list)
+        changed: dict[int, Provision] = {}
+        for entry in self._located:
+            entity = entry.pair.old
+            if entity is not None and _concerns(entry):
+                self._changes[id(entity)].append(entry)
+                changed[id(entity)] = entity
+        self._changed = Provisions(changed.values(), whole=Provisions(old.entities.values(), old.bound))
+        self.after = Provisions(new.entities.values(), new.bound)
+        self._layouts = _layouts(self._located)
+        self._duties = _duties(self._located)
+
+    def is_empty(self) -> bool:
+        """Whether nothing can break."""
+        return not self._changes and not self._duties and not self._layouts
+
+    def meant(self, requirement: Requirement, consumer: Consumer) -> Iterator[Located]:
+        """Yield the changes of the names that a requirement may mean."""
+        found = self._changed.named(requirement, consumer)
+        if requirement.use == "gives_keyword" and not self._is_one(found, requirement):
+            return
+        for entity in found:
+            yield from self._changes[id(entity)]
+
+    def _is_one(self, found: Sequence[Provision], requirement: Requirement) -> bool:
+        """Whether a dotted name that several modules below it may have means one function."""
+        last = requirement.name.rpartition(".")[2]
+        names = {name for each in found for name in called_names(each, self._changed.bases)}
+        return len({name for name in names if name.rpartition(".")[2] == last}) <= 1
+
+    def layout_of(self, name: str) -> Located | None:
+        """Return a change that alters the layout of an interface; None when it is as it was."""
+        return self._layouts.get(name)
+
+    def duties_of(self, package: str | None, launch_file: str) -> Sequence[Located]:
+        """Return the arguments that a launch file asks for since the change."""
+        return self._duties.get((package, launch_file), ())
+
+
+def _concerns(entry: Located) -> bool:
+    counts = entry.change.breaking or entry.change.change == "deprecated"
+    return counts and not (entry.pair.how != "same" and entry.change.change in _SECOND)
+
+
+def _layouts(located: Iterable[Located]) -> dict[str, Located]:
+    """The first change of each type that alters its bytes; it stands for the others."""
+    found: dict[str, Located] = {}
+    for entry in located:
+        entity = entry.pair.old or entry.pair.new
+        if entity is None or not entry.change.breaking:
+            continue
+        if entity.kind == "message_field":
+            found.setdefault(entity.owner, entry)
+        elif entity.kind == "message" and entry.change.change == "signature_changed":
+            found.setdefault(entity.name, entry)
+    return found
+
+
+def _duties(located: Iterable[Located]) -> dict[tuple[str | None, str], list[Located]]:
+    found: dict[tuple[str | None, str], list[Located]] = defaultdict(list)
+    for entry in located:
+        old, new = entry.pair.old, entry.pair.new
+        if new is None or new.kind != "launch_argument" or new.default is not None or not entry.change.breaking:
+            continue
+        if old is None or entry.change.change == "default_changed":
+            found[new.package, new.owner].append(entry)
+    return found

@@ -1,0 +1,109 @@
+"""All requirements of the packages of a linked tree."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+
+import msgspec
+from ecm_checker.hub.requirement import Requirement
+from ecm_checker.match.consumer import Consumer
+from ecm_parsers.source.python import parse_python
+
+from ecm_extract.entities.side import Workspace
+from ecm_extract.entities.side_texts import SideTexts
+from ecm_extract.link.linker import LinkedModule
+from ecm_extract.link.program import imported_names
+from ecm_extract.link.units import File
+from ecm_extract.read.facts import PackageFacts
+from ecm_extract.requires.behavior_trees import behavior_tree_requirements
+from ecm_extract.requires.cpp_headers import header_requirements
+from ecm_extract.requires.cpp_members import member_requirements
+from ecm_extract.requires.cpp_names import name_requirements
+from ecm_extract.requires.cpp_overrides import override_requirements
+from ecm_extract.requires.cpp_results import result_requirements
+from ecm_extract.requires.descriptions import description_requirements
+from ecm_extract.requires.endpoints import endpoint_requirements
+from ecm_extract.requires.kept import kept_for
+from ecm_extract.requires.launch_files import launch_requirements
+from ecm_extract.requires.parameter_files import parameter_file_requirements
+from ecm_extract.requires.python_fields import field_requirements
+from ecm_extract.requires.python_sources import python_requirements
+from ecm_extract.system.launch_files import is_launch_file
+from ecm_extract.tree import Tree
+
+MAX_BYTES = 1_000_000
+
+
+def consumers(workspace: Workspace) -> Sequence[Consumer]:
+    """Return the packages of a linked tree as consumers."""
+    return [Consumer(package, entries) for package, entries in requirements(workspace).items()]
+
+
+def requirements(workspace: Workspace) -> Mapping[str, Sequence[Requirement]]:
+    """Return what each package of a linked tree requires, in the order of files and lines."""
+    texts = SideTexts(workspace.tree, workspace.packages)
+    modules: dict[str, list[LinkedModule]] = defaultdict(list)
+    for module in workspace.linked:
+        modules[module.module.package].append(module)
+    found: dict[str, list[Requirement]] = {facts.name: [] for facts in workspace.packages}
+    for facts in workspace.packages:
+        found[facts.name] += _of_package(workspace.tree, texts, facts, modules[facts.name])
+    for package, requirement in _of_program(workspace):
+        found[package].append(requirement)
+    paths = frozenset(entry.path for entry in workspace.tree.files())
+    return {package: _ordered(_kept(entry, paths) for entry in entries) for package, entries in found.items()}
+
+
+def _kept(entry: Requirement, paths: frozenset[str]) -> Requirement:
+    distribution = kept_for(entry.evidence[0].path, paths)
+    return msgspec.structs.replace(entry, kept_for=distribution) if distribution else entry
+
+
+def _of_package(
+    tree: Tree, texts: SideTexts, facts: PackageFacts, modules: Sequence[LinkedModule]
+) -> Iterator[Requirement]:
+    yield from endpoint_requirements(modules)
+    yield from parameter_file_requirements(tree, facts)
+    yield from launch_requirements(texts, facts)
+    yield from description_requirements(texts, facts)
+    yield from behavior_tree_requirements(facts)
+    for file in _python_launch_files(texts, facts):
+        yield from python_requirements(file)
+
+
+def _of_program(workspace: Workspace) -> Iterator[tuple[str, Requirement]]:
+    for file in workspace.program.files:
+        readers = (python_requirements, field_requirements) if file.language == "python" else _CPP
+        for reader in readers:
+            for found in reader(file):
+                yield file.package, found
+    yield from override_requirements(workspace.program)
+    yield from result_requirements(workspace.program)
+    yield from member_requirements(workspace.objects)
+
+
+_CPP = (header_requirements, name_requirements)
+
+
+def _python_launch_files(texts: SideTexts, facts: PackageFacts) -> Iterator[File]:
+    """Launch files in Python, which belong to no program, as the sources that they are."""
+    paths = sorted(
+        entry.path
+        for entry in facts.root.files
+        if entry.path.endswith(".py") and entry.path not in facts.sources and is_launch_file(entry.path)
+    )
+    for path, data in texts.read_many(paths):
+        if len(data) <= MAX_BYTES:
+            file = File(path, facts.name, facts.ros, parse_python(data).facts)
+            file.imported = imported_names(file)
+            yield file
+
+
+def _ordered(entries: Iterable[Requirement]) -> Sequence[Requirement]:
+    return tuple(sorted(dict.fromkeys(entries), key=_order))
+
+
+def _order(entry: Requirement) -> tuple[str, int, str, str, str, bytes]:
+    at = entry.evidence[0]
+    return at.path, at.line, entry.use, entry.name, entry.owner, msgspec.json.encode(entry)

@@ -1,0 +1,33 @@
+"""Robot descriptions: the frames that joints hang on, and the descriptions that they include."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import Final
+
+from ecm_checker.hub.requirement import Requirement
+
+from ecm_extract.entities.descriptions import descriptions, written_name
+from ecm_extract.entities.side_texts import SideTexts
+from ecm_extract.read.facts import PackageFacts
+from ecm_extract.requires.place import Place, required
+from ecm_extract.tree import Tree
+
+_FOUND: Final = re.compile(r"\$\(find ([\w-]+)\)/(.+)")
+
+
+def description_requirements(tree: Tree | SideTexts, facts: PackageFacts) -> Iterator[Requirement]:
+    """Yield what the descriptions of a package require; what a link of any of them provides is not asked of others."""
+    read = list(descriptions(tree, facts))
+    own = {written_name(entry.name) for _, names in read for entry in names.links}
+    for path, names in read:
+        by = f"description {path.rpartition('/')[2]}"
+        for entry in names.parents:
+            name = written_name(entry.name)
+            if name not in own:
+                yield required("hangs_joint", name, Place(path, entry.line, by), "likely")
+        for entry in names.includes:
+            found = _FOUND.fullmatch(entry.name)
+            if found is not None:
+                yield required("includes_description", found[2], Place(path, entry.line, by), package=found[1])

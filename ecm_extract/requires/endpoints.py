@@ -1,0 +1,64 @@
+"""What modules ask of the graph: subscribers, publishers, clients, transforms, and the types that they speak."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Final
+
+from ecm_checker.contract import Interface
+from ecm_checker.finding import Certainty
+from ecm_checker.hub.requirement import Requirement
+
+from ecm_extract.entities.endpoints import comparable_name
+from ecm_extract.link.linker import LinkedModule
+from ecm_extract.requires.place import Place, required
+
+_USES: Final = {
+    "subscriber": "subscribes",
+    "publisher": "publishes",
+    "service_client": "calls_service",
+    "action_client": "calls_action",
+}
+_SPEAKS: Final = {
+    "publisher": "publishes it on",
+    "subscriber": "subscribes to it on",
+    "service_server": "serves it as",
+    "service_client": "calls it as",
+    "action_server": "serves it as",
+    "action_client": "calls it as",
+}
+_LOOKUP: Final = " <- "
+"""Between the frames of a transform that is looked up."""
+
+
+def endpoint_requirements(modules: Sequence[LinkedModule]) -> Iterator[Requirement]:
+    """Yield what the endpoints of the modules of a package require; a line that several share requires once."""
+    seen: set[tuple[str, str, str, int]] = set()
+    for module in modules:
+        by = f"{module.module.kind} {module.module.name}"
+        for entry in module.interfaces:
+            at = entry.evidence[0]
+            for found in _of(entry, Place(at.path, at.line, by)):
+                mark = (found.use, found.name, at.path, at.line)
+                if mark not in seen:
+                    seen.add(mark)
+                    yield found
+
+
+def _of(entry: Interface, place: Place) -> Iterator[Requirement]:
+    if entry.role in _USES:
+        name = entry.name if entry.name.startswith("/") else comparable_name(entry)
+        yield required(_USES[entry.role], name, place, _certainty(entry), type=entry.type, qos=entry.qos)
+    if entry.role in _SPEAKS and entry.type is not None:
+        yield required("speaks", entry.type, place, "likely", said=f"{_SPEAKS[entry.role]} {entry.name}")
+    if entry.role == "tf_lookup" and entry.frame:
+        for name in entry.frame.split(_LOOKUP):
+            yield required("looks_up", name, place, "likely")
+
+
+def _certainty(entry: Interface) -> Certainty:
+    """A peer that is published to may come from anywhere; a computed name may be any."""
+    if entry.confidence == "pattern":
+        return "unknown"
+    certain = entry.confidence in {"literal", "folded"} and entry.type is not None and entry.role != "publisher"
+    return "proved" if certain else "likely"

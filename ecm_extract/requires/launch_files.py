@@ -1,0 +1,130 @@
+"""Launch files: the programs that they start, what they include and give, set, remap and load.
+
+The parsed actions are read, not the text, so that XML, YAML and Python say the same things. A name with a substitution
+in it is nobody's until the launch is evaluated: its parts that are known only at launch are holes.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from pathlib import PurePosixPath
+from typing import Final
+
+import msgspec
+from ecm_checker.hub.requirement import Given, Requirement
+from ecm_parsers.launch.model import Action, Group, Include, Node, ParameterFile, ParameterValue, Remap, Template
+
+from ecm_extract.entities.launch import launch_files, written
+from ecm_extract.entities.side_texts import SideTexts
+from ecm_extract.read.facts import PackageFacts
+from ecm_extract.requires.place import Place, required
+from ecm_extract.tree import Tree
+
+_FOUND: Final = re.compile(r"\$\((?:find|find_prefix) ([^\s$()]+)\)(.*?)([^/$()]+)$", re.DOTALL)
+"""A file of a package: the package, the folders, the name."""
+HOLE: Final = "{}"
+
+
+class _Scope(msgspec.Struct, frozen=True):
+    """Where an action stands: its file, and the conditions around it."""
+
+    path: str
+    conditions: tuple[str, ...] = ()
+
+    def place(self, line: int) -> Place:
+        return Place(self.path, line, f"launch_file {PurePosixPath(self.path).name}")
+
+    def inside(self, condition: Template | None) -> _Scope:
+        told = self.conditions if condition is None else (*self.conditions, written(condition))
+        return _Scope(self.path, told)
+
+
+def launch_requirements(tree: Tree | SideTexts, facts: PackageFacts) -> Iterator[Requirement]:
+    """Yield what the launch files of a package require."""
+    for path, file in launch_files(tree, facts):
+        for found in _of_actions(file.actions, _Scope(path)):
+            yield msgspec.structs.replace(found, ros=file.ros)
+
+
+def _of_actions(actions: Iterable[Action], scope: _Scope) -> Iterator[Requirement]:
+    for action in actions:
+        inner = scope.inside(action.condition)
+        for found in _of_action(action, inner):
+            yield msgspec.structs.replace(found, conditions=inner.conditions) if inner.conditions else found
+
+
+def _of_action(action: Action, scope: _Scope) -> Iterator[Requirement]:
+    match action:
+        case Group():
+            yield from _of_actions(action.actions, scope)
+        case Include():
+            yield from _of_include(action, scope.place(action.line))
+        case Node():
+            yield from _of_node(action, scope)
+        case Remap():
+            yield _remap(action, scope, None)
+        case ParameterValue():
+            yield from _of_parameter(action, scope, None)
+        case ParameterFile():
+            yield from _of_file(action.path, scope.place(action.line))
+
+
+def _of_include(action: Include, place: Place) -> Iterator[Requirement]:
+    found = _FOUND.search(written(action.path))
+    if found is None:
+        return
+    given = Given(names=tuple(name for name, _ in action.arguments), forwarded=action.pass_all)
+    yield required("includes_launch", found[3], place, package=found[1], given=given)
+    for name, _ in action.arguments:
+        yield required("gives_argument", name, place, package=found[1], owner=found[3])
+
+
+def _of_node(action: Node, scope: _Scope) -> Iterator[Requirement]:
+    package, executable = plain(action.package), plain(action.executable)
+    place = scope.place(action.line)
+    if package and executable:
+        yield required("starts", executable, place, package=package)
+    plugin = plain(action.plugin)
+    if plugin:
+        yield required("loads_plugin", plugin, place)
+    for remap in action.remaps:
+        yield _remap(remap, scope, package)
+    for source in action.parameters:
+        if isinstance(source, ParameterFile):
+            yield from _of_file(source.path, scope.place(source.line))
+        else:
+            yield from _of_parameter(source, scope, package)
+    yield from _of_actions(action.components, scope)
+
+
+def _remap(action: Remap, scope: _Scope, package: str | None) -> Requirement:
+    source, target = holed(action.source), holed(action.target)
+    return required("remaps", source, scope.place(action.line), "likely", said=target, package=package or None)
+
+
+def _of_parameter(action: ParameterValue, scope: _Scope, package: str | None) -> Iterator[Requirement]:
+    name = plain(action.name)
+    if name:
+        yield required("gives_parameter", name, scope.place(action.line), "likely", package=package or None)
+
+
+def _of_file(path: Template, place: Place) -> Iterator[Requirement]:
+    found = _FOUND.search(written(path))
+    if found is not None:
+        name = f"{found[2].lstrip('/')}{found[3]}"
+        yield required("reads_file", name, place, package=found[1])
+
+
+def plain(template: Template) -> str:
+    """Return a template without substitutions as text; empty for any other."""
+    return "".join(part for part in template if isinstance(part, str)) if _is_plain(template) else ""
+
+
+def holed(template: Template) -> str:
+    """Return a template with `{}` for each substitution."""
+    return "".join(part if isinstance(part, str) else HOLE for part in template)
+
+
+def _is_plain(template: Template) -> bool:
+    return all(isinstance(part, str) for part in template)

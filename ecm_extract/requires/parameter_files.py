@@ -1,0 +1,70 @@
+"""Parameter files: the parameters that they set, the plugins and frames that their values name."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import Any, Final
+
+from ecm_checker.finding import Certainty
+from ecm_checker.hub.requirement import Requirement
+from ecm_parsers.parameter_yaml import ParameterSet, parse_parameter_yaml
+
+from ecm_extract.discover import is_test_path
+from ecm_extract.read.facts import PackageFacts
+from ecm_extract.requires.place import Place, required
+from ecm_extract.tree import Tree
+
+MAX_BYTES: Final = 1_000_000
+_YAML: Final = (".yaml", ".yml")
+_TYPES: Final = {"int": "integer", "int_array": "integer_array"}
+_ANY_NODE: Final = frozenset({None, "/**", "/*"})
+_CLASS: Final = re.compile(r"[A-Za-z_]\w*(?:(?:::|/)[A-Za-z_]\w*)+")
+"""A name that a plugin is looked up by."""
+_NAMES_FRAME: Final = re.compile(r"(?:frame|frame_id|link)s?$")
+_PLAIN: Final = (str, int, float, bool)
+MAX_VALUE: Final = 200
+
+
+def parameter_file_requirements(tree: Tree, facts: PackageFacts) -> Iterator[Requirement]:
+    """Yield what the YAML files of a package require; those of tests are left out."""
+    paths = [
+        entry.path
+        for entry in facts.root.files
+        if entry.path.endswith(_YAML) and not is_test_path(entry.path, facts.root.path)
+    ]
+    for path, data in tree.read_many(sorted(paths)):
+        if len(data) <= MAX_BYTES:
+            file = parse_parameter_yaml(data).facts
+            for entry in file.sets:
+                yield from _of_set(entry, file.ros, path)
+
+
+def _of_set(entry: ParameterSet, ros: int, path: str) -> Iterator[Requirement]:
+    place = Place(path, entry.line, f"file {path}")
+    certainty: Certainty = "likely" if entry.node in _ANY_NODE else "proved"
+    yield required(
+        "sets_parameter",
+        entry.name,
+        place,
+        certainty,
+        owner=entry.node or "",
+        type=_TYPES.get(entry.type, entry.type),
+        value=_short(entry.value),
+        ros=ros,
+    )
+    for text in _texts(entry.value):
+        if _CLASS.fullmatch(text):
+            yield required("loads_plugin", text, place)
+        if _NAMES_FRAME.search(entry.name):
+            yield required("names_frame", text, place, "likely", said=entry.name)
+
+
+def _short(value: Any) -> Any:
+    """A value that is worth keeping: of a long text or a nested one only its type counts."""
+    return value if isinstance(value, _PLAIN) and len(str(value)) <= MAX_VALUE else None
+
+
+def _texts(value: Any) -> Iterator[str]:
+    items = value if isinstance(value, list) else [value]
+    return (item for item in items if isinstance(item, str))

@@ -1,0 +1,40 @@
+"""Where a requirement stands, and what stands there."""
+
+from __future__ import annotations
+
+import msgspec
+from ecm_checker.contract import Evidence
+from ecm_checker.finding import Certainty
+from ecm_checker.hub.kinds import uses
+from ecm_checker.hub.requirement import Given, Requirement
+
+
+class Place(msgspec.Struct, frozen=True):
+    """A line, and who requires there: `by` is `node talker`, `launch_file bringup.launch.py`, or a path."""
+
+    path: str
+    line: int
+    by: str = ""
+
+    @property
+    def evidence(self) -> tuple[Evidence, ...]:
+        """The line as evidence."""
+        return (Evidence(self.path, self.line),)
+
+
+def required(use: str, name: str, place: Place, certainty: Certainty = "proved", **more: object) -> Requirement:
+    """Return the requirement of a use at a place; its kind is the first that the use may mean.
+
+    Args:
+        use: a row of the vocabulary.
+        name: that is used.
+        place: where.
+        certainty: how surely that name is meant.
+        more: other fields of the requirement.
+    """
+    kind = uses()[use].of[0]
+    base = Requirement(use=use, kind=kind, name=name, evidence=place.evidence, certainty=certainty, by=place.by)
+    return msgspec.structs.replace(base, **more) if more else base
+
+
+__all__ = ["Given", "Place", "required"]

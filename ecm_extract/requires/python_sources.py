@@ -1,0 +1,117 @@
+"""Python: names that it imports, attributes of modules, arguments that calls give by name, results that it takes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ecm_checker.hub.requirement import Given, Requirement
+from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
+from ecm_parsers.source.facts import Function, Import, Statement
+
+from ecm_extract.link.tuples import count_of
+from ecm_extract.link.units import File
+from ecm_extract.link.walk import dotted, expressions
+from ecm_extract.requires.place import Place, required
+
+
+def python_requirements(file: File) -> Iterator[Requirement]:
+    """Yield what a Python file requires of modules that it imports; what it says twice in a line, it requires once."""
+    for entry in file.facts.imports:
+        yield from _of_import(entry, file)
+    if not file.imported:
+        return
+    seen: set[tuple[str, str, str, int]] = set()
+    for function in file.facts.functions:
+        parted = _taken_apart(function)
+        for statement in function.body:
+            for found in _of_statement(file, statement, parted):
+                mark = (found.use, found.name, found.said, found.evidence[0].line)
+                if mark not in seen:
+                    seen.add(mark)
+                    yield found
+
+
+def _place(file: File, line: int) -> Place:
+    return Place(file.path, line, f"file {file.path}")
+
+
+def _of_import(entry: Import, file: File) -> Iterator[Requirement]:
+    name = absolute(entry, file)
+    said = f"{entry.name} from {entry.module}" if entry.name else entry.module
+    yield required("imports", name, _place(file, entry.line), said=said)
+
+
+def absolute(entry: Import, file: File) -> str:
+    """Return the dotted name that an import binds; a leading dot stands for the file's own folder."""
+    module = entry.module
+    if module.startswith("."):
+        folders = file.path.split("/")[:-1]
+        module = f"{folders[-1] if folders else ''}.{module.lstrip('.')}".strip(".")
+    return f"{module}.{entry.name}" if entry.name else module
+
+
+def _of_statement(file: File, statement: Statement, parted: frozenset[str]) -> Iterator[Requirement]:
+    for expr, line in expressions(statement):
+        yield from _attribute(file, expr, line)
+        if isinstance(expr, Call) and expr.keywords:
+            yield from _keywords(file, expr, line)
+    yield from _result(file, statement, parted)
+
+
+def _attribute(file: File, expr: Expr, line: int) -> Iterator[Requirement]:
+    """`module.name` of a module that the file imports."""
+    written = dotted(expr) if isinstance(expr, Member) else None
+    if written is None:
+        return
+    full = _meant(file, written)
+    if full:
+        yield required("uses_name", full, _place(file, line), said=written)
+
+
+def _meant(file: File, written: str) -> str:
+    """The dotted name that a written one means by an import; empty for what no import binds."""
+    head, _, rest = written.partition(".")
+    return f"{file.imported[head]}.{rest}".rstrip(".") if head in file.imported else ""
+
+
+def _keywords(file: File, call: Call, line: int) -> Iterator[Requirement]:
+    full = _meant(file, dotted(call.callee) or "")
+    if full:
+        for (word, _), at in zip(call.keywords, call.keyword_lines, strict=True):
+            yield required("gives_keyword", full, _place(file, at), said=word, given=Given(names=(word,)))
+
+
+def _result(file: File, statement: Statement, parted: frozenset[str]) -> Iterator[Requirement]:
+    """How many values a line takes from a call; methods are known by their name alone."""
+    call = statement.value
+    if statement.kind != "set" or not isinstance(call, Call):
+        return
+    takes = _taken(statement.target, parted)
+    written = dotted(call.callee) or ""
+    full = _meant(file, written)
+    last = call.callee.name if isinstance(call.callee, Member) else ""
+    if takes and (full or last):
+        said = f"{takes} from {written or last}()"
+        given = Given(takes=takes)
+        place = _place(file, statement.line)
+        yield required("takes_result", full or last, place, "proved" if full else "likely", said=said, given=given)
+
+
+def _taken(target: Expr | None, parted: frozenset[str]) -> str:
+    """How many values a line takes, as a form tells what it returns; empty where that cannot be told."""
+    count = count_of(target)
+    if count is not None:
+        return f"{count} values"
+    return "1 value" if isinstance(target, Name) and target.id not in parted else ""
+
+
+def _taken_apart(function: Function) -> frozenset[str]:
+    """Variables of which a function takes elements, or that it unpacks."""
+    found: set[str] = set()
+    for statement in function.body:
+        if isinstance(statement.value, Name) and count_of(statement.target) is not None:
+            found.add(statement.value.id)
+        for part, _ in expressions(statement):
+            if isinstance(part, Op) and part.op == "[]" and isinstance(part.operands[0], Name):
+                found.add(part.operands[0].id)
+    return frozenset(found)

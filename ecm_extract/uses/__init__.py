@@ -1,1 +1,0 @@
-"""Uses of consumers: where a changed entity is named, and whether the name still holds there."""
