@@ -6,7 +6,8 @@ import re
 from collections import defaultdict
 from collections.abc import Iterable
 
-from ecm_extract.entities.endpoints import HOLE
+from ecm_checker.hub.provision import HOLE
+
 from ecm_extract.entities.model import PublicEntity
 
 _KINDS = frozenset({"topic", "service", "action"})

@@ -86,6 +86,8 @@ def _breach(
 ) -> Certainty | None:
     """Return how surely a change breaks a requirement that means what changed; None when it does not."""
     word = located.change.change
+    if _names_successor(requirement, located, consumer):
+        return None
     if word == "deprecated":
         return requirement.certainty if row.warned and _is_warned(requirement, located) else None
     if word in GONE:
@@ -107,7 +109,7 @@ def _is_warned(requirement: Requirement, located: Located) -> bool:
 
 def _lost(requirement: Requirement, located: Located, consumer: Consumer, broken: BrokenNames) -> Certainty | None:
     old, new = located.pair.old, located.pair.new
-    if old is None or _names_successor(requirement, located, consumer) or _is_other(requirement, located):
+    if old is None or _is_other(requirement, located):
         return None
     if requirement.use == "includes" and new is not None and new.name == requirement.name:
         return "likely"  # another package answers the include now, and must be depended on
@@ -156,7 +158,15 @@ def _no_longer_fits(requirement: Requirement, located: Located) -> bool:
         return False
     if requirement.use == "takes_again":
         return _is_no_longer_shared(old.forms, new.forms)
+    if requirement.use == "gives_keyword" and requirement.given is not None:
+        # `**kwargs` may hand it on to what refuses it, so a name that was told and is not any more is lost
+        return not _told(old.forms).intersection(requirement.given.names) <= _told(new.forms)
     return misfit(requirement, old) is None and misfit(requirement, new) is not None
+
+
+def _told(forms: Iterable[Form]) -> frozenset[str]:
+    """Names of parameters that a function tells."""
+    return frozenset(name for form in forms for name in form.names if not name.startswith("*"))
 
 
 def _is_no_longer_shared(old: Iterable[Form], new: Iterable[Form]) -> bool:

@@ -9,12 +9,12 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import Final
 
 import msgspec
+from ecm_checker.hub.provision import HOLE
 from ecm_checker.release import ChangeWord
 
 from ecm_extract.diff.conversions import returns_as_well, takes
 from ecm_extract.diff.model import Pair
 from ecm_extract.diff.similarity import words
-from ecm_extract.entities.endpoints import HOLE
 from ecm_extract.entities.model import Form, PublicEntity
 
 _RELIABILITY: Final = ("best_effort", "reliable")

@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping, Sequence
 
+from ecm_checker.hub.provision import HOLE
+
 from ecm_extract.diff.model import Pair
 from ecm_extract.diff.similarity import name_similarity, shape_equal
-from ecm_extract.entities.endpoints import HOLE
 from ecm_extract.entities.model import PublicEntity
 
 _NEVER = frozenset({"member", "method", "package", "library", "bt_port", "launch_argument"})

@@ -9,10 +9,10 @@ import re
 from collections.abc import Iterator
 from typing import Final
 
+from ecm_checker.hub.provision import HOLE
 from ecm_parsers.robot_names import NamedLine, RobotNames, parse_robot_names
 
 from ecm_extract.discover import is_test_path
-from ecm_extract.entities.endpoints import HOLE
 from ecm_extract.entities.model import PublicEntity
 from ecm_extract.entities.public_files import inside
 from ecm_extract.entities.side_texts import DESCRIPTIONS, SideTexts

@@ -26,13 +26,9 @@ def result_requirements(program: Program) -> Iterator[tuple[str, Requirement]]:
 
 
 def _of(func: Func) -> Iterator[Requirement]:
-    held: dict[str, str] = {}
+    held = dict(_held(func))
     taken: dict[str, list[int]] = {}
-    for statement in func.fact.body:
-        value = statement.value
-        if statement.kind == "let" and isinstance(statement.target, Name) and isinstance(value, Call):
-            if isinstance(value.callee, Member) and len(value.args) == 1:
-                held[statement.target.id] = value.callee.name
+    for statement in func.fact.body if held else ():
         for expr, line in expressions(statement):
             name = _got(expr)
             if name in held:
@@ -41,6 +37,16 @@ def _of(func: Func) -> Iterator[Requirement]:
         if len(lines) > 1:
             place = Place(func.file.path, lines[1], f"file {func.file.path}")
             yield required("takes_again", held[name], place, "likely", said=name)
+
+
+def _held(func: Func) -> Iterator[tuple[str, str]]:
+    """Variables that hold the result of a method, and its name."""
+    for statement in func.fact.body:
+        target, value = statement.target, statement.value
+        if statement.kind == "let" and isinstance(target, Name) and isinstance(value, Call):
+            callee = value.callee
+            if isinstance(callee, Member) and len(value.args) == 1:
+                yield target.id, callee.name
 
 
 def _got(expr: Expr) -> str:

@@ -6,7 +6,7 @@ import msgspec
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Certainty
 from ecm_checker.hub.kinds import uses
-from ecm_checker.hub.requirement import Given, Requirement
+from ecm_checker.hub.requirement import Requirement
 
 
 class Place(msgspec.Struct, frozen=True):
@@ -35,6 +35,3 @@ def required(use: str, name: str, place: Place, certainty: Certainty = "proved",
     kind = uses()[use].of[0]
     base = Requirement(use=use, kind=kind, name=name, evidence=place.evidence, certainty=certainty, by=place.by)
     return msgspec.structs.replace(base, **more) if more else base
-
-
-__all__ = ["Given", "Place", "required"]

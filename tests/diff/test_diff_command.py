@@ -196,11 +196,24 @@ def test_built_sources_of_the_provider_are_quiet(repo: Path, capsys: pytest.Capt
     assert document(capsys, "1.0.0", "1.1.1", "--repo", repo)["findings"] == []
 
 
+XML_LAUNCH = """<launch><node pkg="user" exec="user">
+<remap from="state/joints" to="/arm/joint_state/raw/joints"/></node></launch>
+"""
+PYTHON_LAUNCH = """from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    remappings = [("/arm/state/joints", "/arm/joint_state/raw/joints")]
+    return LaunchDescription([Node(package="user", executable="user", remappings=remappings)])
+"""
+
+
 @pytest.mark.parametrize(
     ("path", "text"),
     [
-        ("user/launch/a.launch", '<launch><remap from="state/joints" to="/arm/joint_state/raw/joints"/></launch>'),
-        ("user/launch/a.launch.py", 'Node(remappings=[("/arm/state/joints", "/arm/joint_state/raw/joints")])'),
+        ("user/launch/a.launch.xml", XML_LAUNCH),
+        ("user/launch/a.launch.py", PYTHON_LAUNCH),
     ],
 )
 def test_a_remap_that_keeps_the_old_name_downgrades(

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
+from functools import cached_property
 
 from ecm_checker.hub.provision import ALIAS, Key, Provision
 
@@ -49,15 +50,21 @@ class Bases:
                 return found or self.constructor(target)
         return None
 
-    def handing_on(self, init: Provision) -> Iterator[str]:
-        """Yield Python classes of a package that hand what they do not know themselves (`**kwargs`) to an `__init__`."""
-        own = init.owner.rpartition(".")[2]
+    def handing_on(self, init: Provision) -> Sequence[str]:
+        """Return Python classes of its package that hand what they do not know (`**kwargs`) to an `__init__`."""
+        return self._heirs.get((init.package, init.owner.rpartition(".")[2]), ())
+
+    @cached_property
+    def _heirs(self) -> Mapping[tuple[str, str], Sequence[str]]:
+        """Classes whose `__init__` takes any keyword, by package and own name of their bases."""
+        found: dict[tuple[str, str], list[str]] = defaultdict(list)
         for name, group in self._classes.items():
-            for entity in group:
-                if entity.package == init.package and any(base.rpartition(".")[2] == own for base in entity.bases):
-                    made = self._members.get(("method", name, "__init__"))
-                    if made is not None and any(each.startswith("**") for form in made.forms for each in form.names):
-                        yield name
+            made = self._members.get(("method", name, "__init__"))
+            if made is not None and any(each.startswith("**") for form in made.forms for each in form.names):
+                for entity in group:
+                    for base in entity.bases:
+                        found[entity.package, base.rpartition(".")[2]].append(name)
+        return found
 
     def ancestry(self, cls: str) -> list[str]:
         """Return a class and its bases in the tree, nearest first."""

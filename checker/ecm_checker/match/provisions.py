@@ -35,11 +35,16 @@ class Provisions:
         """Index provisions; `whole` is the side that they are a part of, which knows its classes and folders."""
         self._entities = tuple(entities)
         self._whole = whole
-        self.bound = whole.bound if whole is not None else bound
+        self.bound: frozenset[str] = whole.bound if whole is not None else bound
         self._by_key: dict[tuple[str, str], list[Provision]] = defaultdict(list)
         for entity in self._entities:
-            for key in dict.fromkeys(_keys(entity)):
+            for key in dict.fromkeys((*_keys(entity), *self._heirs(entity))):
                 self._by_key[entity.kind, key].append(entity)
+
+    def _heirs(self, entity: Provision) -> Iterator[str]:
+        """Classes that hand their arguments on to an `__init__` are called in its place."""
+        if entity.name == "__init__":
+            yield from (f"{last_part(name)}()" for name in self.bases.handing_on(entity))
 
     @cached_property
     def bases(self) -> Bases:
