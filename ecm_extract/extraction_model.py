@@ -42,6 +42,7 @@ class PackageContracts(msgspec.Struct, frozen=True):
         path: of its folder, relative to the root of the tree; `.` for the root itself.
         ros: 1 or 2; None when no artefact tells.
         modules: in a stable order (by module id).
+        hub: what it provides and requires, as canonical JSON (`ecm_checker.hub.package.Hub`); empty when not asked for.
     """
 
     name: str
@@ -49,6 +50,7 @@ class PackageContracts(msgspec.Struct, frozen=True):
     path: str
     ros: Literal[1, 2] | None
     modules: tuple[Contract, ...]
+    hub: bytes = b""
 
 
 class Counts(msgspec.Struct, frozen=True):
@@ -87,6 +89,7 @@ class Options(msgspec.Struct, frozen=True):
         jobs: worker processes; None takes one per core.
         progress: called with (files done, files in all) now and then; must be cheap.
         cache: take from the user's cache what was read before, and add to it.
+        hub: also read what packages provide and require.
     """
 
     include_tests: bool = False
@@ -94,3 +97,4 @@ class Options(msgspec.Struct, frozen=True):
     jobs: int | None = None
     progress: Progress | None = None
     cache: bool = True
+    hub: bool = False

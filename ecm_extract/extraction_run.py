@@ -2,10 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
+import msgspec
+from ecm_checker.hub.package import Hub, encode_hub
+
 from ecm_extract.assemble.contracts import assemble
+from ecm_extract.assemble.hub import hubs
 from ecm_extract.collector import without_collector
 from ecm_extract.config import Config
-from ecm_extract.extraction_model import Counts, Extraction, LocatedDiagnostic, Options
+from ecm_extract.entities.side import Workspace
+from ecm_extract.extraction_model import Counts, Extraction, LocatedDiagnostic, Options, PackageContracts
 from ecm_extract.link.forms import form_table
 from ecm_extract.link.linker import Linker
 from ecm_extract.read.reader import Reader
@@ -28,8 +35,12 @@ def read_contracts(tree: Tree, options: Options) -> tuple[Extraction, dict[str, 
         include_tests = options.include_tests or config.extract.include_tests
         reader = Reader(tree, include_tests, config.extract.exclude, options.cache)
         packages = reader.read(options.jobs, options.progress)
-        linked = Linker(packages, form_table(config.forms)).link()
+        linker = Linker(packages, form_table(config.forms))
+        linked = linker.link()
         contracts = assemble(tree, packages, linked)
+        if options.hub:
+            workspace = Workspace(tree, packages, linked, linker.program, linker.folder.objects)
+            contracts = _with_hubs(contracts, hubs(workspace, options.jobs))
     extraction = Extraction(
         path=tree.label,
         commit=tree.commit,
@@ -38,6 +49,10 @@ def read_contracts(tree: Tree, options: Options) -> tuple[Extraction, dict[str, 
         counts=Counts(reader.files, reader.bytes),
     )
     return extraction, reader.blobs
+
+
+def _with_hubs(contracts: tuple[PackageContracts, ...], found: Mapping[str, Hub]) -> tuple[PackageContracts, ...]:
+    return tuple(msgspec.structs.replace(each, hub=encode_hub(found[each.name])) for each in contracts)
 
 
 def _diagnostics(tree: Tree) -> tuple[LocatedDiagnostic, ...]:

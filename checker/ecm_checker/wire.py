@@ -66,28 +66,8 @@ class Diagnostic(msgspec.Struct, frozen=True):
     message: str
 
 
-class Package(msgspec.Struct, frozen=True):
-    """One ROS package with its modules and what could not be read of it."""
-
-    name: str
-    version: str | None
-    path: str
-    ros: Literal[1, 2] | None
-    modules: tuple[Module, ...]
-    diagnostics: tuple[Diagnostic, ...]
-
-
 class Origin(msgspec.Struct, frozen=True):
     """The tree that was read: as the user named it, and its commit when it has one."""
 
     path: str
     commit: str | None
-
-
-class Extract(msgspec.Struct, frozen=True, kw_only=True):
-    """Everything that was read off one tree; `diagnostics` holds those of files that are in no package."""
-
-    schema: Literal["ecm-extract/extract/1"]
-    source: Origin
-    packages: tuple[Package, ...]
-    diagnostics: tuple[Diagnostic, ...] = ()

@@ -53,7 +53,14 @@ class ExtractionCache:
         if not version or config is None:
             return ""
         entries = self._tree.files()
-        about = (self._tree.label, self._tree.commit, self._tree.repository, self._options.include_tests, config)
+        about = (
+            self._tree.label,
+            self._tree.commit,
+            self._tree.repository,
+            self._options.include_tests,
+            self._options.hub,
+            config,
+        )
         lines = [repr((version, about))]
         lines += [f"{e.path}\0{e.size}\0{e.identity}\0{e.target}\0{e.executable}" for e in entries]
         lines += [repr(entry) for entry in self._tree.diagnostics]

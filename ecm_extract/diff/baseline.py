@@ -6,6 +6,7 @@ from pathlib import Path
 
 from ecm_extract.diff.model import RefInfo
 from ecm_extract.errors import RefError, TreeError
+from ecm_extract.stored import Stored, is_stored, read_stored
 from ecm_extract.tree import Tree, newest_release, open_ref, open_tree
 from ecm_extract.tree.git_repo import GitRepo, find_repo
 from ecm_extract.tree.open import open_repo
@@ -13,10 +14,20 @@ from ecm_extract.tree.open import open_repo
 WORK_TREE = "."
 
 
-def open_side(spec: str, repo: Path) -> Tree:
+def open_side(spec: str, repo: Path) -> Tree | Stored:
+    """Open what `open_source` opens, or stored documents: a file, or a folder that holds them instead of packages.
+
+    Raises:
+        TreeError: it is none of these.
+        InputError: a document cannot be read.
+    """
+    return read_stored(spec) if spec != WORK_TREE and is_stored(spec) else open_source(spec, repo)
+
+
+def open_source(spec: str, repo: Path) -> Tree:
     """Open a folder, `DIR@REF`, or a ref of the repository; `.` is its work tree, or HEAD of a bare one.
 
-    A folder may hold manifests instead of packages. A bare word is a ref first, and a folder where none is called so.
+    A bare word is a ref first, and a folder where none is called so.
 
     Raises:
         TreeError: neither a folder nor a ref.
@@ -38,6 +49,16 @@ def _is_folder(spec: str) -> bool:
     return (Path(spec).is_dir() or (bool(head) and Path(head).is_dir())) and "/" in spec
 
 
+def open_consumer(spec: str) -> Tree | Stored:
+    """Open what uses the two sides: a folder, `DIR@REF`, or documents.
+
+    Raises:
+        TreeError: it is none of these.
+        InputError: a document cannot be read.
+    """
+    return read_stored(spec) if is_stored(spec) else open_tree(spec)
+
+
 def default_baseline(new: str, repo: Path) -> tuple[str, str]:
     """Return the newest release that is reachable from the new side, and why it was chosen.
 
@@ -53,7 +74,7 @@ def default_baseline(new: str, repo: Path) -> tuple[str, str]:
     return tag.name, f"newest release tag reachable from {at}"
 
 
-def describe(spec: str, tree: Tree, why: str) -> RefInfo:
+def describe(spec: str, tree: Tree | Stored, why: str) -> RefInfo:
     """Return how a side is written in a report."""
     return RefInfo(spec, tree.commit, why)
 

@@ -24,8 +24,8 @@ def renamed_files(old: Side, new: Side, repo_folder: Path | None) -> Mapping[str
     """
     found = _same_blobs(old, new)
     repo = find_repo(repo_folder) if repo_folder is not None else None
-    if repo is not None and old.tree.commit and new.tree.commit and old.blobs and new.blobs:
-        found = {**_by_git(repo, old.tree.commit, new.tree.commit), **found}
+    if repo is not None and old.commit and new.commit and old.blobs and new.blobs:
+        found = {**_by_git(repo, old.commit, new.commit), **found}
     return found
 
 

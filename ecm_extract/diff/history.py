@@ -7,14 +7,12 @@ from functools import cached_property
 from pathlib import Path
 
 from ecm_extract.diff.similarity import last_part
+from ecm_extract.entities.notes import MAX_BYTES, MAX_FILES, is_note, sentences
 from ecm_extract.entities.side import Side
 from ecm_extract.errors import EcmError
 from ecm_extract.tree.git_repo import find_repo
 
 _WORD = re.compile(r"[A-Za-z_]\w{3,}")
-_CHANGELOG = re.compile(r"(?:^|/)(?:CHANGELOG|changelog|migration)[\w.-]*\.(?:rst|md)$")
-MAX_BYTES = 4_000_000
-MAX_FILES = 200
 
 
 class History:
@@ -46,28 +44,21 @@ class History:
 
     def _messages(self) -> list[str]:
         repo = find_repo(self._folder) if self._folder is not None else None
-        if repo is None or not self._old.tree.commit or not self._new.tree.commit:
+        if repo is None or not self._old.commit or not self._new.commit:
             return []
-        between = (self._new.tree.commit, f"^{self._old.tree.commit}")
+        between = (self._new.commit, f"^{self._old.commit}")
         try:
             _, out = repo.run("rev-list", "--max-count=3000", "--format=%B", "--no-commit-header", *between)
         except EcmError:
             return []
-        return _sentences(out[:MAX_BYTES])
+        return sentences(out[:MAX_BYTES])
 
     def _changelogs(self) -> list[str]:
-        paths = [path for path in self._new.blobs if _CHANGELOG.search(path)]
+        paths = [path for path in self._new.blobs if is_note(path)]
         changed = [path for path in paths if self._new.blobs[path] != self._old.blobs.get(path)][:MAX_FILES]
-        before = {
-            path: set(_sentences(data))
-            for path, data in self._old.tree.read_many([path for path in changed if path in self._old.blobs])
-        }
+        before = self._old.notes([path for path in changed if path in self._old.blobs])
         found = []
-        for path, data in self._new.tree.read_many(changed):
-            found += [line for line in _sentences(data) if line not in before.get(path, set())]
+        for path, lines in self._new.notes(changed).items():
+            known = set(before.get(path, ()))
+            found += [line for line in lines if line not in known]
         return found
-
-
-def _sentences(data: bytes) -> list[str]:
-    lines = (line.strip(" \t*-") for line in data[:MAX_BYTES].decode("utf-8", "replace").splitlines())
-    return [line for line in lines if len(line) > 8]

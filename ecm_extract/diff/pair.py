@@ -24,7 +24,6 @@ from ecm_extract.diff.same_stem import other_endings
 from ecm_extract.diff.scores import score
 from ecm_extract.diff.similarity import last_part
 from ecm_extract.diff.successors import stated_successor
-from ecm_extract.diff.texts import Texts
 from ecm_extract.entities.model import Key, PublicEntity
 
 CONTAINERS = ("package", "message", "class", "bt_node", "launch_file")
@@ -35,12 +34,18 @@ _IN_MODULES = frozenset({"topic", "service", "action", "parameter"})
 
 @dataclass(slots=True)
 class Evidence:
-    """What helps to decide beside the entities: files that moved, what people wrote, names that Python still binds."""
+    """What helps to decide beside the entities.
+
+    Attributes:
+        files: new path of each file that moved, by its old one. history: what people wrote.
+        bound, quoted, reads: of the new side; see `Side`.
+    """
 
     files: Mapping[str, str] = field(default_factory=dict)
     history: History | None = None
     bound: frozenset[str] = frozenset()
-    texts: Texts | None = None
+    quoted: frozenset[str] = frozenset()
+    reads: frozenset[tuple[str, str]] = frozenset()
 
 
 class Pairing:
@@ -88,13 +93,17 @@ class Pairing:
 
     def _is_there(self, entity: PublicEntity) -> bool:
         """Whether what no declaration shows any more is still read, or set by its name."""
-        texts = self.evidence.texts
-        if self._is_bound(entity) or texts is None:
-            return self._is_bound(entity)
+        if self._is_bound(entity):
+            return True
         if entity.kind == "parameter":
-            return texts.reads(entity.package, entity.name)
-        by_name = entity.kind == "constant" and entity.path.endswith(".py")
-        return by_name and texts.quotes(self.evidence.files.get(entity.path, entity.path), entity.name)
+            return (entity.package, entity.name) in self.evidence.reads
+        if entity.kind != "constant" or not entity.is_python:
+            return False
+        module = entity.owner
+        return (
+            f"{module}.{entity.name}" in self.evidence.quoted
+            or f"{module.rpartition('.')[0]}.{entity.name}" in self.evidence.quoted
+        )
 
     def take(self, pair: Pair) -> None:
         """Decide on a pair."""

@@ -5,23 +5,23 @@ from __future__ import annotations
 from pathlib import Path
 
 import msgspec
+from ecm_checker.match.consumer import Consumer
 from ecm_parsers.source.facts import SourceFile
 
 from ecm_extract.diff.break_findings import findings_of
 from ecm_extract.diff.broken_names import BrokenNames
 from ecm_extract.diff.changes import changes_of
 from ecm_extract.diff.consumers import uses_of
-from ecm_extract.diff.contract_sides import contract_sides, holds_contracts
 from ecm_extract.diff.git_renames import renamed_files
 from ecm_extract.diff.history import History
 from ecm_extract.diff.model import Comparison, Located, RefInfo
 from ecm_extract.diff.pair import Evidence, Pairing
 from ecm_extract.diff.sides import Sides, both_sides
-from ecm_extract.diff.texts import Texts
 from ecm_extract.diff.verdict import package_verdicts, repository_verdict
 from ecm_extract.entities.side import Side, read_workspace
 from ecm_extract.extraction_model import Options
 from ecm_extract.requires.collect import consumers
+from ecm_extract.stored import Stored, stored_consumers
 from ecm_extract.tree import Tree
 
 
@@ -29,19 +29,20 @@ class Request(msgspec.Struct, frozen=True):
     """What is compared.
 
     Attributes:
-        old, new: the trees. repo: folder of the repository, for renames and history; None without one.
+        old, new: the trees, or stored documents of them.
+        repo: folder of the repository, for renames and history; None without one.
         name: of the repository. infos: how the two sides are written.
         consumers: trees whose uses are matched; the new side is always one of them.
         packages: only these; empty for all.
         options: of the extraction.
     """
 
-    old: Tree
-    new: Tree
+    old: Tree | Stored
+    new: Tree | Stored
     repo: Path | None
     name: str
     infos: tuple[RefInfo, RefInfo]
-    consumers: tuple[Tree, ...] = ()
+    consumers: tuple[Tree | Stored, ...] = ()
     packages: tuple[str, ...] = ()
     options: Options = Options()
 
@@ -54,10 +55,7 @@ def compare(request: Request) -> Comparison:
         ConfigError: an `ecm.toml` is wrong.
     """
     parsed: dict[str, SourceFile] = {}
-    if holds_contracts(request.old) or holds_contracts(request.new):
-        sides = contract_sides(request.old, request.new, request.options)
-    else:
-        sides = both_sides(request.old, request.new, request.options, parsed)
+    sides = both_sides(request.old, request.new, request.options, parsed)
     return compared(request, sides, parsed)
 
 
@@ -69,12 +67,12 @@ def compared(request: Request, sides: Sides, parsed: dict[str, SourceFile]) -> C
         sides: its two trees down to their entities.
         parsed: facts by blob id, for the consumers to take from.
     """
-    old, new, workspace = sides
+    old, new = sides.old, sides.new
     located = _changes(request, old, new)
     broken = BrokenNames(located, old, new)
-    uses = list(uses_of(consumers(workspace), broken, new.tree.commit, own=True)) if workspace is not None else []
-    for tree in request.consumers:
-        uses += uses_of(consumers(read_workspace(tree, request.options, parsed)), broken, tree.commit)
+    uses = list(uses_of(sides.own(), broken, new.commit, own=True))
+    for other in request.consumers:
+        uses += uses_of(_consumers(other, request.options, parsed), broken, other.commit)
     findings = findings_of(uses)
     changes = tuple(entry.change for entry in located)
     return Comparison(
@@ -88,11 +86,16 @@ def compared(request: Request, sides: Sides, parsed: dict[str, SourceFile]) -> C
     )
 
 
+def _consumers(other: Tree | Stored, options: Options, parsed: dict[str, SourceFile]) -> list[Consumer]:
+    if isinstance(other, Stored):
+        return stored_consumers(other)
+    return consumers(read_workspace(other, options, parsed))
+
+
 def _changes(request: Request, old: Side, new: Side) -> list[Located]:
     files = renamed_files(old, new, request.repo)
-    pairs = Pairing(
-        old.entities, new.entities, Evidence(files, History(old, new, request.repo), new.bound, Texts(new))
-    ).run()
+    evidence = Evidence(files, History(old, new, request.repo), new.bound, new.quoted, new.reads)
+    pairs = Pairing(old.entities, new.entities, evidence).run()
     located = changes_of(pairs, old, new)
     if not request.packages:
         return located

@@ -2,27 +2,36 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import NamedTuple
+from collections.abc import Callable, Sequence
+from functools import partial
 
+import msgspec
+from ecm_checker.match.consumer import Consumer
 from ecm_parsers.source.facts import SourceFile
 
-from ecm_extract.diff.background import meanwhile
-from ecm_extract.entities.side import PackagesRead, Side, Workspace, link_packages, read_packages, side_of
+from ecm_extract.entities.notes import no_notes, read_notes
+from ecm_extract.entities.side import PackagesRead, Side, link_packages, read_packages, side_of
 from ecm_extract.extraction_model import Options
+from ecm_extract.parallel_work import meanwhile
+from ecm_extract.requires.collect import consumers
+from ecm_extract.stored import Stored, stored_consumers, stored_side
 from ecm_extract.tree import FileDiagnostic, Tree
 
 
-class Sides(NamedTuple):
-    """Both sides down to their entities, and the new one linked, which uses are read off; None for manifests."""
+class Sides(msgspec.Struct, frozen=True):
+    """Both sides down to their entities.
+
+    Attributes:
+        own: gives the packages of the new side as consumers, which they are as well.
+    """
 
     old: Side
     new: Side
-    workspace: Workspace | None
+    own: Callable[[], list[Consumer]]
 
 
-def both_sides(old: Tree, new: Tree, options: Options, parsed: dict[str, SourceFile]) -> Sides:
-    """Read both sides.
+def both_sides(old: Tree | Stored, new: Tree | Stored, options: Options, parsed: dict[str, SourceFile]) -> Sides:
+    """Read both sides; stored documents and sources may stand against each other.
 
     Args:
         old: the tree before.
@@ -30,17 +39,28 @@ def both_sides(old: Tree, new: Tree, options: Options, parsed: dict[str, SourceF
         options: of the extraction; with one job nothing is forked.
         parsed: facts by blob id, to take from and to add to.
     """
-    before = read_packages(old, options, parsed)
-    told = len(old.diagnostics)
-    linked = meanwhile(lambda: _linked(before, told), options.jobs)
+    before = _side_before(old, options, parsed)
+    if isinstance(new, Stored):
+        return Sides(before(), stored_side(new), lambda: stored_consumers(new))
     workspace = link_packages(read_packages(new, options, parsed))
     after = side_of(workspace)
-    return Sides(_reported(linked(), old), after, workspace)
+    return Sides(before(), after, lambda: consumers(workspace))
+
+
+def _side_before(old: Tree | Stored, options: Options, parsed: dict[str, SourceFile]) -> Callable[[], Side]:
+    """Begin to link the old side in another process, and return the function that waits for it."""
+    if isinstance(old, Stored):
+        return lambda: stored_side(old)
+    read = read_packages(old, options, parsed)
+    told = len(old.diagnostics)
+    linked = meanwhile(lambda: _linked(read, told), options.jobs)
+    return lambda: _reported(linked(), old)
 
 
 def _linked(before: PackagesRead, told: int) -> tuple[Side, Sequence[FileDiagnostic]]:
     """In a fork what linking reports would be lost with it."""
     side = side_of(link_packages(before))
+    side.notes = no_notes  # a tree, which reads them, does not leave its process
     return side, before.tree.diagnostics[told:]
 
 
@@ -48,5 +68,5 @@ def _reported(result: tuple[Side, Sequence[FileDiagnostic]], tree: Tree) -> Side
     side, diagnostics = result
     for diagnostic in diagnostics:
         tree.report(diagnostic)
-    side.tree = tree
+    side.notes = partial(read_notes, tree)
     return side

@@ -72,6 +72,7 @@ def entity_of(entry: Interface, package: str, owner: str, ros: int | None) -> Pu
         default=entry.default,
         qos=entry.qos,
         ros=ros,
+        confidence=entry.confidence,
         path=at.path,
         line=at.line,
         chain=tuple(dict.fromkeys((place.path, place.line) for place in entry.evidence)),

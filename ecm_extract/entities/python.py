@@ -20,6 +20,7 @@ from ecm_extract.read.facts import PackageFacts
 
 _LABEL: Final = re.compile(r"[A-Z][A-Z0-9_]+")
 """How values of an enum are written, and other constants of a class."""
+_MODULE: Final = "<module>"
 _WARN: Final = frozenset({"warnings.warn", "warn"})
 
 
@@ -44,6 +45,16 @@ def bound_names(facts: PackageFacts) -> Iterator[str]:
             if name and name != "*":
                 yield f"{dotted}.{name}"
         yield from (f"{dotted}.{entry.name}" for entry in source.constants if not entry.scope)
+
+
+def quoted_names(facts: PackageFacts) -> Iterator[str]:
+    """Yield names that a module gives by text where it calls something: `@aliases(('OLD', 'NEW'))` sets attributes."""
+    for path, dotted in python_modules(facts).items():
+        for function in facts.sources[path].functions:
+            for statement in function.body if function.name == _MODULE else ():
+                for text in _texts(statement.value) if isinstance(statement.value, Call) else ():
+                    if text.value.isidentifier():
+                        yield f"{dotted}.{text.value}"
 
 
 def _symbols(package: str, path: str, dotted: str, source: SourceFile) -> Iterator[PublicEntity]:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 
 from ecm_parsers.interface_facts import Definition
 from ecm_parsers.source.facts import SourceFile
@@ -11,7 +13,8 @@ from ecm_extract.collector import without_collector
 from ecm_extract.entities.collect import public_entities
 from ecm_extract.entities.interfaces import interface_name
 from ecm_extract.entities.model import Key, PublicEntity
-from ecm_extract.entities.python import bound_names
+from ecm_extract.entities.notes import no_notes, read_notes
+from ecm_extract.entities.python import bound_names, quoted_names
 from ecm_extract.entities.shared_reader import SharedReader
 from ecm_extract.extraction_model import Options
 from ecm_extract.link.forms import FormTable, form_table
@@ -19,6 +22,7 @@ from ecm_extract.link.linker import LinkedModule, Linker
 from ecm_extract.link.objects import Objects
 from ecm_extract.link.program import Program
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.requires.parameter_reads import parameter_read_requirements
 from ecm_extract.settings import config_of
 from ecm_extract.tree import Tree
 
@@ -34,23 +38,33 @@ class PackageInfo:
     ros: int | None
 
 
+Notes = Callable[[Sequence[str]], Mapping[str, Sequence[str]]]
+"""Sentences of changelogs, of those of some paths that there are."""
+
+
 @dataclass(slots=True)
 class Side:
-    """A tree with its public entities.
+    """A tree, or stored documents of one, with its public entities.
 
     Attributes:
-        tree: where it was read.
+        commit: that it was read at; None of a work tree.
         packages: by name. entities: by key. interfaces: definition by `package/msg|srv|action/Name`.
         blobs: blob id of each file by path, where known.
         bound: dotted names that Python modules offer without declaring them; see `bound_names`.
+        quoted: dotted names that they give by text; see `quoted_names`.
+        reads: package and name of each parameter that is read by name.
+        notes: what people wrote in changelogs, read when it is asked for.
     """
 
-    tree: Tree
+    commit: str | None
     packages: dict[str, PackageInfo] = field(default_factory=dict)
     entities: dict[Key, PublicEntity] = field(default_factory=dict)
     interfaces: dict[str, Definition] = field(default_factory=dict)
     blobs: dict[str, str] = field(default_factory=dict)
     bound: frozenset[str] = frozenset()
+    quoted: frozenset[str] = frozenset()
+    reads: frozenset[tuple[str, str]] = frozenset()
+    notes: Notes = no_notes
 
 
 @dataclass(slots=True)
@@ -103,13 +117,17 @@ def link_packages(read: PackagesRead) -> Workspace:
 
 def side_of(workspace: Workspace) -> Side:
     """Return the public entities of a linked tree."""
+    tree, packages = workspace.tree, workspace.packages
     return Side(
-        tree=workspace.tree,
-        packages={facts.name: _info(facts) for facts in workspace.packages},
-        entities=public_entities(workspace.tree, workspace.packages, workspace.linked),
-        interfaces=_interfaces(workspace.packages),
-        blobs={entry.path: entry.identity for entry in workspace.tree.files() if entry.identity},
-        bound=frozenset(name for facts in workspace.packages for name in bound_names(facts)),
+        commit=tree.commit,
+        packages={facts.name: _info(facts) for facts in packages},
+        entities=public_entities(tree, packages, workspace.linked),
+        interfaces=_interfaces(packages),
+        blobs={entry.path: entry.identity for entry in tree.files() if entry.identity},
+        bound=frozenset(name for facts in packages for name in bound_names(facts)),
+        quoted=frozenset(name for facts in packages for name in quoted_names(facts)),
+        reads=frozenset((package, each.name) for package, each in parameter_read_requirements(workspace.program)),
+        notes=partial(read_notes, tree),
     )
 
 

@@ -14,7 +14,8 @@ from ecm_extract.link.match import name_argument, positions
 from ecm_extract.link.overloads import NO, score
 from ecm_extract.link.units import Cls, Func
 
-_READERS = frozenset({"get_parameter", "getParam", "get_param", "get_parameter_or", "getInput"})
+READERS = frozenset({"get_parameter", "getParam", "get_param", "get_parameter_or", "getInput"})
+"""Calls that read a parameter or a port without declaring it."""
 
 
 class Parameters:
@@ -36,7 +37,7 @@ class Parameters:
             name = name_argument(form, call)
             if name is not None and (form.match != "method" or call.receiver is not None or call.simple):
                 return name, next(positions(form.default, call), None)
-        if call.last in _READERS and call.args:
+        if call.last in READERS and call.args:
             return call.args[0], None
         return self._wrapped(call)
 
@@ -98,10 +99,10 @@ class Parameters:
         return found
 
     def _relevant(self) -> set[str]:
-        return {*_READERS, *self._names, *self._wrappers}
+        return {*READERS, *self._names, *self._wrappers}
 
     def _out(self, call: Invocation) -> tuple[str, Expr, Expr | None] | None:
-        if call.last in _READERS and len(call.args) >= 2:
+        if call.last in READERS and len(call.args) >= 2:
             target = _variable(call.args[1])
             default = call.args[2] if len(call.args) > 2 else None
             return (target, call.args[0], default) if target else None

@@ -14,10 +14,12 @@ import tempfile
 from pathlib import Path
 from typing import Final
 
+from ecm_checker.hub.package import SUFFIX as DOCUMENT
 from ecm_checker.wire import MANIFEST_SCHEMA
 
 from ecm_extract.errors import InputError
 from ecm_extract.extraction_model import Extraction, PackageContracts
+from ecm_extract.report.json_document import package_document
 from ecm_extract.report.manifest_yaml import SUFFIX, manifest_yaml
 
 _UNSAFE: Final = re.compile(r"[^A-Za-z0-9_.+-]")
@@ -26,7 +28,7 @@ _MARK: Final = MANIFEST_SCHEMA.encode()
 
 
 def write_manifests(extraction: Extraction, out_dir: Path) -> tuple[Path, ...]:
-    """Write one manifest per module; manifests of modules that a package no longer has are removed.
+    """Write one manifest per module and the document of each package; what a package no longer has is removed.
 
     Each file is complete or not there: it is written beside its place and then moved.
 
@@ -47,6 +49,10 @@ def write_manifests(extraction: Extraction, out_dir: Path) -> tuple[Path, ...]:
             for module in package.modules:
                 path = _free(folder / (_safe(module.ecm.module_id) + SUFFIX), package.path, written)
                 _write_atomically(path, manifest_yaml(module).encode("utf-8", "replace"))
+                written[path] = None
+            if package.hub:
+                path = _free(folder / (_safe(package.name) + DOCUMENT), package.path, written)
+                _write_atomically(path, package_document(extraction, package))
                 written[path] = None
         for folder in {path.parent for path in written}:
             _remove_stale(folder, written)
@@ -104,10 +110,11 @@ def _safe(name: str) -> str:
 
 def _free(path: Path, package_path: str, taken: dict[Path, None]) -> Path:
     """The path itself, or a variant of it when another module has it: packages of one name, in two places."""
-    stem, variant = path.name.removesuffix(SUFFIX), 1
+    suffix = DOCUMENT if path.name.endswith(DOCUMENT) else SUFFIX
+    stem, variant = path.name.removesuffix(suffix), 1
     while path in taken:
         number = f"-{variant}" if variant > 1 else ""
-        path = path.with_name(f"{stem}-{_digest(package_path)}{number}{SUFFIX}")
+        path = path.with_name(f"{stem}-{_digest(package_path)}{number}{suffix}")
         variant += 1
     return path
 
@@ -118,11 +125,13 @@ def _digest(text: str) -> str:
 
 def _remove_stale(folder: Path, written: dict[Path, None]) -> None:
     """A manifest that nothing wrote this time would be taken for a module by whoever reads the folder."""
-    for path in folder.glob(f"*{SUFFIX}"):
-        if path not in written and not path.is_symlink() and _is_manifest(path):
+    for path in [*folder.glob(f"*{SUFFIX}"), *folder.glob(f"*{DOCUMENT}")]:
+        if path not in written and not path.is_symlink() and _is_ours(path):
             path.unlink()
 
 
-def _is_manifest(path: Path) -> bool:
+def _is_ours(path: Path) -> bool:
+    if path.name.endswith(DOCUMENT):
+        return True
     with path.open("rb") as file:
         return _MARK in file.read(100)

@@ -6,8 +6,9 @@ from typing import Any
 
 import msgspec
 from ecm_checker.encode import encode
-from ecm_checker.json_data import record_data
-from ecm_checker.wire import EXTRACT_SCHEMA, Origin, Package
+from ecm_checker.hub.package import PACKAGE_SCHEMA
+from ecm_checker.json_data import json_data, record_data
+from ecm_checker.wire import EXTRACT_SCHEMA, Origin
 
 from ecm_extract.extraction_model import Extraction, LocatedDiagnostic, PackageContracts
 
@@ -33,9 +34,18 @@ def json_document(extraction: Extraction) -> bytes:
 
 
 def _package(package: PackageContracts, diagnostics: list[dict[str, Any]]) -> dict[str, Any]:
-    head = Package(package.name, package.version, package.path, package.ros, (), ())
+    head = json_data({"name": package.name, "version": package.version, "path": package.path, "ros": package.ros})
     modules = [encode(module) for module in package.modules]
-    return {**record_data(head), "modules": modules, "diagnostics": diagnostics}
+    hub: dict[str, Any] = msgspec.json.decode(package.hub) if package.hub else {}
+    return {**head, "modules": modules, **hub, "diagnostics": diagnostics}
+
+
+def package_document(extraction: Extraction, package: PackageContracts) -> bytes:
+    """The document of one package as canonical JSON: equal content gives equal bytes."""
+    held = _by_package(extraction).get(package.path, [])
+    source = record_data(Origin(extraction.path, extraction.commit))
+    whole = {"schema": PACKAGE_SCHEMA, "source": source, **_package(package, held)}
+    return msgspec.json.encode(whole, order="deterministic") + b"\n"
 
 
 def _by_package(extraction: Extraction) -> dict[str | None, list[dict[str, Any]]]:

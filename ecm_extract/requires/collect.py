@@ -27,6 +27,7 @@ from ecm_extract.requires.endpoints import endpoint_requirements
 from ecm_extract.requires.kept import kept_for
 from ecm_extract.requires.launch_files import launch_requirements
 from ecm_extract.requires.parameter_files import parameter_file_requirements
+from ecm_extract.requires.parameter_reads import parameter_read_requirements
 from ecm_extract.requires.python_fields import field_requirements
 from ecm_extract.requires.python_sources import python_requirements
 from ecm_extract.system.launch_files import is_launch_file
@@ -35,7 +36,7 @@ from ecm_extract.tree import Tree
 MAX_BYTES = 1_000_000
 
 
-def consumers(workspace: Workspace) -> Sequence[Consumer]:
+def consumers(workspace: Workspace) -> list[Consumer]:
     """Return the packages of a linked tree as consumers."""
     return [Consumer(package, entries) for package, entries in requirements(workspace).items()]
 
@@ -78,6 +79,7 @@ def _of_program(workspace: Workspace) -> Iterator[tuple[str, Requirement]]:
         for reader in readers:
             for found in reader(file):
                 yield file.package, found
+    yield from parameter_read_requirements(workspace.program)
     yield from override_requirements(workspace.program)
     yield from result_requirements(workspace.program)
     yield from member_requirements(workspace.objects)

@@ -33,5 +33,16 @@ def required(use: str, name: str, place: Place, certainty: Certainty = "proved",
         more: other fields of the requirement.
     """
     kind = uses()[use].of[0]
-    base = Requirement(use=use, kind=kind, name=name, evidence=place.evidence, certainty=certainty, by=place.by)
+    base = Requirement(
+        use=use,
+        kind=kind,
+        package=None,
+        owner="",
+        name=name,
+        type=None,
+        certainty=certainty,
+        conditions=(),
+        by=place.by,
+        evidence=place.evidence,
+    )
     return msgspec.structs.replace(base, **more) if more else base

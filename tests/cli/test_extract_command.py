@@ -112,7 +112,7 @@ def test_options_reach_the_core(core: Core) -> None:
     ]
     assert run(["robot", *arguments]) == 0
     assert core.opened == ("robot", "1.2.0")
-    assert core.options == Options(include_tests=True, config="my.toml", jobs=3)
+    assert core.options == Options(include_tests=True, config="my.toml", jobs=3, hub=True)
 
 
 def test_a_tree_without_packages_is_wrong_input(core: Core, capsys: pytest.CaptureFixture[str]) -> None:

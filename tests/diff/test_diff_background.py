@@ -9,7 +9,7 @@ import pytest
 from diff_repos import node, package, release
 
 from ecm_extract.cli.run import run
-from ecm_extract.diff.background import Background
+from ecm_extract.parallel_work import Background
 
 
 def test_the_result_comes_back() -> None:

@@ -271,35 +271,51 @@ def test_a_bare_word_may_be_a_folder(
     assert "baseline: before files in no commit (named)" in err
 
 
-@pytest.mark.parametrize("kept", ["old", "both"])
-def test_kept_manifests_are_a_side(repo: Path, tmp_path: Path, kept: str, capsys: pytest.CaptureFixture[str]) -> None:
-    """Contracts that somebody keeps tell what changed since, as far as contracts go, and consumers break alike."""
-    sides = []
-    for ref in ("1.0.0", "1.1.0"):
-        assert run(["extract", str(repo), "--ref", ref, "-o", str(tmp_path / ref), "-q"]) == 0
-        sides.append(tmp_path / ref)
-    capsys.readouterr()
+def told(found: dict[str, Any]) -> dict[str, Any]:
+    """A comparison without how its sides are called."""
+    return {key: value for key, value in found.items() if key not in {"old", "new"}}
+
+
+@pytest.mark.parametrize("kept", [{"old"}, {"new"}, {"old", "new"}, {"old", "new", "consumer"}], ids=sorted)
+@pytest.mark.parametrize("form", ["folder", "document"])
+def test_stored_documents_tell_what_sources_tell(
+    repo: Path, tmp_path: Path, kept: set[str], form: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Changes, findings and lines are the same, whichever of the sides and consumers is a document."""
     write(tmp_path / "ws", dict(CONSUMER))
-    new = sides[1] if kept == "both" else "1.1.0"
-    found = document(capsys, sides[0], new, "--repo", repo, "--consumer", tmp_path / "ws")
-    told = {(c["kind"], c["change"], c["old"], c["new"]) for c in found["changes"]}
-    assert told >= {
-        ("parameter", "renamed", "checker_plugin", "checker_plugins"),
-        ("service", "removed", "~/home", None),
-        ("message_field", "renamed", "force", "max_force"),
-        ("message", "removed", "arm_msgs/srv/Go", None),
-    }
-    assert not {"method", "file", "executable"} & {kind for kind, *_ in told}
+    sources = {"old": f"{repo}@1.0.0", "new": f"{repo}@1.1.0", "consumer": str(tmp_path / "ws")}
+    places = {side: stored(tmp_path, side, path, form) if side in kept else path for side, path in sources.items()}
+    expected = document(capsys, "1.0.0", "1.1.0", "--repo", repo, "--consumer", tmp_path / "ws")
+    found = document(capsys, places["old"], places["new"], "--repo", repo, "--consumer", places["consumer"])
+    assert told(found) == told(expected)
     assert "VER001" in {finding["rule"] for finding in found["findings"]}
-    assert found["verdict"]["declared_bump"] == "minor"
 
 
-def test_a_manifest_that_is_none(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """The file that is wrong is named."""
-    write(tmp_path / "contracts", {"p/ecm.p.node.ecm.yaml": "schema: ecm-extract/manifest/1\n"})
+def stored(folder: Path, side: str, path: str, form: str) -> str:
+    """Extract a side into a folder of manifests and documents, or one document; return where it is."""
+    place = folder / "kept" / side
+    form_arguments = ["-o", str(place)] if form == "folder" else ["--format", "json", "-o", str(place)]
+    assert run(["extract", path, *form_arguments, "-q"]) == 0
+    return str(place if form == "folder" else place / "extract.json")
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "said"),
+    [
+        ("p/p.package.json", '{"schema": "ecm-extract/package/0"}', "ecm-extract/package/0"),
+        ("p/p.package.json", '{"schema": "ecm-extract/package/1"}', "missing required field"),
+        ("p/p.package.json", "[", "p.package.json"),
+        ("p/ecm.p.node.ecm.yaml", "schema: ecm-extract/manifest/1\n", "no document of a package"),
+    ],
+)
+def test_a_document_that_cannot_be_read(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], name: str, content: str, said: str
+) -> None:
+    """It is named, with what is wrong, and a number of another schema is told."""
+    write(tmp_path / "contracts", {name: content})
     status, out, err = ran(capsys, tmp_path / "contracts", tmp_path / "contracts", "--repo", tmp_path)
     assert (status, out) == (2, "")
-    assert "p/ecm.p.node.ecm.yaml" in err
+    assert said in err
 
 
 def test_an_unknown_ref_is_an_input_error(repo: Path, capsys: pytest.CaptureFixture[str]) -> None:

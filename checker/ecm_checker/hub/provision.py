@@ -6,7 +6,7 @@ from typing import Any, Final
 
 import msgspec
 
-from ecm_checker.contract import Qos
+from ecm_checker.contract import Confidence, Qos
 
 HOLE: Final = "<*>"
 """A computed part of a name."""
@@ -67,6 +67,7 @@ class Provision(msgspec.Struct, frozen=True, kw_only=True):
         node: name of the node that has an endpoint; None where no source says it.
         sharers: owners beside `owner` that have an endpoint by the same line.
         others: message types that its owner has under that name as well, by a condition.
+        confidence: how surely the name is known.
         chain: the calls from the module to the one that makes it; more than one when a wrapper or library does.
     """
 
@@ -88,6 +89,7 @@ class Provision(msgspec.Struct, frozen=True, kw_only=True):
     qos: Qos | None = None
     ros: int | None = None
     deprecated: str | None = None
+    confidence: Confidence = "literal"
 
     @property
     def key(self) -> Key:

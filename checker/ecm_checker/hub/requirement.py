@@ -55,19 +55,19 @@ class Requirement(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True)
 
     use: str
     kind: str
+    package: str | None
+    owner: str
     name: str
+    type: str | None
+    certainty: Certainty
+    conditions: tuple[str, ...]
+    by: str
     evidence: tuple[Evidence, ...]
-    package: str | None = None
-    owner: str = ""
     scope: str = ""
-    type: str | None = None
     value: Any = None
     qos: Qos | None = None
     given: Given | None = None
     ros: int | None = None
-    certainty: Certainty = "proved"
-    conditions: tuple[str, ...] = ()
-    by: str = ""
     said: str = ""
     kept_for: str = ""
 

@@ -99,11 +99,10 @@ def _compare(asked: Asked) -> Comparison:
 
 def _request(asked: Asked) -> Request:
     from ecm_extract.cli.progress import progress_bar
-    from ecm_extract.diff.baseline import default_baseline, open_side
+    from ecm_extract.diff.baseline import default_baseline, open_consumer, open_side
     from ecm_extract.diff.model import RefInfo
     from ecm_extract.diff.run import Request
     from ecm_extract.extraction_model import Options
-    from ecm_extract.tree import open_tree
     from ecm_extract.tree.git_repo import find_repo
 
     folder = Path(asked.repo)
@@ -120,7 +119,7 @@ def _request(asked: Asked) -> Request:
         repo=folder if repo is not None else None,
         name=repo.name if repo is not None else folder.resolve().name,
         infos=infos,
-        consumers=tuple(open_tree(entry) for entry in asked.consumer),
+        consumers=tuple(open_consumer(entry) for entry in asked.consumer),
         packages=asked.package,
         options=options,
     )

@@ -94,7 +94,8 @@ def _extract(request: Request) -> Extraction:
     from ecm_extract.tree import open_tree
 
     with progress_bar() as progress:
-        options = Options(request.include_tests, request.config, request.jobs, progress, not request.no_cache)
+        with_hub = request.format != "summary"
+        options = Options(request.include_tests, request.config, request.jobs, progress, not request.no_cache, with_hub)
         extraction = extract(open_tree(request.path, request.ref), options)
     if not extraction.packages:
         message = f"no ROS package in {extraction.path}"

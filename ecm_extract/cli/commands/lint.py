@@ -154,11 +154,11 @@ class Base(NamedTuple):
 
 def _base(request: Request, parsed: dict[str, Any]) -> Base:
     """Lint the base in another process, while this one lints the state of now."""
-    from ecm_extract.diff.background import meanwhile
-    from ecm_extract.diff.baseline import open_side
+    from ecm_extract.diff.baseline import open_source
     from ecm_extract.entities.side import side_of
+    from ecm_extract.parallel_work import meanwhile
 
-    tree = open_side(str(request.base), _folder(request))
+    tree = open_source(str(request.base), _folder(request))
 
     def work() -> tuple[list[Finding], Side]:
         workspace = _workspace(_read(tree, request, parsed), request)
@@ -174,6 +174,7 @@ def _brought_in(found: list[Finding], workspace: Workspace, request: Request, ba
     from ecm_extract.diff.sides import Sides
     from ecm_extract.entities.side import side_of
     from ecm_extract.lint.base import change_findings, new_findings
+    from ecm_extract.requires.collect import consumers
 
     now = workspace.as_side()
     after = side_of(now)
@@ -182,7 +183,7 @@ def _brought_in(found: list[Finding], workspace: Workspace, request: Request, ba
     click.echo(f"base: {name} {(base.tree.commit or '')[:12]}", err=True)
     infos = RefInfo(name, base.tree.commit, "named"), RefInfo(request.path, tree.commit, "named")
     comparing = Comparing(base.tree, tree, _folder(request), "", infos)
-    comparison = compared(comparing, Sides(old, after, now), {})
+    comparison = compared(comparing, Sides(old, after, lambda: consumers(now)), {})
     changes = [] if request.select else list(change_findings(comparison, base.tree, tree))
     return [*new_findings(found, before), *changes]
 

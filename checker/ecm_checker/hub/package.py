@@ -1,0 +1,206 @@
+"""The document of a package: all that others ask of it, so that its sources need not be read again.
+
+One file a package beside its manifests, and the same keys in the extract document. Equal content gives equal bytes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, Final, Literal
+
+import msgspec
+
+from ecm_checker.contract import Confidence, Contract, Evidence, Qos
+from ecm_checker.encode import decode as decode_contract
+from ecm_checker.encode import encode as encode_contract
+from ecm_checker.hub.provision import Form, Key, Provision
+from ecm_checker.hub.requirement import Requirement
+from ecm_checker.json_data import json_data
+from ecm_checker.wire import EXTRACT_SCHEMA, Diagnostic, Module, Origin
+
+PACKAGE_SCHEMA: Final = "ecm-extract/package/1"
+SUFFIX: Final = ".package.json"
+"""How names of package documents end."""
+
+
+class Provided(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
+    """A provision as it is written; the attributes are those of `Provision`, its lines are `evidence`."""
+
+    kind: str
+    owner: str
+    name: str
+    type: str | None
+    default: Any
+    conditions: tuple[str, ...]
+    confidence: Confidence
+    deprecated: str | None
+    evidence: tuple[Evidence, ...]
+    facet: str = ""
+    node: str | None = None
+    sharers: tuple[str, ...] = ()
+    others: tuple[str, ...] = ()
+    forms: tuple[Form, ...] = ()
+    bases: tuple[str, ...] = ()
+    qos: Qos | None = None
+    ros: int | None = None
+
+
+class Hub(msgspec.Struct, frozen=True, kw_only=True):
+    """What a package provides and requires, and what two releases of it are compared by beside.
+
+    Attributes:
+        manifest: path of its package.xml; None without one.
+        provides, requires: in the order of files and lines.
+        bound: dotted names that its Python modules offer without declaring them.
+        quoted: dotted names that its Python modules give by text, as a class decorator does.
+        interfaces: what its interface files declare, by `package/msg|srv|action/Name`.
+        files: git blob id of each file by path; empty where that is not known.
+        notes: sentences of its changelogs, by path.
+    """
+
+    manifest: str | None
+    provides: tuple[Provided, ...] = ()
+    requires: tuple[Requirement, ...] = ()
+    bound: tuple[str, ...] = ()
+    quoted: tuple[str, ...] = ()
+    interfaces: dict[str, Any] = {}
+    files: dict[str, str] = {}
+    notes: dict[str, tuple[str, ...]] = {}
+
+
+class Package(Hub, frozen=True, kw_only=True):
+    """One ROS package with its modules, and what could not be read of it.
+
+    Attributes:
+        name: as in package.xml. version: None when it declares none.
+        path: of its folder in the tree. ros: 1 or 2; None when no artefact tells.
+        modules: their contracts.
+    """
+
+    name: str
+    version: str | None
+    path: str
+    ros: Literal[1, 2] | None
+    modules: tuple[Module, ...] = ()
+    diagnostics: tuple[Diagnostic, ...] = ()
+
+    def contracts(self) -> tuple[Contract, ...]:
+        """Return the contracts of its modules."""
+        return tuple(decode_contract(msgspec.to_builtins(module)) for module in self.modules)
+
+
+class PackageDocument(Package, frozen=True, kw_only=True):
+    """A package in a file of its own, with the tree that it was read of."""
+
+    schema: Literal["ecm-extract/package/1"]
+    source: Origin
+
+
+class Extract(msgspec.Struct, frozen=True, kw_only=True):
+    """Everything that was read off one tree; `diagnostics` holds those of files that are in no package."""
+
+    schema: Literal["ecm-extract/extract/1"]
+    source: Origin
+    packages: tuple[Package, ...]
+    diagnostics: tuple[Diagnostic, ...] = ()
+
+
+class SchemaError(ValueError):
+    """A document has another schema number than this version reads."""
+
+
+def provided(provision: Provision) -> Provided:
+    """Return a provision as it is written."""
+    first = (provision.path, provision.line)
+    lines = dict.fromkeys((first, *provision.chain))
+    return Provided(
+        kind=provision.kind,
+        owner=provision.owner,
+        name=provision.name,
+        type=provision.type,
+        default=json_data(provision.default),
+        conditions=(),
+        confidence=provision.confidence,
+        deprecated=provision.deprecated,
+        evidence=tuple(Evidence(path, line) for path, line in lines),
+        facet=provision.facet,
+        node=provision.node,
+        sharers=provision.sharers,
+        others=provision.others,
+        forms=provision.forms,
+        bases=provision.bases,
+        qos=provision.qos,
+        ros=provision.ros,
+    )
+
+
+def provision(package: str, row: Provided) -> Provision:
+    """Return what a row of a package's document provides."""
+    first = row.evidence[0]
+    chain = tuple((at.path, at.line) for at in row.evidence) if len(row.evidence) > 1 else ()
+    return Provision(
+        kind=row.kind,
+        package=package,
+        owner=row.owner,
+        name=row.name,
+        path=first.path,
+        line=first.line,
+        facet=row.facet,
+        node=row.node,
+        sharers=row.sharers,
+        others=row.others,
+        chain=chain,
+        type=row.type,
+        default=row.default,
+        forms=row.forms,
+        bases=row.bases,
+        qos=row.qos,
+        ros=row.ros,
+        deprecated=row.deprecated,
+        confidence=row.confidence,
+    )
+
+
+def provisions(package: str, hub: Hub) -> dict[Key, Provision]:
+    """Return what a package provides, by key."""
+    found = (provision(package, row) for row in hub.provides)
+    return {each.key: each for each in found}
+
+
+def encode_hub(hub: Hub) -> bytes:
+    """Return the keys of a hub as canonical JSON."""
+    try:
+        return msgspec.json.encode(hub, order="deterministic")
+    except UnicodeEncodeError:  # somebody's file names and texts may be no Unicode
+        return msgspec.json.encode(json_data(hub), order="deterministic")
+
+
+def decode_documents(data: bytes) -> Extract | PackageDocument:
+    """Read an extract document or that of one package.
+
+    Raises:
+        SchemaError: it is of another schema number, or none.
+        msgspec.ValidationError: a key is missing or has a wrong type; the message names its path.
+        msgspec.DecodeError: it is not JSON.
+    """
+    schema = msgspec.json.decode(data, type=_Head).schema
+    model = _MODELS.get(schema)
+    if model is None:
+        message = f"its schema is {schema or 'not told'}; this version reads {' and '.join(_MODELS)}"
+        raise SchemaError(message)
+    return msgspec.json.decode(data, type=model)
+
+
+def encode_modules(contracts: tuple[Contract, ...]) -> list[dict[str, Any]]:
+    """Return contracts as they stand in a document of a package."""
+    return [encode_contract(contract) for contract in contracts]
+
+
+class _Head(msgspec.Struct):
+    schema: str = ""
+
+
+_MODELS: Final[Mapping[str, type[Extract] | type[PackageDocument]]] = {
+    EXTRACT_SCHEMA: Extract,
+    PACKAGE_SCHEMA: PackageDocument,
+}

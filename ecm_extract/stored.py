@@ -1,0 +1,122 @@
+"""Stored documents: packages as they were extracted once, read without their sources."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Final
+
+import msgspec
+from ecm_checker.hub.package import SUFFIX, Extract, Package, SchemaError, decode_documents, provisions
+from ecm_checker.hub.provision import Key, Provision
+from ecm_checker.match.consumer import Consumer
+from ecm_parsers.interface_facts import Definition
+
+from ecm_extract.entities.side import PackageInfo, Side
+from ecm_extract.errors import InputError
+from ecm_extract.report.manifest_yaml import SUFFIX as MANIFEST
+
+MAX_BYTES: Final = 500_000_000
+_JSON: Final = ".json"
+_MANIFESTS: Final = ("package.xml", "manifest.xml")
+
+
+class Stored(msgspec.Struct, frozen=True):
+    """Packages of one tree as documents hold them.
+
+    Attributes:
+        label: how the user named them. commit: that they were read at; None of a work tree.
+        packages: in the order of the documents.
+    """
+
+    label: str
+    commit: str | None
+    packages: tuple[Package, ...]
+
+
+def is_stored(spec: str) -> bool:
+    """Tell whether a path is a document, or a folder of documents or manifests without sources."""
+    place = Path(spec)
+    if place.is_file():
+        return place.suffix == _JSON
+    if not place.is_dir():
+        return False
+    kept = next(place.rglob(f"*{SUFFIX}"), None) or next(place.rglob(f"*{MANIFEST}"), None)
+    return kept is not None and not any(next(place.rglob(name), None) for name in _MANIFESTS)
+
+
+def read_stored(spec: str) -> Stored:
+    """Read documents.
+
+    Args:
+        spec: an extract document, that of a package, or a folder of these.
+
+    Raises:
+        InputError: one is none, or of another schema number; the message names it and what to do.
+    """
+    place = Path(spec)
+    files = [place] if place.is_file() else sorted(path for path in place.rglob(f"*{SUFFIX}") if path.is_file())
+    if not files:
+        message = f"{spec} holds manifests and no document of a package (*{SUFFIX})"
+        raise InputError(message, "an older version wrote them; extract the package once more")
+    read = [_read(path) for path in files]
+    commits = {commit for commit, _ in read}
+    packages = tuple(package for _, packages in read for package in packages)
+    return Stored(spec, commits.pop() if len(commits) == 1 else None, packages)
+
+
+def _read(path: Path) -> tuple[str | None, Sequence[Package]]:
+    try:
+        if path.stat().st_size > MAX_BYTES:
+            message = f"{path} is larger than {MAX_BYTES} bytes"
+            raise InputError(message)
+        document = decode_documents(path.read_bytes())
+    except OSError as error:
+        message = f"cannot read {path}: {error.strerror}"
+        raise InputError(message) from error
+    except (SchemaError, msgspec.MsgspecError, RecursionError) as error:
+        message = f"{path} cannot be read: {error}"
+        raise InputError(message, "write it anew with `ecm-extract PATH --format json`") from error
+    packages = document.packages if isinstance(document, Extract) else (document,)
+    return document.source.commit, packages
+
+
+def stored_side(stored: Stored) -> Side:
+    """Return what stored packages offer, as a comparison reads it."""
+    entities: dict[Key, Provision] = {}
+    for package in stored.packages:
+        entities |= provisions(package.name, package)
+    notes = {path: lines for package in stored.packages for path, lines in package.notes.items()}
+    return Side(
+        commit=stored.commit,
+        packages={each.name: _info(each) for each in stored.packages},
+        entities=entities,
+        interfaces=dict(_interfaces(stored.packages)),
+        blobs={path: blob for each in stored.packages for path, blob in each.files.items()},
+        bound=frozenset(name for each in stored.packages for name in each.bound),
+        quoted=frozenset(name for each in stored.packages for name in each.quoted),
+        reads=frozenset(_reads(stored.packages)),
+        notes=lambda paths: {path: notes[path] for path in paths if path in notes},
+    )
+
+
+def stored_consumers(stored: Stored) -> list[Consumer]:
+    """Return stored packages as consumers."""
+    return [Consumer(package.name, package.requires) for package in stored.packages]
+
+
+def _info(package: Package) -> PackageInfo:
+    return PackageInfo(package.name, package.version, package.path, package.manifest, package.ros)
+
+
+def _interfaces(packages: Sequence[Package]) -> Iterator[tuple[str, Definition]]:
+    for package in packages:
+        for name, data in package.interfaces.items():
+            yield name, msgspec.convert(data, Definition)
+
+
+def _reads(packages: Sequence[Package]) -> Iterator[tuple[str, str]]:
+    for package in packages:
+        for requirement in package.requires:
+            if requirement.use == "reads_parameter":
+                yield package.name, requirement.name
