@@ -9,6 +9,7 @@ import msgspec
 from ecm_checker.case import Case
 from ecm_checker.contract import Contract
 from ecm_checker.finding import Dimension
+from ecm_checker.match.packages import Packages
 from ecm_checker.operations.chain import chain
 from ecm_checker.operations.compose import compose
 from ecm_checker.operations.engine import examine, ready, report
@@ -17,7 +18,7 @@ from ecm_checker.operations.system import system
 from ecm_checker.outcome import Report
 from ecm_checker.profiles import Call, Embodiment, Policy, Profiles, Runtime
 
-from ecm_extract.check_inputs import contracts, launched_contracts
+from ecm_extract.check_inputs import Subject, launched_contracts, subject
 from ecm_extract.errors import InputError
 
 
@@ -46,7 +47,7 @@ def decide(operation: str, paths: Sequence[str], given: Given, dimensions: Dimen
 
     Args:
         operation: its name.
-        paths: see `check_inputs.contracts`.
+        paths: see `check_inputs.subject`.
         given: profiles.
         dimensions: those to consult.
         together: whether the modules of a system are known to run together.
@@ -56,9 +57,13 @@ def decide(operation: str, paths: Sequence[str], given: Given, dimensions: Dimen
     """
     if given.launch:
         return _launched(operation, paths, given, dimensions)
-    groups = [contracts(path, given.cache) for path in paths]
+    subjects = [subject(path, given.cache) for path in paths]
+    groups = [each.contracts for each in subjects]
     if operation == "system":
-        return system(_flat(groups), given.profiles, dimensions, together=together)
+        packages = _packages(subjects)
+        return system(_flat(groups), given.profiles, dimensions, together=together, packages=packages)
+    if operation == "upgrade":
+        return _upgrade(subjects, given, dimensions)
     return _DECISIONS[operation](groups, given, dimensions)
 
 
@@ -103,14 +108,15 @@ def _invoke(groups: _Groups, given: Given, dimensions: Dimensions) -> Report:
     return invoke(module, given.call or Call(), given.profiles, dimensions)
 
 
-def _upgrade(groups: _Groups, given: Given, dimensions: Dimensions) -> Report:
+def _upgrade(subjects: Sequence[Subject], given: Given, dimensions: Dimensions) -> Report:
     """Modules of the old and the new side by their id; what follows are modules that use the old side."""
-    if len(groups) < 2:
+    if len(subjects) < 2:
         message = "upgrade takes OLD NEW"
         raise InputError(message, "name two manifests, folders or trees")
-    old = {contract.ecm.module_id: ready(contract) for contract in groups[0]}
-    new = {contract.ecm.module_id: ready(contract) for contract in groups[1]}
-    users = tuple(ready(contract) for contract in _flat(groups[2:])) if len(groups) > 2 else None
+    old = {contract.ecm.module_id: ready(contract) for contract in subjects[0].contracts}
+    new = {contract.ecm.module_id: ready(contract) for contract in subjects[1].contracts}
+    rest = [each.contracts for each in subjects[2:]]
+    users = tuple(ready(contract) for contract in _flat(rest)) if rest else None
     if old.keys().isdisjoint(new):
         message = "no module is on both sides"
         raise InputError(message, "modules are paired by their module_id")
@@ -118,7 +124,21 @@ def _upgrade(groups: _Groups, given: Given, dimensions: Dimensions) -> Report:
     for name, previous in old.items():
         case = Case([new[name]] if name in new else [], given.profiles, previous=previous, dependents=users)
         found += examine("upgrade", case, dimensions)
+    found += examine("upgrade", _release(subjects, given), dimensions)
     return report("upgrade", found, given.profiles, dimensions)
+
+
+def _release(subjects: Sequence[Subject], given: Given) -> Case:
+    """The packages of both sides and of their users as a whole."""
+    old, new = _packages(subjects[:1]), _packages(subjects[1:2])
+    return Case((), given.profiles, packages=new, replaced=old, users=_packages(subjects[2:]))
+
+
+def _packages(subjects: Sequence[Subject]) -> Packages | None:
+    """Their packages together; None where one of them has contracts only."""
+    if not subjects or not all(each.packages for each in subjects):
+        return None
+    return Packages([package for each in subjects for package in each.packages])
 
 
 _DECISIONS: Final[Mapping[str, Callable[[_Groups, Given, Dimensions], Report]]] = {
@@ -126,5 +146,4 @@ _DECISIONS: Final[Mapping[str, Callable[[_Groups, Given, Dimensions], Report]]] 
     "chain": _chain,
     "install": _install,
     "invoke": _invoke,
-    "upgrade": _upgrade,
 }

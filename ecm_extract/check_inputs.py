@@ -9,10 +9,13 @@ from typing import Any, Final, TypeVar
 import msgspec
 from ecm_checker.contract import Contract
 from ecm_checker.encode import decode
+from ecm_checker.hub.package import SUFFIX as DOCUMENT
+from ecm_checker.hub.package import Package
 from ecm_parsers.yaml_tree import parse_yaml, plain
 
 from ecm_extract.errors import InputError
 from ecm_extract.report.manifest_yaml import SUFFIX
+from ecm_extract.stored import is_stored, package_of, read_stored
 
 MAX_BYTES: Final = 200_000_000
 
@@ -20,12 +23,19 @@ _YAML: Final = frozenset({".yaml", ".yml"})
 _Profile = TypeVar("_Profile", bound=msgspec.Struct)
 
 
-def contracts(path: str, cache: bool = True) -> tuple[Contract, ...]:
-    """Contracts that a path names.
+class Subject(msgspec.Struct, frozen=True):
+    """What a path names: contracts of modules, and the documents of their packages where they are at hand."""
+
+    contracts: tuple[Contract, ...]
+    packages: tuple[Package, ...] = ()
+
+
+def subject(path: str, cache: bool = True) -> Subject:
+    """What a path names.
 
     Args:
-        path: a manifest, an extract document (`.json`), a folder with manifests below it, or else a source tree
-            or `DIR@REF`, which is then extracted.
+        path: a manifest, a document (`.json`), a folder with manifests below it, or else a source tree or
+            `DIR@REF`, which is then extracted.
         cache: let the extraction use the cache.
 
     Raises:
@@ -33,10 +43,11 @@ def contracts(path: str, cache: bool = True) -> tuple[Contract, ...]:
     """
     place = Path(path)
     if place.is_file():
-        return tuple(_of_file(place))
+        return Subject(tuple(_of_file(place)), read_stored(path).packages if is_stored(path) else ())
     manifests = sorted(found for found in place.rglob(f"*{SUFFIX}") if found.is_file())
     if manifests:
-        return tuple(contract for file in manifests for contract in _of_file(file))
+        found = tuple(contract for file in manifests for contract in _of_file(file))
+        return Subject(found, read_stored(path).packages if next(place.rglob(f"*{DOCUMENT}"), None) else ())
     return _extracted(path, cache)
 
 
@@ -93,7 +104,9 @@ def _of_file(path: Path) -> Iterator[Contract]:
 
 
 def _modules(document: Any) -> list[Any]:
-    """Modules of an extract document, or the manifest itself."""
+    """Modules of an extract document or of that of a package, or the manifest itself."""
+    if isinstance(document, dict) and isinstance(document.get("modules"), list):
+        return list(document["modules"])
     if isinstance(document, dict) and isinstance(document.get("packages"), list):
         found = [package.get("modules") for package in document["packages"] if isinstance(package, dict)]
         return [module for modules in found if isinstance(modules, list) for module in modules]
@@ -128,14 +141,14 @@ def _yaml(path: Path, data: bytes) -> Iterator[Any]:
     yield from map(plain, parsed.facts)
 
 
-def _extracted(path: str, cache: bool) -> tuple[Contract, ...]:
+def _extracted(path: str, cache: bool) -> Subject:
     from ecm_extract.extraction import extract
     from ecm_extract.extraction_model import Options
     from ecm_extract.tree import open_tree
 
-    extraction = extract(open_tree(path, None), Options(cache=cache))
+    extraction = extract(open_tree(path, None), Options(cache=cache, hub=True))
     found = tuple(module for package in extraction.packages for module in package.modules)
     if not found:
         message = f"{path} holds neither manifests nor ROS packages"
         raise InputError(message, "name a manifest, a folder of manifests, or a folder with a package.xml below it")
-    return found
+    return Subject(found, tuple(package_of(each) for each in extraction.packages))

@@ -7,13 +7,14 @@ from pathlib import Path
 from typing import Final
 
 import msgspec
-from ecm_checker.hub.package import SUFFIX, Extract, Package, SchemaError, decode_documents, provisions
+from ecm_checker.hub.package import SUFFIX, Extract, Hub, Package, SchemaError, decode_documents, provisions
 from ecm_checker.hub.provision import Key, Provision
 from ecm_checker.match.consumer import Consumer
 from ecm_parsers.interface_facts import Definition
 
 from ecm_extract.entities.side import PackageInfo, Side
 from ecm_extract.errors import InputError
+from ecm_extract.extraction_model import PackageContracts
 from ecm_extract.report.manifest_yaml import SUFFIX as MANIFEST
 
 MAX_BYTES: Final = 500_000_000
@@ -79,6 +80,13 @@ def _read(path: Path) -> tuple[str | None, Sequence[Package]]:
         raise InputError(message, "write it anew with `ecm-extract PATH --format json`") from error
     packages = document.packages if isinstance(document, Extract) else (document,)
     return document.source.commit, packages
+
+
+def package_of(extracted: PackageContracts) -> Package:
+    """Return a package that was extracted just now, with what it provides and requires, as documents hold it."""
+    hub = msgspec.json.decode(extracted.hub, type=Hub) if extracted.hub else Hub()
+    head = {"name": extracted.name, "version": extracted.version, "path": extracted.path, "ros": extracted.ros}
+    return Package(**head, **msgspec.structs.asdict(hub))  # type: ignore[arg-type]
 
 
 def stored_side(stored: Stored) -> Side:

@@ -16,6 +16,7 @@ import msgspec
 
 from ecm_checker import frames
 from ecm_checker.contract import Interface, Role
+from ecm_checker.match.packages import Packages
 from ecm_checker.profiles import NO_PROFILES, Call, Profiles
 from ecm_checker.view import View
 
@@ -48,6 +49,8 @@ class Case:
         previous: the older version of the module in an upgrade.
         dependents: modules that use the older version; None when not known.
         call: what the caller of an invocation brings.
+        packages: documents of the packages in question; None where only contracts of modules are known.
+        replaced: documents of the packages that these replace. users: of those that use the replaced ones.
     """
 
     def __init__(
@@ -60,6 +63,9 @@ class Case:
         previous: View | None = None,
         dependents: tuple[View, ...] | None = None,
         call: Call | None = None,
+        packages: Packages | None = None,
+        replaced: Packages | None = None,
+        users: Packages | None = None,
     ) -> None:
         self.modules = tuple(modules)
         self.profiles = profiles
@@ -68,6 +74,9 @@ class Case:
         self.previous = previous
         self.dependents = dependents
         self.call = call
+        self.packages = packages
+        self.replaced = replaced
+        self.users = users
 
     @cached_property
     def adjacent(self) -> tuple[tuple[View, View], ...]:

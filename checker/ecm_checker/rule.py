@@ -38,6 +38,23 @@ Tier = Literal["schema", "qos", "semver"]
 _WORST_WITHOUT_PROOF: Final[Severity] = "warning"
 
 
+class PackageMatter(msgspec.Struct, frozen=True):
+    """What a finding about packages says.
+
+    Attributes:
+        text: what is so. consequence: what happens when it is ignored.
+        entity: what it is about. who: what breaks.
+        packages: the one that provides first. evidence: lines of all sides.
+    """
+
+    text: str
+    consequence: str
+    entity: Entity
+    who: Who
+    packages: tuple[str, ...]
+    evidence: tuple[Evidence, ...]
+
+
 class Rule(msgspec.Struct, frozen=True, kw_only=True):
     """What a rule file declares.
 
@@ -85,7 +102,25 @@ class Rule(msgspec.Struct, frozen=True, kw_only=True):
         """
         modules = tuple(subjects)
         packages = tuple(dict.fromkeys(module.package for module in modules))
-        level = severity or self.severity
+        ids = tuple(dict.fromkeys(module.id for module in modules))
+        return self._made(text, entity, packages, ids, evidence, certainty, severity or self.severity)
+
+    def package_finding(self, told: PackageMatter, certainty: Certainty) -> Finding:
+        """A finding of this rule about packages as a whole; what is not proved is at most a warning."""
+        ids = tuple(f"ecm.{name}" for name in told.packages)
+        found = self._made(told.text, told.entity, told.packages, ids, told.evidence, certainty, self.severity)
+        return msgspec.structs.replace(found, message=f"{told.text}: {told.consequence}", who=told.who)
+
+    def _made(
+        self,
+        text: str,
+        entity: Entity,
+        packages: tuple[str, ...],
+        subjects: tuple[str, ...],
+        evidence: Iterable[Evidence],
+        certainty: Certainty,
+        level: Severity,
+    ) -> Finding:
         return Finding(
             rule=self.id,
             name=self.name,
@@ -93,7 +128,7 @@ class Rule(msgspec.Struct, frozen=True, kw_only=True):
             severity=_WORST_WITHOUT_PROOF if level == "error" and certainty != "proved" else level,
             message=f"{text}: {self.consequence}" if self.consequence else text,
             resolution=self.resolution,
-            subjects=tuple(dict.fromkeys(module.id for module in modules)),
+            subjects=subjects,
             evidence=tuple(evidence),
             fingerprint=fingerprint(self.id, entity, packages),
             who=self.who,

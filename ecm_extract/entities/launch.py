@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from pathlib import PurePosixPath
 
+import msgspec
 from ecm_parsers.launch.model import Action, Argument, Group, LaunchFile, Substitution, Template
 
 from ecm_extract.discover import is_test_path
+from ecm_extract.entities.launch_reads import is_open, reads
 from ecm_extract.entities.model import PublicEntity
 from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.read.facts import PackageFacts
@@ -21,19 +23,20 @@ def launch_entities(texts: SideTexts, facts: PackageFacts) -> Iterator[PublicEnt
     """Yield the launch files of a package and their arguments; a file goes by its name, as for `ros2 launch`."""
     for path, file in launch_files(texts, facts):
         name = PurePosixPath(path).name
-        yield PublicEntity(kind="launch_file", package=facts.name, owner="", name=name, path=path, line=1)
-        for argument in arguments(file.actions):
-            if argument.value is None:
-                yield PublicEntity(
-                    kind="launch_argument",
-                    package=facts.name,
-                    owner=name,
-                    name=argument.name,
-                    default=None if argument.default is None else written(argument.default),
-                    deprecated=argument.description if "deprecat" in argument.description.lower() else None,
-                    path=path,
-                    line=argument.line,
-                )
+        base = PublicEntity(kind="launch_argument", package=facts.name, owner=name, name="", path=path, line=1)
+        yield msgspec.structs.replace(base, kind="launch_file", owner="", name=name, open=is_open(file))
+        declared = [each for each in arguments(file.actions) if each.value is None]
+        for argument in declared:
+            yield msgspec.structs.replace(
+                base,
+                name=argument.name,
+                default=None if argument.default is None else written(argument.default),
+                deprecated=argument.description if "deprecat" in argument.description.lower() else None,
+                line=argument.line,
+            )
+        named = {argument.name for argument in arguments(file.actions)}
+        for read in {each.name: each for each in reads(file) if each.name not in named}.values():
+            yield msgspec.structs.replace(base, name=read.name, default=written(read.default), line=read.line)
 
 
 def launch_files(tree: Tree | SideTexts, facts: PackageFacts) -> Iterator[tuple[str, LaunchFile]]:

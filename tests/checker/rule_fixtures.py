@@ -12,6 +12,8 @@ from ecm_checker.catalogue import catalogue
 from ecm_checker.contract import Contract
 from ecm_checker.encode import decode
 from ecm_checker.finding import Finding
+from ecm_checker.hub.package import PackageDocument, decode_documents
+from ecm_checker.match.packages import Packages
 from ecm_checker.operations.engine import findings
 from ecm_checker.outcome import ordered
 from ecm_checker.profiles import Call, Embodiment, Policy, Profiles, Runtime
@@ -41,6 +43,12 @@ def profiles(folder: Path) -> Profiles:
     )
 
 
+def packages(folder: Path, names: str) -> Packages | None:
+    """Documents of packages beside the contracts: `previous` and `dependent` are what they are called for contracts."""
+    found = [decode_documents(path.read_bytes()) for path in sorted(folder.glob(names))]
+    return Packages([each for each in found if isinstance(each, PackageDocument)]) if found else None
+
+
 def case(folder: Path) -> Case:
     named = {path.name.removesuffix(".ecm.yaml"): contract(path) for path in sorted(folder.glob("*.ecm.yaml"))}
     previous, dependent = named.pop("previous", None), named.pop("dependent", None)
@@ -51,6 +59,9 @@ def case(folder: Path) -> Case:
         previous=None if previous is None else view(previous),
         dependents=None if dependent is None else (view(dependent),),
         call=profile(folder / "call.yaml", Call),
+        packages=packages(folder, "[!pd]*.package.json"),
+        replaced=packages(folder, "previous.package.json"),
+        users=packages(folder, "dependent.package.json"),
     )
 
 

@@ -41,6 +41,7 @@ class UseKind(msgspec.Struct, frozen=True, kw_only=True):
         breaches: what a provider can do to it: `gone`, another `type`, `signature` or `layout`; a new `duty`
             (an argument that must be given); another `default`.
         warned: whether a deprecation of the name concerns the line.
+        stated: whether the line says by itself that it needs the name; a method that may override may also be new.
         built: whether the line is compiled or interpreted together with what it uses, in its own package.
     """
 
@@ -50,6 +51,7 @@ class UseKind(msgspec.Struct, frozen=True, kw_only=True):
     facet: str = ""
     breaches: tuple[Breach, ...] = ("gone",)
     warned: bool = True
+    stated: bool = True
     built: bool = False
 
 

@@ -43,6 +43,7 @@ class Provided(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
     bases: tuple[str, ...] = ()
     qos: Qos | None = None
     ros: int | None = None
+    open: bool = False
 
 
 class Hub(msgspec.Struct, frozen=True, kw_only=True):
@@ -58,7 +59,7 @@ class Hub(msgspec.Struct, frozen=True, kw_only=True):
         notes: sentences of its changelogs, by path.
     """
 
-    manifest: str | None
+    manifest: str | None = None
     provides: tuple[Provided, ...] = ()
     requires: tuple[Requirement, ...] = ()
     bound: tuple[str, ...] = ()
@@ -131,6 +132,7 @@ def provided(provision: Provision) -> Provided:
         bases=provision.bases,
         qos=provision.qos,
         ros=provision.ros,
+        open=provision.open,
     )
 
 
@@ -158,6 +160,7 @@ def provision(package: str, row: Provided) -> Provision:
         ros=row.ros,
         deprecated=row.deprecated,
         confidence=row.confidence,
+        open=row.open,
     )
 
 

@@ -68,6 +68,7 @@ class Provision(msgspec.Struct, frozen=True, kw_only=True):
         sharers: owners beside `owner` that have an endpoint by the same line.
         others: message types that its owner has under that name as well, by a condition.
         confidence: how surely the name is known.
+        open: whether it may have names below it that are not told, as a launch file that could not be read whole.
         chain: the calls from the module to the one that makes it; more than one when a wrapper or library does.
     """
 
@@ -90,6 +91,7 @@ class Provision(msgspec.Struct, frozen=True, kw_only=True):
     ros: int | None = None
     deprecated: str | None = None
     confidence: Confidence = "literal"
+    open: bool = False
 
     @property
     def key(self) -> Key:

@@ -48,15 +48,26 @@ def match(requirement: Requirement, consumer: Consumer, provisions: Provisions, 
     """
     if requirement.certainty == "unknown":
         return Match(requirement, "unknown")
-    found = provisions.named(requirement, consumer)
-    breaches = [misfit(requirement, each) for each in found]
+    named = [(each, misfit(requirement, each)) for each in provisions.named(requirement, consumer)]
+    # a computed name of another type is another name
+    found = [(each, breach) for each, breach in named if breach is None or not each.is_computed]
+    breaches = [breach for _, breach in found]
     if None in breaches:
-        return Match(requirement, "met", tuple(found))
+        return Match(requirement, "met", tuple(each for each, _ in found))
     if found:
-        return Match(requirement, "incompatible", tuple(found), breaches[0])
-    return Match(requirement, "dangling" if _is_closed(requirement, known) else "unknown")
+        return Match(requirement, "incompatible", tuple(each for each, _ in found), breaches[0])
+    closed = requirement.package in known and not is_open(requirement) and _tells_all(requirement, provisions)
+    return Match(requirement, "dangling" if closed else "unknown")
 
 
-def _is_closed(requirement: Requirement, known: Collection[str]) -> bool:
-    """Whether only a package that is known can provide the name."""
-    return requirement.package in known and all(kinds()[kind].world == "package" for kind in uses()[requirement.use].of)
+def _tells_all(requirement: Requirement, provisions: Provisions) -> bool:
+    """Whether the owner of the name is known to tell all that is below it."""
+    if not requirement.owner:
+        return True
+    owners = provisions.owners(requirement.package, requirement.owner)
+    return bool(owners) and not any(each.open for each in owners)
+
+
+def is_open(requirement: Requirement) -> bool:
+    """Whether any package of the world may provide the name, as a topic or a plugin."""
+    return any(kinds()[kind].world == "graph" for kind in uses()[requirement.use].of)

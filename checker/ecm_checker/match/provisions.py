@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cached_property
 from typing import Final
 
-from ecm_checker.hub.kinds import uses
+from ecm_checker.hub.kinds import kinds, uses
 from ecm_checker.hub.provision import HOLE, Provision
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.match.consumer import Consumer
@@ -67,6 +67,11 @@ class Provisions:
         yield from self._by_key.get((kind, key), ())
         if key != OPEN:
             yield from self._by_key.get((kind, OPEN), ())
+
+    def owners(self, package: str | None, name: str) -> list[Provision]:
+        """Return the provisions of a package, of any kind, that have a name themselves."""
+        named = (each for kind in kinds() for each in self._by_key.get((kind, name), ()))
+        return [each for each in named if each.package == package and each.name == name]
 
     def named(self, requirement: Requirement, consumer: Consumer) -> list[Provision]:
         """Return what a requirement of a consumer may mean, each once."""

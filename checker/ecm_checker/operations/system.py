@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from ecm_checker.case import Case
 from ecm_checker.finding import Dimension
+from ecm_checker.match.packages import Packages
 from ecm_checker.operations.engine import ALL, Subject, examine, ready, report
 from ecm_checker.outcome import Report
 from ecm_checker.profiles import NO_PROFILES, Profiles
@@ -17,6 +18,7 @@ def system(
     dimensions: Sequence[Dimension] = ALL,
     *,
     together: bool = False,
+    packages: Packages | None = None,
 ) -> Report:
     """May these modules run as one system?
 
@@ -26,7 +28,8 @@ def system(
         dimensions: those to consult, of the ones that the operation consults.
         together: whether they are known to run together, as by a launch file. Modules of a repository could, and
             then a conflict between two of them is only likely.
+        packages: documents of their packages; None where there are none.
     """
     views = sorted((ready(module) for module in modules), key=lambda each: each.id)
-    case = Case([each for each in views if each.runs], profiles, together=together)
+    case = Case([each for each in views if each.runs], profiles, together=together, packages=packages)
     return report("system", examine("system", case, dimensions), profiles, dimensions)

@@ -1,0 +1,64 @@
+"""Requirements that are not met, as findings: one for each name, with all lines that need it."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Iterator
+
+from ecm_checker.contract import Evidence
+from ecm_checker.finding import Certainty, Entity, Finding
+from ecm_checker.hub.kinds import kinds
+from ecm_checker.hub.provision import Provision
+from ecm_checker.hub.requirement import Requirement
+from ecm_checker.match.packages import Unmet
+from ecm_checker.rule import PackageMatter, Rule
+
+_SHOWN = 3
+
+
+def unmet_findings(rule: Rule, unmet: Iterable[Unmet]) -> Iterator[Finding]:
+    """Yield one finding of a rule for each name that somebody needs and does not get."""
+    grouped: dict[tuple[str, str | None, str, str], list[Unmet]] = defaultdict(list)
+    for each in unmet:
+        wanted = each.requirement
+        grouped[wanted.kind, wanted.package, wanted.owner, wanted.name].append(each)
+    for group in grouped.values():
+        yield _finding(rule, group)
+
+
+def _finding(rule: Rule, group: list[Unmet]) -> Finding:
+    wanted, provided = group[0].requirement, _provided(group)
+    home = provided[0].package if provided else wanted.package
+    lines = [at for each in group for at in each.requirement.evidence]
+    lines += [Evidence(each.path, each.line) for each in provided]
+    packages = [*([home] if home else []), *sorted({each.consumer for each in group})]
+    kind = kinds()[wanted.kind]
+    matter = PackageMatter(
+        text=_text(group, wanted, home),
+        consequence=kind.silence,
+        entity=Entity(wanted.kind, wanted.name),
+        who=kind.who,
+        packages=tuple(dict.fromkeys(packages)),
+        evidence=tuple(dict.fromkeys(lines)),
+    )
+    return rule.package_finding(matter, _certainty(group))
+
+
+def _provided(group: list[Unmet]) -> list[Provision]:
+    """What met it before, else what is there and does not fit."""
+    found = [each for unmet in group for each in (unmet.before or unmet.match.found)]
+    return list({each.key: each for each in found}.values())
+
+
+def _text(group: list[Unmet], wanted: Requirement, home: str | None) -> str:
+    lines = [f"{at.path}:{at.line}" for each in group for at in each.requirement.evidence]
+    more = f" and {len(lines) - _SHOWN} more" if len(lines) > _SHOWN else ""
+    of = f" of {home}" if home else ""
+    breach = group[0].match.breach
+    state = f"has another {breach}" if breach else "is not there"
+    kind = wanted.kind.replace("_", " ")
+    return f"{kind} {wanted.name}{of} {state}, and {', '.join(lines[:_SHOWN])}{more} {wanted.phrase}"
+
+
+def _certainty(group: list[Unmet]) -> Certainty:
+    return "proved" if any(each.requirement.certainty == "proved" for each in group) else "likely"
