@@ -16,7 +16,7 @@ RULE = Rule(
     severity="error",
     who="source",
     part_of=("SigMatch",),
-    consequence="the name is looked for in vain: a build, launch or load fails, or a value is ignored without an error",
+    consequence="the name is looked for in vain: a build, launch or load fails, or a value is silently ignored",
     resolution="write the name that is provided, or provide this one",
 )
 

@@ -17,7 +17,7 @@ RULE = Rule(
     severity="error",
     who="source",
     part_of=("DepPreserve",),
-    consequence="the user looks for the name in vain: a build, launch or load fails, or a value is ignored without an error",
+    consequence="the name is looked for in vain: a build, launch or load fails, or a value is silently ignored",
     resolution="keep the name for one release cycle and deprecate it, or change its users with it",
 )
 

@@ -1,0 +1,162 @@
+"""What packages require: one row for each way in which an artefact depends on a name."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from ecm_checker.hub.kinds import kinds, uses
+from ecm_checker.match.names import NAMES
+from workspaces import Workspace
+
+from ecm_extract.entities.side import read_workspace
+from ecm_extract.extraction_model import Options
+from ecm_extract.requires.collect import requirements
+from ecm_extract.tree import open_tree
+
+NODE = """#include <arm_lib/arm.hpp>
+#include <vector>
+namespace user {
+class Mine : public arm_lib::Arm {
+ public:
+  int grip(double force) override;
+};
+void use(arm_lib::Arm & arm, std::shared_ptr<arm_lib::Hand> hand) {
+  arm.move(1, 2);
+  hand->open();
+  int size = arm.size;
+  arm_lib::reset(3);
+}
+}
+"""
+SCRIPT = """from arm_lib.tools import Gripper, count
+import arm_lib.other
+from arm_msgs.msg import Force
+
+
+def use():
+    message = Force()
+    message.value = 1
+    left, right = count()
+    Gripper(speed=2)
+    arm_lib.other.reset()
+"""
+LAUNCH_XML = """<launch>
+  <include file="$(find arm_bringup)/launch/arm.launch"><arg name="side" value="left"/></include>
+  <node pkg="arm" type="arm_node" name="arm" if="$(arg real)">
+    <param name="rate" value="3"/>
+    <remap from="joints" to="/arm/joints"/>
+  </node>
+  <rosparam file="$(find arm_bringup)/config/arm.yaml"/>
+</launch>
+"""
+PARAMETERS = """arm_node:
+  ros__parameters:
+    rate: 3
+    plugin: "arm_lib::Simple"
+    base_frame: tool
+"""
+TREE = """<root main_tree_to_execute="Main"><BehaviorTree ID="Main">
+<Grip force="3"/>
+</BehaviorTree></root>
+"""
+XACRO = """<robot name="r" xmlns:xacro="http://ros.org/wiki/xacro">
+<xacro:include filename="$(find arm_description)/urdf/arm.xacro"/>
+<link name="own"/>
+<joint name="j" type="fixed"><parent link="tool"/><child link="own"/></joint>
+</robot>
+"""
+CASES: dict[str, tuple[int, dict[str, str], list[dict[str, Any]]]] = {
+    "C++": (
+        2,
+        {"src/user.cpp": NODE, "CMakeLists.txt": "project(pkg)\nadd_library(user src/user.cpp)\n"},
+        [
+            {"use": "includes", "kind": "file", "name": "arm_lib/arm.hpp", "line": 1},
+            {"use": "derives", "kind": "class", "name": "arm_lib::Arm", "line": 4},
+            {"use": "overrides", "kind": "method", "owner": "arm_lib::Arm", "name": "grip", "line": 6},
+            {"use": "calls_method", "kind": "method", "owner": "arm_lib::Arm", "name": "move", "line": 9},
+            {"use": "calls_method", "kind": "method", "owner": "arm_lib::Hand", "name": "open", "line": 10},
+            {"use": "reads_member", "kind": "member", "owner": "arm_lib::Arm", "name": "size", "line": 11},
+            {"use": "names_symbol", "kind": "class", "name": "arm_lib::reset", "line": 12},
+        ],
+    ),
+    "Python": (
+        1,
+        {"scripts/user.py": SCRIPT},
+        [
+            {"use": "imports", "name": "arm_lib.tools.Gripper", "line": 1},
+            {"use": "imports", "name": "arm_lib.other", "line": 2},
+            {"use": "reads_field", "owner": "arm_msgs.msg.Force", "name": "value", "line": 8},
+            {"use": "takes_result", "name": "arm_lib.tools.count", "line": 9},
+            {"use": "gives_keyword", "name": "arm_lib.tools.Gripper", "line": 10},
+            {"use": "uses_name", "name": "arm_lib.other.reset", "line": 11},
+        ],
+    ),
+    "launch": (
+        1,
+        {"launch/user.launch": LAUNCH_XML},
+        [
+            {"use": "includes_launch", "package": "arm_bringup", "name": "arm.launch", "line": 2},
+            {"use": "gives_argument", "package": "arm_bringup", "owner": "arm.launch", "name": "side", "line": 2},
+            {"use": "starts", "package": "arm", "name": "arm_node", "line": 3, "conditions": ("$(arg real)",)},
+            {"use": "gives_parameter", "package": "arm", "name": "rate", "line": 4},
+            {"use": "remaps", "package": "arm", "name": "joints", "said": "/arm/joints", "line": 5},
+            {"use": "reads_file", "package": "arm_bringup", "name": "config/arm.yaml", "line": 7},
+        ],
+    ),
+    "parameters": (
+        2,
+        {"config/arm.yaml": PARAMETERS},
+        [
+            {"use": "sets_parameter", "owner": "/arm_node", "name": "rate", "type": "integer", "value": 3, "line": 3},
+            {"use": "loads_plugin", "name": "arm_lib::Simple", "line": 4},
+            {"use": "names_frame", "name": "tool", "line": 5, "certainty": "likely"},
+        ],
+    ),
+    "behaviour tree": (
+        2,
+        {"trees/main.xml": TREE},
+        [
+            {"use": "names_bt_node", "name": "Grip", "line": 2},
+            {"use": "sets_bt_port", "owner": "Grip", "name": "force", "line": 2},
+        ],
+    ),
+    "description": (
+        2,
+        {"urdf/robot.xacro": XACRO},
+        [
+            {"use": "includes_description", "package": "arm_description", "name": "urdf/arm.xacro", "line": 2},
+            {"use": "hangs_joint", "name": "tool", "line": 4, "certainty": "likely"},
+        ],
+    ),
+}
+
+
+def rows(workspace: Workspace) -> list[dict[str, Any]]:
+    found = requirements(read_workspace(open_tree(workspace.root), Options(jobs=1, cache=False), {}))
+    flat = [each for entries in found.values() for each in entries]
+    fields = ("use", "kind", "package", "owner", "name", "type", "value", "certainty", "conditions", "said")
+    return [{**{f: getattr(each, f) for f in fields}, "line": at.line} for each in flat for at in each.evidence]
+
+
+@pytest.mark.parametrize(("ros", "files", "expected"), CASES.values(), ids=CASES)
+def test_each_dependence_is_a_requirement(
+    workspace: Workspace, ros: int, files: dict[str, str], expected: list[dict[str, Any]]
+) -> None:
+    """Each line that needs a name is told, with what it needs of whom."""
+    found = rows(workspace.package(files, ros))
+    missing = [want for want in expected if not any(want.items() <= row.items() for row in found)]
+    assert not missing, found
+
+
+def test_what_the_language_brings_is_not_required(workspace: Workspace) -> None:
+    """Nobody provides the standard library."""
+    found = rows(workspace.package(CASES["C++"][1]))
+    assert not [row for row in found if row["name"].startswith("std::")]
+
+
+def test_the_vocabulary_fits_together() -> None:
+    """Each use means kinds that there are, and compares names in a way that there is."""
+    for row in uses().values():
+        assert set(row.of) <= kinds().keys()
+        assert row.names in NAMES
