@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
-from ecm_parsers.source.cpp_effects import has_call, keeps_number, shifted
+from ecm_parsers.source.cpp_effects import has_call, keeps_number, matters, shifted
 from ecm_parsers.source.cpp_expr import ExprReader, lambda_types
 from ecm_parsers.source.cpp_parameters import declared_name, parameters
 from ecm_parsers.source.cpp_vexing import as_arguments, loop_macro
@@ -139,7 +139,7 @@ class BodyReader:
             self._bind(value, value)
             return
         read = self.expr.read(value)
-        if has_call(read):
+        if matters(read):
             self._add("do", node, read)
 
     def _expression(self, node: Node) -> None:
@@ -224,6 +224,8 @@ class BodyReader:
             return
         read = self._initial(kind, value)
         if kind.type == "primitive_type" and read is not None and not keeps_number(read):
+            if matters(read):
+                self._add("do", declarator, read)
             read = None
         mark = "" if kind.type == "placeholder_type_specifier" else _MARKS.get(bound.type, "")
         self._add("let", declarator, read, Name(name), self.expr.type_text(kind) + mark)

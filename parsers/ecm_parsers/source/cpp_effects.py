@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Name, Number, Op, Text
+from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Member, Name, Number, Op, Text
 
 
 def shifted(value: Expr) -> list[Expr]:
@@ -21,6 +21,13 @@ def has_call(value: Expr) -> bool:
     if isinstance(value, Op):
         return any(has_call(operand) for operand in value.operands)
     return isinstance(value, Lambda)
+
+
+def matters(value: Expr) -> bool:
+    """Tell whether an expression calls anything, or reads a member: who declares that member may take it away."""
+    if isinstance(value, Call | Member | Lambda):
+        return True
+    return isinstance(value, Op) and any(matters(operand) for operand in value.operands)
 
 
 def keeps_number(value: Expr | None) -> bool:
