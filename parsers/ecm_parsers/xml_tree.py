@@ -17,6 +17,8 @@ from ecm_parsers.text import decode
 
 MAX_BYTES = 8_000_000
 MAX_DEPTH = 200
+MAX_ATTRIBUTES = 1_000
+"""Of one element; libxml2 looks each up among all of them."""
 MAX_PROBLEMS = 20
 _MAX_CORRECTED = 200_000
 _MAX_LINE = 65_535  # what a node of libxml2 can hold
@@ -114,6 +116,7 @@ def _parse(body: str, doubts: tuple[Diagnostic, ...], *, many_roots: bool) -> Xm
         message = f"Elements nest deeper than {MAX_DEPTH}; the file is skipped. Flatten it."
         return XmlTree((), (*diagnostics, Diagnostic("error", "xml-too-deep", 0, message)))
     _correct_lines(root, body)
+    diagnostics += tuple(_crowded(root))
     roots = tuple(element for _, element in children(root)) if many_roots else (root,)
     return XmlTree(roots, diagnostics if roots else (*diagnostics, _NO_XML))
 
@@ -134,6 +137,16 @@ def _is_too_deep(root: etree._Element) -> bool:
         if depth > MAX_DEPTH:
             return True
     return False
+
+
+def _crowded(root: etree._Element) -> Iterator[Diagnostic]:
+    """Take the attributes from elements that have too many, and yield what was left out."""
+    for element in root.iter(etree.Element):
+        count = len(element.attrib)
+        if count > MAX_ATTRIBUTES:
+            element.attrib.clear()
+            message = f"<{local_name(element)[:80]}> has {count} attributes; none is read. Leave {MAX_ATTRIBUTES} at most."
+            yield Diagnostic("error", "xml-too-many-attributes", line_of(element), message)
 
 
 def _correct_lines(root: etree._Element, body: str) -> None:

@@ -226,5 +226,5 @@ def test_exponential_includes_end(tmp_path: Path) -> None:
         for at in range(20)
     }
     started = time.process_time()
-    assert "launch-cycle" in codes(tmp_path, files)
+    assert "launch-too-large" in codes(tmp_path, files)
     assert time.process_time() - started < 1

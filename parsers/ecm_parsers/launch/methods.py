@@ -14,7 +14,6 @@ from ecm_parsers.launch.model import Substitution
 from ecm_parsers.launch.substitutions import joined_path
 from ecm_parsers.launch.values import (
     MAX_ITEMS,
-    MAX_TEXT,
     Description,
     Text,
     Unknown,
@@ -200,11 +199,7 @@ def hashable(value: Value) -> bool:
 
 
 def _as_text(value: Value) -> Value:
-    return (
-        merged_text(template_of(value))[:MAX_TEXT]
-        if isinstance(value, str | int | float)
-        else merged_text(template_of(value))
-    )
+    return merged_text(template_of(value))
 
 
 def _range(*bounds: int) -> Value:

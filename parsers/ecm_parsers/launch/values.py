@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
 from ecm_parsers.launch.model import (
+    TOO_LARGE,
     Action,
     Data,
     Group,
@@ -19,6 +20,7 @@ from ecm_parsers.launch.model import (
     Substitution,
     Template,
     Unread,
+    bounded,
 )
 
 MAX_ITEMS = 2_000
@@ -28,9 +30,17 @@ MAX_DEPTH = 20
 
 @dataclass(frozen=True, slots=True)
 class Text:
-    """A text with substitutions, or one substitution."""
+    """A text with substitutions, or one substitution; `TOO_LARGE` where it has too many."""
 
     parts: Template
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "parts", bounded(self.parts))
+
+    @property
+    def is_cut(self) -> bool:
+        """Whether it was too large to be kept."""
+        return self.parts is TOO_LARGE
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,6 +48,9 @@ class Condition:
     """What `condition=` takes."""
 
     holds: Template
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "holds", bounded(self.holds))
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,7 +172,7 @@ def template_of(value: Value, depth: int = 0) -> Template:
     if isinstance(value, bool | int | float):
         return (str(value),)
     if isinstance(value, list | tuple):
-        return tuple(part for item in value[:MAX_ITEMS] for part in template_of(item, depth + 1))
+        return tuple(part for item in value for part in template_of(item, depth + 1))
     if isinstance(value, Condition):
         return value.holds
     if isinstance(value, Object) and value.made is not None:
@@ -194,11 +207,13 @@ def merged_text(parts: Template) -> Value:
         if part == "":
             continue
         if isinstance(part, str) and joined and isinstance(joined[-1], str):
-            joined[-1] = (joined[-1] + part)[:MAX_TEXT]
+            joined[-1] = joined[-1] + part
         else:
             joined.append(part)
     if not joined:
         return ""
+    if sum(len(part) for part in joined if isinstance(part, str)) > MAX_TEXT:
+        return Text(TOO_LARGE)
     return joined[0] if len(joined) == 1 and isinstance(joined[0], str) else Text(tuple(joined))
 
 
@@ -216,7 +231,7 @@ def data_of(value: Value, depth: int = 0) -> Data:
     if isinstance(value, list | tuple) and depth < MAX_DEPTH:
         if any(isinstance(item, Text) for item in value) and all(isinstance(item, str | Text) for item in value):
             return template_of(value)
-        return [data_of(item, depth + 1) for item in value[:MAX_ITEMS]]
+        return [data_of(item, depth + 1) for item in value]
     return template_of(value)
 
 
@@ -258,7 +273,7 @@ def actions_of(value: Value, depth: int = 0) -> tuple[Action, ...]:
     if isinstance(value, Description):
         value = value.actions
     if isinstance(value, list | tuple) and depth < MAX_DEPTH:
-        return tuple(action for item in value[:MAX_ITEMS] for action in actions_of(item, depth + 1))
+        return tuple(action for item in value for action in actions_of(item, depth + 1))
     if isinstance(value, Unknown) and value.line:
         return (Unread(line=value.line, text=value.text),)
     return (value,) if isinstance(value, Action) else ()
@@ -267,6 +282,19 @@ def actions_of(value: Value, depth: int = 0) -> tuple[Action, ...]:
 def starts_something(value: Value) -> bool:
     """Tell whether a value holds actions that can be read."""
     return any(not isinstance(action, Unread) for action in actions_of(value))
+
+
+def expanded(value: Value, limit: int) -> int:
+    """Return how many items a list or map holds on all levels, each counted as often as it is met, up to a limit."""
+    count, pending = 0, [value]
+    while pending and count <= limit:
+        item = pending.pop()
+        if isinstance(item, Description):
+            item = item.actions
+        if isinstance(item, list | tuple | dict):
+            count += 1 + len(item)
+            pending.extend(item.values() if isinstance(item, dict) else item)
+    return count
 
 
 def guarded(actions: tuple[Action, ...], guard: Template | None, line: int) -> tuple[Action, ...]:
