@@ -145,7 +145,7 @@ def _crowded(root: etree._Element) -> Iterator[Diagnostic]:
         count = len(element.attrib)
         if count > MAX_ATTRIBUTES:
             element.attrib.clear()
-            message = f"<{local_name(element)[:80]}> has {count} attributes; none is read. Leave {MAX_ATTRIBUTES} at most."
+            message = f"<{local_name(element)[:80]}> has {count} attributes; none is read. Leave {MAX_ATTRIBUTES}."
             yield Diagnostic("error", "xml-too-many-attributes", line_of(element), message)
 
 

@@ -134,7 +134,8 @@ class Expressions(ABC):
     def _subscript(self, node: ast.Subscript, scope: Scope) -> Value:
         owner, key = self.value(node.value, scope), self.value(node.slice, scope)
         if isinstance(owner, Reference) and owner.last in {"environ", "launch_configurations"}:
-            return Text((Substitution("env" if owner.last == "environ" else "arg", (template_of(key),)),))
+            kind = "env" if owner.last == "environ" else "arg"
+            return Text((Substitution(kind, (template_of(key),)),), is_str=True)
         found = subscript(self.loaded(owner), key)
         return Unknown(source_of(node)) if isinstance(found, Unknown) else found
 
@@ -230,7 +231,8 @@ class Expressions(ABC):
         return choice(holds, self.value(node.body, scope), self.value(node.orelse, scope))
 
     def _joined(self, node: ast.JoinedStr, scope: Scope) -> Value:
-        return merged_text(tuple(part for value in node.values for part in template_of(self.value(value, scope))))
+        parts = tuple(part for value in node.values for part in template_of(self.value(value, scope)))
+        return merged_text(parts, is_str=True)
 
     def items(self, value: Value) -> list[Value] | None:
         """Return what a loop goes over, None when that is not known."""

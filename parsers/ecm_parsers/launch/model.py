@@ -103,12 +103,16 @@ class Remap(_Action, frozen=True, kw_only=True):
     target: Template
 
 
+Typing: TypeAlias = Literal["yaml", "auto", "str", "int", "double", "bool"]
+"""How a text becomes a parameter: as PyYAML reads it, by the rule of roslaunch, or as the type that is asked for."""
+
+
 class ParameterValue(_Action, frozen=True, kw_only=True):
-    """One parameter; in ROS 2 `a.b`, in ROS 1 `a/b`. `text` is YAML that gives several below `name`."""
+    """One parameter; in ROS 2 `a.b`, in ROS 1 `a/b`. YAML of ROS 1 may give several below `name`."""
 
     name: Template
     value: Data = None
-    is_yaml: bool = False
+    typing: Typing = "yaml"
 
 
 class ParameterFile(_Action, frozen=True, kw_only=True):
@@ -118,12 +122,16 @@ class ParameterFile(_Action, frozen=True, kw_only=True):
         path: of the file.
         namespace: below which its parameters are put.
         rewrites: (key, value): values that replace those of the file wherever the last part of a name is the key.
+        converts: a value that replaces another may be a number, as `convert_types` asks.
+        substitutes: `$(...)` in the file is replaced when it is read.
         plain: the data of the file are parameters as they stand, below `prefix`, with no node around them (ROS 2).
     """
 
     path: Template
     namespace: Template = ()
     rewrites: tuple[tuple[Template, Template], ...] = ()
+    converts: bool = False
+    substitutes: bool = False
     plain: bool = False
     prefix: Template = ()
 

@@ -90,7 +90,7 @@ def _added(left: Value, right: Value) -> Value:
     if isinstance(right, list | tuple) and isinstance(left, Unknown | Text):
         return [*_noted(left), *right]
     if isinstance(left, str | Text | Unknown) and isinstance(right, str | Text | Unknown):
-        return merged_text((*template_of(left), *template_of(right)))
+        return merged_text((*template_of(left), *template_of(right)), is_str=True)
     return Unknown("+")
 
 

@@ -19,6 +19,7 @@ from ecm_parsers.launch.model import (
     ParameterValue,
     Substitution,
     Template,
+    Typing,
     Unread,
     bounded,
 )
@@ -30,9 +31,13 @@ MAX_DEPTH = 20
 
 @dataclass(frozen=True, slots=True)
 class Text:
-    """A text with substitutions, or one substitution; `TOO_LARGE` where it has too many."""
+    """A text with substitutions, or one substitution; `TOO_LARGE` where it has too many.
+
+    `is_str` tells that it is a `str` when the file is run, not a substitution of `launch`.
+    """
 
     parts: Template
+    is_str: bool = field(default=False, compare=False)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "parts", bounded(self.parts))
@@ -200,8 +205,8 @@ def text_of(value: Value) -> str | None:
     return "".join(str(part) for part in parts)
 
 
-def merged_text(parts: Template) -> Value:
-    """Return parts as plain text where they hold no substitution."""
+def merged_text(parts: Template, *, is_str: bool = False) -> Value:
+    """Return parts as plain text where they hold no substitution; `is_str` as in `Text`."""
     joined: list[str | Substitution] = []
     for part in parts:
         if part == "":
@@ -214,7 +219,12 @@ def merged_text(parts: Template) -> Value:
         return ""
     if sum(len(part) for part in joined if isinstance(part, str)) > MAX_TEXT:
         return Text(TOO_LARGE)
-    return joined[0] if len(joined) == 1 and isinstance(joined[0], str) else Text(tuple(joined))
+    return joined[0] if len(joined) == 1 and isinstance(joined[0], str) else Text(tuple(joined), is_str)
+
+
+def as_str(value: Value) -> Value:
+    """Return what a substitution gives as a `str` of Python."""
+    return Text(value.parts, is_str=True) if isinstance(value, Text) else value
 
 
 def command_words(value: Value) -> tuple[Template, ...]:
@@ -229,10 +239,24 @@ def data_of(value: Value, depth: int = 0) -> Data:
     if value is None or isinstance(value, bool | int | float):
         return value
     if isinstance(value, list | tuple) and depth < MAX_DEPTH:
-        if any(isinstance(item, Text) for item in value) and all(isinstance(item, str | Text) for item in value):
+        if any(_is_substitution(item) for item in value) and all(isinstance(item, str | Text) for item in value):
             return template_of(value)
-        return [data_of(item, depth + 1) for item in value]
+        items = [template_of(item) if isinstance(item, list | tuple) else data_of(item, depth + 1) for item in value]
+        numbers = {type(item) for item in items}
+        return [float(item) for item in items] if numbers == {int, float} else items  # type: ignore[arg-type]
     return template_of(value)
+
+
+def _is_substitution(value: Value) -> bool:
+    return isinstance(value, Text) and not value.is_str
+
+
+def typing_of(value: Value) -> Typing:
+    """Return how `launch_ros` types a value of a map: what Python holds as `str` stays text, a substitution is YAML."""
+    if isinstance(value, Text):
+        return "str" if value.is_str else "yaml"
+    items = value if isinstance(value, list | tuple) else ()
+    return "yaml" if any(isinstance(item, list | tuple) or typing_of(item) == "yaml" for item in items) else "str"
 
 
 def parameter_sources(value: Value, line: int) -> tuple[ParameterSource, ...]:
@@ -260,9 +284,9 @@ def _flattened(table: dict[Value, Value], prefix: Template, line: int, depth: in
         elif isinstance(value, dict) and depth < MAX_DEPTH:
             found += _flattened(value, name, line, depth + 1)
         elif isinstance(value, ParameterValue):
-            found.append(ParameterValue(line=line, name=name, value=value.value))
+            found.append(ParameterValue(line=line, name=name, value=value.value, typing=value.typing))
         else:
-            found.append(ParameterValue(line=line, name=name, value=data_of(value)))
+            found.append(ParameterValue(line=line, name=name, value=data_of(value), typing=typing_of(value)))
     return found
 
 
