@@ -113,6 +113,7 @@ class Evaluator:
             return
         for entry in parsed.diagnostics:
             self.tree.report(FileDiagnostic(entry.severity, entry.code, path, entry.line, entry.message))
+            self.result.is_complete &= entry.severity != "error"
         if parsed.facts is not None:
             self.result.files.append(path)
             self._run(_File(path, parsed.facts, (*stack, path)), parsed.facts.actions, scope)
@@ -133,6 +134,7 @@ class Evaluator:
             return self._markup[path]
         data = self.files.read(path)
         if data is None:
+            self._incomplete("launch-unread", Place(path, 0), "The launch file cannot be read. Fetch or restore it.")
             return None
         sources = LaunchSources(self.files, path, scope, self.budget)
         parsed = read_launch(path, data, self.files.ros_of(path), sources)

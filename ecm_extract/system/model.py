@@ -123,7 +123,7 @@ class Launched:
     Attributes:
         files: launch files that were read, in order.
         globals: ROS 1 parameters outside of nodes.
-        is_complete: False when something was left out for its size; the diagnostics say what.
+        is_complete: False when something was left out for its size or since it is malformed; the diagnostics say what.
     """
 
     files: list[str] = field(default_factory=list)
