@@ -109,8 +109,8 @@ def _words(text: str, depth: int, *, whole: bool) -> tuple[Template, ...]:
             elif current:
                 current.append(" ")
         else:
-            text = match[match.lastindex]
-            current += parse_template(text, depth + 1) or ("",)  # quotes keep blanks, not substitutions
+            word = match[match.lastindex]
+            current += parse_template(word, depth + 1) or ("",)  # quotes keep blanks, not substitutions
         position = match.end()
     if current:
         words.append(tuple(current))
