@@ -127,6 +127,17 @@ def test_many_launch_files(at_once: bool, tmp_path: Path, capsys: pytest.Capture
     assert (len(found["nodes"]), found["launch"]["complete"]) == (600, True)
 
 
+def test_too_many_robots_are_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Each description that is not read is named."""
+    nodes = ""
+    for at in range(22):
+        (tmp_path / f"r{at}.urdf").write_text(f'<robot name="r{at}"/>')
+        nodes += f'<node pkg="p" exec="e" args="$(find-pkg-share p)/r{at}.urdf"/>\n'
+    status, found = system(tmp_path, "a.launch.xml", f"<launch>{nodes}</launch>", capsys)
+    assert (status, len(found["robots"])) == (1, 20)
+    assert [entry["path"] for entry in found["diagnostics"]] == ["r20.urdf", "r21.urdf"]
+
+
 def test_a_malformed_file_among_others(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """The others are read, and the text says first that something is missing."""
     (tmp_path / "package.xml").write_text(MANIFEST)
