@@ -7,6 +7,7 @@ Sources: roslaunch `loader.convert_value` (ROS 1); launch `utilities.type_utils`
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from string import ascii_letters, digits
 from types import MappingProxyType
 from typing import Any
 
@@ -14,6 +15,9 @@ from ecm_parsers.launch.model import Typing
 from ecm_parsers.yaml_scalar import PlainScalar, typed, typed_by_pyyaml
 from ecm_parsers.yaml_tree import parse_yaml, plain
 
+_PLAIN = frozenset(f"{ascii_letters}{digits}_./+-")
+"""Characters of a text that is one scalar of YAML for sure, where it does not begin like a marker."""
+_MARKERS = ("--", "..")
 _WORDS: Mapping[str, bool] = MappingProxyType({"true": True, "false": False})
 _TRUTH: Mapping[str, bool] = MappingProxyType({**_WORDS, "1": True, "0": False})
 
@@ -39,6 +43,8 @@ def private(text: str) -> Any:
 
 
 def _yaml(text: str, scalar: Callable[[str], PlainScalar] = typed_by_pyyaml) -> Any:
+    if _PLAIN.issuperset(text) and text != "-" and not text.startswith(_MARKERS):
+        return scalar(text) if text else text
     found = parse_yaml(text.encode(), scalar)
     if found.diagnostics or len(found.facts) != 1:
         return text

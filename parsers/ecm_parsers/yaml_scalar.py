@@ -6,7 +6,6 @@ which `rosparam`, `roslaunch` and `launch` read with, and to which `1e-5` is tex
 
 import math
 import re
-from typing import Any
 
 import yaml
 
@@ -35,12 +34,12 @@ def typed(text: str) -> PlainScalar:
 
 def typed_by_pyyaml(text: str) -> PlainScalar:
     """Return the value of an unquoted scalar as PyYAML reads it; what is no number, boolean or null stays text."""
-    loader: Any = yaml.SafeLoader("")
-    tag = loader.resolve(yaml.ScalarNode, text, (True, False)) if len(text) <= MAX_DIGITS else ""
+    resolver: Any = yaml.resolver.Resolver()
+    tag = resolver.resolve(yaml.ScalarNode, text, (True, False)) if len(text) <= MAX_DIGITS else ""
     if tag not in _PYYAML_TAGS:
         return text
     try:
-        value: PlainScalar = loader.construct_object(yaml.ScalarNode(tag, text))
+        value: PlainScalar = yaml.constructor.SafeConstructor().construct_object(yaml.ScalarNode(tag, text))
     except ValueError:  # `0b_` fits the pattern of a number
         return text
     return value
