@@ -6,6 +6,7 @@ which `rosparam`, `roslaunch` and `launch` read with, and to which `1e-5` is tex
 
 import math
 import re
+from typing import Any
 
 import yaml
 
