@@ -7,8 +7,8 @@ from typing import Final
 
 import msgspec
 from ecm_checker.case import Case
-from ecm_checker.contract import Contract
-from ecm_checker.finding import Dimension
+from ecm_checker.contract import Contract, Evidence
+from ecm_checker.finding import Dimension, Finding
 from ecm_checker.match.packages import Packages
 from ecm_checker.operations.chain import chain
 from ecm_checker.operations.compose import compose
@@ -72,7 +72,16 @@ def _launched(operation: str, paths: Sequence[str], given: Given, dimensions: Di
     if operation != "system" or len(paths) != 1:
         message = "--launch goes with the operation system and one workspace"
         raise InputError(message, "write: check system WORKSPACE --launch package/file.launch.py")
-    return system(launched_contracts(paths[0], given.launch, given.cache), given.profiles, dimensions, together=True)
+    launched = launched_contracts(paths[0], given.launch, given.cache)
+    decided = system(launched.contracts, given.profiles, dimensions, together=True)
+    findings = tuple(_with_starts(finding, launched.starts) for finding in decided.findings)
+    return msgspec.structs.replace(decided, findings=findings)
+
+
+def _with_starts(finding: Finding, starts: Mapping[str, Evidence]) -> Finding:
+    """A finding with the lines that start its nodes, after those that declare what meets there."""
+    lines = (starts[name] for name in finding.subjects if name in starts)
+    return msgspec.structs.replace(finding, evidence=tuple(dict.fromkeys((*finding.evidence, *lines))))
 
 
 def _flat(groups: _Groups) -> list[Contract]:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import Any, Final, TypeVar
+from typing import Any, Final, NamedTuple, TypeVar
 
 import msgspec
-from ecm_checker.contract import Contract
+from ecm_checker.contract import Contract, Evidence
 from ecm_checker.encode import decode
 from ecm_checker.hub.package import SUFFIX as DOCUMENT
 from ecm_checker.hub.package import Package
@@ -51,7 +51,14 @@ def subject(path: str, cache: bool = True) -> Subject:
     return _extracted(path, cache)
 
 
-def launched_contracts(path: str, words: Sequence[str], cache: bool = True) -> tuple[Contract, ...]:
+class LaunchedContracts(NamedTuple):
+    """Contracts of the nodes that launch files start, and the line that starts each, by the id of its contract."""
+
+    contracts: tuple[Contract, ...]
+    starts: Mapping[str, Evidence]
+
+
+def launched_contracts(path: str, words: Sequence[str], cache: bool = True) -> LaunchedContracts:
     """Contracts of the nodes that launch files start.
 
     Args:
@@ -70,11 +77,16 @@ def launched_contracts(path: str, words: Sequence[str], cache: bool = True) -> t
 
     arguments = dict(word.split(":=", 1) for word in words if ":=" in word)
     launches = [word for word in words if ":=" not in word]
-    found = instance_contracts(read_system(open_tree(path), launches, Given(arguments), Options(cache=cache)))
+    system = read_system(open_tree(path), launches, Given(arguments), Options(cache=cache))
+    if not system.launched.is_complete:
+        message = f"{', '.join(launches)} was read in part only, so that nothing can be said of the whole"
+        raise InputError(message, "`ecm-extract system` shows what was left out, with its line")
+    found = instance_contracts(system)
     if not found:
         message = f"{', '.join(launches) or path} starts no node that is known before the launch"
         raise InputError(message, "`ecm-extract system` shows what it starts and under which conditions")
-    return found
+    starts = {node.name: Evidence(node.instance.place.path, node.instance.place.line) for node in system.nodes}
+    return LaunchedContracts(found, starts)
 
 
 def profile(path: str | None, kind: type[_Profile]) -> _Profile | None:

@@ -6,6 +6,7 @@ Source: the xacro wiki page, "Property and Property Blocks", "Evaluation Order".
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
 from typing import Any
 
 from ecm_parsers.expression import UnknownNameError
@@ -121,14 +122,21 @@ class Symbols(Mapping[str, Any]):
         return sum(1 for _ in self)
 
 
-class Unknown(str):
-    """Text with a part that only the launch knows; that part stands in braces."""
+@dataclass(frozen=True, slots=True)
+class Unknown:
+    """A value with a part that only the launch knows, which stands in braces; no text, so that none is taken for one.
 
-    __slots__ = ()
+    Whoever writes it out says so by `str`.
+    """
+
+    text: str
+
+    def __str__(self) -> str:
+        return self.text
 
 
 class Watched(Mapping[str, Any]):
-    """The names of one expression: notes whether one of them is not known.
+    """The names of one expression; one that is not known is given as text with braces, and noted.
 
     Attributes:
         touched: an unknown value was used, so that the result is not known either.
@@ -139,13 +147,19 @@ class Watched(Mapping[str, Any]):
         self._extra = extra
         self.touched = False
 
+    def anew(self) -> Watched:
+        """Return the same names with nothing noted."""
+        return Watched(self._symbols, self._extra)
+
     def __contains__(self, name: object) -> bool:
         return name in self._extra or name in self._symbols
 
     def __getitem__(self, name: str) -> Any:
         value = self._extra[name] if name in self._extra else self._symbols[name]
-        self.touched = self.touched or isinstance(value, Unknown)
-        return value
+        if not isinstance(value, Unknown):
+            return value
+        self.touched = True
+        return value.text
 
     def __iter__(self) -> Iterator[str]:
         yield from self._extra

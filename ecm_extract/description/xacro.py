@@ -37,7 +37,7 @@ class Xacro:
     """
 
     def __init__(self, files: Files, arguments: Mapping[str, str]) -> None:
-        self.arguments = dict(arguments)
+        self.arguments: dict[str, str | Unknown] = dict(arguments)
         self.problems: list[tuple[str, int, str]] = []
         self.files_read: list[str] = []
         self.files = XacroFiles(files)
@@ -119,22 +119,22 @@ class Xacro:
         self._place = (path, line_of(element))
         made = Element(
             local_name(element),
-            {name: self.text.text(value, symbols) for name, value in own_attributes(element)},
+            {name: self.text.shown(value, symbols) for name, value in own_attributes(element)},
             path,
             line_of(element),
-            self.text.text(element.text or "", symbols) if element.text and element.text.strip() else "",
+            self.text.shown(element.text or "", symbols) if element.text and element.text.strip() else "",
         )
         made.children = self.below(element, path, symbols)
         for child in elements(element):
             if is_xacro(child.tag) and local_name(child) == "attribute":
-                name = self.text.text(str(child.get("name", "")), symbols)
-                made.attributes[name] = self.text.text(str(child.get("value", "")), symbols)
+                name = self.text.shown(str(child.get("name", "")), symbols)
+                made.attributes[name] = self.text.shown(str(child.get("value", "")), symbols)
         return made
 
     # --- definitions -------------------------------------------------------------------------------------------
 
     def _property(self, element: etree._Element, path: str, symbols: Symbols) -> list[Element]:
-        name = self.text.text(str(element.get("name", "")), symbols)
+        name = self.text.shown(str(element.get("name", "")), symbols)
         scope = str(element.get("scope", ""))
         target = symbols.target(scope)
         if element.get("remove") is not None:
@@ -168,10 +168,10 @@ class Xacro:
     def _include(self, element: etree._Element, path: str, symbols: Symbols) -> list[Element]:
         written = str(element.get("filename", ""))
         name = self.text.text(written, symbols)
-        found = self.files.named(name, path)
-        unsaid = element.get("optional") in {"1", "true", "True"} or isinstance(name, Unknown)
-        if not found and not unsaid and not is_glob(name):
-            self.problem(include_problem(written, name, path, self.files, lambda part: self.text.text(part, symbols)))
+        found = [] if isinstance(name, Unknown) else self.files.named(name, path)
+        unsaid = element.get("optional") in {"1", "true", "True"}
+        if not found and not isinstance(name, Unknown) and not unsaid and not is_glob(name):
+            self.problem(include_problem(written, name, path, self.files, lambda part: self.text.shown(part, symbols)))
         return [made for each in found for made in self._included(each, str(element.get("ns") or ""), symbols)]
 
     def _included(self, found: str, space: str, symbols: Symbols) -> list[Element]:
@@ -204,7 +204,7 @@ class Xacro:
         return made
 
     def _insert(self, element: etree._Element, path: str, symbols: Symbols) -> list[Element]:
-        name = self.text.text(str(element.get("name", "")), symbols)
+        name = self.text.shown(str(element.get("name", "")), symbols)
         block = symbols.get("**" + name) or symbols.get("*" + name)
         if not isinstance(block, Block):
             self.problem(f"block `{name}` is not defined here")
@@ -213,7 +213,7 @@ class Xacro:
 
     def _element(self, element: etree._Element, path: str, symbols: Symbols) -> list[Element]:
         made = self._plain(element, path, symbols)
-        made.tag = self.text.text(xacro_attribute(element, "name"), symbols) or made.tag
+        made.tag = self.text.shown(xacro_attribute(element, "name"), symbols) or made.tag
         return [made]
 
     def _nothing(self, element: etree._Element, path: str, symbols: Symbols) -> list[Element]:
@@ -223,7 +223,7 @@ class Xacro:
     # --- calls -------------------------------------------------------------------------------------------------
 
     def _dynamic_call(self, element: etree._Element, path: str, symbols: Symbols) -> list[Element]:
-        return self._call(self.text.text(str(element.get("macro", "")), symbols), element, path, symbols)
+        return self._call(self.text.shown(str(element.get("macro", "")), symbols), element, path, symbols)
 
     def _call(self, name: str, element: etree._Element, path: str, symbols: Symbols) -> list[Element]:
         macro = self._macros.find(name, self._namespace[0])
@@ -258,7 +258,7 @@ class Xacro:
         word, _, rest = inner.strip().partition(" ")
         if word == "eval":
             return self.expressions.launch_value(rest, symbols)
-        rest = self.text.text(rest, symbols).strip()
+        rest = self.text.shown(rest, symbols).strip()
         known = self.arguments.get(rest) if word == "arg" else self.files.substitute(word, rest, self._place[0])
         if known is None:
             why = ": the package is not in the tree" if word == "find" else ""

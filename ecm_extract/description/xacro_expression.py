@@ -30,7 +30,7 @@ class XacroExpression:
 
     def __init__(
         self,
-        arguments: Mapping[str, str],
+        arguments: Mapping[str, str | Unknown],
         yaml: Callable[[str], Any],
         substitute: Callable[[str, str], str | None],
         problem: Callable[[str], None],
@@ -57,7 +57,7 @@ class XacroExpression:
             if not watched.touched:
                 self.problem(str(error))
             return _hole(code)
-        if not watched.touched or isinstance(found, Unknown | dict | list | tuple):
+        if not watched.touched or isinstance(found, dict | list | tuple):
             return found
         return Unknown(found) if isinstance(found, str) and "{" in found else _hole(code)
 
@@ -79,17 +79,23 @@ class XacroExpression:
 
     def _called(self, name: str, inside: str, watched: Watched) -> Any:
         if name == "load_yaml":
-            path = evaluate(inside, watched, self._budget)
-            data = self.yaml(path if isinstance(path, str) else str(path))
-            if isinstance(data, Unknown) and not isinstance(path, Unknown):
-                self.problem(f"file `{data.strip('{}')}` is not in the tree")
-            return data
+            return self._loaded(inside, watched)
         word = " ".join(single or double for single, double in _WORD.findall(inside))
         known = typed(self.arguments.get(word)) if name == "arg" else self.substitute(name, word)
         if known is None:
             self.problem(f"`{name}({inside.strip()})` is known at launch only")
             return _hole(word)
         return known
+
+    def _loaded(self, inside: str, watched: Watched) -> Any:
+        own = watched.anew()
+        path = str(evaluate(inside, own, self._budget))
+        if own.touched:
+            return _hole(path)
+        data = self.yaml(path)
+        if isinstance(data, Unknown):
+            self.problem(f"file `{data.text.strip('{}')}` is not in the tree")
+        return data
 
 
 def _hole(code: str) -> Unknown:

@@ -47,8 +47,6 @@ class XacroFiles:
 
     def find(self, name: str, beside: str) -> str | None:
         """Return the path of the file that `name` means in the file `beside`, None when the tree does not hold it."""
-        if isinstance(name, Unknown):
-            return None
         return self._files.find(self._marked(name, beside))
 
     def has_choice(self, pattern: str, beside: str) -> bool:
@@ -61,7 +59,7 @@ class XacroFiles:
     def named(self, name: str, beside: str) -> list[str]:
         """Return the paths of the files that an include names: several for a pattern, none for what is not there."""
         found = self.find(name, beside)
-        if found is not None or isinstance(name, Unknown) or not is_glob(name):
+        if found is not None or not is_glob(name):
             return [] if found is None else [found]
         return self._files.globbed(name if name.startswith(MARK) else f"{self._files.folder(beside)}/{name}")
 

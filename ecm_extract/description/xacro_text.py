@@ -42,13 +42,20 @@ class XacroText:
         pieces = self._pieces(text, symbols)
         return typed(pieces[0] if len(pieces) == 1 else self._joined(pieces))
 
-    def text(self, text: str, symbols: Symbols) -> str:
+    def text(self, text: str, symbols: Symbols) -> str | Unknown:
         """Return a text with everything in it evaluated."""
-        return self._joined(self._pieces(text, symbols)) if "$" in text else text[:MAX_TEXT]
+        return self._joined(self._pieces(text, symbols)) if "$" in text else text
 
-    def _joined(self, pieces: list[Any]) -> str:
-        joined = "".join(str(piece) for piece in pieces)[:MAX_TEXT]
+    def shown(self, text: str, symbols: Symbols) -> str:
+        """Return a text with everything in it evaluated; what is not known stands in braces."""
+        return str(self.text(text, symbols))
+
+    def _joined(self, pieces: list[Any]) -> str | Unknown:
+        joined = "".join(str(piece) for piece in pieces)
         self._total += len(joined)
+        if len(joined) > MAX_TEXT:
+            self._problem(f"this text grows to {len(joined)} characters and is not read; shorten it")
+            return Unknown("{...}")
         if self._total > MAX_TOTAL:
             self._problem("the texts of the description grow too long; the rest is not read")
             return Unknown("{...}")
@@ -90,7 +97,7 @@ class XacroText:
 
 def typed(value: Any) -> Any:
     """Return what a property's text means: number, truth value or text; other values as they are."""
-    if not isinstance(value, str) or isinstance(value, Unknown):
+    if not isinstance(value, str):
         return value
     if len(value) > 1 and value[0] == value[-1] == "'":
         return value[1:-1]

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 
 from ecm_parsers.interface_facts import Definition, Field
 from ecm_parsers.interface_hash import md5, rihs01
@@ -10,7 +12,8 @@ from ecm_parsers.interface_hash import md5, rihs01
 from ecm_extract.diff.model import Pair
 from ecm_extract.entities.side import Side
 
-MAX_DEPTH = 30
+MAX_SHOWN = 20
+"""Fields of a way that are written out."""
 
 
 def ros1_sums(name: str, old: Side, new: Side, new_name: str) -> tuple[str | None, str | None]:
@@ -52,13 +55,12 @@ def nested_changes(pairs: list[Pair], old: Side, new: Side) -> Iterator[tuple[Pa
 
     Pairs of other kinds, and of messages whose own fields changed, are passed over.
     """
-    changed = _changed_types(old, new)
+    ways = ways_to(_changed_types(old, new), old.interfaces)
     for pair in pairs:
-        if pair.old is None or pair.new is None or pair.old.kind != "message" or pair.old.name in changed:
+        if pair.old is None or pair.new is None or pair.old.kind != "message":
             continue
-        path = _path_to(pair.old.name, old.interfaces, changed, 0)
-        if path is not None:
-            yield pair, path
+        if ways.get(pair.old.name) is not None:
+            yield pair, way_text(pair.old.name, ways)
 
 
 def _changed_types(old: Side, new: Side) -> set[str]:
@@ -74,21 +76,50 @@ def _layout(definition: Definition) -> tuple[tuple[tuple[str, str], ...], ...]:
     return tuple(tuple((field.type, field.name) for field in section.fields) for section in definition.sections)
 
 
-def _path_to(name: str, known: Mapping[str, Definition], changed: set[str], depth: int) -> str | None:
-    """Return `field.field: Type` for the first nested field whose type changed."""
-    definition = known.get(name)
-    if definition is None or depth > MAX_DEPTH:
-        return None
-    package = name.partition("/")[0]
-    for section in definition.sections:
-        for field in section.fields:
-            full = _full(field, package)
-            if full in changed:
-                return f"{field.name} ({full})"
-            deeper = _path_to(full, known, changed, depth + 1)
-            if deeper is not None:
-                return f"{field.name}.{deeper}"
-    return None
+@dataclass(frozen=True, slots=True)
+class Step:
+    """The field through which an interface holds another one, nearer to a changed type."""
+
+    field: str
+    holds: str
+
+
+def ways_to(changed: set[str], known: Mapping[str, Definition]) -> dict[str, Step | None]:
+    """Return the next step of each interface to a changed type by the shortest way, None where it is one itself.
+
+    Each interface and field is looked at once, however many ways lead through it.
+    """
+    holders = _holders(known)
+    ways: dict[str, Step | None] = dict.fromkeys(sorted(changed))
+    pending = deque(ways)
+    while pending:
+        held = pending.popleft()
+        for name, field in holders.get(held, {}).items():
+            if name not in ways:
+                ways[name] = Step(field, held)
+                pending.append(name)
+    return ways
+
+
+def _holders(known: Mapping[str, Definition]) -> dict[str, dict[str, str]]:
+    """Return for each type the interfaces that hold it, with the first field that does."""
+    found: dict[str, dict[str, str]] = {}
+    for name, definition in known.items():
+        package = name.partition("/")[0]
+        for field in (field for section in definition.sections for field in section.fields):
+            found.setdefault(_full(field, package), {}).setdefault(name, field.name)
+    return found
+
+
+def way_text(name: str, ways: Mapping[str, Step | None]) -> str:
+    """Return `field.field (Type)`; of a long way the fields in the middle are left out."""
+    fields: list[str] = []
+    while (step := ways[name]) is not None:
+        fields.append(step.field)
+        name = step.holds
+    if len(fields) > MAX_SHOWN:
+        fields = [*fields[: MAX_SHOWN // 2], "...", *fields[-MAX_SHOWN // 2 :]]
+    return f"{'.'.join(fields)} ({name})"
 
 
 def _full(field: Field, package: str) -> str:

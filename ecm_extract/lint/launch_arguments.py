@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 
 import msgspec
-from ecm_parsers.launch.model import Action, Argument, Group, Include, LaunchFile, SetConfiguration, Substitution
+from ecm_parsers.launch.model import Action, Argument, Include, LaunchFile, SetConfiguration, Substitution
 
 from ecm_extract.lint.workspace import Workspace, all_actions, plain_text
 from ecm_extract.system.files import TREE, Files
@@ -24,15 +24,18 @@ class Interface(msgspec.Struct, frozen=True):
     """The arguments of one launch file.
 
     Attributes:
-        declared: every argument or variable that the file gives a name. required: those without any value.
-        used: what it reads without a default, with the first line. read: what it reads in any way.
+        declared: every argument or variable that the file gives a name.
+        required: arguments without any value, with the line of their declaration.
+        used: what it reads without a default, with the first line. always: of these what no condition keeps from it.
+        read: what it reads in any way.
         is_open: an action of it could not be read, or names what only the launch knows.
     """
 
     ros: int
     declared: frozenset[str]
-    required: frozenset[str]
+    required: Mapping[str, int]
     used: Mapping[str, int]
+    always: frozenset[str]
     read: frozenset[str]
     includes: tuple[Handed, ...]
     is_open: bool
@@ -48,34 +51,33 @@ def _interface(path: str, facts: LaunchFile, workspace: Workspace) -> Interface:
     arguments = [action for action in actions if isinstance(action, Argument)]
     names = [plain_text(action.name) for action in actions if isinstance(action, SetConfiguration)]
     used: dict[str, int] = {}
-    read = set()
+    read: set[str] = set()
+    always: set[str] = set()
     is_open = None in names
-    for line, found in _substitutions(facts.actions, 0):
+    for line, found, is_sure in _substitutions(facts.actions, 0):
         name = plain_text(found.args[0]) if found.args else None
         is_open |= found.kind in {"eval", "unknown"} or (found.kind == "arg" and name is None)
         if found.kind == "arg" and name is not None:
             read.add(name)
             if len(found.args) == 1:
                 used.setdefault(name, line)
+                always.update({name} if is_sure else ())
     return Interface(
         ros=facts.ros,
         declared=frozenset({*(each.name for each in arguments), *(name for name in names if name)}),
-        required=frozenset(_required(facts.actions)),
+        required=_required(facts.actions),
         used=used,
+        always=frozenset(always),
         read=frozenset(read),
         includes=tuple(_handed(each, path, workspace) for each in actions if isinstance(each, Include)),
         is_open=is_open or any(type(action).__name__ == "Unread" for action in actions),
     )
 
 
-def _required(actions: tuple[Action, ...]) -> Iterator[str]:
-    """Arguments that have to be given whenever the file is used, and are not given a value later."""
-    for action in actions:
-        if isinstance(action, Argument) and action.condition is None:
-            if action.default is None and action.value is None:
-                yield action.name
-        elif isinstance(action, Group) and action.condition is None and not action.scoped:
-            yield from _required(action.actions)
+def _required(actions: tuple[Action, ...]) -> dict[str, int]:
+    """Arguments that the file itself declares without a value, whatever the conditions."""
+    found = (action for action in actions if isinstance(action, Argument) and action.condition is None)
+    return {action.name: action.line for action in found if action.default is None and action.value is None}
 
 
 def _handed(action: Include, path: str, workspace: Workspace) -> Handed:
@@ -99,50 +101,31 @@ def _target(action: Include, path: str, files: Files) -> str | None:
     return found if found is not None and text.removeprefix(TREE).replace("//", "/").lstrip("/") == found else None
 
 
-def _substitutions(value: object, line: int) -> Iterator[tuple[int, Substitution]]:
-    """Every substitution below a value, with the line of the action that holds it."""
+def _substitutions(value: object, line: int, *, is_sure: bool = True) -> Iterator[tuple[int, Substitution, bool]]:
+    """Every substitution below a value: the line of the action that holds it, and whether no condition is around it."""
     if isinstance(value, Substitution):
-        yield line, value
+        yield line, value, is_sure
         value = value.args
     if isinstance(value, tuple | list):
         for item in value:
-            yield from _substitutions(item, line)
+            yield from _substitutions(item, line, is_sure=is_sure)
     elif isinstance(value, msgspec.Struct):
         line = getattr(value, "line", line)
+        inside = is_sure and getattr(value, "condition", None) is None
         for name in value.__struct_fields__:
-            yield from _substitutions(getattr(value, name), line)
+            yield from _substitutions(getattr(value, name), line, is_sure=is_sure if name == "condition" else inside)
 
 
 class Reach:
-    """What launch configurations of ROS 2 a file can see, and which of those that it is given are read at all.
-
-    A configuration is visible in every file that is included later, and what an included file sets is visible after it.
-    """
+    """Which launch configurations of ROS 2 that a file is given are read at all: by itself or by what it includes."""
 
     def __init__(self, files: Mapping[str, Interface]) -> None:
         self._files = files
-        self._callers: dict[str, set[str]] = {}
-        for path, entry in files.items():
-            for call in entry.includes:
-                self._callers.setdefault(call.target or "", set()).add(path)
 
     def read(self, path: str) -> frozenset[str] | None:
         """Return every name that a file, or one below it, declares or reads; None where that is not known."""
         entries = self._below(path)
         return None if entries is None else frozenset(name for entry in entries for name in entry.declared | entry.read)
-
-    def visible(self, path: str) -> frozenset[str] | None:
-        """Return every name that may be set where a file includes others; None where that is not known."""
-        found: set[str] = set()
-        for name in self._around({path}, lambda name: set(self._callers.get(name, ()))):
-            entry = self._files[name or ""]
-            if entry.is_open:
-                return None
-            found |= entry.declared
-            for call in entry.includes:
-                below = self._below(call.target or "")
-                found |= {name for each in below or () for name in each.declared - each.required}.union(call.names)
-        return frozenset(found)
 
     def _below(self, path: str) -> list[Interface] | None:
         """A file and all that it includes; None when one of them is outside of the tree or not read."""

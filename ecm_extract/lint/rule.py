@@ -44,6 +44,7 @@ class LintRule(msgspec.Struct, frozen=True, kw_only=True):
         certainty: Certainty = "proved",
         severity: Severity | None = None,
         resolution: str = "",
+        consequence: str = "",
     ) -> Finding:
         """A finding of this rule.
 
@@ -55,14 +56,17 @@ class LintRule(msgspec.Struct, frozen=True, kw_only=True):
             certainty: what is not proved is at most a warning.
             severity: where it differs from that of the rule.
             resolution: where it is more exact than that of the rule.
+            consequence: where it differs from that of the rule, such as by what starts the launch file.
         """
         level = severity or self.severity
+        what = " ".join(text.split())  # a parser's own words may go over several lines
+        after = consequence or self.consequence
         return Finding(
             rule=self.id,
             name=self.name,
             dimension=self.dimension,
             severity=_WORST_WITHOUT_PROOF if level == "error" and certainty != "proved" else level,
-            message=f"{text}: {self.consequence}" if self.consequence else text,
+            message=f"{what}: {after}" if after else what,
             resolution=resolution or self.resolution,
             subjects=(package,),
             evidence=tuple(evidence),

@@ -10,6 +10,7 @@ from typing import Literal
 
 from ecm_checker.contract import Contract, Evidence, Identity, Interface, Resources, Signature, Source, Value
 
+from ecm_extract.system.model import Place
 from ecm_extract.system.node_model import Endpoint, SystemNode
 from ecm_extract.system.system import System
 
@@ -17,6 +18,8 @@ from ecm_extract.system.system import System
 def instance_contracts(system: System) -> tuple[Contract, ...]:
     """Return a contract for each node that is started for sure, by name; of two with one name the first.
 
+    Its id is the name of the node in the graph, since that is what a person meets on the robot, and each endpoint has
+    the lines that declare, start and remap it.
     What a launch starts only under a condition that is known later is left out: it may exclude something else.
     """
     claims = {_full(entry.namespace, entry.name): entry for entry in system.controllers if entry.active}
@@ -37,18 +40,19 @@ def _contract(system: System, node: SystemNode, locks: Value | None) -> Contract
     instance = node.instance
     ros: Literal[1, 2] = 1 if instance.ros == 1 else 2
     identity = Identity(
-        module_id=f"ecm.{instance.package or 'launch'}.{node.name.strip('/').replace('/', '.')}",
+        module_id=node.name,
         package=instance.package,
         kind="controller" if instance.kind == "controller" else "node",
         version=None,
         source=Source(system.tree.repository, system.tree.commit, instance.place.path),
         ros=ros,
     )
-    interfaces = tuple(_interface(entry) for entry in node.endpoints)
+    interfaces = tuple(_interface(entry, instance.place) for entry in node.endpoints)
     return Contract(identity, Signature(interfaces=interfaces), resources=Resources(exclusive_locks=locks))
 
 
-def _interface(entry: Endpoint) -> Interface:
+def _interface(entry: Endpoint, start: Place) -> Interface:
+    places = (entry.place, start, *(() if entry.remap is None else (entry.remap.place,)))
     return Interface(
         role=entry.role,  # type: ignore[arg-type]
         name=entry.name,
@@ -57,7 +61,7 @@ def _interface(entry: Endpoint) -> Interface:
         qos=entry.qos,
         frame=None,
         confidence="folded" if entry.known else "pattern",
-        evidence=(Evidence(entry.place.path, entry.place.line),),
+        evidence=tuple(Evidence(place.path, place.line) for place in dict.fromkeys(places)),
     )
 
 

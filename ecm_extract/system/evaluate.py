@@ -22,7 +22,9 @@ from ecm_parsers.launch.model import (
     SetConfiguration,
     Unread,
 )
+from ecm_parsers.result import Parsed
 
+from ecm_extract.system.budget import FILE_STEPS, Budget, BudgetError
 from ecm_extract.system.files import Files
 from ecm_extract.system.instances import InstanceMaker
 from ecm_extract.system.launch_files import read_launch
@@ -33,11 +35,9 @@ from ecm_extract.system.settings import Settings
 from ecm_extract.system.substitute import Substituter, bare, hole
 from ecm_extract.tree import FileDiagnostic, Tree
 
-MAX_INCLUDES = 300
 MAX_DEPTH = 25
 MAX_SAME_FILE = 3
 MAX_CANDIDATES = 8
-MAX_INSTANCES = 5_000
 
 
 def launched(tree: Tree, files: Files, paths: Sequence[str], given: Given) -> Launched:
@@ -55,7 +55,7 @@ def launched(tree: Tree, files: Files, paths: Sequence[str], given: Given) -> La
             arguments={name: Text(value) for name, value in given.arguments.items()},
             environment={name: Text(value) for name, value in given.environment.items()},
         )
-        evaluator.file(path, scope, ())
+        evaluator.started(path, scope)
     return evaluator.result
 
 
@@ -66,7 +66,8 @@ class Evaluator:
         self.tree = tree
         self.files = files
         self.result = Launched()
-        self._includes = 0
+        self.budget = Budget()
+        self._markup: dict[str, Parsed[LaunchFile | None]] = {}
         self._handlers: dict[type[Action], Callable[[_File, Action, Scope], None]] = {
             Argument: self._argument,
             SetConfiguration: self._configuration,
@@ -80,30 +81,72 @@ class Evaluator:
             Unread: self._unread_action,
         }
 
+    def started(self, path: str, scope: Scope) -> None:
+        """Evaluate a launch file that is started by itself; what is left out for its size is told."""
+        try:
+            self.file(path, scope, ())
+        except BudgetError as error:
+            message = f"The launch takes {error}; what {path} starts from here on is left out. Launch its parts alone."
+            self._incomplete("launch-too-large", self.budget.place, message)
+        for place in self.budget.cut:
+            message = "A text of this action is longer than is read and stays unknown. Shorten it."
+            self._incomplete("launch-text-cut", place, message)
+        self.budget.cut.clear()
+
+    def _incomplete(self, code: str, place: Place, message: str) -> None:
+        self.result.is_complete = False
+        self.tree.report(FileDiagnostic("error", code, place.path, place.line, message))
+
     def file(self, path: str, scope: Scope, stack: tuple[str, ...]) -> None:
-        """Evaluate one file in a scope."""
-        self._includes += 1
-        cyclic = stack.count(path) >= MAX_SAME_FILE
-        if cyclic or len(stack) >= MAX_DEPTH or self._includes > MAX_INCLUDES:
-            why = "includes itself without end" if cyclic else f"is included more than {MAX_INCLUDES} times or too deep"
-            self.report(stack[-1] if stack else path, 0, "launch-cycle", f"{path} {why}. Break the cycle.")
+        """Evaluate one file in a scope.
+
+        Raises:
+            BudgetError: the launch takes too much in all.
+        """
+        place = self.budget.place if stack else Place(path, 0)
+        if self._is_endless(path, stack, place):
             return
-        data = self.files.read(path)
-        sources = LaunchSources(self.files, path, scope)
-        parsed = read_launch(path, data, self.files.ros_of(path), sources) if data is not None else None
+        self.budget.place = place
+        self.budget.spend(FILE_STEPS)
+        parsed = self._parsed(path, scope)
         if parsed is None:
             return
         for entry in parsed.diagnostics:
             self.tree.report(FileDiagnostic(entry.severity, entry.code, path, entry.line, entry.message))
+            self.result.is_complete &= entry.severity != "error"
         if parsed.facts is not None:
             self.result.files.append(path)
             self._run(_File(path, parsed.facts, (*stack, path)), parsed.facts.actions, scope)
 
+    def _is_endless(self, path: str, stack: tuple[str, ...], place: Place) -> bool:
+        """Tell whether a file is included inside itself once too often, or too deep."""
+        cyclic = stack.count(path) >= MAX_SAME_FILE
+        if cyclic:
+            self.report(place.path, place.line, "launch-cycle", f"{path} includes itself without end. Break the cycle.")
+        elif len(stack) >= MAX_DEPTH:
+            message = f"{path} is included below {MAX_DEPTH} other files; what it starts is left out. Flatten them."
+            self._incomplete("launch-too-deep", place, message)
+        return cyclic or len(stack) >= MAX_DEPTH
+
+    def _parsed(self, path: str, scope: Scope) -> Parsed[LaunchFile | None] | None:
+        """A file of markup is the same wherever it is included, one in Python may look at its arguments."""
+        if path in self._markup:
+            return self._markup[path]
+        data = self.files.read(path)
+        if data is None:
+            self._incomplete("launch-unread", Place(path, 0), "The launch file cannot be read. Fetch or restore it.")
+            return None
+        sources = LaunchSources(self.files, path, scope, self.budget)
+        parsed = read_launch(path, data, self.files.ros_of(path), sources)
+        if not path.endswith(".py"):
+            self._markup[path] = parsed
+        return parsed
+
     def _run(self, file: _File, actions: Sequence[Action], scope: Scope) -> None:
         for action in actions:
-            if len(self.result.instances) >= MAX_INSTANCES:
-                return
-            holds = file.substituter(self.files, scope).truth(action.condition)
+            self.budget.place = Place(file.path, action.line)
+            self.budget.spend(1)
+            holds = self._substituter(file, scope).truth(action.condition)
             if holds is False:
                 continue
             taken = scope if holds else scope.under(self._condition_text(file, action, scope))
@@ -112,13 +155,13 @@ class Evaluator:
                 _keep_declared(scope, taken)
 
     def _condition_text(self, file: _File, action: Action, scope: Scope) -> str:
-        return bare(file.substituter(self.files, scope).text(action.condition).text)
+        return bare(self._substituter(file, scope).text(action.condition).text)
 
     # --- actions that change the scope -------------------------------------------------------------------------
 
     def _argument(self, file: _File, action: Action, scope: Scope) -> None:
         assert isinstance(action, Argument)
-        substituter = file.substituter(self.files, scope)
+        substituter = self._substituter(file, scope)
         if action.value is not None:
             scope.arguments[action.name] = substituter.text(action.value)
         elif action.name not in scope.arguments:
@@ -133,17 +176,17 @@ class Evaluator:
 
     def _configuration(self, file: _File, action: Action, scope: Scope) -> None:
         assert isinstance(action, SetConfiguration)
-        substituter = file.substituter(self.files, scope)
+        substituter = self._substituter(file, scope)
         target = scope.environment if action.environment else scope.arguments
         target[substituter.text(action.name).text] = substituter.text(action.value)
 
     def _push(self, file: _File, action: Action, scope: Scope) -> None:
         assert isinstance(action, PushNamespace)
-        scope.namespace = join(scope.namespace, file.substituter(self.files, scope).text(action.namespace).text)
+        scope.namespace = join(scope.namespace, self._substituter(file, scope).text(action.namespace).text)
 
     def _remap(self, file: _File, action: Action, scope: Scope) -> None:
         assert isinstance(action, Remap)
-        substituter = file.substituter(self.files, scope)
+        substituter = self._substituter(file, scope)
         source, target = substituter.text(action.source).text, substituter.text(action.target).text
         scope.remaps.append(Remapping(source, target, Place(file.path, action.line)))
 
@@ -152,16 +195,19 @@ class Evaluator:
         if file.facts.ros == 2:
             scope.parameters.append(action)
             return
-        settings = Settings(self.tree, self.files, file.path, file.substituter(self.files, scope))
+        settings = Settings(self.tree, self.files, file.path, self._substituter(file, scope))
         self.result.globals += settings.ros1(action, scope.namespace)
 
     # --- actions that start something --------------------------------------------------------------------------
 
     def _node(self, file: _File, action: Action, scope: Scope) -> None:
         assert isinstance(action, Node)
-        substituter = file.substituter(self.files, scope)
+        self.budget.spend(len(scope.remaps))
+        substituter = self._substituter(file, scope)
         settings = Settings(self.tree, self.files, file.path, substituter)
-        self.result.instances += InstanceMaker(file.path, file.facts.ros, substituter, settings).make(action, scope)
+        for instance in InstanceMaker(file.path, file.facts.ros, substituter, settings).make(action, scope):
+            self.budget.node()
+            self.result.instances.append(instance)
 
     def _group(self, file: _File, action: Action, scope: Scope) -> None:
         assert isinstance(action, Group)
@@ -170,7 +216,7 @@ class Evaluator:
 
     def _include(self, file: _File, action: Action, scope: Scope) -> None:
         assert isinstance(action, Include)
-        substituter = file.substituter(self.files, scope)
+        substituter = self._substituter(file, scope)
         path = substituter.text(action.path)
         found = self.files.find(path.text) if path.known else None
         if found is None:
@@ -179,7 +225,7 @@ class Evaluator:
         self._included(file, action, scope, found)
 
     def _included(self, file: _File, action: Include, scope: Scope, found: str) -> None:
-        substituter = file.substituter(self.files, scope)
+        substituter = self._substituter(file, scope)
         given = {name: substituter.text(value) for name, value in action.arguments}
         inner = scope
         if file.facts.ros == 1:
@@ -218,6 +264,10 @@ class Evaluator:
         message = f"`{action.text}` cannot be read without running it; what it starts is left out."
         self.tree.report(FileDiagnostic("info", "launch-action-unread", file.path, action.line, message))
 
+    def _substituter(self, file: _File, scope: Scope) -> Substituter:
+        """Return what evaluates templates of a file in a scope."""
+        return Substituter(self.files, file.path, scope, self.budget)
+
     def report(self, path: str, line: int, code: str, message: str) -> None:
         """Add a warning to the tree's diagnostics."""
         self.tree.report(FileDiagnostic("warning", code, path, line, message))
@@ -230,10 +280,6 @@ class _File:
         self.path = path
         self.facts = facts
         self.stack = stack
-
-    def substituter(self, files: Files, scope: Scope) -> Substituter:
-        """Return what evaluates templates of this file in a scope."""
-        return Substituter(files, self.path, scope.arguments, scope.environment)
 
 
 def _keep_declared(scope: Scope, taken: Scope) -> None:

@@ -7,7 +7,7 @@ whoever has a graph question (reachability, components, cycles) can ask it.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
 
 import msgspec
 import networkx as nx
@@ -18,6 +18,8 @@ ChannelKind = Literal["topic", "service", "action"]
 _CHANNELS: dict[str, tuple[ChannelKind, bool]] = {
     "publisher": ("topic", True),
     "subscriber": ("topic", False),
+    "tf_broadcast": ("topic", True),
+    "tf_lookup": ("topic", False),
     "service_client": ("service", True),
     "service_server": ("service", False),
     "action_client": ("action", True),
@@ -42,10 +44,20 @@ class Channel(msgspec.Struct, frozen=True):
     targets: tuple[str, ...]
 
 
+class Edge(NamedTuple):
+    """An edge of the graph from vertex to vertex, with the type of what goes over it."""
+
+    start: tuple[str, str]
+    end: tuple[str, str]
+    type: str
+
+
 def channel_of(endpoint: Endpoint) -> tuple[ChannelKind, str] | None:
-    """Return kind and name of the channel of an endpoint; None for transforms, which have a tree of their own."""
+    """Return kind and name of the channel of an endpoint; None for a lookup that names frames, not the topic."""
     known = _CHANNELS.get(endpoint.role)
-    return None if known is None else (known[0], endpoint.name)
+    if known is None or (endpoint.role.startswith("tf_") and endpoint.type is None):
+        return None
+    return (known[0], endpoint.name)
 
 
 def channels(nodes: Iterable[SystemNode]) -> list[Channel]:
@@ -81,6 +93,11 @@ def graph_of(nodes: Iterable[SystemNode]) -> nx.MultiDiGraph[Any]:
         for start, end, endpoint in _edges(node):
             graph.add_edge(start, end, role=endpoint.role, type=endpoint.type)
     return graph
+
+
+def edges_of(graph: nx.MultiDiGraph[Any]) -> list[Edge]:
+    """Return each edge once for each type that goes over it, in a stable order; the type is empty where not known."""
+    return sorted({Edge(start, end, data.get("type") or "") for start, end, data in graph.edges(data=True)})
 
 
 def _edges(node: SystemNode) -> Iterator[tuple[tuple[str, str], tuple[str, str], Endpoint]]:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ecm_parsers.launch.model import Node, Remap, Template
+from ecm_parsers.launch.model import Node, ParameterFile, Remap, Template
 
+from ecm_extract.system.command_line import GivenValue, ros1_given, ros2_given
 from ecm_extract.system.model import Instance, Place, Remapping, Setting, Text, join
 from ecm_extract.system.scope import Scope
 from ecm_extract.system.settings import Settings
@@ -58,10 +59,22 @@ class InstanceMaker:
 
     def _settings(self, node: Node, scope: Scope, made: Instance) -> Iterator[Setting]:
         if self.ros == 2:
+            yield from self._written(node, made)  # first, since launch adds what it sets itself after these words
             yield from self.settings.ros2((*scope.parameters, *node.parameters), made.namespace)
             return
+        own = join(made.namespace, made.name or "~")
         for source in node.parameters:
-            yield from self.settings.ros1(source, join(made.namespace, made.name or "~"))
+            yield from self.settings.ros1(source, own)
+        yield from (Setting(join(own, name), value, made.place) for name, value in ros1_given(made.arguments))
+
+    def _written(self, node: Node, made: Instance) -> Iterator[Setting]:
+        """What stands on the command line of a node."""
+        for entry in ros2_given(made.arguments) if made.kind != "process" else ():
+            if isinstance(entry, GivenValue):
+                yield Setting(entry.name, entry.value, made.place)
+            else:
+                source = ParameterFile(line=node.line, path=(entry.path,))
+                yield from self.settings.ros2((source,), made.namespace)
 
     def _namespace(self, node: Node, scope: Scope) -> str:
         given = self.substituter.text(node.namespace).text if node.namespace is not None else ""

@@ -7,6 +7,7 @@ from importlib import resources
 
 from ecm_parsers.launch.model import Template
 
+from ecm_extract.system.budget import Budget
 from ecm_extract.system.files import TREE, Files
 from ecm_extract.system.scope import Scope
 from ecm_extract.system.substitute import Substituter
@@ -15,10 +16,10 @@ from ecm_extract.system.substitute import Substituter
 class LaunchSources:
     """What the launch file `path` can import and open, where it is started in a scope."""
 
-    def __init__(self, files: Files, path: str, scope: Scope) -> None:
+    def __init__(self, files: Files, path: str, scope: Scope, budget: Budget) -> None:
         self._files = files
         self._path = path
-        self._substituter = Substituter(files, path, dict(scope.arguments), scope.environment)
+        self._substituter = Substituter(files, path, scope.inner(), budget)
 
     def declared(self, name: str, default: Template) -> None:
         """Take note of an argument of the launch file; what it is started with goes first."""

@@ -123,12 +123,14 @@ class Launched:
     Attributes:
         files: launch files that were read, in order.
         globals: ROS 1 parameters outside of nodes.
+        is_complete: False when something was left out for its size or since it is malformed; the diagnostics say what.
     """
 
     files: list[str] = field(default_factory=list)
     arguments: list[LaunchArgument] = field(default_factory=list)
     instances: list[Instance] = field(default_factory=list)
     globals: list[Setting] = field(default_factory=list)
+    is_complete: bool = True
 
 
 def join(namespace: str, name: str) -> str:

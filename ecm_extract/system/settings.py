@@ -9,13 +9,14 @@ from collections.abc import Iterator, Sequence
 from fnmatch import fnmatchcase
 from typing import Any
 
-from ecm_parsers.launch.model import Data, ParameterFile, ParameterSource, ParameterValue, Substitution
+from ecm_parsers.launch.model import Data, ParameterFile, ParameterSource, ParameterValue, Substitution, Typing
 from ecm_parsers.launch.substitution import parse_template
 from ecm_parsers.parameter_yaml import ParameterSet, parse_parameter_yaml
 
 from ecm_extract.system.files import Files
 from ecm_extract.system.model import Place, Setting, Text, join
-from ecm_extract.system.substitute import Substituter, typed
+from ecm_extract.system.parameter_types import rewritten, value_of
+from ecm_extract.system.substitute import Substituter
 from ecm_extract.tree import FileDiagnostic, Tree
 
 MAX_DEPTH = 20
@@ -44,7 +45,7 @@ class Settings:
                 continue
             if isinstance(source, ParameterValue):
                 name = self.substituter.text(source.name).text
-                yield Setting(name, self.value(source.value), Place(self.path, source.line))
+                yield Setting(name, self.value(source.value, source.typing), Place(self.path, source.line))
             else:
                 yield from self._file(source, namespace)
 
@@ -57,7 +58,8 @@ class Settings:
             if source.plain:
                 yield Setting(_dotted(prefix, entry), entry.value, Place(path, entry.line))
                 continue
-            value = self._rewritten(entry.name, self._substituted(entry.value), rewrites)
+            value = self._substituted(entry.value) if source.substitutes else entry.value
+            value = _rewritten(Setting(entry.name, value, Place(path, entry.line)), rewrites, source.converts)
             node = entry.node if entry.node is None or not root else _below(root, entry.node)
             yield Setting(entry.name, value, Place(path, entry.line), node or EVERY_NODE)
 
@@ -69,23 +71,26 @@ class Settings:
             path, sets = self._sets(source)
             base = join(namespace, self.substituter.text(source.namespace).text)
             for entry in sets:
-                yield Setting(join(base, entry.name), self._substituted(entry.value), Place(path, entry.line))
+                value = self._substituted(entry.value) if source.substitutes else entry.value
+                yield Setting(join(base, entry.name), value, Place(path, entry.line))
             return
         name = self.substituter.text(source.name).text.removeprefix("~")
-        if not source.is_yaml:
-            yield Setting(join(namespace, name), self.value(source.value), Place(self.path, source.line))
+        if source.typing != "yaml":
+            value = self.value(source.value, source.typing)
+            yield Setting(join(namespace, name), value, Place(self.path, source.line))
             return
         yield from self._written(source, join(namespace, name))
 
     def _written(self, source: ParameterValue, base: str) -> Iterator[Setting]:
         """YAML that stands in the launch file itself."""
-        text = self.value(source.value)
+        text = self.value(source.value, "str")
         found = parse_parameter_yaml(str(text).encode()).facts.sets if isinstance(text, str) else ()
         for entry in found:
             place = Place(self.path, source.line + max(entry.line - 1, 0))
             yield Setting(join(base, entry.name), entry.value, place)
         if not found:
-            yield Setting(base, typed(text) if isinstance(text, str) else text, Place(self.path, source.line))
+            value = value_of(text, "yaml") if isinstance(text, str) else text
+            yield Setting(base, value, Place(self.path, source.line))
 
     def _sets(self, source: ParameterFile) -> tuple[str, tuple[ParameterSet, ...]]:
         text = self.substituter.text(source.path)
@@ -107,31 +112,32 @@ class Settings:
             message = f"Parameter file `{shown}` is not in the tree. Correct the path or add the file."
             self.tree.report(FileDiagnostic("warning", "launch-file-missing", self.path, source.line, message))
 
-    def value(self, data: Data, depth: int = 0) -> Any:
-        """Return a parameter's value as plain data; a text is typed as YAML would type it."""
+    def value(self, data: Data, typing: Typing, depth: int = 0) -> Any:
+        """Return a parameter's value as plain data; `typing` tells what a text means."""
         if isinstance(data, list):
-            return [self.value(item, depth + 1) for item in data] if depth < MAX_DEPTH else []
+            return [self.value(item, typing, depth + 1) for item in data] if depth < MAX_DEPTH else []
         if not isinstance(data, tuple):
             return data
         text = self.substituter.text(data)
         if any(isinstance(part, Substitution) and part.kind in {"command", "unknown"} for part in data):
             return text.text
-        return typed(text.text) if text.known else text.text
+        return value_of(text.text, typing) if text.known else text.text
 
     def _substituted(self, value: Any, depth: int = 0) -> Any:
         """Evaluate `$(var x)` that stands in a parameter file."""
         if isinstance(value, str) and "$(" in value:
             text = self.substituter.text(parse_template(value))
-            return typed(text.text) if text.known else text.text
+            return value_of(text.text, "yaml") if text.known else text.text
         if isinstance(value, list) and depth < MAX_DEPTH:
             return [self._substituted(item, depth + 1) for item in value]
         return value
 
-    def _rewritten(self, name: str, value: Any, rewrites: Sequence[tuple[str, Text]]) -> Any:
-        for key, replacement in rewrites:
-            if name == key or name.endswith(f".{key}"):
-                return typed(replacement.text) if replacement.known else replacement.text
-        return value
+
+def _rewritten(setting: Setting, rewrites: Sequence[tuple[str, Text]], converts: bool) -> Any:
+    for key, replacement in rewrites:
+        if setting.name == key or setting.name.endswith(f".{key}"):
+            return rewritten(replacement.text, converts=converts) if replacement.known else replacement.text
+    return setting.value
 
 
 def _below(root: str, node: str) -> str:

@@ -13,11 +13,14 @@ from typing import Any
 from ecm_parsers.expression import ExpressionError, evaluate
 from ecm_parsers.launch.model import Substitution, Template
 
+from ecm_extract.system.budget import Budget
 from ecm_extract.system.files import Files
 from ecm_extract.system.model import Text
+from ecm_extract.system.scope import Scope
 
 MAX_DEPTH = 40
 MAX_TEXT = 100_000
+MAX_SHOWN = 60
 _CALL = re.compile(r"""\b(arg|env|optenv|find)\(\s*(['"])([^'"]*)\2\s*(?:,\s*(['"])([^'"]*)\4\s*)?\)""")
 _TRUE = frozenset({"true", "1", "on", "yes"})
 _FALSE = frozenset({"false", "0", "", "off", "no"})
@@ -30,19 +33,30 @@ class Substituter:
     """Evaluates the templates of one launch file.
 
     Attributes:
-        files: of the tree. path: of the launch file. arguments, environment: values by name.
+        files: of the tree. path: of the launch file. scope: with the arguments and the environment.
+        budget: that all launch files share.
     """
 
-    def __init__(self, files: Files, path: str, arguments: dict[str, Text], environment: dict[str, Text]) -> None:
+    def __init__(self, files: Files, path: str, scope: Scope, budget: Budget) -> None:
         self.files = files
         self.path = path
-        self.arguments = arguments
-        self.environment = environment
+        self.arguments = scope.arguments
+        self.environment = scope.environment
+        self.budget = budget
 
     def text(self, template: Template | None, depth: int = 0) -> Text:
-        """Return the text of a template."""
+        """Return the text of a template; one that grows too long is not known.
+
+        Raises:
+            BudgetError: the launch files take too much in all.
+        """
+        self.budget.spend(len(template or ()))
         parts = [self._part(part, depth) for part in template or ()]
-        joined = _REPLACED.sub("", "".join(part.text for part in parts)[:MAX_TEXT])
+        length = sum(len(part.text) for part in parts)
+        self.budget.spend(0, length)
+        if length > MAX_TEXT:
+            return self._cut()
+        joined = _REPLACED.sub("", "".join(part.text for part in parts))
         emptied = any(
             part.emptied or not (part.text or isinstance(source, str))
             for part, source in zip(parts, template or (), strict=True)
@@ -58,14 +72,20 @@ class Substituter:
     def _part(self, part: str | Substitution, depth: int) -> Text:
         if isinstance(part, str):
             return Text(part)
+        if part.kind == "too_large":
+            return self._cut()
         kind = _KINDS.get(part.kind)
         if kind is None or depth > MAX_DEPTH:
             return hole(self._shown(part))
         return kind(self, part, depth + 1)
 
+    def _cut(self) -> Text:
+        self.budget.cut_here()
+        return hole("more text than is read")
+
     def _shown(self, part: Substitution) -> str:
         words = [entry if isinstance(entry, str) else entry.kind for arg in part.args for entry in arg]
-        return " ".join(words) or part.kind
+        return " ".join(words)[:MAX_SHOWN] or part.kind
 
     def _args(self, part: Substitution, depth: int) -> list[Text]:
         return [self.text(arg, depth) for arg in part.args]

@@ -22,7 +22,7 @@ from ecm_extract.system.model import Given, Launched
 from ecm_extract.system.modules import ModuleIndex
 from ecm_extract.system.node_model import SystemNode
 from ecm_extract.system.nodes import NodeMaker
-from ecm_extract.system.robots import controller_files, descriptions_of
+from ecm_extract.system.robots import MAX_ROBOTS, controller_files, descriptions_of
 from ecm_extract.system.simulation import simulated_nodes
 from ecm_extract.tree import FileDiagnostic, Tree
 
@@ -93,7 +93,12 @@ def evaluated_system(tree: Tree, files: Files, index: ModuleIndex, paths: Sequen
     found = launched(tree, files, paths, given)
     maker = NodeMaker(index, found, files)
     nodes = maker.nodes()
-    robots = descriptions_of(found, files)
+    described = descriptions_of(found, files)
+    for path in described.left_out:
+        message = f"More than {MAX_ROBOTS} robot descriptions are used; this one is left out. Launch the parts alone."
+        tree.report(FileDiagnostic("error", "description-left-out", path, 0, message))
+        found.is_complete = False
+    robots = described.found
     for robot in robots:
         for path, line, message in robot.problems:
             tree.report(FileDiagnostic("info", "description-unread", path, line, f"{message}."))

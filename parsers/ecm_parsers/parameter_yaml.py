@@ -10,6 +10,7 @@ from typing import Any, Literal
 import msgspec
 
 from ecm_parsers.result import Diagnostic, Parsed
+from ecm_parsers.yaml_scalar import typed_by_pyyaml
 from ecm_parsers.yaml_tree import Entry, Mapping, Node, Scalar, parse_yaml, plain
 
 MARKER = "ros__parameters"
@@ -45,15 +46,20 @@ class ParameterFile(msgspec.Struct, frozen=True):
 
 
 def parse_parameter_yaml(data: bytes) -> Parsed[ParameterFile]:
-    """Read a parameter file of ROS 1 or ROS 2; it is of ROS 2 when a `ros__parameters` key is present."""
+    """Read a parameter file of ROS 1 or ROS 2; it is of ROS 2 when a `ros__parameters` key is present.
+
+    Values are typed as the reader of each does it: PyYAML in ROS 1, `rcl_yaml_param_parser` in ROS 2.
+    """
     tree = parse_yaml(data)
+    is_ros2 = any(_has_marker(document) for document in tree.facts)
+    if not is_ros2:
+        tree = parse_yaml(data, typed_by_pyyaml)
     diagnostics = list(tree.diagnostics)
     maps = [document for document in tree.facts if isinstance(document, Mapping)]
     if len(maps) < len(tree.facts):
         message = "A document that is not a map sets no parameters and is skipped."
         diagnostics.append(Diagnostic("info", "params-not-a-map", tree.facts[0].line, message))
     sets: list[ParameterSet] = []
-    is_ros2 = any(_has_marker(document) for document in maps)
     for document in maps:
         if is_ros2:
             _read_nodes(document, "", sets, diagnostics)

@@ -17,12 +17,16 @@ from ecm_parsers.text import decode
 
 MAX_BYTES = 8_000_000
 MAX_DEPTH = 200
+MAX_ATTRIBUTES = 1_000
+"""Of one element; libxml2 looks each up among all of them."""
 MAX_PROBLEMS = 20
 _MAX_CORRECTED = 200_000
 _MAX_LINE = 65_535  # what a node of libxml2 can hold
 _DECLARATION = re.compile(r"\s*<\?xml\b[^>]{0,200}\?>")
 _LATIN = re.compile(r"encoding\s*=\s*[\"'](?:iso-8859-1|latin-?1|windows-1252)[\"']", re.IGNORECASE)
 _ENTITY = re.compile(r"<!ENTITY\b")
+_COMMENT = re.compile(rb"<!--.*?-->", re.DOTALL)
+_NOT_LINE_END = re.compile(rb"[^\n]")
 _NOT_BLANK = re.compile(r"[^\n]")
 _SKIPPED_OR_TAG = re.compile(
     r"""<!--.*?(?:-->|\Z)|<!\[CDATA\[.*?(?:\]\]>|\Z)|<\?.*?(?:\?>|\Z)"""
@@ -70,6 +74,11 @@ def parse_xml(data: bytes, *, many_roots: bool = False) -> XmlTree:
     return _parse(f"<roots>{body}\n</roots>" if many_roots else body, doubts, many_roots=many_roots)
 
 
+def without_comments(data: bytes) -> bytes:
+    """Return a document with its comments blank; what stands in one is used by nobody. Lines stay where they are."""
+    return _COMMENT.sub(lambda match: _NOT_LINE_END.sub(b" ", match[0]), data)
+
+
 def children(element: etree._Element) -> Iterator[tuple[str, etree._Element]]:
     """Yield own tag (without namespace) and element of each child element; comments are left out."""
     for child in element:
@@ -114,6 +123,7 @@ def _parse(body: str, doubts: tuple[Diagnostic, ...], *, many_roots: bool) -> Xm
         message = f"Elements nest deeper than {MAX_DEPTH}; the file is skipped. Flatten it."
         return XmlTree((), (*diagnostics, Diagnostic("error", "xml-too-deep", 0, message)))
     _correct_lines(root, body)
+    diagnostics += tuple(_crowded(root))
     roots = tuple(element for _, element in children(root)) if many_roots else (root,)
     return XmlTree(roots, diagnostics if roots else (*diagnostics, _NO_XML))
 
@@ -134,6 +144,16 @@ def _is_too_deep(root: etree._Element) -> bool:
         if depth > MAX_DEPTH:
             return True
     return False
+
+
+def _crowded(root: etree._Element) -> Iterator[Diagnostic]:
+    """Take the attributes from elements that have too many, and yield what was left out."""
+    for element in root.iter(etree.Element):
+        count = len(element.attrib)
+        if count > MAX_ATTRIBUTES:
+            element.attrib.clear()
+            message = f"<{local_name(element)[:80]}> has {count} attributes; none is read. Leave {MAX_ATTRIBUTES}."
+            yield Diagnostic("error", "xml-too-many-attributes", line_of(element), message)
 
 
 def _correct_lines(root: etree._Element, body: str) -> None:

@@ -1,14 +1,19 @@
 """Types of plain YAML scalars, as the ROS parameter readers see them.
 
-Source: YAML 1.1 core types, with the floats that both `rcl_yaml_param_parser` and people accept (`1e-5`).
+Sources: YAML 1.1 core types, with the floats that both `rcl_yaml_param_parser` and people accept (`1e-5`); PyYAML,
+which `rosparam`, `roslaunch` and `launch` read with, and to which `1e-5` is text.
 """
 
 import math
 import re
+from typing import Any
+
+import yaml
 
 PlainScalar = str | int | float | bool | None
 
 MAX_DIGITS = 64
+_PYYAML_TAGS = frozenset(f"tag:yaml.org,2002:{kind}" for kind in ("null", "bool", "int", "float"))
 _NULLS = frozenset({"", "~", "null", "Null", "NULL"})
 _TRUE = frozenset({"true", "True", "TRUE", "yes", "Yes", "YES", "on", "On", "ON"})
 _FALSE = frozenset({"false", "False", "FALSE", "no", "No", "NO", "off", "Off", "OFF"})
@@ -26,6 +31,19 @@ def typed(text: str) -> PlainScalar:
         return text in _TRUE
     number = _number(text) if len(text) <= MAX_DIGITS else None
     return text if number is None else number
+
+
+def typed_by_pyyaml(text: str) -> PlainScalar:
+    """Return the value of an unquoted scalar as PyYAML reads it; what is no number, boolean or null stays text."""
+    resolver: Any = yaml.resolver.Resolver()
+    tag = resolver.resolve(yaml.ScalarNode, text, (True, False)) if len(text) <= MAX_DIGITS else ""
+    if tag not in _PYYAML_TAGS:
+        return text
+    try:
+        value: PlainScalar = yaml.constructor.SafeConstructor().construct_object(yaml.ScalarNode(tag, text))
+    except ValueError:  # `0b_` fits the pattern of a number
+        return text
+    return value
 
 
 def _number(text: str) -> int | float | None:

@@ -6,7 +6,7 @@ what was read before an error is kept.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any, TypeAlias
 
 import msgspec
@@ -98,8 +98,12 @@ class _LimitError(Exception):
     """A bound of ours was exceeded; reading stops there."""
 
 
-def parse_yaml(data: bytes) -> Parsed[tuple[Node, ...]]:
+def parse_yaml(data: bytes, scalar: Callable[[str], PlainScalar] = typed) -> Parsed[tuple[Node, ...]]:
     """Read all documents of a YAML file.
+
+    Args:
+        data: its bytes, at most `MAX_BYTES`.
+        scalar: gives the value of an unquoted scalar, see `yaml_scalar`.
 
     Returns:
         One tree per document that is not empty. After an error the documents before it and the part of the
@@ -109,7 +113,7 @@ def parse_yaml(data: bytes) -> Parsed[tuple[Node, ...]]:
         message = f"YAML file larger than {MAX_BYTES} bytes is not read. Split it or exclude it."
         return Parsed((), (Diagnostic("error", "yaml-too-large", 0, message),))
     text, diagnostics = decode(data)
-    builder = _Builder(list(diagnostics))
+    builder = _Builder(list(diagnostics), scalar)
     builder.read(text)
     return Parsed(tuple(builder.documents), tuple(builder.diagnostics[:MAX_DIAGNOSTICS]))
 
@@ -126,7 +130,8 @@ def plain(node: Node) -> Any:
 class _Builder:
     """Turns parser events into trees."""
 
-    def __init__(self, diagnostics: list[Diagnostic]) -> None:
+    def __init__(self, diagnostics: list[Diagnostic], scalar: Callable[[str], PlainScalar]) -> None:
+        self._typed = scalar
         self.documents: list[Node] = []
         self.diagnostics = diagnostics
         self._stack: list[_Frame] = []
@@ -214,11 +219,11 @@ class _Builder:
         tag = event.tag or ""
         value: PlainScalar = event.value
         if tag in _ANGLES or tag.startswith((_CORE + "int", _CORE + "float", _CORE + "bool", _CORE + "null")):
-            value = typed(event.value)
+            value = self._typed(event.value)
         elif tag and tag not in {"!", _CORE + "str"}:
             self._unknown_tag(tag, line)
         elif event.implicit[0]:
-            value = typed(event.value)
+            value = self._typed(event.value)
         return _Built(Scalar(value, line, event.value, "" if tag.startswith(_CORE) else tag))
 
     def _mapping(self, frame: _Frame) -> Mapping:

@@ -16,12 +16,15 @@ ROWS = [
     (1, "", '<rosparam subst_value="true">p: $(arg a)</rosparam>', "", ["a"]),
     (1, "", "<!-- $(arg a) -->", "", []),
     (1, '<arg name="a"/>', "", '<arg name="a" value="1"/>', []),
-    (1, '<arg name="a"/>', "", "", ["a"]),
+    (1, '<arg name="a"/>', "", "", []),
+    (1, '<arg name="a"/><param name="p" value="$(arg a)"/>', "", "", ["a"]),
+    (1, '<arg name="a"/><group if="$(optenv A 0)"><param name="p" value="$(arg a)"/></group>', "", "", ["a"]),
     (1, '<arg name="a" default="1"/>', "", '<arg name="b" value="1"/>', ["b"]),
     (2, '<arg name="a"/>', "", '<arg name="a" value="1"/>', []),
     (2, '<arg name="a"/>', "", "", ["a"]),
-    (2, '<arg name="a"/>', '<arg name="a" default="1"/>', "", []),
-    (2, '<arg name="a"/>', '<let name="a" value="1"/>', "", []),
+    (2, '<arg name="a"/>', '<arg name="a" default="1"/>', "", ["a"]),
+    (2, '<arg name="a"/>', '<let name="a" value="1"/>', "", ["a"]),
+    (2, '<group><arg name="a"/></group>', "", "", []),
     (2, '<arg name="a" default="1"/>', "", '<arg name="b" value="1"/>', ["b"]),
     (2, '<let name="c" value="$(var b)"/>', "", '<arg name="b" value="1"/>', []),
     (2, '<include file="$(find-pkg-share other)/x.launch.xml"/>', "", '<arg name="b" value="1"/>', []),
@@ -30,7 +33,7 @@ ROWS = [
 
 @pytest.mark.parametrize(("ros", "part", "outer", "given", "expected"), ROWS)
 def test_arguments(workspace: Workspace, ros: int, part: str, outer: str, given: str, expected: list[str]) -> None:
-    """A file of ROS 1 has its own arguments; in ROS 2 those that are set above are seen below."""
+    """A file of ROS 1 has its own arguments; in ROS 2 an include hands over what is declared without a default."""
     include = f'<include file="{FIND[ros]}">{given}</include>'
     ending = "launch" if ros == 1 else "launch.xml"
     files = {
@@ -39,6 +42,34 @@ def test_arguments(workspace: Workspace, ros: int, part: str, outer: str, given:
     }
     workspace.package(files, ros=ros)
     assert _names(workspace.root) == expected
+
+
+@pytest.mark.parametrize(
+    ("ros", "part", "severity", "lines"),
+    [
+        (1, '<arg name="a"/>\n<param name="p" value="$(arg a)"/>', "error", [2, 2, 3]),
+        (1, '<arg name="a"/>\n<param name="p" value="$(arg a)" if="$(optenv A 0)"/>', "warning", [2, 2, 3]),
+        (2, '<arg name="a"/>', "error", [2, 2]),
+    ],
+)
+def test_what_an_include_leaves_out(workspace: Workspace, ros: int, part: str, severity: str, lines: list[int]) -> None:
+    """The include comes first, then the declaration, and in ROS 1 the line that stops roslaunch."""
+    ending = "launch" if ros == 1 else "launch.xml"
+    files = {
+        f"launch/all.{ending}": f'<launch>\n<include file="{FIND[ros]}"/></launch>',
+        f"launch/part.{ending}": f"<launch>\n{part}</launch>",
+    }
+    (found,) = [each for each in lint(workspace.package(files, ros=ros).root) if each.rule == "LNT056"]
+    assert (found.severity, [place.line for place in found.evidence]) == (severity, lines)
+    assert [place.path.rpartition("/")[2] for place in found.evidence[1:]] == [f"part.{ending}"] * (len(lines) - 1)
+    assert "the launch stops there" in found.message
+
+
+def test_names_in_comments_are_no_uses(workspace: Workspace) -> None:
+    """A node that is commented out needs no package."""
+    text = '<launch>\n<!-- <node pkg="away" exec="n"/> -->\n<node pkg="here" exec="n"/></launch>'
+    found = lint(workspace.package({"launch/a.launch.xml": text}).root)
+    assert [(each.evidence[0].line, "here" in each.message) for each in found if each.rule == "LNT004"] == [(3, True)]
 
 
 @pytest.mark.parametrize(

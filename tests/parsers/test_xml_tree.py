@@ -3,7 +3,16 @@
 import time
 
 import pytest
-from ecm_parsers.xml_tree import MAX_BYTES, MAX_DEPTH, children, line_of, parse_xml, text_of
+from ecm_parsers.xml_tree import (
+    MAX_ATTRIBUTES,
+    MAX_BYTES,
+    MAX_DEPTH,
+    children,
+    line_of,
+    parse_xml,
+    text_of,
+    without_comments,
+)
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -54,6 +63,21 @@ def test_external_dtd_is_not_loaded() -> None:
     tree = parse_xml(b'<!DOCTYPE a SYSTEM "http://localhost:1/a.dtd"><a/>')
     assert tree.root is not None
     assert tree.diagnostics == ()
+
+
+def test_an_element_with_too_many_attributes_loses_them() -> None:
+    """Looking one up would cost as much as there are; the other elements keep theirs."""
+    crowd = " ".join(f'a{at}="1"' for at in range(MAX_ATTRIBUTES + 1))
+    tree = parse_xml(f'<a>\n<b {crowd}/><c d="1"/></a>'.encode())
+    assert [(entry.code, entry.line) for entry in tree.diagnostics] == [("xml-too-many-attributes", 2)]
+    assert tree.root is not None
+    assert [dict(child.attrib) for _, child in children(tree.root)] == [{}, {"d": "1"}]
+
+
+def test_comments_are_blank_and_lines_stay() -> None:
+    """What is commented out is gone; a comment that never ends is no comment."""
+    assert without_comments(b"<a>\n<!-- x\ny -->\n<b/>") == b"<a>\n      \n     \n<b/>"
+    assert without_comments(b"a = '<!--'") == b"a = '<!--'"
 
 
 @pytest.mark.parametrize("depth", [MAX_DEPTH + 1, 1_000, 1_000_000])

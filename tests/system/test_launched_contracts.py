@@ -68,7 +68,7 @@ def test_controllers_that_a_launch_activates_together_must_not_claim_one_joint(
 ) -> None:
     workspace.package({"launch/arm.launch.py": SPAWN.replace("{how}", how), "config/arm.yaml": CONTROLLERS})
     found = findings(capsys, str(tmp_path), "--launch", "pkg/launch/arm.launch.py")
-    subjects = ["ecm.forward_command_controller.arm_other", "ecm.forward_command_controller.arm_position"]
+    subjects = ["/arm_other", "/arm_position"]
     assert found == ([("RES001", "error", subjects)] if conflict else [])
 
 
@@ -87,7 +87,7 @@ def test_names_are_those_of_the_launch(
     }
     workspace.package(files)
     found = findings(capsys, str(tmp_path), "--launch", "pkg/x.launch.py")
-    assert found == [("SIG001", "error", ["ecm.pkg.out", "ecm.pkg.arm.view"])]
+    assert found == [("SIG001", "error", ["/out", "/arm/view"])]
 
 
 def test_a_launch_goes_with_one_workspace(tmp_path: Path, workspace: Workspace) -> None:

@@ -50,15 +50,21 @@ class Request(msgspec.Struct, frozen=True):
 @click.option("--config", metavar="FILE", help="Use this ecm.toml.  [default: the one in the workspace]")
 @click.option("--jobs", type=click.IntRange(min=1), help="Worker processes.  [default: one per core]")
 @click.option("--no-cache", is_flag=True, help="Take nothing from the cache and add nothing to it.")
-def command(**options: Any) -> None:
+def command(**options: Any) -> int:
     """Evaluate launch files without running them and show the instance graph.
 
     LAUNCH is a launch file by its path, on disk or in the workspace, or `package/file`. NAME:=VALUE gives a launch
     argument. What only a running launch knows stays a pattern `{name}`, and what depends on it says so.
+
+    The exit status is 1 when a launch file is malformed or too large, so that a part of what it starts is left out.
     """
     request = Request(**options)
-    sys.stdout.write(_renderer(request.format)(_read(request)))
+    system = _read(request)
+    sys.stdout.write(_renderer(request.format)(system))
     sys.stdout.flush()
+    if not system.launched.is_complete:
+        click.echo("incomplete: a part of the launch was left out; the text and JSON formats say what", err=True)
+    return 0 if system.launched.is_complete else 1
 
 
 def _read(request: Request) -> System:

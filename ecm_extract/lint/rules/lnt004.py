@@ -8,6 +8,7 @@ from collections.abc import Iterator
 import networkx as nx
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding, Severity
+from ecm_parsers.xml_tree import without_comments
 
 from ecm_extract.discover import is_test_path
 from ecm_extract.lint.rule import LintRule
@@ -70,7 +71,7 @@ def _used(workspace: Workspace, package: PackageFacts) -> dict[str, list[Evidenc
     for entry in package.root.files:
         if not _is_read(entry.path, package):
             continue
-        data = workspace.files.read(entry.path) or b""
+        data = without_comments(workspace.files.read(entry.path) or b"")
         for match in _USED.finditer(data):
             name = next(part for part in match.groups() if part).decode()
             line = data.count(b"\n", 0, match.start()) + 1

@@ -8,6 +8,7 @@ from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 from ecm_parsers.diagnostics_yaml import Analyzer
 from ecm_parsers.launch.model import Node
+from ecm_parsers.xml_tree import without_comments
 
 from ecm_extract.lint.near import nearest
 from ecm_extract.lint.rule import LintRule
@@ -72,7 +73,7 @@ def _is_loaded(path: str, package: PackageFacts, workspace: Workspace) -> bool:
     name = path.rpartition("/")[2].encode()
     own = {path: facts for path, facts in workspace.launches.items() if workspace.package_of(path) == package.name}
     starts = any(
-        name in (workspace.files.read(launch) or b"")
+        name in without_comments(workspace.files.read(launch) or b"")
         and any(isinstance(action, Node) for action in all_actions(facts.actions))
         for launch, facts in own.items()
     )

@@ -9,6 +9,7 @@ from fnmatch import fnmatchcase
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding, Severity
 from ecm_parsers.launch.model import Node
+from ecm_parsers.xml_tree import without_comments
 
 from ecm_extract.discover import is_test_path
 from ecm_extract.lint.rule import LintRule
@@ -79,7 +80,7 @@ def _named(workspace: Workspace) -> dict[str, set[str]]:
     for package in workspace.packages:
         for entry in package.root.files:
             if entry.path.endswith(_NAMING) and not is_test_path(entry.path, package.root.path):
-                for match in _IN_SHARE.finditer(workspace.files.read(entry.path) or b""):
+                for match in _IN_SHARE.finditer(without_comments(workspace.files.read(entry.path) or b"")):
                     found.setdefault((match[1] or match[2]).decode(), set()).add(match[3].decode())
     return found
 

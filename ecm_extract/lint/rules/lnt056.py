@@ -18,7 +18,7 @@ RULE = LintRule(
     dimension="versioning",
     severity="error",
     who="config",
-    consequence="the launch stops there, or goes on without the value that was meant",
+    consequence="the launch stops there",
     resolution="declare the argument, or use the name that is declared",
 )
 _TEMPLATES = ("/templates/", "/template/")
@@ -36,8 +36,10 @@ def check(workspace: Workspace) -> Iterator[Finding]:
             target = files.get(call.target or "")
             if target is not None and target.ros == entry.ros == 1 and not call.passes_all:
                 yield from _refused(path, call, target, workspace)
+                yield from _unset(path, call, target, workspace)
             elif target is not None and target.ros == entry.ros == 2:
                 yield from _idle(path, call, target, reach, workspace)
+                yield from _not_handed(path, call, target, workspace)
 
 
 def _is_template(path: str) -> bool:
@@ -67,16 +69,41 @@ def _undeclared(path: str, entry: Interface, is_included: bool, workspace: Works
 
 
 def _refused(path: str, call: Handed, target: Interface, workspace: Workspace) -> Iterator[Finding]:
-    place = Evidence(path, call.line)
-    left_out = target.required - set(call.names)
+    """What roslaunch calls an unused argument of an include."""
     for name in call.names:
         if name not in target.declared:
             near = nearest(name, target.declared - set(call.names))
-            left_out -= {near or name}
             text = f"{call.target} is given {name}, which it does not declare" + (f"; it has {near}" if near else "")
-            yield _finding(text, name, near, place, workspace, "proved")
-    for name in sorted(left_out):
-        yield _finding(f"{call.target} needs {name} and is not given it", name, None, place, workspace, "proved")
+            yield _finding(text, name, near, Evidence(path, call.line), workspace, "proved")
+
+
+def _unset(path: str, call: Handed, target: Interface, workspace: Workspace) -> Iterator[Finding]:
+    """An argument without a value stops roslaunch where it is substituted; one that is only declared never does."""
+    for name in _left_out(call, target):
+        if name in target.used:
+            text = f"{call.target} substitutes $(arg {name}) and this include gives {name} no value"
+            places = _places(path, call, target.required[name], target.used[name])
+            yield _missing(text, name, places, workspace, "proved" if name in target.always else "likely")
+
+
+def _not_handed(path: str, call: Handed, target: Interface, workspace: Workspace) -> Iterator[Finding]:
+    """Launch looks at what the include itself hands over; what is set elsewhere, even by a person, does not help."""
+    below = {name for inner in target.includes for name in inner.names}
+    for name in _left_out(call, target):
+        if name not in below:
+            text = f"{call.target} declares {name} without a default and this include does not give it"
+            yield _missing(text, name, _places(path, call, target.required[name]), workspace, "proved")
+
+
+def _places(path: str, call: Handed, *lines: int) -> list[Evidence]:
+    """The include, then lines of the file that it names."""
+    return [Evidence(path, call.line), *(Evidence(call.target or "", line) for line in dict.fromkeys(lines))]
+
+
+def _left_out(call: Handed, target: Interface) -> list[str]:
+    """Required arguments that an include does not give, also not by a name that is a slip for them."""
+    slips = {nearest(name, target.declared - set(call.names)) for name in call.names if name not in target.declared}
+    return sorted(target.required.keys() - set(call.names) - slips)
 
 
 def _idle(path: str, call: Handed, target: Interface, reach: Reach, workspace: Workspace) -> Iterator[Finding]:
@@ -86,11 +113,7 @@ def _idle(path: str, call: Handed, target: Interface, reach: Reach, workspace: W
         if read is not None and name not in read and not _is_filled_in(name, call.target or "", workspace):
             near = nearest(name, target.declared - set(call.names))
             text = f"{call.target} is given {name}, which nothing reads" + (f"; it has {near}" if near else "")
-            yield _finding(text, name, near, place, workspace)
-    visible = reach.visible(path)
-    for name in sorted(target.required - set(call.names)):
-        if visible is not None and name not in visible:
-            yield _finding(f"{call.target} needs {name} and is not given it", name, None, place, workspace)
+            yield _unread(text, name, near, place, workspace)
 
 
 def _is_filled_in(name: str, path: str, workspace: Workspace) -> bool:
@@ -108,13 +131,37 @@ def _finding(
     return RULE.finding(text, entity, workspace.package_of(place.path), [place], certainty=certainty)
 
 
+def _unread(text: str, name: str, near: str | None, place: Evidence, workspace: Workspace) -> Finding:
+    return RULE.finding(
+        text,
+        Entity("launch_argument", name, near or ""),
+        workspace.package_of(place.path),
+        [place],
+        certainty="likely",
+        consequence="the launch goes on without the value that was meant",
+        resolution="use the name that is declared" if near else "leave it out, or declare it where it is meant",
+    )
+
+
+def _missing(text: str, name: str, places: list[Evidence], workspace: Workspace, certainty: Certainty) -> Finding:
+    return RULE.finding(
+        text,
+        Entity("launch_argument", name, ""),
+        workspace.package_of(places[0].path),
+        places,
+        certainty=certainty,
+        resolution=f"give {name} in the include, or a default where it is declared",
+    )
+
+
 def _info(text: str, name: str, place: Evidence, workspace: Workspace) -> Finding:
     return RULE.finding(
-        f"{text}, so that whoever starts it must give it",
+        text,
         Entity("launch_argument", name, ""),
         workspace.package_of(place.path),
         [place],
         certainty="likely",
         severity="info",
+        consequence="the launch stops unless whoever starts it gives the value",
         resolution="declare the argument, so that it is listed with the others",
     )

@@ -8,6 +8,7 @@ import msgspec
 
 from ecm_extract.description.model import Description, Hardware
 from ecm_extract.system.controllers import Controller
+from ecm_extract.system.formats.json_values import json_value
 from ecm_extract.system.graph import channels
 from ecm_extract.system.model import Place
 from ecm_extract.system.node_model import Endpoint, Parameter, SystemNode
@@ -52,6 +53,7 @@ def place_data(place: Place) -> dict[str, Any]:
 
 def _launch(system: System) -> dict[str, Any]:
     return {
+        "complete": system.launched.is_complete,
         "files": system.launched.files,
         "arguments": [
             {
@@ -105,7 +107,7 @@ def _endpoint(entry: Endpoint) -> dict[str, Any]:
 def _parameter(entry: Parameter) -> dict[str, Any]:
     return {
         "name": entry.name,
-        "value": entry.value,
+        "value": json_value(entry.value),
         "declared": entry.declared,
         "evidence": place_data(entry.place) if entry.place is not None else None,
     }

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ecm_extract.system.graph import graph_of
+from ecm_extract.system.graph import edges_of, graph_of
 from ecm_extract.system.system import System
 
 _SHAPES = {"node": "ellipse", "topic": "box", "service": "cds", "action": "component"}
@@ -15,8 +15,9 @@ def render(system: System) -> str:
     for vertex, data in sorted(graph.nodes(data=True)):
         style = ", style=dashed" if data.get("conditional") else ""
         lines.append(f"  {_id(vertex)} [label={_quoted(vertex[1])}, shape={_SHAPES[vertex[0]]}{style}];")
-    for start, end in sorted(set(graph.edges())):
-        lines.append(f"  {_id(start)} -> {_id(end)};")
+    for edge in edges_of(graph):
+        label = f" [label={_quoted(edge.type)}]" if edge.type else ""
+        lines.append(f"  {_id(edge.start)} -> {_id(edge.end)}{label};")
     return "\n".join([*lines, "}"]) + "\n"
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ecm_extract.system.graph import graph_of
+from ecm_extract.system.graph import edges_of, graph_of
 from ecm_extract.system.system import System
 
 _BRACKETS = {"node": ("([", "])"), "topic": ("[", "]"), "service": ("[/", "/]"), "action": ("[[", "]]")}
@@ -17,8 +17,9 @@ def render(system: System) -> str:
     for vertex in vertices:
         left, right = _BRACKETS[vertex[0]]
         lines.append(f"  {ids[vertex]}{left}{_quoted(vertex[1])}{right}")
-    for start, end in sorted(set(graph.edges())):
-        lines.append(f"  {ids[start]} --> {ids[end]}")
+    for edge in edges_of(graph):
+        label = f"|{_quoted(edge.type)}|" if edge.type else ""
+        lines.append(f"  {ids[edge.start]} -->{label} {ids[edge.end]}")
     return "\n".join(lines) + "\n"
 
 

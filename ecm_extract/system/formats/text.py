@@ -53,6 +53,8 @@ def _head(system: System, found: list[Channel]) -> Iterator[str]:
     kinds = [_counted(sum(1 for entry in found if entry.kind == kind), kind) for kind in _SIDES]
     files = _counted(len(system.launched.files), "launch file")
     yield f"{', '.join([_counted(len(system.nodes), 'node'), *kinds])}; {files} read"
+    if not system.launched.is_complete:
+        yield "INCOMPLETE: a part of the launch was left out, see below"
 
 
 def _counted(count: int, word: str) -> str:
@@ -185,11 +187,12 @@ def _wanted(nodes: Iterable[SystemNode], found: list[Channel]) -> Iterator[str]:
 
 
 def _problems(system: System) -> Iterator[str]:
+    launches = set(system.launched.files)
     found = list(
         dict.fromkeys(
             f"  {entry.path}:{entry.line}  {entry.message}"
             for entry in system.tree.diagnostics
-            if entry.code.startswith(_LAUNCH_PROBLEMS)
+            if entry.code.startswith(_LAUNCH_PROBLEMS) or entry.path in launches
         )
     )
     if not found:

@@ -23,10 +23,13 @@ from ecm_parsers.launch.model import (
     PushNamespace,
     Remap,
     SetConfiguration,
+    Template,
+    Typing,
 )
 from ecm_parsers.launch.spawners import controller_spawner
 from ecm_parsers.launch.values import (
     Description,
+    Reference,
     Unknown,
     Value,
     actions_of,
@@ -36,6 +39,7 @@ from ecm_parsers.launch.values import (
     parameter_sources,
     template_of,
     text_of,
+    typing_of,
 )
 
 
@@ -75,13 +79,18 @@ def _node(kind: NodeKind) -> Constructor:
             namespace=given.optional("namespace") or given.optional("node_namespace"),
             remaps=remaps_of(given.get("remappings"), given.line),
             parameters=parameter_sources(given.get("parameters", default=()), given.line),
-            arguments=command_words(given.get("arguments", default=()))
-            + command_words(given.get("ros_arguments", default=())),
+            arguments=command_words(given.get("arguments", default=())) + _ros_words(given.get("ros_arguments")),
             components=_components(components),
             respawn=given.optional("respawn"),
         )
 
     return make
+
+
+def _ros_words(value: Value) -> tuple[Template, ...]:
+    """Words that stand after `--ros-args`, which launch writes before them."""
+    found = command_words(value if value is not None else ())
+    return (("--ros-args",), *found) if found else ()
 
 
 def _components(value: Value) -> tuple[Node, ...]:
@@ -171,6 +180,7 @@ def _parameter(given: Arguments) -> Value:
         condition=given.condition,
         name=given.template("name", 0),
         value=data_of(given.get("value", 1)),
+        typing=typing_of(given.get("value", 1)),
     )
 
 
@@ -193,7 +203,9 @@ def _setting(environment: bool) -> Constructor:
 
 def _parameter_file(given: Arguments) -> Value:
     inner = given.get("param_file", 0)
-    return inner if isinstance(inner, ParameterFile) else ParameterFile(line=given.line, path=template_of(inner))
+    made = inner if isinstance(inner, ParameterFile) else ParameterFile(line=given.line, path=template_of(inner))
+    allowed = given.get("allow_substs", default=False)
+    return msgspec.structs.replace(made, substitutes=allowed is not False)
 
 
 def _rewritten(given: Arguments) -> Value:
@@ -205,11 +217,19 @@ def _rewritten(given: Arguments) -> Value:
         path=source.path if isinstance(source, ParameterFile) else template_of(source),
         namespace=given.template("root_key", 2),
         rewrites=tuple((template_of(key), template_of(value)) for key, value in known.items()),
+        converts=given.get("convert_types", 4) is True,
     )
 
 
 def _parameter_value(given: Arguments) -> Value:
-    return ParameterValue(line=given.line, name=(), value=data_of(given.get("value", 0)))
+    value = given.get("value", 0)
+    asked = given.get("value_type")
+    name = asked.path if isinstance(asked, Reference) else ""
+    return ParameterValue(line=given.line, name=(), value=data_of(value), typing=_TYPES.get(name) or typing_of(value))
+
+
+_TYPES: Mapping[str, Typing] = MappingProxyType({"str": "str", "int": "int", "float": "double", "bool": "bool"})
+"""Typing by the `value_type` of a parameter; lists are told by YAML."""
 
 
 def _source(given: Arguments) -> Value:

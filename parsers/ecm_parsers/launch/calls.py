@@ -31,6 +31,7 @@ from ecm_parsers.launch.values import (
     Unknown,
     Value,
     actions_of,
+    as_str,
     guarded,
     starts_something,
 )
@@ -138,9 +139,9 @@ class Calls(Expressions):
         if special is not None:
             return special(self, given)
         if callee.path.endswith("environ.get"):
-            return CONSTRUCTORS["getenv"](given)
+            return as_str(CONSTRUCTORS["getenv"](given))
         if callee.path == "launch_configurations.get":
-            return CONSTRUCTORS["LaunchConfiguration"](given)
+            return as_str(CONSTRUCTORS["LaunchConfiguration"](given))
         if callee.last == "__init__" and isinstance(given.get("", 0), Object):
             return self._initialised(callee, given)
         constructor = CONSTRUCTORS.get(callee.last)
@@ -252,7 +253,8 @@ class Calls(Expressions):
         "exists": lambda self, given: exists(self.sources, given.get("path", 0)),
         "isfile": lambda self, given: exists(self.sources, given.get("path", 0)),
         "srdf_virtual_joints": lambda self, given: virtual_joints(self.sources, given.get("", 0)),
-        "perform_substitution": lambda _, given: given.get("", 0),
+        "perform_substitution": lambda _, given: as_str(given.get("", 0)),
+        "getenv": lambda _, given: as_str(CONSTRUCTORS["getenv"](given)),
         "module_from_spec": lambda _, given: given.get("spec", 0),
     }
 

@@ -3,24 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 import msgspec
 from lxml import etree
 
 from ecm_parsers.xml_tree import children, line_of, text_of
-from ecm_parsers.yaml_tree import Mapping, Node, Scalar, Sequence
+from ecm_parsers.yaml_tree import Mapping, Node, Scalar, Sequence, plain
 
 MAX_DEPTH = 60
 
 
 class Entity(msgspec.Struct, frozen=True):
-    """One element: its tag with `-` as `_`, attributes as text, children and own text, 1-based line."""
+    """One element: its tag with `-` as `_`, attributes as text, children and own text, 1-based line.
+
+    `data` holds the attributes of YAML as values, since there a text in quotes is no number.
+    """
 
     tag: str
     attributes: dict[str, str]
     children: tuple[Entity, ...]
     text: str
     line: int
+    data: dict[str, Any] = {}
 
     def get(self, *names: str) -> str | None:
         """Return the first attribute of these names."""
@@ -47,6 +52,7 @@ def of_yaml(tag: str, node: Node, line: int, depth: int = 0) -> Entity:
     """Return a YAML map or list as an entity: scalars are attributes, maps and lists of maps are children."""
     tag = tag.replace("-", "_")
     attributes: dict[str, str] = {}
+    data: dict[str, Any] = {}
     below: list[Entity] = []
     text = node.text if isinstance(node, Scalar) else ""
     if isinstance(node, Sequence) and depth < MAX_DEPTH:
@@ -54,12 +60,14 @@ def of_yaml(tag: str, node: Node, line: int, depth: int = 0) -> Entity:
     for entry in node.entries if isinstance(node, Mapping) and depth < MAX_DEPTH else ():
         if isinstance(entry.value, Scalar):
             attributes[entry.key] = entry.value.text
+            data[entry.key] = entry.value.value
         elif isinstance(entry.value, Sequence) and not _are_entities(entry.value):
             below += [of_yaml(entry.key, item, item.line, depth + 1) for item in entry.value.items]
             attributes.setdefault(entry.key, _listed(entry.value))
+            data.setdefault(entry.key, plain(entry.value))
         else:
             below.append(of_yaml(entry.key, entry.value, entry.line, depth + 1))
-    return Entity(tag, attributes, tuple(below), text, line)
+    return Entity(tag, attributes, tuple(below), text, line, data)
 
 
 def _listed(node: Sequence) -> str:

@@ -13,7 +13,6 @@ from ecm_parsers.launch.methods import hashable
 from ecm_parsers.launch.model import Action, Group, Substitution, Template
 from ecm_parsers.launch.operators import binary, compare, negated, subscript, truth
 from ecm_parsers.launch.values import (
-    MAX_ITEMS,
     Class,
     Condition,
     Description,
@@ -27,28 +26,43 @@ from ecm_parsers.launch.values import (
     Unknown,
     Value,
     actions_of,
+    expanded,
     guarded,
     is_yaml_file,
     merged_text,
     template_of,
 )
+from ecm_parsers.result import Diagnostic
 
 MAX_STEPS = 60_000
+MAX_WORK = 2_000_000
+"""Items of the lists and maps that expressions give, those inside each other included."""
 MAX_SHOWN = 60
 
 
+_CUT = "This text has more parts than are read; it and what is built of it stay unknown. Build it in fewer steps."
+
+
 class TooLongError(Exception):
-    """The file takes more steps to read than any launch file needs."""
+    """The file takes more steps to read than any launch file needs; `line` is where that was noticed."""
+
+    def __init__(self, line: int) -> None:
+        super().__init__(line)
+        self.line = line
 
 
 class Expressions(ABC):
     """Evaluates expressions; whoever reads statements says what calls and assignments do.
 
-    `steps` counts evaluated nodes.
+    Attributes:
+        steps: evaluated nodes. line: that is being read. problem: the first text that was too large to be kept.
     """
 
     def __init__(self) -> None:
         self.steps = 0
+        self.line = 0
+        self.problem: Diagnostic | None = None
+        self._work = 0
 
     @abstractmethod
     def call_of(self, node: ast.Call, scope: Scope) -> Value:
@@ -72,7 +86,17 @@ class Expressions(ABC):
             return None
         self.step()
         reader = self._EXPRESSIONS.get(type(node))
-        return reader(self, node, scope) if reader is not None else Unknown(source_of(node))
+        found = reader(self, node, scope) if reader is not None else Unknown(source_of(node))
+        self._weigh(found, node.lineno)
+        return found
+
+    def _weigh(self, found: Value, line: int) -> None:
+        """Count what a value holds; whoever uses it walks over all of that."""
+        if isinstance(found, Text) and found.is_cut:
+            self.problem = self.problem or Diagnostic("warning", "launch-text-cut", line, _CUT)
+        elif isinstance(found, list | tuple | dict):
+            self._work += expanded(found, MAX_WORK - self._work)
+            self.step(0)
 
     def _name(self, node: ast.Name, scope: Scope) -> Value:
         found = scope.find(node.id)
@@ -110,7 +134,8 @@ class Expressions(ABC):
     def _subscript(self, node: ast.Subscript, scope: Scope) -> Value:
         owner, key = self.value(node.value, scope), self.value(node.slice, scope)
         if isinstance(owner, Reference) and owner.last in {"environ", "launch_configurations"}:
-            return Text((Substitution("env" if owner.last == "environ" else "arg", (template_of(key),)),))
+            kind = "env" if owner.last == "environ" else "arg"
+            return Text((Substitution(kind, (template_of(key),)),), is_str=True)
         found = subscript(self.loaded(owner), key)
         return Unknown(source_of(node)) if isinstance(found, Unknown) else found
 
@@ -206,24 +231,25 @@ class Expressions(ABC):
         return choice(holds, self.value(node.body, scope), self.value(node.orelse, scope))
 
     def _joined(self, node: ast.JoinedStr, scope: Scope) -> Value:
-        return merged_text(tuple(part for value in node.values for part in template_of(self.value(value, scope))))
+        parts = tuple(part for value in node.values for part in template_of(self.value(value, scope)))
+        return merged_text(parts, is_str=True)
 
     def items(self, value: Value) -> list[Value] | None:
         """Return what a loop goes over, None when that is not known."""
         value = self.loaded(value)
         if isinstance(value, Description):
-            return value.actions[:MAX_ITEMS]
-        return list(value)[:MAX_ITEMS] if isinstance(value, list | tuple | dict) else None
+            return list(value.actions)
+        return list(value) if isinstance(value, list | tuple | dict) else None
 
-    def step(self) -> None:
-        """Count one step.
+    def step(self, count: int = 1) -> None:
+        """Count steps.
 
         Raises:
             TooLongError: the file takes too many.
         """
-        self.steps += 1
-        if self.steps > MAX_STEPS:
-            raise TooLongError
+        self.steps += count
+        if self.steps > MAX_STEPS or self._work > MAX_WORK:
+            raise TooLongError(self.line)
 
     _EXPRESSIONS: dict[type[ast.expr], Callable[..., Value]] = {  # noqa: RUF012  # read only, one row per node
         ast.Constant: lambda _, node, __: node.value,
@@ -263,7 +289,8 @@ def _is_set(name: str, scope: Scope) -> bool:
 def choice(holds: Template, first: Value, second: Value) -> Value:
     """Return a value that depends on a condition; lists are joined, since all their items can occur."""
     if isinstance(first, list) and isinstance(second, list):
-        return [*first, *(item for item in second if not any(item is known for known in first))]
+        known = {id(item) for item in first}
+        return [*first, *(item for item in second if id(item) not in known)]
     if isinstance(first, Action) and (second is None or isinstance(second, Action)):
         either = (*guarded((first,), holds, first.line), *guarded(actions_of(second), negated(holds), first.line))
         return Group(line=first.line, actions=either, scoped=False)

@@ -11,6 +11,7 @@ from ecm_parsers.launch.ros1_xml import Ros1Reader
 from ecm_parsers.launch.ros2_markup import Ros2Reader
 from ecm_parsers.result import Diagnostic, Parsed
 from ecm_parsers.xml_tree import parse_xml
+from ecm_parsers.yaml_scalar import typed_by_pyyaml
 from ecm_parsers.yaml_tree import Mapping, parse_yaml
 
 _ROS2_ONLY = frozenset(
@@ -59,7 +60,7 @@ def parse_launch_yaml(data: bytes) -> Parsed[LaunchFile | None]:
     Returns:
         The file, None when it has no `launch:` list, and diagnostics.
     """
-    tree = parse_yaml(data)
+    tree = parse_yaml(data, typed_by_pyyaml)
     document = next((entry for entry in tree.facts if isinstance(entry, Mapping)), None)
     body = document.get("launch") if document is not None else None
     if body is None:

@@ -38,6 +38,7 @@ class Interpreter(Calls):
             self._guard = outer
 
     def _statement(self, node: ast.stmt, scope: Scope, returned: list[tuple[Template | None, Value]]) -> bool:
+        self.line = node.lineno
         self.step()
         if isinstance(node, ast.Return):
             returned.append((self._guard, self.value(node.value, scope)))
@@ -141,6 +142,6 @@ class Interpreter(Calls):
         current = self.value(node.target, scope)
         added = self.value(node.value, scope)
         if isinstance(current, list) and isinstance(node.op, ast.Add) and isinstance(added, list | tuple):
-            current.extend(self._under_guard(item, node.lineno) for item in added[:MAX_ITEMS])
+            current.extend(self._under_guard(item, node.lineno) for item in added)
         else:
             self.assign(node.target, binary(node.op, current, added), scope)

@@ -14,7 +14,6 @@ from ecm_parsers.launch.model import Substitution
 from ecm_parsers.launch.substitutions import joined_path
 from ecm_parsers.launch.values import (
     MAX_ITEMS,
-    MAX_TEXT,
     Description,
     Text,
     Unknown,
@@ -89,9 +88,9 @@ def _of_description(owner: Description, name: str, given: Arguments) -> Value:
 
 def _of_list(owner: list[Value], name: str, given: Arguments) -> Value:
     first = given.get("", 0)
-    if name == "append" and len(owner) < MAX_ITEMS:
+    if name == "append":
         owner.append(first)
-    elif name == "extend" and isinstance(first, list | tuple) and len(owner) + len(first) <= MAX_ITEMS:
+    elif name == "extend" and isinstance(first, list | tuple):
         owner.extend(first)
     elif name == "insert" and len(given.positional) == 2 and isinstance(first, int):
         owner.insert(max(min(first, len(owner)), -len(owner)), given.positional[1])
@@ -126,7 +125,7 @@ def _of_text(owner: str, name: str, given: Arguments) -> Value:
         parts: tuple[str | Substitution, ...] = ()
         for at, item in enumerate(items if isinstance(items, list | tuple) else ()):
             parts = (*parts, *(between if at else ()), *template_of(item))
-        return merged_text(parts)
+        return merged_text(parts, is_str=True)
     if name in _PLAIN_TEXT and all(isinstance(value, str | int) for value in given.positional):
         try:
             return _PLAIN_TEXT[name](owner, *given.positional)
@@ -137,9 +136,11 @@ def _of_text(owner: str, name: str, given: Arguments) -> Value:
 
 def _of_template(owner: Text, name: str, given: Arguments) -> Value:
     if name == "lower":
-        return Text((Substitution("lower", (owner.parts,)),))
+        return Text((Substitution("lower", (owner.parts,)),), is_str=True)
     if name == "joinpath":
         return joined_path((owner, *given.positional))
+    if name == "perform":
+        return Text(owner.parts, is_str=True)
     return owner if name in _SAME else Unknown(name)
 
 
@@ -153,7 +154,7 @@ def formatted(text: str, given: Arguments) -> Value:
         position = match.end()
         parts.extend(_filled(match, given, positional.__next__))
     parts.append(text[position:])
-    return merged_text(tuple(parts))
+    return merged_text(tuple(parts), is_str=True)
 
 
 def _filled(match: re.Match[str], given: Arguments, following: Callable[[], Value]) -> tuple[str | Substitution, ...]:
@@ -178,7 +179,7 @@ def percent_formatted(text: str, value: Value) -> Value:
         position = match.end()
         parts.extend(template_of(values.pop(0)) if values else (match[0],))
     parts.append(text[position:])
-    return merged_text(tuple(parts))
+    return merged_text(tuple(parts), is_str=True)
 
 
 def call_builtin(name: str, given: Arguments) -> Value:
@@ -200,11 +201,7 @@ def hashable(value: Value) -> bool:
 
 
 def _as_text(value: Value) -> Value:
-    return (
-        merged_text(template_of(value))[:MAX_TEXT]
-        if isinstance(value, str | int | float)
-        else merged_text(template_of(value))
-    )
+    return merged_text(template_of(value), is_str=True)
 
 
 def _range(*bounds: int) -> Value:

@@ -12,7 +12,6 @@ from ecm_parsers.launch.model import Substitution, Template
 from ecm_parsers.launch.substitutions import joined_path
 from ecm_parsers.launch.values import (
     MAX_ITEMS,
-    MAX_TEXT,
     Condition,
     Description,
     Text,
@@ -84,15 +83,14 @@ def _added(left: Value, right: Value) -> Value:
     left = left.actions if isinstance(left, Description) else left
     right = right.actions if isinstance(right, Description) else right
     if isinstance(left, list | tuple) and isinstance(right, list | tuple):
-        joined = [*left, *right][:MAX_ITEMS]
+        joined = [*left, *right]
         return joined if isinstance(left, list) else tuple(joined)
     if isinstance(left, list | tuple) and isinstance(right, Unknown | Text):
         return [*left, *_noted(right)]
     if isinstance(right, list | tuple) and isinstance(left, Unknown | Text):
         return [*_noted(left), *right]
     if isinstance(left, str | Text | Unknown) and isinstance(right, str | Text | Unknown):
-        text = merged_text((*template_of(left), *template_of(right)))
-        return text[:MAX_TEXT] if isinstance(text, str) else text
+        return merged_text((*template_of(left), *template_of(right)), is_str=True)
     return Unknown("+")
 
 

@@ -41,8 +41,9 @@ def parse_launch_python(data: bytes, sources: Sources | None = None) -> Parsed[L
         return _refused("launch-too-deep", 0, "Expressions nest too deeply to be read. Flatten them.")
     try:
         found = _read(tree, sources)
-    except TooLongError:
-        return _refused("launch-too-long", 0, "The file builds more than can be read without running it. Simplify it.")
+    except TooLongError as error:
+        message = "The file builds more than can be read without running it; all of it is left out. Simplify it."
+        return _refused("launch-too-long", error.line, message)
     except RecursionError:
         return _refused("launch-too-deep", 0, "Expressions nest too deeply to be read. Flatten them.")
     return Parsed(found.facts, (*doubts, *found.diagnostics))
@@ -58,11 +59,12 @@ def _read(tree: ast.Module, sources: Sources | None) -> Parsed[LaunchFile | None
         message = "There is no `generate_launch_description`; the file is no launch file. Add it."
         return Parsed(None, (Diagnostic("info", "launch-no-entry", 0, message),))
     made = interpreter.call(entry, Arguments((), {}, 0))
+    problems = () if interpreter.problem is None else (interpreter.problem,)
     if isinstance(made, tuple) and made:
         made = made[0]  # generate_test_description returns (description, context)
     if not isinstance(made, Description | list):
-        return Parsed(LaunchFile(2), (_unread(entry, made),))
-    return Parsed(LaunchFile(2, actions_of(made)))
+        return Parsed(LaunchFile(2), (*problems, _unread(entry, made)))
+    return Parsed(LaunchFile(2, actions_of(made)), problems)
 
 
 def _unread(entry: Function, made: Value) -> Diagnostic:

@@ -9,6 +9,7 @@ from ecm_parsers.launch.sources import Sources
 from ecm_parsers.launch.substitutions import joined_path
 from ecm_parsers.launch.values import MAX_ITEMS, Text, Unknown, Value, is_yaml_file, template_of
 from ecm_parsers.xml_tree import parse_xml
+from ecm_parsers.yaml_scalar import typed_by_pyyaml
 from ecm_parsers.yaml_tree import parse_yaml, plain
 
 MAX_BYTES = 500_000
@@ -20,7 +21,7 @@ def loaded(sources: Sources, value: Value) -> Value:
         return value
     (part,) = value.parts
     data = sources.file(part.args[0]) if isinstance(part, Substitution) else None
-    documents = parse_yaml(data).facts if data is not None and len(data) <= MAX_BYTES else ()
+    documents = parse_yaml(data, typed_by_pyyaml).facts if data is not None and len(data) <= MAX_BYTES else ()
     return plain(documents[0]) if documents else value
 
 

@@ -5,7 +5,8 @@ Source: wiki.ros.org/roslaunch/XML; nodelets by wiki.ros.org/nodelet (`load`, `s
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
+from types import MappingProxyType
 
 from ecm_parsers.launch.entity import Entity
 from ecm_parsers.launch.markup import condition, incomplete, optional, template, words
@@ -24,9 +25,15 @@ from ecm_parsers.launch.model import (
     SetConfiguration,
     Substitution,
     Template,
+    Typing,
 )
 from ecm_parsers.launch.substitution import parse_template
 from ecm_parsers.result import Diagnostic
+
+_TYPES: Mapping[str, Typing] = MappingProxyType(
+    {"str": "str", "string": "str", "int": "int", "double": "double", "bool": "bool", "boolean": "bool", "yaml": "yaml"}
+)
+"""Typing by the attribute `type` of a parameter."""
 
 
 class Ros1Reader:
@@ -93,8 +100,8 @@ class Ros1Reader:
             line=entity.line,
             condition=condition(entity),
             name=template(entity, "name"),
-            value=(value,) if entity.get("type") == "str" and isinstance(value, str) else value,
-            is_yaml=entity.get("type") == "yaml",
+            value=value,
+            typing=_TYPES.get((entity.get("type") or "").lower().strip(), "auto"),
         )
 
     def _rosparam(self, entity: Entity) -> ParameterSource | None:
@@ -104,10 +111,13 @@ class Ros1Reader:
         if entity.get("file"):
             place = _joined(template(entity, "ns"), template(entity, "param"))
             path = template(entity, "file")
-            return ParameterFile(line=entity.line, condition=condition(entity), path=path, namespace=place)
+            substitutes = _substitutes(entity)
+            return ParameterFile(
+                line=entity.line, condition=condition(entity), path=path, namespace=place, substitutes=substitutes
+            )
         name = _joined(template(entity, "ns"), template(entity, "param"))
         body: Template = parse_template(entity.text) if _substitutes(entity) else (entity.text,)
-        return ParameterValue(line=entity.line, condition=condition(entity), name=name, value=body, is_yaml=True)
+        return ParameterValue(line=entity.line, condition=condition(entity), name=name, value=body)
 
     def _remap(self, entity: Entity) -> Remap | None:
         if not self._needs(entity, "from", "to"):

@@ -5,7 +5,9 @@ Sources: docs.ros.org "Launch file different formats"; `launch.actions`, `launch
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
+from types import MappingProxyType
+from typing import Any
 
 from ecm_parsers.launch.entity import Entity
 from ecm_parsers.launch.markup import condition, incomplete, optional, template, words
@@ -23,12 +25,16 @@ from ecm_parsers.launch.model import (
     PushNamespace,
     Remap,
     SetConfiguration,
+    Substitution,
     Template,
+    Typing,
 )
 from ecm_parsers.launch.substitution import parse_template
 from ecm_parsers.result import Diagnostic
 
 _QUIET = frozenset({"log", "log_info", "shutdown", "unset_env", "unset", "reset", "push_launch_configurations", "test"})
+_TYPES: Mapping[str, Typing] = MappingProxyType({"str": "str", "int": "int", "float": "double", "bool": "bool"})
+"""Typing by the attribute `type` of a parameter; lists are told by YAML."""
 _CONTAINERS = frozenset({"timer", "forward", "launch", "on_exit"})
 
 
@@ -137,7 +143,7 @@ class Ros2Reader:
             namespace=optional(entity, "namespace"),
             remaps=self._remaps(entity),
             parameters=tuple(self._parameters(entity)),
-            arguments=(*words(entity.get("args")), *words(entity.get("ros_args"))),
+            arguments=(*words(entity.get("args")), *_ros_words(entity.get("ros_args"))),
             components=tuple(self._component(child) for child in entity.below("composable_node")),
             respawn=optional(entity, "respawn"),
         )
@@ -182,22 +188,33 @@ class Ros2Reader:
     def _parameter(self, entity: Entity, prefix: str) -> Iterator[ParameterSource]:
         if entity.get("from"):
             path = template(entity, "from")
-            yield ParameterFile(line=entity.line, condition=condition(entity), path=path)
+            allowed = (entity.get("allow_substs") or "false").lower() not in {"false", "0"}
+            yield ParameterFile(line=entity.line, condition=condition(entity), path=path, substitutes=allowed)
             return
         if not self._needs(entity, "name"):
             return
         name = parse_template(prefix + entity.attributes["name"])
         nested = list(entity.below("param"))
         if entity.get("value") is not None or not nested:
-            yield ParameterValue(line=entity.line, condition=condition(entity), name=name, value=_value(entity))
+            yield _given(entity, name)
         for child in nested:
             yield from self._parameter(child, f"{prefix}{entity.attributes['name']}.")
 
     def _set_parameter(self, entity: Entity) -> ParameterValue | None:
         if not self._needs(entity, "name"):
             return None
-        name = template(entity, "name")
-        return ParameterValue(line=entity.line, condition=condition(entity), name=name, value=_value(entity))
+        return ParameterValue(
+            line=entity.line,
+            condition=condition(entity),
+            name=template(entity, "name"),
+            value=template(entity, "value"),
+        )
+
+
+def _ros_words(text: str | None) -> tuple[Template, ...]:
+    """Words that stand after `--ros-args`, which launch writes before them."""
+    found = words(text)
+    return (("--ros-args",), *found) if found else ()
 
 
 def _push(entity: Entity) -> PushNamespace:
@@ -208,6 +225,30 @@ def _push(entity: Entity) -> PushNamespace:
 def _parameters_from_file(entity: Entity) -> ParameterFile:
     path = template(entity, "filename")
     return ParameterFile(line=entity.line, condition=condition(entity), path=path)
+
+
+def _given(entity: Entity, name: Template) -> ParameterValue:
+    """A parameter of a node; in YAML a text that is written as text stays one, in XML every text is read as YAML."""
+    asked = _TYPES.get(entity.get("type") or "")
+    value = _written(entity.data["value"]) if "value" in entity.data else _value(entity)
+    kept = "value" in entity.data and not _substitutes(value)
+    typing: Typing = asked or ("str" if kept else "yaml")
+    return ParameterValue(line=entity.line, condition=condition(entity), name=name, value=value, typing=typing)
+
+
+def _written(value: Any) -> Data:
+    """Return a value of YAML with its substitutions."""
+    if isinstance(value, list):
+        return [_written(item) for item in value]
+    return parse_template(value) if isinstance(value, str) else value
+
+
+def _substitutes(value: Data) -> bool:
+    items = value if isinstance(value, list | tuple) else ()
+    return any(
+        isinstance(item, Substitution) or _substitutes(item if isinstance(item, list | tuple) else None)
+        for item in items
+    )
 
 
 def _value(entity: Entity) -> Data:

@@ -9,7 +9,7 @@ import re
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from ecm_parsers.launch.model import Substitution, Template
+from ecm_parsers.launch.model import TOO_LARGE, Substitution, Template
 
 MAX_TEXT = 20_000
 MAX_DEPTH = 10
@@ -39,11 +39,16 @@ _WORD = re.compile(r"""\s+|"((?:[^"\\]|\\.)*)"|'((?:[^'\\]|\\.)*)'|((?:[^\s"'$]|
 
 
 def parse_template(text: str | None, depth: int = 0) -> Template:
-    """Return a text as literal parts and substitutions; an unclosed `$(` stays text."""
+    """Return a text as literal parts and substitutions; an unclosed `$(` stays text.
+
+    What is too long or nests too deeply to be read is `TOO_LARGE`.
+    """
     if not text:
         return ()
-    if "$(" not in text or len(text) > MAX_TEXT or depth > MAX_DEPTH:
+    if "$(" not in text:
         return (text,)
+    if len(text) > MAX_TEXT or depth > MAX_DEPTH:
+        return TOO_LARGE
     parts: list[str | Substitution] = []
     position = 0
     while (start := text.find("$(", position)) >= 0:
@@ -104,7 +109,8 @@ def _words(text: str, depth: int, *, whole: bool) -> tuple[Template, ...]:
             elif current:
                 current.append(" ")
         else:
-            current.append(match[match.lastindex])
+            word = match[match.lastindex]
+            current += parse_template(word, depth + 1) or ("",)  # quotes keep blanks, not substitutions
         position = match.end()
     if current:
         words.append(tuple(current))

@@ -94,7 +94,8 @@ def _same(given: Arguments) -> Value:
 
 
 def _text(given: Arguments) -> Value:
-    return merged_text(given.template("text", 0))
+    """A substitution all the same, whose text is read as YAML where it is the value of a parameter."""
+    return Text(given.template("text", 0))
 
 
 def _string_join(given: Arguments) -> Value:

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
 from ecm_parsers.launch.model import (
+    TOO_LARGE,
     Action,
     Data,
     Group,
@@ -18,7 +19,9 @@ from ecm_parsers.launch.model import (
     ParameterValue,
     Substitution,
     Template,
+    Typing,
     Unread,
+    bounded,
 )
 
 MAX_ITEMS = 2_000
@@ -28,9 +31,21 @@ MAX_DEPTH = 20
 
 @dataclass(frozen=True, slots=True)
 class Text:
-    """A text with substitutions, or one substitution."""
+    """A text with substitutions, or one substitution; `TOO_LARGE` where it has too many.
+
+    `is_str` tells that it is a `str` when the file is run, not a substitution of `launch`.
+    """
 
     parts: Template
+    is_str: bool = field(default=False, compare=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "parts", bounded(self.parts))
+
+    @property
+    def is_cut(self) -> bool:
+        """Whether it was too large to be kept."""
+        return self.parts is TOO_LARGE
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,6 +53,9 @@ class Condition:
     """What `condition=` takes."""
 
     holds: Template
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "holds", bounded(self.holds))
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,7 +177,7 @@ def template_of(value: Value, depth: int = 0) -> Template:
     if isinstance(value, bool | int | float):
         return (str(value),)
     if isinstance(value, list | tuple):
-        return tuple(part for item in value[:MAX_ITEMS] for part in template_of(item, depth + 1))
+        return tuple(part for item in value for part in template_of(item, depth + 1))
     if isinstance(value, Condition):
         return value.holds
     if isinstance(value, Object) and value.made is not None:
@@ -187,19 +205,26 @@ def text_of(value: Value) -> str | None:
     return "".join(str(part) for part in parts)
 
 
-def merged_text(parts: Template) -> Value:
-    """Return parts as plain text where they hold no substitution."""
+def merged_text(parts: Template, *, is_str: bool = False) -> Value:
+    """Return parts as plain text where they hold no substitution; `is_str` as in `Text`."""
     joined: list[str | Substitution] = []
     for part in parts:
         if part == "":
             continue
         if isinstance(part, str) and joined and isinstance(joined[-1], str):
-            joined[-1] = (joined[-1] + part)[:MAX_TEXT]
+            joined[-1] = joined[-1] + part
         else:
             joined.append(part)
     if not joined:
         return ""
-    return joined[0] if len(joined) == 1 and isinstance(joined[0], str) else Text(tuple(joined))
+    if sum(len(part) for part in joined if isinstance(part, str)) > MAX_TEXT:
+        return Text(TOO_LARGE)
+    return joined[0] if len(joined) == 1 and isinstance(joined[0], str) else Text(tuple(joined), is_str)
+
+
+def as_str(value: Value) -> Value:
+    """Return what a substitution gives as a `str` of Python."""
+    return Text(value.parts, is_str=True) if isinstance(value, Text) else value
 
 
 def command_words(value: Value) -> tuple[Template, ...]:
@@ -214,10 +239,24 @@ def data_of(value: Value, depth: int = 0) -> Data:
     if value is None or isinstance(value, bool | int | float):
         return value
     if isinstance(value, list | tuple) and depth < MAX_DEPTH:
-        if any(isinstance(item, Text) for item in value) and all(isinstance(item, str | Text) for item in value):
+        if any(_is_substitution(item) for item in value) and all(isinstance(item, str | Text) for item in value):
             return template_of(value)
-        return [data_of(item, depth + 1) for item in value[:MAX_ITEMS]]
+        items = [template_of(item) if isinstance(item, list | tuple) else data_of(item, depth + 1) for item in value]
+        numbers = {type(item) for item in items}
+        return [float(item) for item in items] if numbers == {int, float} else items  # type: ignore[arg-type]
     return template_of(value)
+
+
+def _is_substitution(value: Value) -> bool:
+    return isinstance(value, Text) and not value.is_str
+
+
+def typing_of(value: Value) -> Typing:
+    """Return how `launch_ros` types a value of a map: what Python holds as `str` stays text, a substitution is YAML."""
+    if isinstance(value, Text):
+        return "str" if value.is_str else "yaml"
+    items = value if isinstance(value, list | tuple) else ()
+    return "yaml" if any(isinstance(item, list | tuple) or typing_of(item) == "yaml" for item in items) else "str"
 
 
 def parameter_sources(value: Value, line: int) -> tuple[ParameterSource, ...]:
@@ -245,9 +284,9 @@ def _flattened(table: dict[Value, Value], prefix: Template, line: int, depth: in
         elif isinstance(value, dict) and depth < MAX_DEPTH:
             found += _flattened(value, name, line, depth + 1)
         elif isinstance(value, ParameterValue):
-            found.append(ParameterValue(line=line, name=name, value=value.value))
+            found.append(ParameterValue(line=line, name=name, value=value.value, typing=value.typing))
         else:
-            found.append(ParameterValue(line=line, name=name, value=data_of(value)))
+            found.append(ParameterValue(line=line, name=name, value=data_of(value), typing=typing_of(value)))
     return found
 
 
@@ -258,7 +297,7 @@ def actions_of(value: Value, depth: int = 0) -> tuple[Action, ...]:
     if isinstance(value, Description):
         value = value.actions
     if isinstance(value, list | tuple) and depth < MAX_DEPTH:
-        return tuple(action for item in value[:MAX_ITEMS] for action in actions_of(item, depth + 1))
+        return tuple(action for item in value for action in actions_of(item, depth + 1))
     if isinstance(value, Unknown) and value.line:
         return (Unread(line=value.line, text=value.text),)
     return (value,) if isinstance(value, Action) else ()
@@ -267,6 +306,19 @@ def actions_of(value: Value, depth: int = 0) -> tuple[Action, ...]:
 def starts_something(value: Value) -> bool:
     """Tell whether a value holds actions that can be read."""
     return any(not isinstance(action, Unread) for action in actions_of(value))
+
+
+def expanded(value: Value, limit: int) -> int:
+    """Return how many items a list or map holds on all levels, each counted as often as it is met, up to a limit."""
+    count, pending = 0, [value]
+    while pending and count <= limit:
+        item = pending.pop()
+        if isinstance(item, Description):
+            item = item.actions
+        if isinstance(item, list | tuple | dict):
+            count += 1 + len(item)
+            pending.extend(item.values() if isinstance(item, dict) else item)
+    return count
 
 
 def guarded(actions: tuple[Action, ...], guard: Template | None, line: int) -> tuple[Action, ...]:
