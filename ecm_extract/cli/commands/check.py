@@ -9,7 +9,13 @@ from typing import TYPE_CHECKING, Any, Final, Literal
 import click
 import msgspec
 
-from ecm_extract.cli.outputs import FINDING_FORMATS, findings_as, write_outputs
+from ecm_extract.cli.outputs import (
+    FINDING_FORMATS,
+    findings_as,
+    refuse_statistics_as,
+    statistics_as,
+    write_outputs,
+)
 from ecm_extract.errors import InputError
 
 if TYPE_CHECKING:
@@ -41,6 +47,7 @@ class Request(msgspec.Struct, frozen=True, kw_only=True):
     dimensions: str | None
     without: tuple[str, ...]
     together: bool
+    statistics: bool
     format: str
     output: tuple[str, ...]
     fail_on: Literal["error", "warning", "info", "never"]
@@ -66,6 +73,7 @@ class Request(msgspec.Struct, frozen=True, kw_only=True):
     multiple=True,
     help="Check what this launch file of the workspace PATH starts, under its own names; may be repeated.",
 )
+@click.option("--statistics", is_flag=True, help="Show how many findings each rule has, not the findings.")
 @click.option("--format", type=click.Choice(FORMATS), default="text", show_default=True, help="On standard output.")
 @click.option("--output", multiple=True, metavar="FORMAT=FILE", help="Also into a file. May be repeated.")
 @click.option(
@@ -93,6 +101,7 @@ def command(ctx: click.Context, /, **options: Any) -> None:
     if not request.paths:
         message = "name at least one manifest, folder or tree"
         raise click.UsageError(message, ctx)
+    refuse_statistics_as(request.format, request.statistics)
     report = _decide(request)
     _print(report, request)
     if _fails(report, request.fail_on):
@@ -141,10 +150,18 @@ def _print(report: Report, request: Request) -> None:
     from ecm_extract.report.check_text import summary_text
 
     write_outputs(request.output, FORMATS, lambda form: _rendered(report, form))
-    click.echo(_rendered(report, request.format), nl=False)
+    click.echo(_shown(report, request), nl=False)
     if not request.quiet:
         sys.stdout.flush()
         click.echo(summary_text(report), err=True, nl=False)
+
+
+def _shown(report: Report, request: Request) -> str:
+    if not request.statistics:
+        return _rendered(report, request.format)
+    from ecm_extract.report.findings.statistics import never
+
+    return statistics_as(request.format, report.findings, never)
 
 
 def _rendered(report: Report, form: str) -> str:

@@ -11,4 +11,4 @@ def command(rule: str) -> None:
     """Print what a RULE means, when it speaks up, how it is silenced and what to do about it."""
     from ecm_extract.rule_pages import page_of
 
-    click.echo(page_of(rule.upper()), nl=False)
+    click.echo(page_of(rule), nl=False)

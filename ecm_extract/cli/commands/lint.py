@@ -12,7 +12,13 @@ from typing import TYPE_CHECKING, Any, Final, Literal, NamedTuple
 import click
 import msgspec
 
-from ecm_extract.cli.outputs import FINDING_FORMATS, findings_as, write_outputs
+from ecm_extract.cli.outputs import (
+    FINDING_FORMATS,
+    findings_as,
+    refuse_statistics_as,
+    statistics_as,
+    write_outputs,
+)
 from ecm_extract.errors import InputError
 
 if TYPE_CHECKING:
@@ -41,7 +47,8 @@ class Request(msgspec.Struct, frozen=True):
     path: str
     base: str | None
     patch: str | None
-    select: tuple[str, ...]
+    select: frozenset[str]
+    statistics: bool
     format: str
     output: tuple[str, ...]
     fail_on: Literal["error", "warning", "info", "never"]
@@ -57,7 +64,8 @@ class Request(msgspec.Struct, frozen=True):
 @click.argument("path", default=".")
 @click.option("--base", metavar="REF", help="Only what the change from REF brings in, with its interface changes.")
 @click.option("--patch", metavar="FILE|-", help="Only lines that a patch touches.")
-@click.option("--select", multiple=True, metavar="RULE", help="Only this rule. May be repeated.")
+@click.option("--select", multiple=True, metavar="RULE", help="Only this rule, or all that begin so: LNT0. May be repeated.")
+@click.option("--statistics", is_flag=True, help="Show how many findings each rule has, and how many --fix mends.")
 @click.option("--format", type=click.Choice(FORMATS), default="text", show_default=True, help="On standard output.")
 @click.option("--output", multiple=True, metavar="FORMAT=FILE", help="Also into a file. May be repeated.")
 @click.option(
@@ -78,16 +86,30 @@ def command(**options: Any) -> int:
 
     Findings go to standard output, the summary to standard error.
     """
-    request = Request(**options)
+    request = Request(**{**options, "select": _selected(options["select"])})
+    refuse_statistics_as(request.format, request.statistics)
     findings, workspace = _findings(request)
     if request.write_baseline:
         return _write_baseline(findings, request)
     answered = _answered(findings, workspace, request)
     if request.fix:
         _fix(answered.findings, workspace, request)
-    _print(answered.findings, request)
+    if request.statistics:
+        _print_statistics(answered.findings, workspace, request)
+    else:
+        _print(answered.findings, request)
     _say(answered)
     return int(_is_failure(answered.findings, request.fail_on))
+
+
+def _selected(texts: tuple[str, ...]) -> frozenset[str]:
+    """Ids of the rules that `--select` means; empty for all."""
+    if not texts:
+        return frozenset()
+    from ecm_extract.rule_ids import rules_meant
+    from ecm_extract.rule_pages import lint_rule_ids
+
+    return rules_meant(texts, lint_rule_ids())
 
 
 def _findings(request: Request) -> tuple[list[Finding], Workspace]:
@@ -132,14 +154,8 @@ def _options(request: Request, progress: Progress | None) -> Options:
 
 
 def _run(workspace: Workspace, request: Request) -> list[Finding]:
-    from ecm_extract.lint.catalogue import catalogue
     from ecm_extract.lint.run import findings_of
 
-    known = {entry.rule.id for entry in catalogue()}
-    unknown = [rule for rule in request.select if rule not in known]
-    if unknown:
-        message = f"there is no rule {unknown[0]}"
-        raise InputError(message, "`ecm-extract rules` lists them")
     config = workspace.config
     found = findings_of(workspace, request.select, config.severity)
     return [each for each in found if not config.promise or each.who in config.promise]
@@ -183,8 +199,9 @@ def _brought_in(found: list[Finding], workspace: Workspace, request: Request, ba
     infos = RefInfo(name, base.tree.commit, "named"), RefInfo(request.path, tree.commit, "named")
     comparing = Comparing(base.tree, tree, _folder(request), "", infos)
     comparison = compared(comparing, Sides(old, after, now), {})
-    changes = [] if request.select else list(change_findings(comparison, base.tree, tree))
-    return [*new_findings(found, before), *changes]
+    changes = change_findings(comparison, base.tree, tree)
+    wanted = [each for each in changes if not request.select or each.rule in request.select]
+    return [*new_findings(found, before), *wanted]
 
 
 def _folder(request: Request) -> Path:
@@ -236,6 +253,14 @@ def _fix(findings: tuple[Finding, ...], workspace: Workspace, request: Request) 
     for path, before, after in fixed_texts(fixes_of(findings, workspace), workspace):
         click.echo(shown(path, before, after), err=True, nl=False)
         (root / path).write_text(after, "utf-8", errors="surrogateescape", newline="")
+
+
+def _print_statistics(findings: tuple[Finding, ...], workspace: Workspace, request: Request) -> None:
+    from ecm_extract.lint.fixes import fixes_of
+
+    write_outputs(request.output, FORMATS, lambda form: _rendered(findings, form))
+    click.echo(statistics_as(request.format, findings, lambda each: bool(fixes_of([each], workspace))), nl=False)
+    sys.stdout.flush()
 
 
 def _print(findings: tuple[Finding, ...], request: Request) -> None:
