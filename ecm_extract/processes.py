@@ -1,4 +1,4 @@
-"""Forked processes of a run: how they begin and end, so that an interrupted run says one sentence and leaves nothing."""
+"""Forked processes of a run: how they begin and end, so that an interrupted run leaves nothing and says one sentence."""
 
 from __future__ import annotations
 

@@ -25,9 +25,9 @@ def open_streams() -> None:
     closed = sys.stdout is None
     for number in range(3):
         _open_if_closed(number)
-    sys.stdin = sys.stdin or open(0)  # noqa: PTH123, SIM115 - the stream of the process
-    sys.stdout = sys.stdout or open(1, "w")  # noqa: PTH123, SIM115
-    sys.stderr = sys.stderr or open(2, "w")  # noqa: PTH123, SIM115
+    sys.stdin = sys.stdin or open(0)  # noqa: SIM115 - the stream of the process
+    sys.stdout = sys.stdout or open(1, "w")  # noqa: SIM115
+    sys.stderr = sys.stderr or open(2, "w")  # noqa: SIM115
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="backslashreplace")

@@ -19,7 +19,9 @@ from ecm_extract.errors import ConfigError
 from ecm_extract.rule_ids import rule_id
 
 FILE_NAME = "ecm-accepted.toml"
-_COMMENT = re.compile(r"ecm:\s*ignore\[(?P<rules>[A-Za-z0-9, ]+?)(?:\s+(?P<key>\w+)=(?P<value>[^\]\s]+))?\](?P<reason>.*)")
+_COMMENT = re.compile(
+    r"ecm:\s*ignore\[(?P<rules>[A-Za-z0-9, ]+?)(?:\s+(?P<key>\w+)=(?P<value>[^\]\s]+))?\](?P<reason>.*)"
+)
 
 
 class Reader(Protocol):

@@ -10,6 +10,7 @@ so plumbing commands are called instead; refs and object names go in by standard
 
 import os
 import re
+import secrets
 import shutil
 import subprocess
 import tempfile
@@ -137,13 +138,14 @@ def _view(repo: GitRepo) -> Iterator[Path]:
 
 @contextmanager
 def _temporary_folder() -> Iterator[Path]:
-    """A folder that also goes when its removal is interrupted."""
-    folder = Path(tempfile.mkdtemp(prefix="ecm-git-"))
+    """A folder that goes wherever its making, its use or its removal is interrupted."""
+    folder = Path(tempfile.gettempdir(), f"ecm-git-{secrets.token_hex(8)}")
     try:
+        folder.mkdir(mode=0o700)
         yield folder
     finally:
         try:
-            shutil.rmtree(folder)
+            shutil.rmtree(folder, ignore_errors=True)
         except BaseException:
             shutil.rmtree(folder, ignore_errors=True)
             raise

@@ -58,12 +58,12 @@ class Request(msgspec.Struct, frozen=True, kw_only=True):
 
 
 @click.command(short_help="Decide whether modules can be installed, composed, upgraded.", epilog=_EPILOG)
-@click.argument("paths", nargs=-1)
+@click.argument("paths", nargs=-1, type=click.Path())
 @click.option("--operation", type=click.Choice(OPERATIONS), default="system", show_default=True, help="What to decide.")
-@click.option("--embodiment", metavar="FILE", help="What the robot has.")
-@click.option("--policy", metavar="FILE", help="What governance allows.")
-@click.option("--runtime", metavar="FILE", help="What is installed and holds.")
-@click.option("--call", metavar="FILE", help="What the caller brings; for invoke.")
+@click.option("--embodiment", type=click.Path(), metavar="FILE", help="What the robot has.")
+@click.option("--policy", type=click.Path(), metavar="FILE", help="What governance allows.")
+@click.option("--runtime", type=click.Path(), metavar="FILE", help="What is installed and holds.")
+@click.option("--call", type=click.Path(), metavar="FILE", help="What the caller brings; for invoke.")
 @click.option("--dimensions", metavar="DIM,...", help="Consult these dimensions only.")
 @click.option("--without", metavar="DIM", multiple=True, help="Do not consult this dimension; may be repeated.")
 @click.option("--together", is_flag=True, help="The modules of a system are known to run together.")

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Final, Literal
 import click
 import msgspec
 
+from ecm_extract.cli.completions import packages, sides
 from ecm_extract.cli.outputs import findings_as, write_outputs
 
 if TYPE_CHECKING:
@@ -48,8 +49,8 @@ class Asked(msgspec.Struct, frozen=True):
 
 
 @click.command(short_help="Say what changed between two releases, and whom it breaks.", epilog=_EPILOG)
-@click.argument("old", required=False)
-@click.argument("new", required=False, default=".")
+@click.argument("old", required=False, shell_complete=sides)
+@click.argument("new", required=False, default=".", shell_complete=sides)
 @click.option("--repo", metavar="DIR", default=".", show_default=True, help="Repository of the refs.")
 @click.option(
     "--consumer",
@@ -57,7 +58,7 @@ class Asked(msgspec.Struct, frozen=True):
     multiple=True,
     help="Packages that use these; their lines that break are findings.  [the new side always is one]",
 )
-@click.option("--package", metavar="NAME", multiple=True, help="Only changes of this package.")
+@click.option("--package", metavar="NAME", multiple=True, shell_complete=packages, help="Only changes of this package.")
 @click.option(
     "--format",
     type=click.Choice(FORMATS),

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Final, Literal, TextIO
 import click
 import msgspec
 
+from ecm_extract.cli.completions import refs
 from ecm_extract.errors import InputError
 
 if TYPE_CHECKING:
@@ -44,8 +45,8 @@ class Request(msgspec.Struct, frozen=True):
 
 
 @click.command(short_help="Write the contract of every module below a path.", epilog=_EPILOG)
-@click.argument("path")
-@click.option("--ref", help="Read a tag, branch or commit, not the files of the folder.")
+@click.argument("path", type=click.Path())
+@click.option("--ref", shell_complete=refs, help="Read a tag, branch or commit, not the files of the folder.")
 @click.option(
     "--format",
     type=click.Choice(["yaml", "json", "summary"]),
@@ -56,11 +57,12 @@ class Request(msgspec.Struct, frozen=True):
 @click.option(
     "-o",
     "--output",
+    type=click.Path(),
     metavar="DIR|-",
     help=f"Where to write; - is standard output.  [default: {DEFAULT_FOLDER}]",
 )
 @click.option("--include-tests", is_flag=True, help="Read test folders too.")
-@click.option("--config", metavar="FILE", help="Use this ecm.toml.  [default: the one in PATH]")
+@click.option("--config", type=click.Path(), metavar="FILE", help="Use this ecm.toml.  [default: the one in PATH]")
 @click.option("--jobs", type=click.IntRange(min=1), help="Worker processes.  [default: one per core]")
 @click.option("--no-cache", is_flag=True, help="Take nothing from the cache and add nothing to it.")
 @click.option("-q", "--quiet", is_flag=True, help="Print no summary.")

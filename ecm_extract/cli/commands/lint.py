@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, Final, Literal, NamedTuple
 import click
 import msgspec
 
+from ecm_extract.cli.completions import lint_rules, refs
 from ecm_extract.cli.outputs import (
     FINDING_FORMATS,
     findings_as,
@@ -61,10 +62,21 @@ class Request(msgspec.Struct, frozen=True):
 
 
 @click.command(short_help="Report what will break somebody, on the line that does.", epilog=_EPILOG)
-@click.argument("path", default=".")
-@click.option("--base", metavar="REF", help="Only what the change from REF brings in, with its interface changes.")
+@click.argument("path", default=".", type=click.Path())
+@click.option(
+    "--base",
+    metavar="REF",
+    shell_complete=refs,
+    help="Only what the change from REF brings in, with its interface changes.",
+)
 @click.option("--patch", metavar="FILE|-", help="Only lines that a patch touches.")
-@click.option("--select", multiple=True, metavar="RULE", help="Only this rule, or all that begin so: LNT0. May be repeated.")
+@click.option(
+    "--select",
+    multiple=True,
+    metavar="RULE",
+    shell_complete=lint_rules,
+    help="Only this rule, or all that begin so: LNT0. May be repeated.",
+)
 @click.option("--statistics", is_flag=True, help="Show how many findings each rule has, and how many --fix mends.")
 @click.option("--format", type=click.Choice(FORMATS), default="text", show_default=True, help="On standard output.")
 @click.option("--output", multiple=True, metavar="FORMAT=FILE", help="Also into a file. May be repeated.")
