@@ -1,10 +1,10 @@
-"""Forked processes of a run: how they begin and end, so that an interrupted run leaves nothing and says one sentence."""
+"""Forked processes of a run: how they begin and end, so that an interrupted run says one sentence only."""
 
 from __future__ import annotations
 
 import gc
+import os
 import signal
-import sys
 from collections.abc import Callable
 from multiprocessing import active_children, get_context
 from multiprocessing.process import BaseProcess
@@ -55,7 +55,7 @@ def _begun(work: Callable[..., None], given: tuple[Any, ...]) -> None:
     if interrupted:
         end_forks()
         close_generators()
-        sys.exit(_INTERRUPTED)
+    os._exit(_INTERRUPTED if interrupted else 0)  # a stream that this process never wrote to may be locked for ever
 
 
 def _leave(_signal: int, _frame: FrameType | None) -> NoReturn:

@@ -117,8 +117,10 @@ def _request(options: dict[str, Any]) -> Request:
 
 def _decide(request: Request) -> Report:
     from ecm_extract.check import decide
+    from ecm_extract.cli.progress import progress_bar
 
-    return decide(request.operation, request.paths, _profiles(request), _dimensions(request), request.together)
+    with progress_bar():
+        return decide(request.operation, request.paths, _profiles(request), _dimensions(request), request.together)
 
 
 def _profiles(request: Request) -> Any:

@@ -16,6 +16,7 @@ from ecm_extract.cli.outputs import findings_as, write_outputs
 if TYPE_CHECKING:
     from ecm_extract.diff.model import Comparison, RefInfo
     from ecm_extract.diff.run import Request
+    from ecm_extract.extraction_model import Progress
 
 FORMATS: Final = ("text", "json", "migration", "markdown", "html", "sarif", "github", "junit")
 
@@ -93,13 +94,14 @@ def command(**options: Any) -> int:
 
 
 def _compare(asked: Asked) -> Comparison:
+    from ecm_extract.cli.progress import progress_bar
     from ecm_extract.diff.run import compare
 
-    return compare(_request(asked))
+    with progress_bar() as progress:
+        return compare(_request(asked, progress))
 
 
-def _request(asked: Asked) -> Request:
-    from ecm_extract.cli.progress import progress_bar
+def _request(asked: Asked, progress: Progress | None) -> Request:
     from ecm_extract.diff.baseline import default_baseline, open_side
     from ecm_extract.diff.model import RefInfo
     from ecm_extract.diff.run import Request
@@ -113,8 +115,7 @@ def _request(asked: Asked) -> Request:
     infos = RefInfo(spec, old.commit, why), RefInfo(asked.new, new.commit, "named")
     _say_baseline(infos)
     repo = find_repo(folder)
-    with progress_bar() as progress:
-        options = Options(asked.include_tests, asked.config, asked.jobs, progress, not asked.no_cache)
+    options = Options(asked.include_tests, asked.config, asked.jobs, progress, not asked.no_cache)
     return Request(
         old=old,
         new=new,

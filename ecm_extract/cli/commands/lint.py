@@ -98,9 +98,12 @@ def command(**options: Any) -> int:
 
     Findings go to standard output, the summary to standard error.
     """
+    from ecm_extract.cli.progress import progress_bar
+
     request = Request(**{**options, "select": _selected(options["select"])})
     refuse_statistics_as(request.format, request.statistics)
-    findings, workspace = _findings(request)
+    with progress_bar() as progress:
+        findings, workspace = _findings(request, progress)
     if request.write_baseline:
         return _write_baseline(findings, request)
     answered = _answered(findings, workspace, request)
@@ -124,12 +127,12 @@ def _selected(texts: tuple[str, ...]) -> frozenset[str]:
     return rules_meant(texts, lint_rule_ids())
 
 
-def _findings(request: Request) -> tuple[list[Finding], Workspace]:
+def _findings(request: Request, progress: Progress | None) -> tuple[list[Finding], Workspace]:
     from ecm_extract.tree import open_tree
 
     tree = open_tree(request.path)
     parsed: dict[str, Any] = {}
-    read = _read(tree, request, parsed)
+    read = _read(tree, _options(request, progress), parsed)
     base = _base(request, parsed) if request.base is not None else None
     workspace = _workspace(read, request)
     found = _run(workspace, request)
@@ -145,12 +148,10 @@ def _findings(request: Request) -> tuple[list[Finding], Workspace]:
     return found, workspace
 
 
-def _read(tree: Tree, request: Request, parsed: dict[str, Any]) -> PackagesRead:
-    from ecm_extract.cli.progress import progress_bar
+def _read(tree: Tree, options: Options, parsed: dict[str, Any]) -> PackagesRead:
     from ecm_extract.entities.side import read_packages
 
-    with progress_bar() as progress:
-        return read_packages(tree, _options(request, progress), parsed)
+    return read_packages(tree, options, parsed)
 
 
 def _workspace(read: PackagesRead, request: Request) -> Workspace:
@@ -189,7 +190,7 @@ def _base(request: Request, parsed: dict[str, Any]) -> Base:
     tree = open_side(str(request.base), _folder(request))
 
     def work() -> tuple[list[Finding], Side]:
-        workspace = _workspace(_read(tree, request, parsed), request)
+        workspace = _workspace(_read(tree, _options(request, None), parsed), request)
         return _run(workspace, request), side_of(workspace.as_side())
 
     return Base(tree, meanwhile(work, request.jobs))
