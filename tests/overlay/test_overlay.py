@@ -23,6 +23,8 @@ class N : public rclcpp::Node {
 public:
   N() : Node("n") {
     declare_parameter<double>("cmd_vel_timeout", 0.5);
+    declare_parameter<double>("server_timeout", 0.5);
+    create_service<std_srvs::srv::Trigger>("stop", f);
     create_subscription<sensor_msgs::msg::LaserScan>("scan", 10, f);
   }
 };
