@@ -83,7 +83,7 @@ class Interface(msgspec.Struct, frozen=True):
 
 
 class Source(msgspec.Struct, frozen=True):
-    """Where the module's package was read."""
+    """Where the module was read: repository, commit, and the file in it that declares the module."""
 
     repository: str | None
     commit: str | None
@@ -93,7 +93,8 @@ class Source(msgspec.Struct, frozen=True):
 class Identity(msgspec.Struct, frozen=True):
     """Section `ecm`: which module this is.
 
-    `kind`: node, component, nodelet, controller, hardware, plugin, interface, library, script.
+    `kind`: node, component, nodelet, controller, hardware, plugin, script; of a package without any of them interface,
+    launch (it only starts others) or library.
     """
 
     module_id: str

@@ -70,7 +70,7 @@ def _print_endpoints(extraction: Extraction, console: Console) -> None:
 
 def _print_completeness(extraction: Extraction, console: Console) -> None:
     missing = Counter(field for module in modules(extraction) for field in module.missing)
-    asked = len(required_fields()) * sum(1 for _ in modules(extraction))
+    asked = sum(len(required_fields(module.ecm.kind)) for module in modules(extraction))
     if not asked:
         return
     filled = asked - missing.total()

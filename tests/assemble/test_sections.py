@@ -140,8 +140,7 @@ def test_field(body: str, read: Read, expected: object, workspace: Workspace) ->
         'create_publisher<geometry_msgs::msg::TwistStamped>("imu/velocity", 10);',
         'create_subscription<geometry_msgs::msg::TwistStamped>("gnss/velocity", 10, f);',
         'create_publisher<geometry_msgs::msg::Twist>("measured_velocity", 10);',
-        'c_ = create_client<std_srvs::srv::Trigger>("stop"); '
-        's_ = create_subscription<std_msgs::msg::Bool>("go", 1, [this](std_msgs::msg::Bool::SharedPtr) { c_->wait_for_service(1s); });',
+        'c_ = create_client<A>("stop"); s_ = create_subscription<B>("go", 1, [this](B::SharedPtr) { c_->wait_for_service(1s); });',
     ],
 )
 def test_nothing_is_invented(body: str, workspace: Workspace) -> None:
