@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any, Final, TypeVar
 
@@ -12,6 +12,7 @@ from ecm_checker.encode import decode
 from ecm_parsers.yaml_tree import parse_yaml, plain
 
 from ecm_extract.errors import InputError
+from ecm_extract.extraction_model import LocatedDiagnostic
 from ecm_extract.report.manifest_yaml import SUFFIX
 
 MAX_BYTES: Final = 200_000_000
@@ -20,13 +21,22 @@ _YAML: Final = frozenset({".yaml", ".yml"})
 _Profile = TypeVar("_Profile", bound=msgspec.Struct)
 
 
-def contracts(path: str, cache: bool = True) -> tuple[Contract, ...]:
+Told = Callable[[Sequence[LocatedDiagnostic]], None]
+"""Takes the diagnostics of a tree that was read."""
+
+
+def silent(_diagnostics: Sequence[LocatedDiagnostic]) -> None:
+    """Tell nobody."""
+
+
+def contracts(path: str, cache: bool = True, told: Told = silent) -> tuple[Contract, ...]:
     """Contracts that a path names.
 
     Args:
         path: a manifest, an extract document (`.json`), a folder with manifests below it, or else a source tree
             or `DIR@REF`, which is then extracted.
         cache: let the extraction use the cache.
+        told: gets what was said of the sources.
 
     Raises:
         InputError: nothing is there, or it holds no contract.
@@ -37,7 +47,7 @@ def contracts(path: str, cache: bool = True) -> tuple[Contract, ...]:
     manifests = sorted(found for found in place.rglob(f"*{SUFFIX}") if found.is_file())
     if manifests:
         return tuple(contract for file in manifests for contract in _of_file(file))
-    return _extracted(path, cache)
+    return _extracted(path, cache, told)
 
 
 def launched_contracts(path: str, words: Sequence[str], cache: bool = True) -> tuple[Contract, ...]:
@@ -128,12 +138,13 @@ def _yaml(path: Path, data: bytes) -> Iterator[Any]:
     yield from map(plain, parsed.facts)
 
 
-def _extracted(path: str, cache: bool) -> tuple[Contract, ...]:
+def _extracted(path: str, cache: bool, told: Told) -> tuple[Contract, ...]:
     from ecm_extract.extraction import extract
     from ecm_extract.extraction_model import Options
     from ecm_extract.tree import open_tree
 
     extraction = extract(open_tree(path, None), Options(cache=cache))
+    told(extraction.diagnostics)
     found = tuple(module for package in extraction.packages for module in package.modules)
     if not found:
         message = f"{path} holds neither manifests nor ROS packages"

@@ -9,6 +9,7 @@ import msgspec
 from ecm_checker.contract import Contract, Evidence, Interface
 
 from ecm_extract.extraction_model import Extraction, LocatedDiagnostic
+from ecm_extract.overlay.problems import is_of_overlay
 
 _UNTYPED_ROLES: Final = frozenset({"parameter", "tf_broadcast", "tf_lookup"})
 
@@ -60,7 +61,10 @@ def _interface_gaps(extraction: Extraction) -> Iterator[tuple[str, str, str]]:
 
 
 def _diagnostic_gaps(extraction: Extraction) -> Iterator[tuple[str, str, str]]:
+    """Those of overlays are a person's own and told one by one, see `overlay.problems`."""
     for each in extraction.diagnostics:
+        if is_of_overlay(each):
+            continue
         yield f"{each.severity}: {each.code}", _line_of(each), each.message
 
 

@@ -16,10 +16,14 @@ from ecm_extract.cli.outputs import (
     statistics_as,
     write_outputs,
 )
+from ecm_extract.cli.overlays import WRONG_INPUT, tell_overlay_problems
 from ecm_extract.errors import InputError
 
 if TYPE_CHECKING:
     from ecm_checker.outcome import Report
+
+    from ecm_extract.check import Given
+    from ecm_extract.extraction_model import LocatedDiagnostic
 
 OPERATIONS: Final = ("system", "compose", "chain", "install", "upgrade", "invoke")
 FORMATS: Final = ("text", "json", *FINDING_FORMATS)
@@ -102,8 +106,11 @@ def command(ctx: click.Context, /, **options: Any) -> None:
         message = "name at least one manifest, folder or tree"
         raise click.UsageError(message, ctx)
     refuse_statistics_as(request.format, request.statistics)
-    report = _decide(request)
+    diagnostics: list[LocatedDiagnostic] = []
+    report = _decide(request, diagnostics)
     _print(report, request)
+    if tell_overlay_problems(diagnostics):
+        ctx.exit(WRONG_INPUT)
     if _fails(report, request.fail_on):
         ctx.exit(1)
 
@@ -115,15 +122,17 @@ def _request(options: dict[str, Any]) -> Request:
     return Request(paths=paths, **options)
 
 
-def _decide(request: Request) -> Report:
+def _decide(request: Request, diagnostics: list[LocatedDiagnostic]) -> Report:
     from ecm_extract.check import decide
     from ecm_extract.cli.progress import progress_bar
 
     with progress_bar():
-        return decide(request.operation, request.paths, _profiles(request), _dimensions(request), request.together)
+        return decide(
+            request.operation, request.paths, _given(request, diagnostics), _dimensions(request), request.together
+        )
 
 
-def _profiles(request: Request) -> Any:
+def _given(request: Request, diagnostics: list[LocatedDiagnostic]) -> Given:
     from ecm_checker.profiles import Call, Embodiment, Policy, Runtime
 
     from ecm_extract.check import Given
@@ -136,6 +145,7 @@ def _profiles(request: Request) -> Any:
         profile(request.call, Call),
         not request.no_cache,
         request.launch,
+        diagnostics.extend,
     )
 
 

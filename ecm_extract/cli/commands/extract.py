@@ -12,6 +12,7 @@ import click
 import msgspec
 
 from ecm_extract.cli.completions import refs
+from ecm_extract.cli.overlays import tell_overlay_problems
 from ecm_extract.errors import InputError
 
 if TYPE_CHECKING:
@@ -66,7 +67,7 @@ class Request(msgspec.Struct, frozen=True):
 @click.option("--jobs", type=click.IntRange(min=1), help="Worker processes.  [default: one per core]")
 @click.option("--no-cache", is_flag=True, help="Take nothing from the cache and add nothing to it.")
 @click.option("-q", "--quiet", is_flag=True, help="Print no summary.")
-def command(**options: Any) -> None:
+def command(**options: Any) -> int:
     """Read the ROS packages below PATH and write the contract of every module.
 
     PATH is a folder in or above which packages lie, or DIR@REF. The summary goes to standard output; with
@@ -81,6 +82,7 @@ def command(**options: Any) -> None:
         _print_documents(extraction, request)
     else:
         _write_documents(extraction, request)
+    return tell_overlay_problems(extraction.diagnostics)
 
 
 def _refuse_contradictions(request: Request) -> None:
