@@ -66,7 +66,7 @@ class Interface(msgspec.Struct, frozen=True):
         frame: `header.frame_id` or the transform's frames, where seen.
         confidence: `literal`, `folded` (computed from constants), `default` (from a parameter's default),
             `pattern`.
-        evidence: the declaring line first, then the lines it came through (wrappers).
+        evidence: the line that names it first, the outermost call of wrappers, then inwards; see the manual.
         inherited_from: class or package that brings it, when not the module itself.
     """
 
