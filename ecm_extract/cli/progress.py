@@ -40,18 +40,21 @@ class _LateBar:
             if self._bar is None or self._task is None:
                 return
             if done < total:
-                self._bar.update(self._task, description=_READING, completed=done, total=total)
+                self._bar.update(
+                    self._task, description=_READING, completed=done, total=total, counted=f"{done}/{total}"
+                )
             else:
-                self._bar.update(self._task, description=_WORKING, completed=0, total=None)
+                self._bar.update(self._task, description=_WORKING, completed=0, total=None, counted="")
 
     def _show(self) -> None:
         from rich.console import Console
-        from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+        from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
-        columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+        counted = TextColumn("{task.fields[counted]}")
+        columns = (TextColumn("{task.description}"), BarColumn(), counted, TimeElapsedColumn())
         with self._lock:
             self._bar = Progress(*columns, console=Console(stderr=True), transient=True)
-            self._task = self._bar.add_task(_WORKING, total=None)
+            self._task = self._bar.add_task(_WORKING, total=None, counted="")
             self._bar.start()
 
     def close(self) -> None:

@@ -53,6 +53,7 @@ def run(arguments: Sequence[str]) -> int:
         sys.stdout.flush()
     except (BrokenPipeError, OutputClosedError):
         abandon_output()
+        _clean_up()
         return _PIPE_CLOSED
     except click.exceptions.NoArgsIsHelpError as help_page:
         help_page.show()

@@ -97,11 +97,12 @@ def test_forks_end_with_their_parent() -> None:
     assert process.exitcode is not None
 
 
-def test_ctrl_c_says_one_sentence(tmp_path: Path) -> None:
+@pytest.mark.parametrize("number", ["SIGINT", "SIGTERM"])
+def test_an_interrupted_run_says_one_sentence(number: str) -> None:
     """Status 130, no traceback, whatever was under way."""
     code = (
         "import os, signal, threading\n"
-        "threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT)).start()\n"
+        f"threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.{number})).start()\n"
         "import ecm_extract.tree, time\n"
         "ecm_extract.tree.open_tree = lambda *_: time.sleep(60)\n"
         "from ecm_extract.cli import main\nimport sys\n"
