@@ -18,12 +18,15 @@ from ecm_checker.operations.system import system
 from ecm_checker.outcome import Report
 from ecm_checker.profiles import Call, Embodiment, Policy, Profiles, Runtime
 
-from ecm_extract.check_inputs import Subject, launched_contracts, subject
+from ecm_extract.check_inputs import Subject, Told, launched_contracts, silent, subject
 from ecm_extract.errors import InputError
 
 
 class Given(msgspec.Struct, frozen=True):
-    """Profiles that the user gave, launch files to compose by, and whether the cache may be used."""
+    """Profiles that the user gave, launch files to compose by, and how trees are read.
+
+    `cache`: it may be used. `told`: takes what is said of a tree that was read.
+    """
 
     embodiment: Embodiment | None = None
     policy: Policy | None = None
@@ -31,6 +34,7 @@ class Given(msgspec.Struct, frozen=True):
     call: Call | None = None
     cache: bool = True
     launch: tuple[str, ...] = ()
+    told: Told = silent
 
     @property
     def profiles(self) -> Profiles:
@@ -57,7 +61,7 @@ def decide(operation: str, paths: Sequence[str], given: Given, dimensions: Dimen
     """
     if given.launch:
         return _launched(operation, paths, given, dimensions)
-    subjects = [subject(path, given.cache) for path in paths]
+    subjects = [subject(path, given.cache, given.told) for path in paths]
     groups = [each.contracts for each in subjects]
     if operation == "system":
         packages = _packages(subjects)

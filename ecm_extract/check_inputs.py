@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Final, NamedTuple, TypeVar
 
@@ -14,6 +14,7 @@ from ecm_checker.hub.package import Package
 from ecm_parsers.yaml_tree import parse_yaml, plain
 
 from ecm_extract.errors import InputError
+from ecm_extract.extraction_model import LocatedDiagnostic
 from ecm_extract.report.manifest_yaml import SUFFIX
 from ecm_extract.stored import is_stored, package_of, read_stored
 
@@ -23,6 +24,14 @@ _YAML: Final = frozenset({".yaml", ".yml"})
 _Profile = TypeVar("_Profile", bound=msgspec.Struct)
 
 
+Told = Callable[[Sequence[LocatedDiagnostic]], None]
+"""Takes the diagnostics of a tree that was read."""
+
+
+def silent(_diagnostics: Sequence[LocatedDiagnostic]) -> None:
+    """Tell nobody."""
+
+
 class Subject(msgspec.Struct, frozen=True):
     """What a path names: contracts of modules, and the documents of their packages where they are at hand."""
 
@@ -30,13 +39,14 @@ class Subject(msgspec.Struct, frozen=True):
     packages: tuple[Package, ...] = ()
 
 
-def subject(path: str, cache: bool = True) -> Subject:
+def subject(path: str, cache: bool = True, told: Told = silent) -> Subject:
     """What a path names.
 
     Args:
         path: a manifest, a document (`.json`), a folder with manifests below it, or else a source tree or
             `DIR@REF`, which is then extracted.
         cache: let the extraction use the cache.
+        told: gets what was said of the sources.
 
     Raises:
         InputError: nothing is there, or it holds no contract.
@@ -48,7 +58,7 @@ def subject(path: str, cache: bool = True) -> Subject:
     if manifests:
         found = tuple(contract for file in manifests for contract in _of_file(file))
         return Subject(found, read_stored(path).packages if next(place.rglob(f"*{DOCUMENT}"), None) else ())
-    return _extracted(path, cache)
+    return _extracted(path, cache, told)
 
 
 class LaunchedContracts(NamedTuple):
@@ -153,12 +163,13 @@ def _yaml(path: Path, data: bytes) -> Iterator[Any]:
     yield from map(plain, parsed.facts)
 
 
-def _extracted(path: str, cache: bool) -> Subject:
+def _extracted(path: str, cache: bool, told: Told) -> Subject:
     from ecm_extract.extraction import extract
     from ecm_extract.extraction_model import Options
     from ecm_extract.tree import open_tree
 
     extraction = extract(open_tree(path, None), Options(cache=cache, hub=True))
+    told(extraction.diagnostics)
     found = tuple(module for package in extraction.packages for module in package.modules)
     if not found:
         message = f"{path} holds neither manifests nor ROS packages"

@@ -10,6 +10,7 @@ import msgspec
 
 from ecm_extract.errors import ConfigError
 from ecm_extract.link.forms import Form
+from ecm_extract.rule_ids import rule_id
 from ecm_extract.tree import printable
 
 FILE_NAME = "ecm.toml"
@@ -82,11 +83,12 @@ def parse_config(data: bytes, path: str = FILE_NAME) -> Config:
     table = _toml(text, path)
     _check_levels(table.get("severity"), text, path)
     try:
-        return msgspec.convert(table, Config)
+        config = msgspec.convert(table, Config)
     except msgspec.ValidationError as error:
         steps, message = _explain(str(error))
         key = ".".join(str(step) for step in steps if isinstance(step, str))
         raise ConfigError(path, locate(text, steps), printable(key), message) from None
+    return msgspec.structs.replace(config, severity={rule_id(rule): level for rule, level in config.severity.items()})
 
 
 def _check_levels(severity: object, text: str, path: str) -> None:

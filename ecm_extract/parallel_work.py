@@ -5,9 +5,12 @@ from __future__ import annotations
 import pickle
 import threading
 from collections.abc import Callable
-from multiprocessing import get_context
+from contextlib import suppress
+from multiprocessing import Pipe
 from multiprocessing.connection import Connection
 from typing import Generic, TypeVar
+
+from ecm_extract.processes import forked
 
 _Result = TypeVar("_Result")
 
@@ -22,10 +25,8 @@ class Background(Generic[_Result]):
     def __init__(self, work: Callable[[], _Result]) -> None:
         self._work = work
         self._received: bytes | None = None
-        context = get_context("fork")
-        receiver, sender = context.Pipe(duplex=False)
-        self._process = context.Process(target=_run, args=(work, sender), daemon=True)
-        self._process.start()
+        receiver, sender = Pipe(duplex=False)
+        self._process = forked(_run, work, sender)
         sender.close()
         self._thread = threading.Thread(target=self._receive, args=(receiver,), daemon=True)
         self._thread.start()
@@ -53,5 +54,7 @@ def meanwhile(work: Callable[[], _Result], jobs: int | None) -> Callable[[], _Re
 
 
 def _run(work: Callable[[], object], sender: Connection) -> None:
-    sender.send_bytes(pickle.dumps(work(), pickle.HIGHEST_PROTOCOL))
+    """An error is not told here: the parent does the work again, and meets it where it can be answered."""
+    with suppress(Exception):
+        sender.send_bytes(pickle.dumps(work(), pickle.HIGHEST_PROTOCOL))
     sender.close()

@@ -3,36 +3,50 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Mapping
 from pathlib import Path
 
 from ecm_checker.catalogue import catalogue as checker_rules
 from ecm_checker.rule import Rule
 
+from ecm_extract.diff.break_findings import NAME as BREAK_NAME
 from ecm_extract.diff.break_findings import RULE as BREAK
 from ecm_extract.errors import InputError
 from ecm_extract.lint.catalogue import catalogue as lint_rules
 from ecm_extract.lint.rule import LintRule
+from ecm_extract.rule_ids import rule_named
 
 _INSTALLED = Path(sys.prefix) / "share" / "ecm-extract" / "rules"
 _BESIDE = Path(__file__).parent.parent / "docs" / "rules"
 
 
 def every_rule() -> list[Rule | LintRule]:
-    """Return every rule, by id."""
+    """Return every rule of check and of lint, by id."""
     found: list[Rule | LintRule] = [entry.rule for entry in checker_rules()]
     found += [entry.rule for entry in lint_rules()]
     return sorted(found, key=lambda rule: rule.id)
 
 
-def page_of(rule: str) -> str:
+def rule_names() -> Mapping[str, str]:
+    """Return the name of every rule by its id, that of diff too."""
+    return {BREAK: BREAK_NAME, **{rule.id: rule.name for rule in every_rule()}}
+
+
+def lint_rule_ids() -> frozenset[str]:
+    """Return the rules whose findings lint may show; those of diff come with `--base`."""
+    return frozenset({BREAK, *(entry.rule.id for entry in lint_rules())})
+
+
+def page_of(name: str) -> str:
     """Return the page of a rule as Markdown.
+
+    Args:
+        name: its id, in any case.
 
     Raises:
         InputError: there is no such rule.
     """
-    if rule not in {BREAK, *(entry.id for entry in every_rule())}:
-        message = f"there is no rule {rule}"
-        raise InputError(message, "`ecm-extract rules` lists them")
+    rule = rule_named(name, rule_names())
     pages = (folder / f"{rule}.md" for folder in (_BESIDE, _INSTALLED))
     page = next((path for path in pages if path.is_file()), None)
     if page is None:

@@ -66,7 +66,7 @@ class Interface(msgspec.Struct, frozen=True):
         frame: `header.frame_id` or the transform's frames, where seen.
         confidence: `literal`, `folded` (computed from constants), `default` (from a parameter's default),
             `pattern`.
-        evidence: the declaring line first, then the lines it came through (wrappers).
+        evidence: the line that names it first, the outermost call of wrappers, then inwards; see the manual.
         inherited_from: class or package that brings it, when not the module itself.
     """
 
@@ -83,7 +83,7 @@ class Interface(msgspec.Struct, frozen=True):
 
 
 class Source(msgspec.Struct, frozen=True):
-    """Where the module's package was read."""
+    """Where the module was read: repository, commit, and the file in it that declares the module."""
 
     repository: str | None
     commit: str | None
@@ -93,7 +93,8 @@ class Source(msgspec.Struct, frozen=True):
 class Identity(msgspec.Struct, frozen=True):
     """Section `ecm`: which module this is.
 
-    `kind`: node, component, nodelet, controller, hardware, plugin, interface, library, script.
+    `kind`: node, component, nodelet, controller, hardware, plugin, script; of a package without any of them interface,
+    launch (it only starts others) or library.
     """
 
     module_id: str

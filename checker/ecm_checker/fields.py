@@ -6,6 +6,11 @@ model's (`coord_frame`, `handoff_semantics`, `physical_perms`, ...) it is kept b
 
 from __future__ import annotations
 
+import tomllib
+from collections.abc import Mapping
+from functools import cache
+from importlib import resources
+from types import MappingProxyType
 from typing import Final, NamedTuple
 
 from ecm_checker.contract import Contract
@@ -67,14 +72,26 @@ FIELDS: Final = (
 )
 
 
-def required_fields() -> tuple[str, ...]:
-    """Paths of the fields that a complete contract fills, in the order of the table."""
-    return tuple(row.path for row in FIELDS if row.required)
+def required_fields(kind: str = "node") -> tuple[str, ...]:
+    """Paths of the fields that a complete contract fills, in the order of the table.
+
+    Args:
+        kind: of the module; one that is not known needs what a node needs.
+    """
+    every = tuple(row.path for row in FIELDS if row.required)
+    wanted = _by_kind().get(kind, every)
+    return tuple(path for path in every if path in wanted)
 
 
 def missing_fields(contract: Contract) -> tuple[str, ...]:
-    """Required fields of a contract that nothing declares, infers or defaults, in the order of the table."""
-    return tuple(path for path in required_fields() if _read(contract, path) is None)
+    """Fields that a module of its kind needs and nothing declares, infers or defaults, in the order of the table."""
+    return tuple(path for path in required_fields(contract.ecm.kind) if _read(contract, path) is None)
+
+
+@cache
+def _by_kind() -> Mapping[str, tuple[str, ...]]:
+    text = (resources.files("ecm_checker") / "data" / "required.toml").read_text("utf-8")
+    return MappingProxyType({kind: tuple(paths) for kind, paths in tomllib.loads(text)["kinds"].items()})
 
 
 def _read(contract: Contract, path: str) -> object:

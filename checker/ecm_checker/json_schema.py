@@ -11,7 +11,7 @@ from typing import Any, Final
 
 import msgspec
 
-from ecm_checker import profiles, wire
+from ecm_checker import overlay, profiles, wire
 from ecm_checker.hub import package
 
 _DIALECT: Final = "https://json-schema.org/draft/2020-12/schema"
@@ -22,6 +22,7 @@ _DOCUMENTS: Final[dict[str, tuple[type[msgspec.Struct], str, str]]] = {
     "embodiment": (profiles.Embodiment, "ecm-extract/embodiment/1", "What a robot has"),
     "policy": (profiles.Policy, "ecm-extract/policy/1", "What governance allows"),
     "runtime": (profiles.Runtime, "ecm-extract/runtime/1", "What is installed and holds"),
+    "overlay": (overlay.Overlay, overlay.OVERLAY_SCHEMA, "What people declare of the modules of a package"),
     "call": (profiles.Call, "ecm-extract/call/1", "What a caller brings"),
 }
 

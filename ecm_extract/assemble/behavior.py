@@ -37,10 +37,13 @@ def behavior_of(entry: LinkedModule) -> Behavior:
 
 
 def _preconditions(entry: LinkedModule) -> Value | None:
-    """What the module waits for, and the lifecycle state in which it works."""
+    """What the module waits for before it is active, and the lifecycle state in which it works.
+
+    A callback that waits delays itself: the module is active all the same.
+    """
     found: dict[str, Evidence] = {}
     for seen in entry.observations:
-        if seen.kind in _WAITS:
+        if seen.kind in _WAITS and seen.beginning:
             found.setdefault(_awaited(seen, entry.interfaces), seen.evidence)
     for edge in entry.interfaces:
         if edge.role == "tf_lookup" and edge.frame and "{" not in edge.frame:

@@ -8,10 +8,12 @@ from collections.abc import Iterable, Sequence
 import msgspec
 from ecm_checker.contract import Contract, Identity, Source
 from ecm_checker.fields import missing_fields
+from ecm_parsers.source.facts import SourceFile
 
 from ecm_extract.assemble.behavior import behavior_of
 from ecm_extract.assemble.controller_settings import ControllerSettings
 from ecm_extract.assemble.definitions import Definitions
+from ecm_extract.assemble.distinct_names import distinct
 from ecm_extract.assemble.permissions import permissions_of
 from ecm_extract.assemble.recovery import recovery_of
 from ecm_extract.assemble.resources import resources_of
@@ -21,6 +23,7 @@ from ecm_extract.extraction_model import PackageContracts
 from ecm_extract.link.linker import LinkedModule
 from ecm_extract.overlay.merge import overlaid
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.system.launch_files import is_launch_file
 from ecm_extract.tree import Tree
 
 
@@ -50,7 +53,7 @@ def _package(
     if facts.overlay is not None:
         contracts = overlaid(tree, *facts.overlay, contracts)
     ros = facts.ros if facts.ros in {1, 2} else None
-    modules = tuple(sorted(_distinct(contracts), key=lambda contract: contract.ecm.module_id))
+    modules = tuple(sorted(distinct(contracts), key=lambda contract: contract.ecm.module_id))
     return PackageContracts(facts.name, version, facts.root.path or ".", ros, modules)  # type: ignore[arg-type]
 
 
@@ -72,12 +75,26 @@ def _contract(
 
 
 def _package_contract(tree: Tree, facts: PackageFacts, definitions: Definitions) -> Contract:
-    """The contract of what a package offers as a whole: its interface files, or a library without endpoints."""
-    kind = "interface" if facts.interfaces else "library"
+    """The contract of what a package offers as a whole: its interface files, its launch files, or a library."""
+    kind = _package_kind(facts)
     path = facts.root.manifest or facts.root.path
     identity = _identity(tree, facts, "interfaces" if facts.interfaces else facts.name, kind, path)
     contract = Contract(ecm=identity, versioning=versioning_of(facts, definitions))
     return msgspec.structs.replace(contract, missing=missing_fields(contract))
+
+
+def _package_kind(facts: PackageFacts) -> str:
+    """A package whose launch files start the modules of others has no source of its own beside them."""
+    if facts.interfaces:
+        return "interface"
+    has_code = any(_declares(source) for path, source in facts.sources.items() if not is_launch_file(path))
+    launches = any(is_launch_file(entry.path) for entry in facts.root.files)
+    return "launch" if launches and not has_code else "library"
+
+
+def _declares(source: SourceFile) -> bool:
+    """A setup.py and an empty `__init__.py` declare nothing that others could use."""
+    return bool(source.classes) or any(function.name != "<module>" for function in source.functions)
 
 
 def _identity(tree: Tree, facts: PackageFacts, name: str, kind: str, path: str) -> Identity:
@@ -89,16 +106,3 @@ def _identity(tree: Tree, facts: PackageFacts, name: str, kind: str, path: str) 
         source=Source(tree.repository, tree.commit, path),
         ros=facts.ros if facts.ros in {1, 2} else None,  # type: ignore[arg-type]
     )
-
-
-def _distinct(contracts: list[Contract]) -> list[Contract]:
-    """Number modules that share an id, in the order of their paths, so that none is lost."""
-    seen: dict[str, int] = {}
-    result = []
-    for contract in sorted(contracts, key=lambda entry: (entry.ecm.module_id, entry.ecm.source.path)):
-        count = seen[contract.ecm.module_id] = seen.get(contract.ecm.module_id, 0) + 1
-        if count > 1:
-            renamed = msgspec.structs.replace(contract.ecm, module_id=f"{contract.ecm.module_id}_{count}")
-            contract = msgspec.structs.replace(contract, ecm=renamed)
-        result.append(contract)
-    return result

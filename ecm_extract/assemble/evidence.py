@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 from ecm_checker.contract import Confidence, Evidence, Interface, Value
 
 MAX_LINES = 20
+_WATCHDOG = re.compile(
+    r"cmd_vel_timeout|command_timeout|cmd_timeout|reference_timeout|watchdog|deadman|velocity_timeout|goal_timeout"
+)
 _RANK: dict[Confidence, int] = {"literal": 0, "folded": 1, "default": 2, "pattern": 3}
 
 
@@ -39,3 +43,8 @@ def number_of(interface: Interface) -> float | None:
     """Return the default of a parameter when it is a number."""
     default = interface.default
     return float(default) if isinstance(default, int | float) and not isinstance(default, bool) else None
+
+
+def is_watchdog(name: str) -> bool:
+    """Tell of the name of a parameter whether it says after how long without commands a module stops."""
+    return _WATCHDOG.search(name) is not None

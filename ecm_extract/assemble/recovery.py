@@ -9,7 +9,7 @@ from ecm_checker.contract import Evidence, Interface, Recovery, Value
 from ecm_parsers.behavior_tree import retries
 
 from ecm_extract.assemble.definitions import Definitions
-from ecm_extract.assemble.evidence import inferred, number_of, of_interfaces, parameters_where
+from ecm_extract.assemble.evidence import inferred, is_watchdog, number_of, of_interfaces, parameters_where
 from ecm_extract.link.linker import LinkedModule
 from ecm_extract.read.facts import PackageFacts
 
@@ -17,9 +17,6 @@ _RETRY = re.compile(
     r"(?:^|_)(?:max_)?(?:retry|retries|num_retries|number_of_retries|attempts|max_attempts|failure_count)$"
 )
 _TREE = re.compile(r"bt_xml|behavior_tree|behaviour_tree|bt_filename|tree_file")
-_WATCHDOG = re.compile(
-    r"cmd_vel_timeout|command_timeout|cmd_timeout|reference_timeout|watchdog|deadman|velocity_timeout|goal_timeout"
-)
 _NO_FAILURE = frozenset({"NONE", "SUCCESS", "SUCCEEDED", "OK", "SUCCESSFUL", "NO_ERROR"})
 _FORMAT = re.compile(r"%[-+ #0-9.]*[a-zA-Z]|\{[^}]*\}")
 _NO_WORD = re.compile(r"[^a-z0-9]+")
@@ -88,7 +85,7 @@ def _retry_of_trees(interfaces: Iterable[Interface], facts: PackageFacts) -> Val
 
 def _safe_stop(interfaces: Iterable[Interface]) -> Value | None:
     """A module that stops by itself when commands cease has a parameter for how long it waits."""
-    found = parameters_where(interfaces, lambda name: _WATCHDOG.search(name) is not None)
+    found = parameters_where(interfaces, is_watchdog)
     return of_interfaces([f"stop after {entry.name}" for entry in found], found)
 
 

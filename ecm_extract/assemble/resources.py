@@ -18,15 +18,20 @@ from ecm_extract.link.linker import LinkedModule
 from ecm_extract.read.facts import PackageFacts
 
 _PARAMETER = re.compile(r"\$\{([^={}]+)=((?:[^{}]|\{[^{}]*\})*)\}")
+_BETWEEN_WORDS = re.compile(r"[/_]")
 _TOPICS = frozenset({"publisher", "subscriber"})
 _CONTROL_RATES = frozenset({"update_rate", "controller_frequency", "control_rate", "control_frequency"})
 
 
 class Actuator(msgspec.Struct, frozen=True):
-    """What a type moves; with `topics`, only on topics whose last part holds one of them."""
+    """What a type moves; with `commands`, only on topics whose name has one of these words.
+
+    Who receives the type also moves on topics with a word of `obeys`, where others may publish what they measured.
+    """
 
     part: str
-    topics: tuple[str, ...] = ()
+    commands: tuple[str, ...] = ()
+    obeys: tuple[str, ...] = ()
 
 
 class HardwareTable(msgspec.Struct, frozen=True):
@@ -34,6 +39,11 @@ class HardwareTable(msgspec.Struct, frozen=True):
 
     sensors: dict[str, str]
     actuators: dict[str, Actuator]
+
+    def moved(self, role: str, kind: str | None, name: str) -> str | None:
+        """Return what an endpoint of this role, type and name moves; None when it moves nothing for sure."""
+        actuator = self.actuators.get(kind or "") if role != "parameter" else None
+        return actuator.part if actuator is not None and _is_command(actuator, role, name) else None
 
 
 @cache
@@ -62,14 +72,10 @@ def _sensors(interfaces: Sequence[Interface]) -> Value | None:
 
 def actuators_of(entry: LinkedModule) -> Value | None:
     """Return what a module moves: by the types of its topics and actions, and by the hardware that it commands."""
-    table = hardware_table().actuators
-    found = [
-        each
-        for each in entry.interfaces
-        if each.type in table and each.role != "parameter" and _moves(each, table[each.type or ""])
-    ]
-    parts = {table[each.type or ""].part for each in found}
-    evidence = [each.evidence[0] for each in found]
+    table = hardware_table()
+    moved = [(each, table.moved(each.role, each.type, each.name)) for each in entry.interfaces]
+    parts = {part for _, part in moved if part is not None}
+    evidence = [each.evidence[0] for each, part in moved if part is not None]
     commands = [claim for claim in entry.claims or () if claim.kind == "command"]
     if commands:
         parts.add("joints")
@@ -77,9 +83,10 @@ def actuators_of(entry: LinkedModule) -> Value | None:
     return inferred(sorted(parts), evidence)
 
 
-def _moves(interface: Interface, actuator: Actuator) -> bool:
-    last = interface.name.rsplit("/", 1)[-1]
-    return not actuator.topics or any(word in last for word in actuator.topics)
+def _is_command(actuator: Actuator, role: str, name: str) -> bool:
+    """Where a type is also a measurement, only the topic tells."""
+    words = actuator.commands + (actuator.obeys if role == "subscriber" else ())
+    return not actuator.commands or not set(words).isdisjoint(_BETWEEN_WORDS.split(name))
 
 
 def _compute(facts: PackageFacts) -> Value | None:

@@ -9,11 +9,19 @@ from typing import Any
 from ecm_checker.contract import Interface, Signature, Value
 
 from ecm_extract.assemble.definitions import Definitions
-from ecm_extract.assemble.evidence import inferred, last_part, number_of, of_interfaces, parameters_where
+from ecm_extract.assemble.evidence import (
+    inferred,
+    is_watchdog,
+    last_part,
+    number_of,
+    of_interfaces,
+    parameters_where,
+)
 from ecm_extract.link.linker import LinkedModule
 
 _INPUTS = frozenset({"subscriber", "service_server", "action_server"})
 _OUTPUTS = frozenset({"publisher", "service_server", "action_server"})
+_CALLED = frozenset({"service_server", "service_client", "action_server", "action_client"})
 _PARTS = {"service_server": ("request", "response"), "action_server": ("goal", "result")}
 _FRAME = re.compile(r"(?:^|_)frame(?:_id|_name)?$")
 _OWN_FRAME = ("frame_id", "global_frame", "world_frame", "base_frame_id", "base_frame", "robot_base_frame")
@@ -32,7 +40,7 @@ def signature_of(entry: LinkedModule, definitions: Definitions) -> Signature:
         interfaces=interfaces,
         input_schema=_schema(interfaces, _INPUTS, 0, definitions),
         output_schema=_schema(interfaces, _OUTPUTS, 1, definitions),
-        coordinate_frame=_stamped(entry) or _frame(interfaces),
+        coordinate_frame=_stamped(entry) if entry.stamps else _frame(interfaces),
         timeout_ms=_timeout(interfaces),
         invocation_mode=_mode(interfaces),
     )
@@ -83,14 +91,21 @@ def _frame(interfaces: Iterable[Interface]) -> Value | None:
     return inferred(frames, (entry.evidence[0] for entry in named), "default")
 
 
-def _timeout(interfaces: Iterable[Interface]) -> Value | None:
-    """The longest default of a timeout parameter; seconds unless its name says milliseconds."""
+def _is_timeout(name: str) -> bool:
+    return _TIMEOUT.search(name) is not None and not is_watchdog(name)
+
+
+def _timeout(interfaces: Sequence[Interface]) -> Value | None:
+    """The longest default of a timeout parameter of a module that is called or calls; seconds unless its name tells.
+
+    What stops a module when commands cease is no time of a call.
+    """
     named = [
         (entry, number)
-        for entry in parameters_where(interfaces, lambda name: _TIMEOUT.search(name) is not None)
+        for entry in parameters_where(interfaces, _is_timeout)
         if (number := number_of(entry)) is not None and number > 0
     ]
-    if not named:
+    if not named or not any(entry.role in _CALLED for entry in interfaces):
         return None
     values = [number if _in_milliseconds(entry) else number * 1000 for entry, number in named]
     return inferred(max(values), (entry.evidence[0] for entry, _ in named), "default")

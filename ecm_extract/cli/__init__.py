@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 import os
+import signal
 import sys
 
 
@@ -13,11 +14,14 @@ def main() -> None:
     The process ends with the run: nothing is gained by collecting garbage in between, or by taking a million
     records apart before the memory goes back anyway (0.2 s on a large repository).
     """
-    from ecm_extract.cli.run import run
+    try:
+        from ecm_extract.cli.run import run
+        from ecm_extract.cli.streams import flush_streams
 
-    gc.disable()
-    status = run(sys.argv[1:])
-    for stream in (sys.stdout, sys.stderr):
-        if not stream.closed:
-            stream.flush()
+        signal.signal(signal.SIGTERM, signal.default_int_handler)  # to be ended cleans up like Ctrl-C
+        gc.disable()
+        status = run(sys.argv[1:])
+        flush_streams()
+    except KeyboardInterrupt:  # before or after the run itself, which tells of it
+        status = 130
     os._exit(status)

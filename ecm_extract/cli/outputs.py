@@ -24,6 +24,25 @@ def findings_as(form: str, findings: Sequence[Finding]) -> str:
     return text
 
 
+def statistics_as(form: str, findings: Sequence[Finding], is_fixable: Callable[[Finding], bool]) -> str:
+    """Return how many findings each rule has, as `text` or `json`."""
+    from ecm_extract.report.findings.statistics import statistics, statistics_json, statistics_text
+
+    rows = statistics(findings, is_fixable)
+    return statistics_json(rows) if form == "json" else statistics_text(rows)
+
+
+def refuse_statistics_as(form: str, wanted: bool) -> None:
+    """Say so before any work when `--statistics` is asked for in a format that is for findings only.
+
+    Raises:
+        click.UsageError: it is.
+    """
+    if wanted and form not in ("text", "json"):
+        message = f"--statistics is shown as text or json, not as {form}"
+        raise click.UsageError(message, click.get_current_context())
+
+
 def write_outputs(entries: Sequence[str], formats: Sequence[str], rendered: Callable[[str], str]) -> None:
     """Write each `FORMAT=FILE`.
 

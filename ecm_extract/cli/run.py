@@ -11,17 +11,17 @@
 
 from __future__ import annotations
 
-import io
 import os
 import sys
 import traceback
 from collections.abc import Sequence
-from pathlib import Path
+from contextlib import suppress
 from typing import Final, NamedTuple
 
 import click
 
 from ecm_extract.cli.app import PROGRAM, OutputClosedError, app
+from ecm_extract.cli.streams import abandon_output, open_streams, write_failure
 from ecm_extract.errors import EcmError
 
 DEBUG_VARIABLE: Final = "ECM_DEBUG"
@@ -47,24 +47,34 @@ def run(arguments: Sequence[str]) -> int:
     Returns:
         The exit status. Errors are told on standard error, with a traceback only when ECM_DEBUG is set.
     """
-    _never_fail_to_encode()
     try:
+        open_streams()
         status = app.main(list(arguments), prog_name=PROGRAM, standalone_mode=False)
         sys.stdout.flush()
     except (BrokenPipeError, OutputClosedError):
-        _close_output()
+        abandon_output()
+        _clean_up()
         return _PIPE_CLOSED
     except click.exceptions.NoArgsIsHelpError as help_page:
         help_page.show()
         return _USAGE
     except Exception as error:
         end = _end_of(error)
-        _tell(end)
-        return end.status
     except KeyboardInterrupt:
-        _tell(_End(_INTERRUPTED, "interrupted"))
-        return _INTERRUPTED
-    return status if isinstance(status, int) else 0
+        end = _End(_INTERRUPTED, "interrupted")
+    else:
+        return status if isinstance(status, int) else 0
+    _clean_up()
+    return _told(end)
+
+
+def _clean_up() -> None:
+    """After an error; only what was imported can have forked, and help need not import it."""
+    if "multiprocessing" in sys.modules:
+        from ecm_extract.processes import close_generators, end_forks
+
+        end_forks()
+        close_generators()
 
 
 def _end_of(error: Exception) -> _End:
@@ -75,6 +85,10 @@ def _end_of(error: Exception) -> _End:
     if isinstance(error, click.ClickException):
         context = getattr(error, "ctx", None)
         return _End(_USAGE, error.format_message(), f"{context.command_path} --help" if context else "")
+    full = write_failure(error) if isinstance(error, OSError) else None
+    if full is not None:
+        abandon_output()
+        return _End(full.exit_status, full.message, full.hint)
     if os.environ.get(DEBUG_VARIABLE):
         traceback.print_exception(error)
     return _End(
@@ -84,10 +98,13 @@ def _end_of(error: Exception) -> _End:
     )
 
 
-def _tell(end: _End) -> None:
+def _told(end: _End) -> int:
+    """Say how a run ended and return its status, which also those see who cannot be told."""
     for label, text in (("error", end.message), ("hint", end.hint)):
-        if text:
-            click.echo(f"{label}: {_plain(text)}", err=True)
+        with suppress(OSError):
+            if text:
+                click.echo(f"{label}: {_plain(text)}", err=True)
+    return end.status
 
 
 def _plain(text: str) -> str:
@@ -95,15 +112,3 @@ def _plain(text: str) -> str:
     from ecm_extract.report.terminal import one_line
 
     return one_line(text, 1000)
-
-
-def _never_fail_to_encode() -> None:
-    for stream in (sys.stdout, sys.stderr):
-        if isinstance(stream, io.TextIOWrapper):
-            stream.reconfigure(errors="backslashreplace")
-
-
-def _close_output() -> None:
-    """Keep the interpreter from flushing into the closed pipe when it ends."""
-    with Path(os.devnull).open("w") as nowhere:
-        os.dup2(nowhere.fileno(), sys.stdout.fileno())

@@ -10,6 +10,7 @@ from typing import TypeVar
 from ecm_checker.contract import Evidence, Interface, Qos, Role
 from ecm_parsers.source.expr import Expr, Items, Text
 
+from ecm_extract.link.activation import Activation
 from ecm_extract.link.claims import Claim, claims_of
 from ecm_extract.link.data import UNKNOWN, stated_type
 from ecm_extract.link.diagnoses import SUMMARIES, Diagnosis, diagnoses
@@ -117,7 +118,8 @@ class Linker:
         for unit, interfaces in self.generated.interfaces():
             for module in self.modules.owners(unit):
                 found[id(module)].extend(interfaces)
-        self._given_out(observations(self.sites), self._observed)
+        activation = Activation(self.sites, self.registry.programs)
+        self._given_out(observations(self.sites, activation), self._observed)
         self._given_out(stamps(self.sites), self._stamped)
         self._given_out(diagnoses(self.sites), self._diagnosed)
         return [self._linked(module, found, nodes) for module in _ordered(self.modules.all())]

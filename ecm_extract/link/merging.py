@@ -2,15 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections import defaultdict
+from collections.abc import Collection, Iterable
+from typing import Any
 
+import msgspec
 from ecm_checker.contract import Evidence, Interface
 
 
 def merged(interfaces: Iterable[Interface]) -> tuple[Interface, ...]:
-    """Join records of one endpoint that several lines make: same role, name and type; evidence adds up."""
+    """Join records of one endpoint that several lines make: same role, name and type; evidence adds up.
+
+    Where lines give a parameter different defaults, which of them holds is not known.
+    """
+    entries = list(interfaces)
+    unsure = _of_several_defaults(entries)
     by_key: dict[tuple[str, str, str | None], Interface] = {}
-    for entry in interfaces:
+    for entry in (_undecided(each, unsure) for each in entries):
         key = (entry.role, entry.name, entry.type)
         known = by_key.get(key)
         if known is None:
@@ -24,6 +32,21 @@ def merged(interfaces: Iterable[Interface]) -> tuple[Interface, ...]:
             key=lambda e: (e.role, e.name, e.type or "", e.evidence[0].path, e.evidence[0].line),
         )
     )
+
+
+def _of_several_defaults(entries: Iterable[Interface]) -> frozenset[str]:
+    """Names of the parameters for which lines give different defaults."""
+    defaults: dict[str, list[Any]] = defaultdict(list)
+    for entry in entries:
+        if entry.role == "parameter" and entry.default is not None and entry.default not in defaults[entry.name]:
+            defaults[entry.name].append(entry.default)
+    return frozenset(name for name, found in defaults.items() if len(found) > 1)
+
+
+def _undecided(entry: Interface, unsure: Collection[str]) -> Interface:
+    if entry.role != "parameter" or entry.name not in unsure:
+        return entry
+    return msgspec.structs.replace(entry, default=None)
 
 
 def _joined(first: Interface, second: Interface, evidence: tuple[Evidence, ...]) -> Interface:

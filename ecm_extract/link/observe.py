@@ -13,6 +13,7 @@ import msgspec
 from ecm_checker.contract import Evidence
 from ecm_parsers.source.expr import Expr, Name
 
+from ecm_extract.link.activation import Activation
 from ecm_extract.link.calls import Invocation
 from ecm_extract.link.durations import seconds_of
 from ecm_extract.link.env import Env
@@ -46,13 +47,14 @@ class Observation(NamedTuple):
     Attributes:
         kind: what. name: the awaited service, topic or `target <- source` of frames; empty when not known.
         value: seconds between two timer calls or of the longest wait, hertz of a rate; None when not known.
-        evidence: the line.
+        evidence: the line. beginning: it happens while the module is brought to work, not in a callback.
     """
 
     kind: Kind
     name: str
     value: float | None
     evidence: Evidence
+    beginning: bool
 
 
 @cache
@@ -63,14 +65,15 @@ def observation_forms() -> Mapping[str, Sequence[ObservationForm]]:
     return MappingProxyType({row.last: [each for each in rows if each.last == row.last] for row in rows})
 
 
-def observations(sites: Sites) -> Iterator[tuple[Cls | Func, Observation]]:
+def observations(sites: Sites, activation: Activation) -> Iterator[tuple[Cls | Func, Observation]]:
     """Yield what the units of a program do, each with the class or function that does it."""
     for last, rows in observation_forms().items():
         for call in sites.calls.get(last, ()):
             row = next((row for row in rows if _is(row, call)), None)
             if row is not None and not _hands_on(row, call):
                 env = sites.root_env(call.func, sites.position(call))
-                yield call.func.holder or call.func, _observed(row, call, env, sites.folder)
+                seen = _observed(row, call, env, sites.folder, activation.runs(call))
+                yield call.func.holder or call.func, seen
 
 
 def _is(row: ObservationForm, call: Invocation) -> bool:
@@ -87,9 +90,9 @@ def _hands_on(row: ObservationForm, call: Invocation) -> bool:
     return any(isinstance(expr, Name) and expr.id in own for expr in positions(row.time, call))
 
 
-def _observed(row: ObservationForm, call: Invocation, env: Env, folder: Folder) -> Observation:
+def _observed(row: ObservationForm, call: Invocation, env: Env, folder: Folder, beginning: bool) -> Observation:
     evidence = Evidence(call.func.file.path, call.line)
-    return Observation(row.kind, _name(row, call, env, folder), _time(row, call, env, folder), evidence)
+    return Observation(row.kind, _name(row, call, env, folder), _time(row, call, env, folder), evidence, beginning)
 
 
 def _time(row: ObservationForm, call: Invocation, env: Env, folder: Folder) -> float | None:

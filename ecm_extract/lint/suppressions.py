@@ -16,9 +16,12 @@ import msgspec
 from ecm_checker.finding import Finding
 
 from ecm_extract.errors import ConfigError
+from ecm_extract.rule_ids import rule_id
 
 FILE_NAME = "ecm-accepted.toml"
-_COMMENT = re.compile(r"ecm:\s*ignore\[(?P<rules>[A-Z0-9, ]+?)(?:\s+(?P<key>\w+)=(?P<value>[^\]\s]+))?\](?P<reason>.*)")
+_COMMENT = re.compile(
+    r"ecm:\s*ignore\[(?P<rules>[A-Za-z0-9, ]+?)(?:\s+(?P<key>\w+)=(?P<value>[^\]\s]+))?\](?P<reason>.*)"
+)
 
 
 class Reader(Protocol):
@@ -115,7 +118,7 @@ def _comments(paths: Iterable[str], files: Reader) -> Iterator[Comment]:
         for number, line in enumerate(data.decode("utf-8", "replace").splitlines(), 1):
             match = _COMMENT.search(line)
             if match is not None:
-                rules = tuple(rule.strip() for rule in match["rules"].split(",") if rule.strip())
+                rules = tuple(rule_id(rule) for rule in match["rules"].split(",") if rule.strip())
                 yield Comment(path, number, rules, match["value"] or "", match["reason"].strip(" -*/>"))
 
 

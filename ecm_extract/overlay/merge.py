@@ -9,9 +9,12 @@ from typing import Any
 import msgspec
 from ecm_checker.contract import Contract, Evidence, Value
 from ecm_checker.fields import FIELDS, missing_fields
+from ecm_checker.finding import Severity
+from ecm_checker.overlay import is_declarable
 from ecm_parsers.overlay_yaml import Declared, Overlay
 
 from ecm_extract.overlay.drift import contradiction
+from ecm_extract.overlay.template import examples
 from ecm_extract.read.reader import OVERLAY
 from ecm_extract.tree import FileDiagnostic, Tree
 
@@ -50,12 +53,12 @@ class _Merger:
         for declared in fields:
             contract = self._laid(contract, declared)
         for declared in self.overlay.defaults:
-            if self._is_known(declared) and _read(contract, declared) is None:
+            if self._is_usable(declared) and _read(contract, declared) is None:
                 contract = _with(contract, declared, self._value(declared, "default"))
         return msgspec.structs.replace(contract, missing=missing_fields(contract))
 
     def _laid(self, contract: Contract, declared: Declared) -> Contract:
-        if not self._is_known(declared):
+        if not self._is_usable(declared):
             return contract
         inferred = _read(contract, declared)
         if inferred is not None and inferred.origin == "inferred":
@@ -71,12 +74,16 @@ class _Merger:
             f"{contract.ecm.module_id} declares {declared.section}.{declared.field} otherwise than the source shows"
             f"{place}: {differs}. Correct the one that is wrong."
         )
-        self._report("drift", declared.line, message)
+        self._report("drift", declared.line, message, "warning")
 
-    def _is_known(self, declared: Declared) -> bool:
+    def _is_usable(self, declared: Declared) -> bool:
+        """What cannot be meant is told and stays undeclared."""
         path = f"{declared.section}.{declared.field}"
         if path in _KNOWN:
-            return True
+            fits = is_declarable(declared.section, declared.field, declared.value)
+            if not fits:
+                self._report("overlay-wrong-value", declared.line, _unusable(path, declared))
+            return fits
         near = get_close_matches(path, _KNOWN, 1)
         hint = f"Did you mean {near[0]}?" if near else "See the manual for the fields."
         self._report("overlay-unknown-field", declared.line, f"{path} is no field of a contract. {hint}")
@@ -96,8 +103,14 @@ class _Merger:
             return Value(value, origin, "default", (Evidence(self.path, declared.line),))
         return Value(value, origin, "literal", (Evidence(self.path, declared.line),))
 
-    def _report(self, code: str, line: int, message: str) -> None:
-        self.tree.report(FileDiagnostic("warning", code, self.path, line, message))
+    def _report(self, code: str, line: int, message: str, severity: Severity = "error") -> None:
+        self.tree.report(FileDiagnostic(severity, code, self.path, line, message))
+
+
+def _unusable(path: str, declared: Declared) -> str:
+    shown = "such a list or map" if isinstance(declared.value, list | dict) else repr(declared.value)[:60]
+    meaning = next(row.meaning for row in FIELDS if row.path == path)
+    return f"{path} cannot be {shown}: it is {meaning}. Write it like `{declared.field}: {examples()[path]}`."
 
 
 def _means(name: str, module_id: str) -> bool:

@@ -17,6 +17,7 @@ import msgspec
 from ecm_parsers.result import Parsed
 from ecm_parsers.source.facts import SourceFile
 
+from ecm_extract.processes import forked
 from ecm_extract.read.parsed_file import BlobFacts, ParsedFile, Task
 from ecm_extract.read.select import SourceKind, is_python_script
 from ecm_extract.tree import FileDiagnostic, Tree, blob_id, printable
@@ -49,8 +50,7 @@ class SourceParse:
         """Fork the workers; they inherit the tree without a copy."""
         for _ in range(self._others):
             receiver, sender = self._context.Pipe(duplex=False)
-            worker = self._context.Process(target=self._work, args=(sender,), daemon=True)
-            worker.start()
+            worker = forked(self._work, sender)
             sender.close()
             self._collectors.append(_Collector(receiver))
             self._workers.append(worker)

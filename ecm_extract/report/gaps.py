@@ -9,8 +9,21 @@ import msgspec
 from ecm_checker.contract import Contract, Evidence, Interface
 
 from ecm_extract.extraction_model import Extraction, LocatedDiagnostic
+from ecm_extract.overlay.problems import is_of_overlay
 
 _UNTYPED_ROLES: Final = frozenset({"parameter", "tf_broadcast", "tf_lookup"})
+
+
+class Spot(msgspec.Struct, frozen=True):
+    """One place where something is not known.
+
+    Attributes:
+        place: `path:line`; the path alone when the file as a whole is meant.
+        detail: what is written there, or the message.
+    """
+
+    place: str
+    detail: str
 
 
 class Gap(msgspec.Struct, frozen=True):
@@ -18,23 +31,21 @@ class Gap(msgspec.Struct, frozen=True):
 
     Attributes:
         cause: in words for interfaces, `severity: code` for diagnostics.
-        count: how many places.
-        place: `path:line` of the first of them; the path alone when the file as a whole is meant.
-        detail: what is written there, or the message.
+        count: how often, in all modules.
+        spots: the different places, in the order of the extraction.
     """
 
     cause: str
     count: int
-    place: str
-    detail: str
+    spots: tuple[Spot, ...]
 
 
 def gaps(extraction: Extraction) -> list[Gap]:
     """All causes, the most frequent first."""
-    found: dict[str, list[tuple[str, str]]] = {}
+    found: dict[str, list[Spot]] = {}
     for cause, place, detail in [*_interface_gaps(extraction), *_diagnostic_gaps(extraction)]:
-        found.setdefault(cause, []).append((place, detail))
-    causes = [Gap(cause, len(places), *places[0]) for cause, places in found.items()]
+        found.setdefault(cause, []).append(Spot(place, detail))
+    causes = [Gap(cause, len(spots), tuple(dict.fromkeys(spots))) for cause, spots in found.items()]
     return sorted(causes, key=lambda gap: (-gap.count, gap.cause))
 
 
@@ -60,7 +71,10 @@ def _interface_gaps(extraction: Extraction) -> Iterator[tuple[str, str, str]]:
 
 
 def _diagnostic_gaps(extraction: Extraction) -> Iterator[tuple[str, str, str]]:
+    """Those of overlays are a person's own and told one by one, see `overlay.problems`."""
     for each in extraction.diagnostics:
+        if is_of_overlay(each):
+            continue
         yield f"{each.severity}: {each.code}", _line_of(each), each.message
 
 

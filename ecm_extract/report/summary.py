@@ -17,6 +17,7 @@ from ecm_extract.report.gaps import Gap, gaps, interfaces, modules
 from ecm_extract.report.terminal import one_line
 
 _SHOWN_GAPS = 12
+_SHOWN_SPOTS = 5
 _SHOWN_FIELDS = 4
 _WIDTH_OF_A_FILE = 100
 
@@ -70,7 +71,7 @@ def _print_endpoints(extraction: Extraction, console: Console) -> None:
 
 def _print_completeness(extraction: Extraction, console: Console) -> None:
     missing = Counter(field for module in modules(extraction) for field in module.missing)
-    asked = len(required_fields()) * sum(1 for _ in modules(extraction))
+    asked = sum(len(required_fields(module.ecm.kind)) for module in modules(extraction))
     if not asked:
         return
     filled = asked - missing.total()
@@ -88,10 +89,16 @@ def _print_gaps(found: list[Gap], console: Console) -> None:
     console.print(Text("not resolved", style="bold"))
     for gap in found[:_SHOWN_GAPS]:
         console.print(_indented(f"{gap.count:,} × {one_line(gap.cause)}", 2, "yellow"))
-        console.print(_indented(f"{one_line(gap.place)}  {one_line(gap.detail)}", 6, "dim"))
+        for spot in gap.spots[:_SHOWN_SPOTS]:
+            console.print(_indented(f"{one_line(spot.place)}  {one_line(spot.detail)}", 6, "dim"))
+        if len(gap.spots) > _SHOWN_SPOTS:
+            console.print(_indented(f"and {_plural(len(gap.spots) - _SHOWN_SPOTS, 'more place')}", 6, "dim"))
     if len(found) > _SHOWN_GAPS:
         rest = len(found) - _SHOWN_GAPS
-        console.print(_indented(f"and {_plural(rest, 'more cause')}: see --format json", 2, ""))
+        console.print(_indented(f"and {_plural(rest, 'more cause')}", 2, ""))
+    console.print(
+        _indented("all of them: --format json, by `confidence: pattern`, `type: null` and `diagnostics`", 2, "dim")
+    )
 
 
 def _counted(title: str, counts: Counter[str]) -> Text:

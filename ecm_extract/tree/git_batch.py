@@ -75,10 +75,11 @@ def _fed(stdin: IO[bytes], ids: Sequence[str]) -> Iterator[None]:
 
 
 def _feed(stdin: IO[bytes], ids: Sequence[str]) -> None:
+    """A pipe that broke or was closed is nothing to tell of here: who reads the answers sees that they end."""
     request = "".join(f"{name}\n" for name in ids).encode("ascii")
-    with suppress(BrokenPipeError):
+    with suppress(BrokenPipeError, ValueError):
         stdin.write(request)
-    with suppress(BrokenPipeError):
+    with suppress(BrokenPipeError, ValueError):
         stdin.close()
 
 

@@ -10,6 +10,8 @@ so plumbing commands are called instead; refs and object names go in by standard
 
 import os
 import re
+import secrets
+import shutil
 import subprocess
 import tempfile
 from collections.abc import Iterator
@@ -126,13 +128,27 @@ def _first_line(file: Path) -> str:
 @contextmanager
 def _view(repo: GitRepo) -> Iterator[Path]:
     try:
-        with tempfile.TemporaryDirectory(prefix="ecm-git-") as name:
-            view = Path(name)
+        with _temporary_folder() as view:
             _fill_view(repo, view)
             yield view
     except OSError as error:
         message = f"Cannot look into the repository {repo.name}: {error.strerror}."
         raise TreeError(message, "Check its permissions and that the temporary folder is writable.") from error
+
+
+@contextmanager
+def _temporary_folder() -> Iterator[Path]:
+    """A folder that goes wherever its making, its use or its removal is interrupted."""
+    folder = Path(tempfile.gettempdir(), f"ecm-git-{secrets.token_hex(8)}")
+    try:
+        folder.mkdir(mode=0o700)
+        yield folder
+    finally:
+        try:
+            shutil.rmtree(folder, ignore_errors=True)
+        except BaseException:
+            shutil.rmtree(folder, ignore_errors=True)
+            raise
 
 
 def _fill_view(repo: GitRepo, view: Path) -> None:
@@ -168,7 +184,15 @@ def _started(view: Path, common_dir: Path, args: tuple[str, ...], stderr: int) -
     pipe = subprocess.PIPE
     environment = _environment(view, common_dir)
     try:
-        process = subprocess.Popen(["git", *args], stdin=pipe, stdout=pipe, stderr=stderr, env=environment, cwd=view)
+        process = subprocess.Popen(
+            ["git", *args],
+            stdin=pipe,
+            stdout=pipe,
+            stderr=stderr,
+            env=environment,
+            cwd=view,
+            process_group=0,  # Ctrl-C is for this program, which then ends git
+        )
     except FileNotFoundError:
         message = "Git is not installed."
         raise GitError(message, "Install git, or extract from a folder.") from None

@@ -133,7 +133,7 @@ def _is_sane(ref: str) -> bool:
 
 
 def _missing_hint(repo: GitRepo, ref: str) -> str:
-    near = difflib.get_close_matches(ref[:_MAX_REF_CHARS], _ref_names(repo), _NEAREST)
+    near = difflib.get_close_matches(ref[:_MAX_REF_CHARS], ref_names(repo), _NEAREST)
     nearest = f"Nearest: {', '.join(printable(name) for name in near)}. " if near else ""
     return f"{nearest}If it exists upstream: {_fetch_line(repo, ref)}"
 
@@ -148,7 +148,8 @@ def _fetch_line(repo: GitRepo, ref: str) -> str:
     return f"git fetch origin refs/tags/{ref}:refs/tags/{ref}"
 
 
-def _ref_names(repo: GitRepo) -> list[str]:
+def ref_names(repo: GitRepo) -> list[str]:
+    """Short names of all tags and branches; empty when they cannot be listed."""
     layout = "--format=%(refname:strip=2)"
     try:
         _, out = repo.run("for-each-ref", layout, "refs/tags", "refs/heads", "refs/remotes")

@@ -67,36 +67,61 @@ def parse_overlay(data: bytes) -> Parsed[Overlay]:
         if entry.key not in _KEYS:
             message = f"`{entry.key}` means nothing here. Write one of {', '.join(_KEYS)}."
             problems.append(_problem("overlay-unknown-key", entry.line, message))
+    if not _is_ours(root, problems):
+        return Parsed(Overlay(), tuple(problems))
     defaults = root.get("defaults")
     return Parsed(
         Overlay(
             default_name=_name(defaults),
-            defaults=tuple(_fields(defaults, problems, skipped="name")),
-            everywhere=tuple(_fields(root.get("all"), problems)),
+            defaults=tuple(_fields(defaults, "defaults", problems, skipped="name")),
+            everywhere=tuple(_fields(root.get("all"), "all", problems)),
             modules=tuple(_modules(root.get("modules"), problems)),
         ),
         tuple(problems),
     )
 
 
+def _is_ours(root: Mapping, problems: list[Diagnostic]) -> bool:
+    """A file that does not say what it is is read all the same; one that says it is something else is not."""
+    schema = root.get("schema")
+    if schema is None:
+        problems.append(_problem("overlay-schema", root.line, f"`schema` is missing. Begin with `schema: {SCHEMA}`."))
+        return True
+    if isinstance(schema, Scalar) and schema.text == SCHEMA:
+        return True
+    shown = f"`{schema.text}`" if isinstance(schema, Scalar) else "no text"
+    message = f"The schema is {shown}, so nothing of this file is used. Write `schema: {SCHEMA}`."
+    problems.append(_problem("overlay-schema", schema.line, message))
+    return False
+
+
+def _entries(node: Node | None, what: str, problems: list[Diagnostic]) -> Iterator[Entry]:
+    """Entries of a map; nothing of what is left empty, and a diagnostic for what is something else."""
+    if isinstance(node, Mapping):
+        yield from node.unique()
+    elif node is not None and plain(node) is not None:
+        message = f"{what} is no map. Write `key: value` lines below it."
+        problems.append(_problem("overlay-not-a-map", node.line, message))
+
+
 def _modules(node: Node | None, problems: list[Diagnostic]) -> Iterator[ModuleOverlay]:
-    for entry in node.unique() if isinstance(node, Mapping) else ():
-        yield ModuleOverlay(entry.key, tuple(_fields(entry.value, problems)), entry.line)
+    for entry in _entries(node, "`modules`", problems):
+        yield ModuleOverlay(entry.key, tuple(_fields(entry.value, entry.key, problems)), entry.line)
 
 
-def _fields(node: Node | None, problems: list[Diagnostic], skipped: str = "") -> Iterator[Declared]:
-    for section in node.unique() if isinstance(node, Mapping) else ():
+def _fields(node: Node | None, what: str, problems: list[Diagnostic], skipped: str = "") -> Iterator[Declared]:
+    for section in _entries(node, f"`{what}`", problems):
         if section.key == skipped:
             continue
         if section.key not in SECTIONS:
             message = f"`{section.key}` is no section of a contract. Write one of {', '.join(SECTIONS)}."
             problems.append(_problem("overlay-unknown-section", section.line, message))
             continue
-        yield from _of_section(section)
+        yield from _of_section(section, problems)
 
 
-def _of_section(section: Entry) -> Iterator[Declared]:
-    for entry in section.value.unique() if isinstance(section.value, Mapping) else ():
+def _of_section(section: Entry, problems: list[Diagnostic]) -> Iterator[Declared]:
+    for entry in _entries(section.value, f"`{section.key}`", problems):
         value = plain(entry.value)
         if value is not None:  # a field without a value stays undeclared
             yield Declared(section.key, entry.key, value, entry.line)
@@ -108,4 +133,4 @@ def _name(node: Node | None) -> str:
 
 
 def _problem(code: str, line: int, message: str) -> Diagnostic:
-    return Diagnostic("warning", code, line, message)
+    return Diagnostic("error", code, line, message)

@@ -71,8 +71,26 @@ Read = Callable[[Contract], Value | None]
             ["read:/b", "write:/a"],
         ),
         ('declare_parameter<std::string>("robot_ip", "10.0.0.2");', lambda c: c.permissions.network, ["10.0.0.2"]),
-        ('declare_parameter<double>("cmd_vel_timeout", 0.5);', lambda c: c.signature.timeout_ms, 500.0),
-        ('declare_parameter<int>("server_timeout", 20);', lambda c: c.signature.timeout_ms, 20.0),
+        (
+            'declare_parameter<int>("server_timeout", 20); create_service<std_srvs::srv::Trigger>("stop", f);',
+            lambda c: c.signature.timeout_ms,
+            20.0,
+        ),
+        (
+            'create_subscription<geometry_msgs::msg::Twist>("commands/velocity", 10, f);',
+            lambda c: c.resources.actuators,
+            ["mobile_base"],
+        ),
+        (
+            'create_publisher<geometry_msgs::msg::Twist>("commands/velocity", 10);',
+            lambda c: c.resources.actuators,
+            ["mobile_base"],
+        ),
+        (
+            'create_publisher<trajectory_msgs::msg::JointTrajectory>("arm", 10);',
+            lambda c: c.resources.actuators,
+            ["joints"],
+        ),
         (
             'declare_parameter<double>("cmd_vel_timeout", 0.5);',
             lambda c: c.recovery.safe_stop,
@@ -119,6 +137,10 @@ def test_field(body: str, read: Read, expected: object, workspace: Workspace) ->
         'create_publisher<geometry_msgs::msg::Twist>("display", 10);',
         'declare_parameter<std::string>("timeout_topic", "x");',
         'create_client<std_srvs::srv::Trigger>("stop");',
+        'create_publisher<geometry_msgs::msg::TwistStamped>("imu/velocity", 10);',
+        'create_subscription<geometry_msgs::msg::TwistStamped>("gnss/velocity", 10, f);',
+        'create_publisher<geometry_msgs::msg::Twist>("measured_velocity", 10);',
+        'c_ = create_client<A>("stop"); s_ = create_subscription<B>("go", 1, [this](B::SharedPtr) { c_->wait_for_service(1s); });',
     ],
 )
 def test_nothing_is_invented(body: str, workspace: Workspace) -> None:
@@ -132,6 +154,80 @@ def test_nothing_is_invented(body: str, workspace: Workspace) -> None:
     assert found.permissions.physical is None
     assert found.signature.timeout_ms is None
     assert found.recovery == type(found.recovery)()
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        'declare_parameter<double>("cmd_vel_timeout", 0.5); create_service<std_srvs::srv::Trigger>("stop", f);',
+        'declare_parameter<double>("sync_timeout", 0.5);',
+    ],
+)
+def test_a_timeout_of_something_else(body: str, workspace: Workspace) -> None:
+    """A watchdog over commands is no time of a call, nor is any timeout of a module that is never called."""
+    assert contract(workspace, body).signature.timeout_ms is None
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        'if (enu) { declare_parameter("frame_id", "imu"); } else { declare_parameter("frame_id", "imu_ned"); }',
+        'A a; a.header.frame_id = "map"; B b; b.header.frame_id = "odom"; declare_parameter("frame_id", "base");',
+    ],
+)
+def test_a_frame_that_is_not_the_only_one(body: str, workspace: Workspace) -> None:
+    """Of two defaults, or of two frames that are written, none is the frame of the module."""
+    assert contract(workspace, body).signature.coordinate_frame is None
+
+
+def test_a_default_that_another_default_overrides(workspace: Workspace) -> None:
+    """Which of them holds is decided while the module runs, so neither is told."""
+    found = contract(workspace, 'get_parameter_or<int>("depth", d, 1); get_parameter_or<int>("depth", d, 2);')
+    assert [(each.name, each.default) for each in found.signature.interfaces] == [("depth", None)]
+
+
+WAITS = """
+class N : public rclcpp::Node {
+public:
+  N() : Node("n") {
+    early_ = create_client<std_srvs::srv::Trigger>("early");
+    late_ = create_client<std_srvs::srv::Trigger>("late");
+    prepare();
+    s_ = create_service<std_srvs::srv::Trigger>("go", std::bind(&N::go, this, _1, _2));
+  }
+  void prepare() { wait(); }
+  void wait() { rclcpp::wait_for_message(m, node, "ready"); }
+  void go(A a, B b) { rclcpp::wait_for_message(m, node, "later"); helper(); }
+  void helper() { rclcpp::wait_for_message(m, node, "much_later"); }
+};
+"""
+PYTHON_WAITS = """
+import rospy
+def on_scan(message):
+    rospy.wait_for_service("late")
+def prepare():
+    rospy.wait_for_service("early")
+def main():
+    rospy.init_node("n")
+    prepare()
+    rospy.Subscriber("scan", LaserScan, on_scan)
+    rospy.Subscriber("other", LaserScan, lambda message: rospy.wait_for_service("lambda"))
+if __name__ == "__main__":
+    main()
+"""
+
+
+def test_a_wait_in_a_callback_is_no_precondition(workspace: Workspace) -> None:
+    """The module is active by then; what its constructor reaches by calls is waited for before."""
+    found = workspace.package({"src/n.cpp": INCLUDE + WAITS}).modules()["ecm.pkg.n"]
+    assert value(found.behavior.preconditions) == ["message_received ready"]
+
+
+def test_a_wait_in_a_callback_of_python(workspace: Workspace) -> None:
+    """Functions and lambdas that are handed on run later."""
+    found = workspace.package({"scripts/n.py": PYTHON_WAITS}, ros=1).modules()
+    (node,) = (each for each in found.values() if each.behavior.preconditions is not None)
+    assert value(node.behavior.preconditions) == ["service_available early"]
 
 
 def test_lifecycle_node_works_when_active(workspace: Workspace) -> None:

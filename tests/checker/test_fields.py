@@ -52,3 +52,19 @@ def test_optional_fields_are_never_missing() -> None:
     """Only required fields make a contract incomplete."""
     missing = missing_fields(make_contract(signature=Signature()))
     assert not set(missing) & {row.path for row in FIELDS if not row.required}
+
+
+@pytest.mark.parametrize("kind", ["interface", "launch", "library"])
+def test_what_does_not_run_has_no_behavior_to_declare(kind: str) -> None:
+    """An interface package was asked for preconditions and a retry policy."""
+    wanted = required_fields(kind)
+    assert {path.partition(".")[0] for path in wanted} == {"ecm", "versioning"}
+    contract = make_contract()
+    other = msgspec.structs.replace(contract, ecm=msgspec.structs.replace(contract.ecm, kind=kind))
+    assert set(missing_fields(other)) < set(missing_fields(contract))
+
+
+@pytest.mark.parametrize("kind", ["node", "component", "nodelet", "script", "controller", "hardware", "plugin", "new"])
+def test_what_runs_needs_all(kind: str) -> None:
+    """A kind that is not known is not excused from anything."""
+    assert required_fields(kind) == required_fields()

@@ -151,6 +151,43 @@ def test_commands_are_completed() -> None:
     assert "extract" in done.stdout
 
 
+def completed(words: str, folder: Path) -> list[str]:
+    variables = {"_ECM_EXTRACT_COMPLETE": "bash_complete", "COMP_WORDS": words, "COMP_CWORD": str(words.count(" "))}
+    done = subprocess.run(PROGRAM, env=variables, capture_output=True, text=True, check=False, cwd=folder)
+    assert done.stderr == ""
+    return done.stdout.split()
+
+
+@pytest.mark.parametrize(
+    ("words", "answer"),
+    [
+        ("ecm-extract explain ver00", "plain,VER001"),
+        ("ecm-extract lint --select lnt00", "plain,LNT001"),
+        ("ecm-extract lint --base v1", "plain,v1.0.0"),
+        ("ecm-extract diff v1", "plain,v1.0.0"),
+        ("ecm-extract extract . --ref v1", "plain,v1.0.0"),
+        ("ecm-extract diff --package ar", "plain,arm"),
+        ("ecm-extract init . --package ar", "plain,arm"),
+        ("ecm-extract diff sr", "dir,sr"),
+        ("ecm-extract lint sr", "file,sr"),
+    ],
+)
+def test_words_are_completed(words: str, answer: str, tmp_path: Path) -> None:
+    """Rules in any case, refs of the repository, packages of the tree, and paths where paths stand."""
+    subprocess.run(["git", "init", "-q", str(tmp_path)], check=True)
+    (tmp_path / "package.xml").write_text("<package><name>arm</name><version>1.0.0</version></package>")
+    git = ["git", "-C", str(tmp_path), "-c", "user.name=a", "-c", "user.email=a@b"]
+    subprocess.run([*git, "add", "."], check=True)
+    subprocess.run([*git, "commit", "-qm", "a"], check=True)
+    subprocess.run([*git, "tag", "v1.0.0"], check=True)
+    assert answer in completed(words, tmp_path)
+
+
+def test_a_completion_never_fails(tmp_path: Path) -> None:
+    """Outside a repository there are no refs, and the line that is being typed stays clean."""
+    assert completed("ecm-extract lint --base v", tmp_path) == []
+
+
 def test_a_closed_pipe_is_silent(tmp_path: Path) -> None:
     """`ecm-extract ... | head` ends without a word, and not with the status of findings."""
     err = tmp_path / "err"

@@ -114,7 +114,7 @@ def test_test_code_is_left_out(workspace: Any) -> None:
 
 
 def test_two_modules_of_one_name_are_both_kept(workspace: Any) -> None:
-    """A second module of the same id gets a number."""
+    """A second module of the same id takes the name of its file to its own."""
     text = 'class {0} : public rclcpp::Node {{ public: {0}() : Node("same") {{}} }};'
     workspace.package({"src/a.cpp": text.format("A"), "src/b.cpp": text.format("B")})
-    assert sorted(workspace.modules()) == ["ecm.pkg.same", "ecm.pkg.same_2"]
+    assert sorted(workspace.modules()) == ["ecm.pkg.same", "ecm.pkg.same_b"]

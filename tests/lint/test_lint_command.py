@@ -253,3 +253,28 @@ def test_fix_leaves_the_rest_alone(tmp_path: Path) -> None:
     path.write_bytes(path.read_bytes().replace(b"\n", b"\r\n"))
     lint(folder, "--fix")
     assert path.read_bytes() == b'<launch>\r\n  <node pkg="demo" exec="base"/>\r\n</launch>\r\n'
+
+
+def test_statistics(bad: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """How much there is of what, and how much of it mends itself; the status is that of the findings."""
+    assert lint(bad, "--statistics") == 1
+    out, err = capsys.readouterr()
+    assert out.splitlines()[0].split() == ["count", "fixable", "rule"]
+    assert [line.split()[2] for line in out.splitlines()[1:]] == ["LNT003"]
+    assert "1 error" in err
+    assert lint(bad, "--statistics", "--format", "json") == 1
+    (row,) = json.loads(capsys.readouterr().out)["rules"]
+    assert row == {"rule": "LNT003", "name": row["name"], "count": 1, "fixable": row["fixable"]}
+
+
+def test_statistics_of_a_format_for_findings(bad: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """SARIF has no place for counts."""
+    assert lint(bad, "--statistics", "--format", "sarif") == 2
+    assert "text or json" in capsys.readouterr().err
+
+
+def test_a_comment_names_its_rule_in_any_case(bad: Path) -> None:
+    """`ecm: ignore[lnt003]` was read as nothing."""
+    path = bad / LAUNCH
+    path.write_text(path.read_text().replace("<node", "<!-- ecm: ignore[lnt003] on purpose -->\n<node"))
+    assert lint(bad, "--select", "lnt003") == 0

@@ -5,7 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+import yaml
 from ecm_checker.contract import Contract
+from ecm_checker.fields import FIELDS, FieldRow
+from ecm_checker.overlay import is_declarable
 from ecm_parsers.overlay_yaml import parse_overlay
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -15,6 +18,7 @@ from ecm_extract.cli.run import run
 from ecm_extract.extraction import extract
 from ecm_extract.extraction_model import Extraction, Options
 from ecm_extract.overlay.drift import contradiction
+from ecm_extract.overlay.template import examples
 from ecm_extract.tree import open_tree
 
 NODE = """
@@ -23,14 +27,21 @@ class N : public rclcpp::Node {
 public:
   N() : Node("n") {
     declare_parameter<double>("cmd_vel_timeout", 0.5);
+    declare_parameter<double>("server_timeout", 0.5);
+    create_service<std_srvs::srv::Trigger>("stop", f);
     create_subscription<sensor_msgs::msg::LaserScan>("scan", 10, f);
   }
 };
 """
 
 
+SCHEMA = "schema: ecm-extract/overlay/1\n"
+
+
 def extraction(workspace: Workspace, overlay: str) -> Extraction:
-    workspace.package({"src/n.cpp": NODE, "ecm.yaml": overlay})
+    """With the line that says what the file is at its end, so that lines count as they are written."""
+    text = overlay if "schema" in overlay or overlay.startswith("[") else f"{overlay.rstrip()}\n{SCHEMA}"
+    workspace.package({"src/n.cpp": NODE, "ecm.yaml": text})
     return extract(open_tree(workspace.root), Options(jobs=1))
 
 
@@ -75,6 +86,17 @@ def test_all_and_defaults(workspace: Workspace) -> None:
         ("modules: {n: {resource: {sensors: [lidar]}}}", "overlay-unknown-section", "resources"),
         ("module: {}", "overlay-unknown-key", "modules"),
         ("[1]", "overlay-not-a-map", "modules"),
+        ("modules: [n]", "overlay-not-a-map", "`modules` is no map"),
+        ("modules: {n: 5}", "overlay-not-a-map", "`n` is no map"),
+        ("all: {signature: 5}", "overlay-not-a-map", "`signature` is no map"),
+        ("schema: ecm-extract/overlay/2\nmodules: {m: {}}", "overlay-schema", "Write `schema: ecm-extract/overlay/1`"),
+        ("schema: [1]", "overlay-schema", "nothing of this file is used"),
+        ("modules: {n: {}} # no schema", "overlay-schema", "Begin with `schema: ecm-extract/overlay/1`"),
+        ("modules: {n: {signature: {timeout_ms: fast}}}", "overlay-wrong-value", "Write it like `timeout_ms: 5000`"),
+        ("modules: {n: {signature: {timeout_ms: -1}}}", "overlay-wrong-value", "how long a call may take"),
+        ("all: {recovery: {retry: lots}}", "overlay-wrong-value", "cannot be 'lots'"),
+        ("defaults: {recovery: {retry: {min: 2}}}", "overlay-wrong-value", "such a list or map"),
+        ("all: {versioning: {policy_change: maybe}}", "overlay-wrong-value", "`policy_change: false`"),
     ],
 )
 def test_what_is_wrong_is_told(text: str, code: str, hint: str, workspace: Workspace) -> None:
@@ -144,3 +166,50 @@ def test_never_raises(text: str) -> None:
     """No text breaks the parser."""
     parse_overlay(text.encode())
     parse_overlay(f"modules: {text}".encode())
+
+
+def test_what_cannot_be_meant_stays_undeclared(workspace: Workspace) -> None:
+    """The rest of the file is used all the same."""
+    text = "modules:\n  n:\n    signature: {timeout_ms: fast}\n    permissions: {audit: standard}\n"
+    found = module(extraction(workspace, text))
+    assert found.signature.timeout_ms is not None
+    assert found.signature.timeout_ms.origin == "inferred"
+    assert found.permissions.audit is not None
+
+
+def test_a_file_of_another_schema_is_not_used(workspace: Workspace) -> None:
+    """Its fields may mean something else."""
+    found = module(extraction(workspace, "schema: ecm-extract/overlay/9\nall: {permissions: {audit: standard}}"))
+    assert found.permissions.audit is None
+
+
+@pytest.mark.parametrize("row", [row for row in FIELDS if not row.path.startswith("ecm.")], ids=lambda row: row.path)
+def test_every_field_has_an_example_that_can_be_declared(row: FieldRow) -> None:
+    """An error shows it, so it must be right."""
+    section, _, field = row.path.partition(".")
+    value = yaml.safe_load(examples()[row.path])
+    assert is_declarable(section, field, value)
+
+
+@pytest.mark.parametrize("command", ["extract", "check", "lint"])
+def test_each_command_tells_of_each_mistake(
+    command: str, workspace: Workspace, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Two contradictions were one line of a summary, a wrong value was none, and the status was that of success."""
+    text = (
+        "modules:\n  n:\n    signature:\n      timeout_ms: fast\n      invocation_mode: x\n"
+        f"    resources: {{sensors: [imu]}}\n{SCHEMA}"
+    )
+    workspace.package({"src/n.cpp": NODE, "ecm.yaml": text})
+    status = run([command, str(workspace.root), *(["--format", "summary"] if command == "extract" else [])])
+    out, err = capsys.readouterr()
+    assert status == (1 if command == "lint" else 2)
+    told = out if command == "lint" else err
+    assert [f"pkg/ecm.yaml:{line}: " in told for line in (4, 5, 6)] == [True] * 3
+
+
+def test_a_contradiction_alone_is_no_wrong_input(workspace: Workspace, capsys: pytest.CaptureFixture[str]) -> None:
+    """The source may be what has to change."""
+    workspace.package({"src/n.cpp": NODE, "ecm.yaml": f"{SCHEMA}all: {{resources: {{sensors: [imu]}}}}\n"})
+    assert run(["check", str(workspace.root)]) == 0
+    assert "pkg/ecm.yaml:2: warning: " in capsys.readouterr().err

@@ -41,10 +41,18 @@ def test_summary_of_nothing() -> None:
 
 
 def test_one_cause_is_one_line() -> None:
-    """Many places with one cause are counted, the first is the example."""
+    """Many places with one cause are counted, and each of them is there to be shown."""
     second = msgspec.structs.replace(BAD_MESSAGE, path="z.msg")
     found = gaps(make_extraction(diagnostics=(BAD_MESSAGE, second)))
-    assert [(gap.count, gap.place) for gap in found] == [(2, "base/msg/A.msg:3")]
+    assert [(gap.count, [spot.place for spot in gap.spots]) for gap in found] == [(2, ["base/msg/A.msg:3", "z.msg:3"])]
+
+
+def test_places_of_a_cause_are_shown_with_their_lines() -> None:
+    """One of 804 said nothing of where the other 803 are."""
+    every = tuple(msgspec.structs.replace(BAD_MESSAGE, path=f"m{number}.msg") for number in range(7))
+    text = summary(make_extraction(diagnostics=every))
+    assert [f"m{number}.msg:3" in text for number in range(7)] == [True] * 5 + [False] * 2
+    assert "and 2 more places" in text
 
 
 def test_no_colour_in_a_file(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -9,11 +9,21 @@ from typing import TYPE_CHECKING, Any, Final, Literal
 import click
 import msgspec
 
-from ecm_extract.cli.outputs import FINDING_FORMATS, findings_as, write_outputs
+from ecm_extract.cli.outputs import (
+    FINDING_FORMATS,
+    findings_as,
+    refuse_statistics_as,
+    statistics_as,
+    write_outputs,
+)
+from ecm_extract.cli.overlays import WRONG_INPUT, tell_overlay_problems
 from ecm_extract.errors import InputError
 
 if TYPE_CHECKING:
     from ecm_checker.outcome import Report
+
+    from ecm_extract.check import Given
+    from ecm_extract.extraction_model import LocatedDiagnostic
 
 OPERATIONS: Final = ("system", "compose", "chain", "install", "upgrade", "invoke")
 FORMATS: Final = ("text", "json", *FINDING_FORMATS)
@@ -41,6 +51,7 @@ class Request(msgspec.Struct, frozen=True, kw_only=True):
     dimensions: str | None
     without: tuple[str, ...]
     together: bool
+    statistics: bool
     format: str
     output: tuple[str, ...]
     fail_on: Literal["error", "warning", "info", "never"]
@@ -51,12 +62,12 @@ class Request(msgspec.Struct, frozen=True, kw_only=True):
 
 
 @click.command(short_help="Decide whether modules can be installed, composed, upgraded.", epilog=_EPILOG)
-@click.argument("paths", nargs=-1)
+@click.argument("paths", nargs=-1, type=click.Path())
 @click.option("--operation", type=click.Choice(OPERATIONS), default="system", show_default=True, help="What to decide.")
-@click.option("--embodiment", metavar="FILE", help="What the robot has.")
-@click.option("--policy", metavar="FILE", help="What governance allows.")
-@click.option("--runtime", metavar="FILE", help="What is installed and holds.")
-@click.option("--call", metavar="FILE", help="What the caller brings; for invoke.")
+@click.option("--embodiment", type=click.Path(), metavar="FILE", help="What the robot has.")
+@click.option("--policy", type=click.Path(), metavar="FILE", help="What governance allows.")
+@click.option("--runtime", type=click.Path(), metavar="FILE", help="What is installed and holds.")
+@click.option("--call", type=click.Path(), metavar="FILE", help="What the caller brings; for invoke.")
 @click.option("--dimensions", metavar="DIM,...", help="Consult these dimensions only.")
 @click.option("--without", metavar="DIM", multiple=True, help="Do not consult this dimension; may be repeated.")
 @click.option("--together", is_flag=True, help="The modules of a system are known to run together.")
@@ -66,6 +77,7 @@ class Request(msgspec.Struct, frozen=True, kw_only=True):
     multiple=True,
     help="Check what this launch file of the workspace PATH starts, under its own names; may be repeated.",
 )
+@click.option("--statistics", is_flag=True, help="Show how many findings each rule has, not the findings.")
 @click.option("--format", type=click.Choice(FORMATS), default="text", show_default=True, help="On standard output.")
 @click.option("--output", multiple=True, metavar="FORMAT=FILE", help="Also into a file. May be repeated.")
 @click.option(
@@ -93,8 +105,12 @@ def command(ctx: click.Context, /, **options: Any) -> None:
     if not request.paths:
         message = "name at least one manifest, folder or tree"
         raise click.UsageError(message, ctx)
-    report = _decide(request)
+    refuse_statistics_as(request.format, request.statistics)
+    diagnostics: list[LocatedDiagnostic] = []
+    report = _decide(request, diagnostics)
     _print(report, request)
+    if tell_overlay_problems(diagnostics):
+        ctx.exit(WRONG_INPUT)
     if _fails(report, request.fail_on):
         ctx.exit(1)
 
@@ -106,13 +122,17 @@ def _request(options: dict[str, Any]) -> Request:
     return Request(paths=paths, **options)
 
 
-def _decide(request: Request) -> Report:
+def _decide(request: Request, diagnostics: list[LocatedDiagnostic]) -> Report:
     from ecm_extract.check import decide
+    from ecm_extract.cli.progress import progress_bar
 
-    return decide(request.operation, request.paths, _profiles(request), _dimensions(request), request.together)
+    with progress_bar():
+        return decide(
+            request.operation, request.paths, _given(request, diagnostics), _dimensions(request), request.together
+        )
 
 
-def _profiles(request: Request) -> Any:
+def _given(request: Request, diagnostics: list[LocatedDiagnostic]) -> Given:
     from ecm_checker.profiles import Call, Embodiment, Policy, Runtime
 
     from ecm_extract.check import Given
@@ -125,6 +145,7 @@ def _profiles(request: Request) -> Any:
         profile(request.call, Call),
         not request.no_cache,
         request.launch,
+        diagnostics.extend,
     )
 
 
@@ -141,10 +162,18 @@ def _print(report: Report, request: Request) -> None:
     from ecm_extract.report.check_text import summary_text
 
     write_outputs(request.output, FORMATS, lambda form: _rendered(report, form))
-    click.echo(_rendered(report, request.format), nl=False)
+    click.echo(_shown(report, request), nl=False)
     if not request.quiet:
         sys.stdout.flush()
         click.echo(summary_text(report), err=True, nl=False)
+
+
+def _shown(report: Report, request: Request) -> str:
+    if not request.statistics:
+        return _rendered(report, request.format)
+    from ecm_extract.report.findings.statistics import never
+
+    return statistics_as(request.format, report.findings, never)
 
 
 def _rendered(report: Report, form: str) -> str:

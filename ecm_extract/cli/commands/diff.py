@@ -10,11 +10,13 @@ from typing import TYPE_CHECKING, Any, Final, Literal
 import click
 import msgspec
 
+from ecm_extract.cli.completions import packages, sides
 from ecm_extract.cli.outputs import findings_as, write_outputs
 
 if TYPE_CHECKING:
     from ecm_extract.diff.model import Comparison, RefInfo
     from ecm_extract.diff.run import Request
+    from ecm_extract.extraction_model import Progress
 
 FORMATS: Final = ("text", "json", "migration", "markdown", "html", "sarif", "github", "junit")
 
@@ -48,8 +50,8 @@ class Asked(msgspec.Struct, frozen=True):
 
 
 @click.command(short_help="Say what changed between two releases, and whom it breaks.", epilog=_EPILOG)
-@click.argument("old", required=False)
-@click.argument("new", required=False, default=".")
+@click.argument("old", required=False, shell_complete=sides)
+@click.argument("new", required=False, default=".", shell_complete=sides)
 @click.option("--repo", metavar="DIR", default=".", show_default=True, help="Repository of the refs.")
 @click.option(
     "--consumer",
@@ -57,7 +59,7 @@ class Asked(msgspec.Struct, frozen=True):
     multiple=True,
     help="Packages that use these; their lines that break are findings.  [the new side always is one]",
 )
-@click.option("--package", metavar="NAME", multiple=True, help="Only changes of this package.")
+@click.option("--package", metavar="NAME", multiple=True, shell_complete=packages, help="Only changes of this package.")
 @click.option(
     "--format",
     type=click.Choice(FORMATS),
@@ -92,13 +94,14 @@ def command(**options: Any) -> int:
 
 
 def _compare(asked: Asked) -> Comparison:
+    from ecm_extract.cli.progress import progress_bar
     from ecm_extract.diff.run import compare
 
-    return compare(_request(asked))
+    with progress_bar() as progress:
+        return compare(_request(asked, progress))
 
 
-def _request(asked: Asked) -> Request:
-    from ecm_extract.cli.progress import progress_bar
+def _request(asked: Asked, progress: Progress | None) -> Request:
     from ecm_extract.diff.baseline import default_baseline, open_consumer, open_side
     from ecm_extract.diff.model import RefInfo
     from ecm_extract.diff.run import Request
@@ -111,8 +114,7 @@ def _request(asked: Asked) -> Request:
     infos = RefInfo(spec, old.commit, why), RefInfo(asked.new, new.commit, "named")
     _say_baseline(infos)
     repo = find_repo(folder)
-    with progress_bar() as progress:
-        options = Options(asked.include_tests, asked.config, asked.jobs, progress, not asked.no_cache)
+    options = Options(asked.include_tests, asked.config, asked.jobs, progress, not asked.no_cache)
     return Request(
         old=old,
         new=new,

@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING, Any, Final, Literal, TextIO
 import click
 import msgspec
 
+from ecm_extract.cli.completions import refs
+from ecm_extract.cli.overlays import tell_overlay_problems
 from ecm_extract.errors import InputError
 
 if TYPE_CHECKING:
@@ -44,8 +46,8 @@ class Request(msgspec.Struct, frozen=True):
 
 
 @click.command(short_help="Write the contract of every module below a path.", epilog=_EPILOG)
-@click.argument("path")
-@click.option("--ref", help="Read a tag, branch or commit, not the files of the folder.")
+@click.argument("path", type=click.Path())
+@click.option("--ref", shell_complete=refs, help="Read a tag, branch or commit, not the files of the folder.")
 @click.option(
     "--format",
     type=click.Choice(["yaml", "json", "summary"]),
@@ -56,15 +58,16 @@ class Request(msgspec.Struct, frozen=True):
 @click.option(
     "-o",
     "--output",
+    type=click.Path(),
     metavar="DIR|-",
     help=f"Where to write; - is standard output.  [default: {DEFAULT_FOLDER}]",
 )
 @click.option("--include-tests", is_flag=True, help="Read test folders too.")
-@click.option("--config", metavar="FILE", help="Use this ecm.toml.  [default: the one in PATH]")
+@click.option("--config", type=click.Path(), metavar="FILE", help="Use this ecm.toml.  [default: the one in PATH]")
 @click.option("--jobs", type=click.IntRange(min=1), help="Worker processes.  [default: one per core]")
 @click.option("--no-cache", is_flag=True, help="Take nothing from the cache and add nothing to it.")
 @click.option("-q", "--quiet", is_flag=True, help="Print no summary.")
-def command(**options: Any) -> None:
+def command(**options: Any) -> int:
     """Read the ROS packages below PATH and write the contract of every module.
 
     PATH is a folder in or above which packages lie, or DIR@REF. The summary goes to standard output; with
@@ -79,6 +82,7 @@ def command(**options: Any) -> None:
         _print_documents(extraction, request)
     else:
         _write_documents(extraction, request)
+    return tell_overlay_problems(extraction.diagnostics)
 
 
 def _refuse_contradictions(request: Request) -> None:

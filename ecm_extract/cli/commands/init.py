@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Final
 import click
 import msgspec
 
+from ecm_extract.cli.completions import packages
 from ecm_extract.errors import InputError
 
 if TYPE_CHECKING:
@@ -34,10 +35,10 @@ class Request(msgspec.Struct, frozen=True):
 
 
 @click.command(short_help="Write an ecm.yaml with what no tool can know.", epilog=_EPILOG)
-@click.argument("path")
-@click.option("--package", metavar="NAME", help="Only this package.")
+@click.argument("path", type=click.Path())
+@click.option("--package", metavar="NAME", shell_complete=packages, help="Only this package.")
 @click.option("--print", "print_only", is_flag=True, help="Print the overlays, write nothing.")
-@click.option("--config", metavar="FILE", help="Use this ecm.toml.  [default: the one in PATH]")
+@click.option("--config", type=click.Path(), metavar="FILE", help="Use this ecm.toml.  [default: the one in PATH]")
 @click.option("--jobs", type=click.IntRange(min=1), help="Worker processes.  [default: one per core]")
 @click.option("--no-cache", is_flag=True, help="Take nothing from the cache and add nothing to it.")
 def command(**options: Any) -> None:

@@ -12,7 +12,14 @@ from typing import TYPE_CHECKING, Any, Final, Literal, NamedTuple
 import click
 import msgspec
 
-from ecm_extract.cli.outputs import FINDING_FORMATS, findings_as, write_outputs
+from ecm_extract.cli.completions import lint_rules, refs
+from ecm_extract.cli.outputs import (
+    FINDING_FORMATS,
+    findings_as,
+    refuse_statistics_as,
+    statistics_as,
+    write_outputs,
+)
 from ecm_extract.errors import InputError
 
 if TYPE_CHECKING:
@@ -41,7 +48,8 @@ class Request(msgspec.Struct, frozen=True):
     path: str
     base: str | None
     patch: str | None
-    select: tuple[str, ...]
+    select: frozenset[str]
+    statistics: bool
     format: str
     output: tuple[str, ...]
     fail_on: Literal["error", "warning", "info", "never"]
@@ -54,10 +62,22 @@ class Request(msgspec.Struct, frozen=True):
 
 
 @click.command(short_help="Report what will break somebody, on the line that does.", epilog=_EPILOG)
-@click.argument("path", default=".")
-@click.option("--base", metavar="REF", help="Only what the change from REF brings in, with its interface changes.")
+@click.argument("path", default=".", type=click.Path())
+@click.option(
+    "--base",
+    metavar="REF",
+    shell_complete=refs,
+    help="Only what the change from REF brings in, with its interface changes.",
+)
 @click.option("--patch", metavar="FILE|-", help="Only lines that a patch touches.")
-@click.option("--select", multiple=True, metavar="RULE", help="Only this rule. May be repeated.")
+@click.option(
+    "--select",
+    multiple=True,
+    metavar="RULE",
+    shell_complete=lint_rules,
+    help="Only this rule, or all that begin so: LNT0. May be repeated.",
+)
+@click.option("--statistics", is_flag=True, help="Show how many findings each rule has, and how many --fix mends.")
 @click.option("--format", type=click.Choice(FORMATS), default="text", show_default=True, help="On standard output.")
 @click.option("--output", multiple=True, metavar="FORMAT=FILE", help="Also into a file. May be repeated.")
 @click.option(
@@ -78,24 +98,41 @@ def command(**options: Any) -> int:
 
     Findings go to standard output, the summary to standard error.
     """
-    request = Request(**options)
-    findings, workspace = _findings(request)
+    from ecm_extract.cli.progress import progress_bar
+
+    request = Request(**{**options, "select": _selected(options["select"])})
+    refuse_statistics_as(request.format, request.statistics)
+    with progress_bar() as progress:
+        findings, workspace = _findings(request, progress)
     if request.write_baseline:
         return _write_baseline(findings, request)
     answered = _answered(findings, workspace, request)
     if request.fix:
         _fix(answered.findings, workspace, request)
-    _print(answered.findings, request)
+    if request.statistics:
+        _print_statistics(answered.findings, workspace, request)
+    else:
+        _print(answered.findings, request)
     _say(answered)
     return int(_is_failure(answered.findings, request.fail_on))
 
 
-def _findings(request: Request) -> tuple[list[Finding], Workspace]:
+def _selected(texts: tuple[str, ...]) -> frozenset[str]:
+    """Ids of the rules that `--select` means; empty for all."""
+    if not texts:
+        return frozenset()
+    from ecm_extract.rule_ids import rules_meant
+    from ecm_extract.rule_pages import lint_rule_ids
+
+    return rules_meant(texts, lint_rule_ids())
+
+
+def _findings(request: Request, progress: Progress | None) -> tuple[list[Finding], Workspace]:
     from ecm_extract.tree import open_tree
 
     tree = open_tree(request.path)
     parsed: dict[str, Any] = {}
-    read = _read(tree, request, parsed)
+    read = _read(tree, _options(request, progress), parsed)
     base = _base(request, parsed) if request.base is not None else None
     workspace = _workspace(read, request)
     found = _run(workspace, request)
@@ -111,12 +148,10 @@ def _findings(request: Request) -> tuple[list[Finding], Workspace]:
     return found, workspace
 
 
-def _read(tree: Tree, request: Request, parsed: dict[str, Any]) -> PackagesRead:
-    from ecm_extract.cli.progress import progress_bar
+def _read(tree: Tree, options: Options, parsed: dict[str, Any]) -> PackagesRead:
     from ecm_extract.entities.side import read_packages
 
-    with progress_bar() as progress:
-        return read_packages(tree, _options(request, progress), parsed)
+    return read_packages(tree, options, parsed)
 
 
 def _workspace(read: PackagesRead, request: Request) -> Workspace:
@@ -132,14 +167,8 @@ def _options(request: Request, progress: Progress | None) -> Options:
 
 
 def _run(workspace: Workspace, request: Request) -> list[Finding]:
-    from ecm_extract.lint.catalogue import catalogue
     from ecm_extract.lint.run import findings_of
 
-    known = {entry.rule.id for entry in catalogue()}
-    unknown = [rule for rule in request.select if rule not in known]
-    if unknown:
-        message = f"there is no rule {unknown[0]}"
-        raise InputError(message, "`ecm-extract rules` lists them")
     config = workspace.config
     found = findings_of(workspace, request.select, config.severity)
     return [each for each in found if not config.promise or each.who in config.promise]
@@ -161,7 +190,7 @@ def _base(request: Request, parsed: dict[str, Any]) -> Base:
     tree = open_source(str(request.base), _folder(request))
 
     def work() -> tuple[list[Finding], Side]:
-        workspace = _workspace(_read(tree, request, parsed), request)
+        workspace = _workspace(_read(tree, _options(request, None), parsed), request)
         return _run(workspace, request), side_of(workspace.as_side())
 
     return Base(tree, meanwhile(work, request.jobs))
@@ -184,8 +213,9 @@ def _brought_in(found: list[Finding], workspace: Workspace, request: Request, ba
     infos = RefInfo(name, base.tree.commit, "named"), RefInfo(request.path, tree.commit, "named")
     comparing = Comparing(base.tree, tree, _folder(request), "", infos)
     comparison = compared(comparing, Sides(old, after, lambda: consumers(now)), {})
-    changes = [] if request.select else list(change_findings(comparison, base.tree, tree))
-    return [*new_findings(found, before), *changes]
+    changes = change_findings(comparison, base.tree, tree)
+    wanted = [each for each in changes if not request.select or each.rule in request.select]
+    return [*new_findings(found, before), *wanted]
 
 
 def _folder(request: Request) -> Path:
@@ -237,6 +267,14 @@ def _fix(findings: tuple[Finding, ...], workspace: Workspace, request: Request) 
     for path, before, after in fixed_texts(fixes_of(findings, workspace), workspace):
         click.echo(shown(path, before, after), err=True, nl=False)
         (root / path).write_text(after, "utf-8", errors="surrogateescape", newline="")
+
+
+def _print_statistics(findings: tuple[Finding, ...], workspace: Workspace, request: Request) -> None:
+    from ecm_extract.lint.fixes import fixes_of
+
+    write_outputs(request.output, FORMATS, lambda form: _rendered(findings, form))
+    click.echo(statistics_as(request.format, findings, lambda each: bool(fixes_of([each], workspace))), nl=False)
+    sys.stdout.flush()
 
 
 def _print(findings: tuple[Finding, ...], request: Request) -> None:

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any, Final
 import click
 import msgspec
 
+from ecm_extract.cli.completions import refs
+
 if TYPE_CHECKING:
     from ecm_extract.system.system import System
 
@@ -37,13 +39,13 @@ class Request(msgspec.Struct, frozen=True):
 
 
 @click.command(short_help="Show what launch files start, and how it is connected.", epilog=_EPILOG)
-@click.argument("launch", nargs=-1, required=True, metavar="LAUNCH... [NAME:=VALUE]...")
+@click.argument("launch", nargs=-1, required=True, type=click.Path(), metavar="LAUNCH... [NAME:=VALUE]...")
 @click.option(
     "--workspace",
     metavar="DIR|DIR@REF",
     help="The tree that holds the launch files and packages.  [default: here, or the repository of a LAUNCH elsewhere]",
 )
-@click.option("--ref", help="Read a tag, branch or commit of the workspace.")
+@click.option("--ref", shell_complete=refs, help="Read a tag, branch or commit of the workspace.")
 @click.option("--env", multiple=True, metavar="NAME=VALUE", help="An environment variable of the launch.")
 @click.option("--format", type=click.Choice(FORMATS), default="text", show_default=True, help="How to show it.")
 @click.option("--include-tests", is_flag=True, help="Read test folders too.")

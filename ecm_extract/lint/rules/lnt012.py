@@ -40,16 +40,14 @@ def check(workspace: Workspace) -> Iterator[Finding]:
 
 
 def _written(system: System) -> dict[str, list[Endpoint]]:
-    table = hardware_table().actuators
+    table = hardware_table()
     found: dict[str, list[Endpoint]] = {}
     for node in system.nodes:
         if node.instance.conditional:
             continue
         for entry in node.endpoints:
-            actuator = table.get(entry.type or "")
-            last = entry.name.rsplit("/", 1)[-1]
-            moves = actuator is not None and (not actuator.topics or any(word in last for word in actuator.topics))
-            if entry.role == "publisher" and entry.known and moves and not _relays(node, entry.name):
+            moves = entry.known and table.moved(entry.role, entry.type, entry.name) is not None
+            if entry.role == "publisher" and moves and not _relays(node, entry.name):
                 found.setdefault(entry.name, []).append(entry)
     return found
 

@@ -27,4 +27,6 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     for entry in workspace.diagnostics("drift"):
         name = entry.message.partition(":")[0]
         package = workspace.package_of(entry.path)
-        yield RULE.finding(entry.message, Entity("contract", name), package, [Evidence(entry.path, entry.line)])
+        yield RULE.finding(
+            entry.message.rstrip("."), Entity("contract", name), package, [Evidence(entry.path, entry.line)]
+        )

@@ -54,6 +54,7 @@ class BodyReader:
         self.functions: list[Function] = []
         self.types: list[Node] = []
         self._depth = 0
+        self._lambdas = 0
         self._nesting = 0
 
     def read(self, node: Node) -> None:
@@ -280,7 +281,9 @@ class BodyReader:
 
     def _lambda_body(self, body: Node) -> None:
         self._depth += 1
+        self._lambdas += 1
         self.read(body)
+        self._lambdas -= 1
         self._depth -= 1
 
     def _add(
@@ -291,7 +294,7 @@ class BodyReader:
         target: Expr | None = None,
         declared: str = "",
     ) -> None:
-        self.statements.append(Statement(kind, _line(node), value, target, declared, self._depth))
+        self.statements.append(Statement(kind, _line(node), value, target, declared, self._depth, self._lambdas > 0))
 
 
 _LOGGING_BYTES = tuple(prefix.encode() for prefix in _LOGGING)

@@ -30,6 +30,7 @@ class Statement(_Fact, frozen=True):
         target: what is bound (`let`, `set`, `init`, `each`).
         type: declared type as written (`let` in C++, annotated Python).
         depth: how many conditions and loops enclose it; 0 runs whenever the body runs.
+        deferred: it stands in an anonymous lambda, which runs when somebody calls it.
     """
 
     kind: StatementKind
@@ -38,6 +39,7 @@ class Statement(_Fact, frozen=True):
     target: Expr | None = None
     type: str = ""
     depth: int = 0
+    deferred: bool = False
 
 
 class Parameter(_Fact, frozen=True):

@@ -224,7 +224,9 @@ def _inner(scan: Scan, node: Node) -> Expr:
 def _lambda(scan: Scan, node: Node) -> Expr:
     parameters, body = node.child_by_field_name("parameters"), node.child_by_field_name("body")
     if body is not None:
+        scan.frame.lambdas += 1
         scan.do(body)
+        scan.frame.lambdas -= 1
     return Lambda(("",) * parameters.named_child_count if parameters is not None else ())
 
 

@@ -37,10 +37,10 @@ class Frame:
         names: expressions of names and dotted names seen, by source bytes; maps the receiver to `this`.
         fields: of the class being read, also in its `__init__`; None elsewhere.
         owner: the class as an expression, in a class body.
-        depth: how many conditions and loops enclose the current statement.
+        depth: how many conditions and loops enclose the current statement. lambdas: how many lambdas do.
     """
 
-    __slots__ = ("body", "depth", "fields", "names", "owner", "place", "scope")
+    __slots__ = ("body", "depth", "fields", "lambdas", "names", "owner", "place", "scope")
 
     def __init__(self, place: Place, scope: str, body: list[Statement], names: dict[bytes, Expr]) -> None:
         self.place = place
@@ -50,6 +50,7 @@ class Frame:
         self.fields: list[Field] | None = None
         self.owner: Expr | None = None
         self.depth = 0
+        self.lambdas = 0
 
 
 class Scan:
@@ -145,7 +146,8 @@ class Scan:
     ) -> None:
         """Add a statement to the current body."""
         frame = self.frame
-        frame.body.append(Statement(kind, node.start_point[0] + 1, value, target, type_, frame.depth))
+        deferred = frame.lambdas > 0
+        frame.body.append(Statement(kind, node.start_point[0] + 1, value, target, type_, frame.depth, deferred))
 
     def raw(self, node: Node) -> bytes:
         """Source bytes of a node."""

@@ -1,0 +1,62 @@
+"""Which code runs while a module is brought to work: from its beginning by calls, never through a callback."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Collection
+from functools import cache
+from importlib import resources
+
+from ecm_extract.link.calls import Invocation
+from ecm_extract.link.sites import Sites
+from ecm_extract.link.units import Func
+
+_BEGINNINGS = frozenset({"main", "<module>"})
+MAX_CALLERS = 2_000
+
+
+class Activation:
+    """Tells of calls whether they run before their module is active.
+
+    Args:
+        sites: know who calls whom.
+        programs: identities of the main functions of programs.
+    """
+
+    def __init__(self, sites: Sites, programs: Collection[int]) -> None:
+        self._sites = sites
+        self._programs = programs
+        self._known: dict[int, bool] = {}
+
+    def runs(self, call: Invocation) -> bool:
+        """Tell whether a call is reached from a beginning by calls alone; a callback is called later, if ever."""
+        if call.statement.deferred:
+            return False
+        known = self._known.get(id(call.func))
+        if known is None:
+            known = self._known[id(call.func)] = self._is_reached(call.func)
+        return known
+
+    def _is_reached(self, func: Func) -> bool:
+        seen, pending = {id(func)}, [func]
+        while pending and len(seen) < MAX_CALLERS:
+            current = pending.pop()
+            if self._begins(current):
+                return True
+            callers = [call.func for call in self._sites.callers(current) if not call.statement.deferred]
+            pending += [caller for caller in callers if id(caller) not in seen]
+            seen |= {id(caller) for caller in callers}
+        return False
+
+    def _begins(self, func: Func) -> bool:
+        if func.is_constructor or id(func) in self._programs:
+            return True
+        if func.cls is None:
+            return func.fact.name in _BEGINNINGS
+        return bool(func.cls.fact.bases) and func.fact.name in _methods()
+
+
+@cache
+def _methods() -> frozenset[str]:
+    text = (resources.files("ecm_extract.link") / "activation.toml").read_text("utf-8")
+    return frozenset(tomllib.loads(text)["methods"]["names"])
