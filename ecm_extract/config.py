@@ -28,7 +28,7 @@ class Extract(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Table `[extract]`: what is read.
 
     Attributes:
-        exclude: globs of paths relative to the root of the tree that are not read, `**` for any depth.
+        exclude: paths relative to the root of the tree that are not read, in patterns of a `.gitignore`.
         include_tests: whether test code counts as part of the package.
     """
 

@@ -8,7 +8,7 @@ from ecm_extract.diff.model import RefInfo
 from ecm_extract.errors import RefError, TreeError
 from ecm_extract.tree import Tree, newest_release, open_ref, open_tree
 from ecm_extract.tree.git_repo import GitRepo, find_repo
-from ecm_extract.tree.open import open_repo
+from ecm_extract.tree.open import is_folder, open_repo
 
 WORK_TREE = "."
 
@@ -28,14 +28,14 @@ def open_side(spec: str, repo: Path) -> Tree:
     try:
         return open_ref(repo, spec)
     except TreeError:
-        if Path(spec).is_dir():
+        if is_folder(spec):
             return open_tree(spec)
         raise
 
 
 def _is_folder(spec: str) -> bool:
     head = spec.split("@", 1)[0]
-    return (Path(spec).is_dir() or (bool(head) and Path(head).is_dir())) and "/" in spec
+    return "/" in spec and (is_folder(spec) or (bool(head) and is_folder(head)))
 
 
 def default_baseline(new: str, repo: Path) -> tuple[str, str]:

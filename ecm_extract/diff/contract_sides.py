@@ -20,7 +20,7 @@ from ecm_extract.entities.model import Key, PublicEntity
 from ecm_extract.entities.side import PackageInfo, Side
 from ecm_extract.errors import InputError
 from ecm_extract.extraction import extract
-from ecm_extract.extraction_model import Options
+from ecm_extract.extraction_model import Extraction, Options
 from ecm_extract.report.manifest_yaml import SUFFIX
 from ecm_extract.tree import Tree
 
@@ -45,13 +45,17 @@ def contract_sides(old: Tree, new: Tree, options: Options) -> Sides:
 
 
 def _side(tree: Tree, options: Options) -> Side:
-    contracts = list(_manifests(tree) if holds_contracts(tree) else _extracted(tree, options))
+    extraction = None if holds_contracts(tree) else extract(tree, options)
+    contracts = list(_manifests(tree) if extraction is None else _extracted(extraction))
+    if not contracts:
+        message = f"{tree.label} holds no ROS package and no manifest"
+        raise InputError(message, "name a folder of packages, or one that `ecm-extract` wrote manifests into")
     entities: dict[Key, PublicEntity] = {}
     for contract in contracts:
         for entity in _entities(contract):
             entities.setdefault(entity.key, entity)
     packages = {each.ecm.package: _package(each) for each in contracts}
-    return Side(tree=tree, packages=packages, entities=entities)
+    return Side(tree=tree, packages=packages, entities=entities, unread=extraction.unread if extraction else ())
 
 
 def _manifests(tree: Tree) -> Iterator[Contract]:
@@ -64,8 +68,8 @@ def _manifests(tree: Tree) -> Iterator[Contract]:
                 raise InputError(message, "a manifest is what `ecm-extract PATH` writes") from error
 
 
-def _extracted(tree: Tree, options: Options) -> Iterable[Contract]:
-    return (module for package in extract(tree, options).packages for module in package.modules)
+def _extracted(extraction: Extraction) -> Iterable[Contract]:
+    return (module for package in extraction.packages for module in package.modules)
 
 
 def _package(contract: Contract) -> PackageInfo:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import msgspec
 from ecm_parsers.source.facts import SourceFile
+from msgspec.structs import replace
 
+from ecm_extract.asked import refuse_empty, refuse_unknown_packages
 from ecm_extract.diff.changes import changes_of
 from ecm_extract.diff.contract_sides import contract_sides, holds_contracts
 from ecm_extract.diff.git_renames import renamed_files
@@ -15,10 +18,11 @@ from ecm_extract.diff.model import Comparison, Located, RefInfo
 from ecm_extract.diff.pair import Evidence, Pairing
 from ecm_extract.diff.sides import Sides, both_sides
 from ecm_extract.diff.texts import Texts
+from ecm_extract.diff.unread import SideRead, UnreadPart, unread_parts
 from ecm_extract.diff.verdict import package_verdicts, repository_verdict
 from ecm_extract.entities.side import Side, read_workspace
 from ecm_extract.extraction_model import Options
-from ecm_extract.tree import Tree
+from ecm_extract.tree import Tree, unread_of
 from ecm_extract.uses.collect import uses_of
 from ecm_extract.uses.findings import findings_of
 from ecm_extract.uses.index import ChangeIndex
@@ -51,6 +55,7 @@ def compare(request: Request) -> Comparison:
     Raises:
         TreeError: a tree cannot be listed.
         ConfigError: an `ecm.toml` is wrong.
+        NothingThereError: a side holds no package, or not one that was asked for.
     """
     parsed: dict[str, SourceFile] = {}
     if holds_contracts(request.old) or holds_contracts(request.new):
@@ -69,22 +74,49 @@ def compared(request: Request, sides: Sides, parsed: dict[str, SourceFile]) -> C
         parsed: facts by blob id, for the consumers to take from.
     """
     old, new, workspace = sides
+    refuse_unknown_packages(request.packages, {*old.packages, *new.packages}, _both_labels(request))
     located = _changes(request, old, new)
     index = ChangeIndex(located, old, new)
     uses = list(uses_of(workspace, index, own=True)) if workspace is not None else []
     for tree in request.consumers:
-        uses += uses_of(read_workspace(tree, request.options, parsed), index)
+        consumer = read_workspace(tree, request.options, parsed)
+        refuse_empty(tree, [package.root for package in consumer.packages])
+        uses += uses_of(consumer, index)
     findings = findings_of(uses)
     changes = tuple(entry.change for entry in located)
+    unread = _unread(request, old, new)
     return Comparison(
         repo=request.name,
         old=request.infos[0],
         new=request.infos[1],
         changes=changes,
         findings=findings,
-        verdict=repository_verdict(changes, old, new),
-        packages=package_verdicts(changes, old, new),
+        verdict=repository_verdict(changes, old, new, unread),
+        packages=package_verdicts(changes, old, new, unread),
+        unread=unread,
     )
+
+
+def _both_labels(request: Request) -> str:
+    return " or ".join(info.ref for info in request.infos)
+
+
+def _unread(request: Request, old: Side, new: Side) -> tuple[UnreadPart, ...]:
+    """What was not read until now: the trees tell it once all that is wanted of them was read."""
+    consumers = [unread for tree in request.consumers for unread in unread_of(tree.diagnostics)]
+    parts = unread_parts(_side_read(old), _side_read(new), consumers)
+    folders = [side.packages[name].path for side in (old, new) for name in request.packages if name in side.packages]
+    return tuple(part if _concerns(part, folders) else replace(part, limits=False) for part in parts)
+
+
+def _concerns(part: UnreadPart, folders: Sequence[str]) -> bool:
+    """Whether something lies in a package that was asked for; all packages were where none is named."""
+    return not folders or part.side == "consumer" or any(f"{part.path}/".startswith(f"{each}/") for each in folders)
+
+
+def _side_read(side: Side) -> SideRead:
+    unread = {*side.unread, *unread_of(side.tree.diagnostics)}
+    return SideRead(tuple(unread), frozenset(entry.path for entry in side.tree.files()))
 
 
 def _changes(request: Request, old: Side, new: Side) -> list[Located]:

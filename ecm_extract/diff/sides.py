@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from ecm_parsers.source.facts import SourceFile
 
+from ecm_extract.asked import refuse_empty
 from ecm_extract.diff.background import meanwhile
 from ecm_extract.entities.side import PackagesRead, Side, Workspace, link_packages, read_packages, side_of
 from ecm_extract.extraction_model import Options
@@ -29,19 +30,28 @@ def both_sides(old: Tree, new: Tree, options: Options, parsed: dict[str, SourceF
         new: the tree after.
         options: of the extraction; with one job nothing is forked.
         parsed: facts by blob id, to take from and to add to.
+
+    Raises:
+        NothingThereError: a side holds no package.
     """
-    before = read_packages(old, options, parsed)
-    told = len(old.diagnostics)
+    before = _read(old, options, parsed)
+    told = frozenset(old.diagnostics)
     linked = meanwhile(lambda: _linked(before, told), options.jobs)
-    workspace = link_packages(read_packages(new, options, parsed))
+    workspace = link_packages(_read(new, options, parsed))
     after = side_of(workspace)
     return Sides(_reported(linked(), old), after, workspace)
 
 
-def _linked(before: PackagesRead, told: int) -> tuple[Side, Sequence[FileDiagnostic]]:
+def _read(tree: Tree, options: Options, parsed: dict[str, SourceFile]) -> PackagesRead:
+    read = read_packages(tree, options, parsed)
+    refuse_empty(tree, [package.root for package in read.packages])
+    return read
+
+
+def _linked(before: PackagesRead, told: frozenset[FileDiagnostic]) -> tuple[Side, Sequence[FileDiagnostic]]:
     """In a fork what linking reports would be lost with it."""
     side = side_of(link_packages(before))
-    return side, before.tree.diagnostics[told:]
+    return side, [entry for entry in before.tree.diagnostics if entry not in told]
 
 
 def _reported(result: tuple[Side, Sequence[FileDiagnostic]], tree: Tree) -> Side:

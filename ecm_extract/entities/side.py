@@ -19,7 +19,7 @@ from ecm_extract.link.linker import LinkedModule, Linker
 from ecm_extract.link.program import Program
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.settings import config_of
-from ecm_extract.tree import Tree
+from ecm_extract.tree import Tree, Unread
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,6 +42,7 @@ class Side:
         packages: by name. entities: by key. interfaces: definition by `package/msg|srv|action/Name`.
         blobs: blob id of each file by path, where known.
         bound: dotted names that Python modules offer without declaring them; see `bound_names`.
+        unread: what extraction has told was not read; the tree tells the rest.
     """
 
     tree: Tree
@@ -50,6 +51,7 @@ class Side:
     interfaces: dict[str, Definition] = field(default_factory=dict)
     blobs: dict[str, str] = field(default_factory=dict)
     bound: frozenset[str] = frozenset()
+    unread: tuple[Unread, ...] = ()
 
 
 @dataclass(slots=True)

@@ -98,7 +98,7 @@ def test_a_mistyped_command_is_told(capsys: pytest.CaptureFixture[str]) -> None:
             2,
             "error: no such tag: 1.0\nhint: git fetch --tags\n",
         ),
-        (GitError("git is not installed"), 3, "error: git is not installed\n"),
+        (GitError("git is not installed"), 2, "error: git is not installed\n"),
         (ValueError("oops"), 3, "error: ecm-extract failed: ValueError: oops\nhint: this is a bug"),
         (KeyboardInterrupt(), 130, "interrupted\n"),
         (click.Abort(), 130, "interrupted\n"),

@@ -139,8 +139,9 @@ def test_the_document_is_the_wire_format(repo: Path, capsys: pytest.CaptureFixtu
         "kind", "change", "package", "owner", "old", "new", "breaking", "dimension", "confidence", "reason",
         "evidence_old", "evidence_new",
     }  # fmt: skip
-    verdict = {"compatibility_class": "breaking", "required_bump": "major", "declared_bump": "minor"}
+    verdict = {"compatibility_class": "breaking", "required_bump": "major", "declared_bump": "minor", "complete": True}
     assert found["verdict"] == verdict
+    assert found["unread"] == []
 
 
 def test_consumers_break_on_their_own_lines(repo: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -26,6 +26,9 @@ Examples:
   ecm-extract diff 1.2.0 . --format migration   the section for a migration guide
 """
 
+_INCOMPLETE: Final = 2
+"""The input could not be read as a whole, which no change of the code under test would mend."""
+
 FailOn = Literal["error", "warning", "info", "breaking", "never"]
 
 
@@ -88,7 +91,7 @@ def command(**options: Any) -> int:
     comparison = _compare(asked)
     _print(comparison, asked)
     _say_verdict(comparison)
-    return int(_is_failure(comparison, asked.fail_on))
+    return _status(comparison, asked.fail_on)
 
 
 def _compare(asked: Asked) -> Comparison:
@@ -142,7 +145,7 @@ def _print(comparison: Comparison, asked: Asked) -> None:
     if asked.backport:
         from ecm_extract.diff.verdict import backport_line
 
-        click.echo(backport_line(comparison.changes))
+        click.echo(backport_line(comparison))
         return
     write_outputs(asked.output, FORMATS, lambda form: _rendered(comparison, form))
     sys.stdout.write(_rendered(comparison, asked.format))
@@ -156,14 +159,26 @@ def _rendered(comparison: Comparison, form: str) -> str:
 
 
 def _say_verdict(comparison: Comparison) -> None:
+    from ecm_extract.diff.formats.phrases import incomplete
+    from ecm_extract.diff.verdict import needed
+
     verdict = comparison.verdict
     declared = verdict.declared_bump or "unknown"
     breaking = sum(change.breaking for change in comparison.changes)
     click.echo(
-        f"verdict: {verdict.compatibility_class}, needs {verdict.required_bump}, takes {declared}; "
+        f"verdict: {verdict.compatibility_class}, needs {needed(verdict)}, takes {declared}; "
         f"{len(comparison.changes)} changes, {breaking} breaking; {len(comparison.findings)} findings",
         err=True,
     )
+    if not verdict.complete:
+        click.echo(f"incomplete: {incomplete(comparison)}", err=True)
+
+
+def _status(comparison: Comparison, fail_on: FailOn) -> int:
+    """A finding is true whatever else was read; without one, what was not read leaves the answer open."""
+    if _is_failure(comparison, fail_on):
+        return 1
+    return 0 if comparison.verdict.complete else _INCOMPLETE
 
 
 def _is_failure(comparison: Comparison, fail_on: FailOn) -> bool:
