@@ -6,7 +6,7 @@ from pathlib import Path
 
 from ecm_extract.diff.model import RefInfo
 from ecm_extract.errors import RefError, TreeError
-from ecm_extract.tree import Tree, newest_release, open_ref, open_tree
+from ecm_extract.tree import Tree, is_shallow, merge_base, newest_release, open_ref, open_tree, resolve_commit
 from ecm_extract.tree.git_repo import GitRepo, find_repo
 from ecm_extract.tree.open import is_folder, open_repo
 
@@ -51,6 +51,46 @@ def default_baseline(new: str, repo: Path) -> tuple[str, str]:
         message = f"no release tag is reachable from {at}"
         raise RefError(message, "name the old side, or get the tags with `git fetch --tags origin`")
     return tag.name, f"newest release tag reachable from {at}"
+
+
+def open_base(spec: str, repo: Path, now: Tree, tip: bool) -> tuple[Tree, RefInfo]:
+    """Open what a change started from: the last commit that REF and the change have in common.
+
+    What was added to REF since is nothing that the change took away.
+
+    Args:
+        spec: as for `open_side`; only a ref has a commit in common.
+        repo: folder of the repository.
+        now: the tree with the change.
+        tip: take REF as it is.
+
+    Raises:
+        TreeError: neither a folder nor a ref; RefError: there is no such commit in this clone.
+    """
+    ref, colon, subdir = spec.partition(":")
+    given = None if tip or now.commit is None or _is_folder(spec) else _commit_of(ref, repo)
+    if given is None:
+        tree = open_side(spec, repo)
+        return tree, RefInfo(spec, tree.commit, "as it is" if tip else "named")
+    shared = merge_base(open_repo(repo), given, now.commit or given)
+    if shared is None:
+        raise _nothing_shared(ref, given, now, open_repo(repo))
+    tree = open_side(f"{shared}{colon}{subdir}", repo)
+    return tree, RefInfo(spec, shared, f"merge base of {ref} {given[:12]} and of this at {(now.commit or '')[:12]}")
+
+
+def _commit_of(ref: str, repo: Path) -> str | None:
+    try:
+        return resolve_commit(open_repo(repo), ref)
+    except TreeError:
+        return None
+
+
+def _nothing_shared(ref: str, given: str, now: Tree, git: GitRepo) -> RefError:
+    message = f"{ref} {given[:12]} and this at {(now.commit or '')[:12]} have no commit in common"
+    cut = f"{message} in this clone, which is shallow" if is_shallow(git) else message
+    get = "get the history with `git fetch --unshallow origin`, or " if is_shallow(git) else ""
+    return RefError(cut, f"{get}compare with {ref} as it is: --base-tip")
 
 
 def describe(spec: str, tree: Tree, why: str) -> RefInfo:

@@ -2,7 +2,7 @@
 
 from ecm_extract.tree.base import MAX_FILE_BYTES, Entry, FileDiagnostic, Tree, blob_id, printable, unread_of
 from ecm_extract.tree.open import open_ref, open_repo, open_tree
-from ecm_extract.tree.refs import ReleaseTag, merge_base, newest_release, release_tags, resolve_commit
+from ecm_extract.tree.refs import ReleaseTag, is_shallow, merge_base, newest_release, release_tags, resolve_commit
 from ecm_extract.tree.unread import Unread, can_declare
 
 __all__ = [
@@ -14,6 +14,7 @@ __all__ = [
     "Unread",
     "blob_id",
     "can_declare",
+    "is_shallow",
     "merge_base",
     "newest_release",
     "open_ref",

@@ -82,6 +82,11 @@ def merge_base(repo: GitRepo, one: str, other: str) -> str | None:
     return out.decode("ascii").split()[0] if status == 0 else None
 
 
+def is_shallow(repo: GitRepo) -> bool:
+    """Whether the clone holds only the newest part of the history."""
+    return (repo.common_dir / "shallow").exists()
+
+
 def release_tags(repo: GitRepo, ref: str) -> tuple[ReleaseTag, ...]:
     """Tags that name a version and are reachable from `ref`, lowest version first.
 
@@ -139,7 +144,7 @@ def _missing_hint(repo: GitRepo, ref: str) -> str:
 
 
 def _fetch_line(repo: GitRepo, ref: str) -> str:
-    if (repo.common_dir / "shallow").exists():
+    if is_shallow(repo):
         return "git fetch --unshallow --tags origin"
     if _OBJECT_ID.fullmatch(ref):
         return f"git fetch origin {ref}"

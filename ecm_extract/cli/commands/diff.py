@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Final, Literal
 import click
 import msgspec
 
-from ecm_extract.cli.outputs import findings_as, write_outputs
+from ecm_extract.cli.outputs import INCOMPLETE, findings_as, write_outputs
 
 if TYPE_CHECKING:
     from ecm_extract.diff.model import Comparison, RefInfo
@@ -25,9 +25,6 @@ Examples:
   ecm-extract diff 1.1.20 1.3.0 --repo nav2 --consumer src/my_robot
   ecm-extract diff 1.2.0 . --format migration   the section for a migration guide
 """
-
-_INCOMPLETE: Final = 2
-"""The input could not be read as a whole, which no change of the code under test would mend."""
 
 FailOn = Literal["error", "warning", "info", "breaking", "never"]
 
@@ -178,7 +175,7 @@ def _status(comparison: Comparison, fail_on: FailOn) -> int:
     """A finding is true whatever else was read; without one, what was not read leaves the answer open."""
     if _is_failure(comparison, fail_on):
         return 1
-    return 0 if comparison.verdict.complete else _INCOMPLETE
+    return 0 if comparison.verdict.complete else INCOMPLETE
 
 
 def _is_failure(comparison: Comparison, fail_on: FailOn) -> bool:
