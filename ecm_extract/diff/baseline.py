@@ -6,11 +6,23 @@ from pathlib import Path
 
 from ecm_extract.diff.model import RefInfo
 from ecm_extract.errors import RefError, TreeError
-from ecm_extract.tree import Tree, is_shallow, merge_base, newest_release, open_ref, open_tree, resolve_commit
+from ecm_extract.tree import (
+    Tree,
+    is_shallow,
+    merge_base,
+    newest_release,
+    open_ref,
+    open_tree,
+    release_tags,
+    resolve_commit,
+)
 from ecm_extract.tree.git_repo import GitRepo, find_repo
-from ecm_extract.tree.open import is_folder, open_repo
+from ecm_extract.tree.open import is_folder, no_folder, open_repo
+from ecm_extract.tree.ref_hints import no_release_hint
 
 WORK_TREE = "."
+_PATHS = ("./", "../", "/", "~/")
+"""How a path begins that cannot be taken for a ref."""
 
 
 def open_side(spec: str, repo: Path) -> Tree:
@@ -25,6 +37,8 @@ def open_side(spec: str, repo: Path) -> Tree:
         return open_tree(repo)
     if _is_folder(spec):
         return open_tree(spec)
+    if spec.startswith(_PATHS):
+        raise no_folder(spec)
     try:
         return open_ref(repo, spec)
     except TreeError:
@@ -48,9 +62,16 @@ def default_baseline(new: str, repo: Path) -> tuple[str, str]:
     at = "HEAD" if new == WORK_TREE else new
     tag = newest_release(git, at.partition(":")[0])
     if tag is None:
-        message = f"no release tag is reachable from {at}"
-        raise RefError(message, "name the old side, or get the tags with `git fetch --tags origin`")
+        raise _no_baseline(git, at)
     return tag.name, f"newest release tag reachable from {at}"
+
+
+def _no_baseline(repo: GitRepo, at: str) -> RefError:
+    own = [tag.name for tag in release_tags(repo, at.partition(":")[0]) if not tag.prerelease]
+    if own:
+        message = f"no release tag lies before {at}, which is the release {own[-1]} itself"
+        return RefError(message, "name the old side; of a first release there is none")
+    return RefError(f"no release tag is reachable from {at}", no_release_hint(repo))
 
 
 def open_base(spec: str, repo: Path, now: Tree, tip: bool) -> tuple[Tree, RefInfo]:

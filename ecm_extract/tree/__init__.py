@@ -2,7 +2,8 @@
 
 from ecm_extract.tree.base import MAX_FILE_BYTES, Entry, FileDiagnostic, Tree, blob_id, printable, unread_of
 from ecm_extract.tree.open import open_ref, open_repo, open_tree
-from ecm_extract.tree.refs import ReleaseTag, is_shallow, merge_base, newest_release, release_tags, resolve_commit
+from ecm_extract.tree.ref_hints import is_shallow
+from ecm_extract.tree.refs import ReleaseTag, merge_base, newest_release, release_tags, resolve_commit
 from ecm_extract.tree.unread import Unread, can_declare
 
 __all__ = [

@@ -8,12 +8,11 @@ from ecm_extract.tree.base import Tree, printable
 from ecm_extract.tree.directory import DirectoryTree
 from ecm_extract.tree.git_ref import GitTree
 from ecm_extract.tree.git_repo import GitRepo, find_repo
+from ecm_extract.tree.ref_hints import shown
 from ecm_extract.tree.refs import head_commit, resolve_commit, resolve_tree
 from ecm_extract.tree.remote import repository_name
 from ecm_extract.tree.submodules import FILE_NAME, submodules_at
 from ecm_extract.tree.superproject import SuperprojectTree
-
-_MAX_SHOWN = 200
 
 
 def open_tree(spec: str | Path, ref: str | None = None) -> Tree:
@@ -71,7 +70,9 @@ def open_repo(folder: Path) -> GitRepo:
     Raises:
         TreeError: there is none.
     """
-    repo = find_repo(folder) if is_folder(folder) else None
+    if not is_folder(folder):
+        raise no_folder(str(folder))
+    repo = find_repo(folder)
     if repo is None:
         message = f"{printable(str(folder))} is not in a git repository."
         raise TreeError(message, "Give a clone of the repository; a ref cannot be read from a plain folder.")
@@ -95,9 +96,13 @@ def _split(text: str) -> tuple[Path, str | None]:
         if is_folder(folder):
             return folder, text[at + 1 :] if at < len(text) else None
         at = text.rfind("@", 0, at)
-    shown = printable(text[:_MAX_SHOWN])
-    message = f"{shown} is a file, not a folder." if _is_file(text) else f"There is no folder {shown}."
-    raise TreeError(message, "Give the folder of a package or workspace, or DIR@REF.")
+    raise no_folder(text)
+
+
+def no_folder(text: str) -> TreeError:
+    """The error for a folder that is not there."""
+    message = f"{shown(text)} is a file, not a folder." if _is_file(text) else f"There is no folder {shown(text)}."
+    return TreeError(message, "Give the folder of a package or workspace, or DIR@REF.")
 
 
 def is_folder(path: str | Path) -> bool:

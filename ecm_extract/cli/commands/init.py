@@ -54,11 +54,14 @@ def command(**options: Any) -> None:
 
 def _packages(request: Request) -> list[PackageContracts]:
     extraction = _extract(request)
-    found = [each for each in extraction.packages if request.package in (None, each.name)]
-    if not found:
-        message = f"no package {request.package} in {extraction.path}" if request.package else "no ROS package found"
+    if request.package is None and not extraction.packages:
+        message = "no ROS package found"
         raise InputError(message, "name a folder in or above one that has a package.xml")
-    return found
+    from ecm_extract.asked import refuse_unknown_packages
+
+    asked = () if request.package is None else (request.package,)
+    refuse_unknown_packages(asked, {each.name for each in extraction.packages}, extraction.path)
+    return [each for each in extraction.packages if request.package in (None, each.name)]
 
 
 def _extract(request: Request) -> Extraction:

@@ -231,20 +231,22 @@ def _answered(findings: list[Finding], workspace: Workspace, request: Request) -
     from ecm_extract.lint.baseline_file import FILE_NAME, read_baseline
     from ecm_extract.lint.suppressions import FILE_NAME as ACCEPTED
     from ecm_extract.lint.suppressions import answered, parse_accepted
+    from ecm_extract.own_files import own_file
 
     folder = _folder(request)
-    baseline = Path(request.baseline) if request.baseline else folder / FILE_NAME
+    baseline = Path(request.baseline) if request.baseline else own_file(folder, FILE_NAME)
     known = read_baseline(baseline.read_text("utf-8", errors="replace")) if baseline.is_file() else frozenset()
     left = [each for each in findings if each.fingerprint not in known]
-    accepted = folder / ACCEPTED
+    accepted = own_file(folder, ACCEPTED)
     rows = parse_accepted(accepted.read_bytes(), str(accepted)) if accepted.is_file() else ()
     return answered(left, rows, workspace.files, datetime.now(tz=UTC).date())
 
 
 def _write_baseline(findings: list[Finding], request: Request) -> int:
     from ecm_extract.lint.baseline_file import FILE_NAME, baseline_text
+    from ecm_extract.own_files import own_file
 
-    target = Path(request.baseline) if request.baseline else _folder(request) / FILE_NAME
+    target = Path(request.baseline) if request.baseline else own_file(_folder(request), FILE_NAME)
     target.write_text(baseline_text(findings), "utf-8")
     click.echo(f"written: {target} with {len({each.fingerprint for each in findings})} findings", err=True)
     return 0
