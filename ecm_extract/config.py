@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any, Literal, get_args
 
 import msgspec
+from pathspec import GitIgnoreSpec
 
 from ecm_extract.errors import ConfigError
 from ecm_extract.link.forms import Form
@@ -82,11 +83,21 @@ def parse_config(data: bytes, path: str = FILE_NAME) -> Config:
     table = _toml(text, path)
     _check_levels(table.get("severity"), text, path)
     try:
-        return msgspec.convert(table, Config)
+        config = msgspec.convert(table, Config)
     except msgspec.ValidationError as error:
         steps, message = _explain(str(error))
         key = ".".join(str(step) for step in steps if isinstance(step, str))
         raise ConfigError(path, locate(text, steps), printable(key), message) from None
+    _check_patterns(config.extract.exclude, text, path)
+    return config
+
+
+def _check_patterns(patterns: tuple[str, ...], text: str, path: str) -> None:
+    try:
+        GitIgnoreSpec.from_lines(patterns)
+    except ValueError as error:
+        message = f"is not a list of patterns as in a .gitignore: {printable(str(error))}"
+        raise ConfigError(path, locate(text, ("extract", "exclude")), "extract.exclude", message) from None
 
 
 def _check_levels(severity: object, text: str, path: str) -> None:

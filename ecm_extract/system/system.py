@@ -45,9 +45,7 @@ class System:
     frames: list[FrameEdge]
 
 
-_LOOKED_FOR = (
-    "it is one with a root <launch>, a list `launch:` in YAML, or a Python function generate_launch_description"
-)
+_LOOKED_FOR = "looked for: a root <launch>, a list `launch:` in YAML, a Python function generate_launch_description"
 
 
 class LaunchError(InputError):

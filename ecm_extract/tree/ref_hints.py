@@ -39,7 +39,7 @@ def missing_ref_hint(repo: GitRepo, ref: str) -> str:
     """
     names = ref_names(repo)
     span = _RANGE.fullmatch(ref)
-    if span is not None:
+    if span is not None and _NAME.fullmatch(span["old"]) and _NAME.fullmatch(span["new"]):
         return _range_hint(span)
     if not names:
         return "The repository has no branch and no tag yet. Commit something, or give folders in place of refs."

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Final, Literal, TextIO
 import click
 import msgspec
 
+from ecm_extract.cli.outputs import INCOMPLETE
 from ecm_extract.errors import InputError
 
 if TYPE_CHECKING:
@@ -64,7 +65,7 @@ class Request(msgspec.Struct, frozen=True):
 @click.option("--jobs", type=click.IntRange(min=1), help="Worker processes.  [default: one per core]")
 @click.option("--no-cache", is_flag=True, help="Take nothing from the cache and add nothing to it.")
 @click.option("-q", "--quiet", is_flag=True, help="Print no summary.")
-def command(**options: Any) -> None:
+def command(**options: Any) -> int:
     """Read the ROS packages below PATH and write the contract of every module.
 
     PATH is a folder in or above which packages lie, or DIR@REF. The summary goes to standard output; with
@@ -79,6 +80,18 @@ def command(**options: Any) -> None:
         _print_documents(extraction, request)
     else:
         _write_documents(extraction, request)
+    return _status(extraction)
+
+
+def _status(extraction: Extraction) -> int:
+    """Contracts of a tree that could not be read as a whole lack what nobody can see in them."""
+    from ecm_extract.report.unread_text import unread_lines
+    from ecm_extract.tree.unread import is_gap
+
+    gaps = [each for each in extraction.unread if is_gap(each)]
+    for line in unread_lines(gaps):
+        click.echo(f"not read: {line}", err=True)
+    return INCOMPLETE if gaps else 0
 
 
 def _refuse_contradictions(request: Request) -> None:
