@@ -9,14 +9,20 @@ from typing import Final
 
 from ecm_extract.discover import MANIFESTS, PackageRoot
 from ecm_extract.errors import InputError
+from ecm_extract.extraction_model import Extraction
 from ecm_extract.report.unread_text import unread_lines
 from ecm_extract.tree import Tree, can_declare, unread_of
+from ecm_extract.tree.unread import is_gap
 
 _NEAREST: Final = 3
 
 
 class NothingThereError(InputError):
     """A package that was named is in no tree, or a tree holds nothing that could be read."""
+
+
+class NotWholeError(InputError):
+    """What a decision needs could not be read."""
 
 
 def refuse_unknown_packages(asked: Iterable[str], known: Collection[str], where: str) -> None:
@@ -51,6 +57,34 @@ def refuse_empty(tree: Tree, roots: Iterable[PackageRoot]) -> None:
     message = f"{tree.label} holds no ROS package: no {' or '.join(MANIFESTS)} and no source, message or launch file"
     left = f"not read: {'; '.join(unread_lines(skipped))}. " if skipped else ""
     raise NothingThereError(message, f"{left}name a folder in or above a package")
+
+
+def refuse_nothing_read(extraction: Extraction) -> None:
+    """Refuse an extraction of nothing: an empty folder, or one of which nothing could be read.
+
+    Raises:
+        NothingThereError: no file was read.
+    """
+    if extraction.packages and extraction.counts.files:
+        return
+    lines = unread_lines(each for each in extraction.unread if each.carries)
+    if lines:
+        message = f"nothing could be read of {extraction.path}"
+        raise NothingThereError(message, f"not read: {'; '.join(lines)}")
+    message = f"no ROS package in {extraction.path}"
+    raise NothingThereError(message, "a package is a folder with a package.xml; name a folder in or above one")
+
+
+def refuse_gaps(extraction: Extraction) -> None:
+    """Refuse to decide on contracts that may lack what could not be read.
+
+    Raises:
+        NotWholeError: something that can carry interfaces could not be read.
+    """
+    gaps = [each for each in extraction.unread if is_gap(each)]
+    if gaps:
+        message = f"{extraction.path} could not be read as a whole, so nothing can be decided about it"
+        raise NotWholeError(message, "; ".join(unread_lines(gaps)))
 
 
 def _is_artefact(path: str) -> bool:

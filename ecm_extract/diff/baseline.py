@@ -114,6 +114,15 @@ def _nothing_shared(ref: str, given: str, now: Tree, git: GitRepo) -> RefError:
     return RefError(cut, f"{get}compare with {ref} as it is: --base-tip")
 
 
+def parting(old: Tree, new: Tree, repo: Path) -> str | None:
+    """Commit where two sides part; None where the old one lies behind the new one, or they share no repository."""
+    git = find_repo(repo)
+    if git is None or old.commit is None or new.commit is None or old.repository != new.repository:
+        return None
+    shared = merge_base(git, old.commit, new.commit)
+    return shared if shared != old.commit else None
+
+
 def describe(spec: str, tree: Tree, why: str) -> RefInfo:
     """Return how a side is written in a report."""
     return RefInfo(spec, tree.commit, why)

@@ -31,6 +31,18 @@ from ecm_extract.read.prefetch import Prefetch
 from ecm_extract.tree import FileDiagnostic, Tree, Unread, printable
 
 OVERLAY = "ecm.yaml"
+_NO_MANIFEST = frozenset(
+    {
+        "xml-empty",
+        "xml-entity",
+        "xml-malformed",
+        "xml-too-deep",
+        "xml-too-large",
+        "package-wrong-root",
+        "package-no-name",
+    }
+)
+"""What the parser says of a file that is no package.xml."""
 Progress = Callable[[int, int], None]
 
 
@@ -133,11 +145,15 @@ class Reader:
         self._read_named(package)
 
     def _manifest(self, path: str) -> Manifest | None:
-        """A manifest without a name is of no package that anybody could depend on, so what it declares is not known."""
-        manifest: Manifest | None = self.parse(path, package_xml.parse)
-        if manifest is not None and not manifest.name:
+        """Build tools refuse a manifest that is none, so what is read of it is no declaration of the package."""
+        data = self._contents.read(path)
+        if data is None:
+            return None
+        parsed = package_xml.parse(data)
+        manifest: Manifest = self._taken(path, data, parsed)
+        if any(entry.code in _NO_MANIFEST for entry in parsed.diagnostics):
             shown = printable(path)
-            message = "The manifest cannot be read as one of a package, so the package has no name. Correct it."
+            message = "No build tool reads this as the manifest of a package, so it has no name or version. Correct it."
             self.tree.report(FileDiagnostic("error", "package-unread", shown, 0, message, Unread(shown, "malformed")))
         return manifest
 

@@ -291,10 +291,10 @@ def test_a_manifest_that_is_none(tmp_path: Path, capsys: pytest.CaptureFixture[s
 
 
 def test_an_unknown_ref_is_an_input_error(repo: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """Status 2, with the line that fetches it, and no traceback."""
+    """Status 2, with what to do about it, and no traceback."""
     status, out, err = ran(capsys, "9.9.9", "1.1.0", "--repo", repo)
     assert (status, out) == (2, "")
-    assert "git fetch" in err
+    assert "check the spelling" in err
 
 
 @pytest.mark.parametrize(("fail_on", "status"), [("error", 1), ("breaking", 1), ("never", 0)])

@@ -131,9 +131,10 @@ def test_what_is_known_to_break_stays_so(full: Path, diff: Diff) -> None:
     assert found["verdict"]["complete"] is False
 
 
-def test_manifest_that_is_none(full: Path, diff: Diff) -> None:
-    """A package without a name is not known to be the one of before."""
-    release(full, {"arm/package.xml": "<package><name>arm</na"}, "1.2.0")
+@pytest.mark.parametrize("text", ["<package><name>arm</na", "<pkg/>", "<package/>", ""])
+def test_manifest_that_is_none(full: Path, diff: Diff, text: str) -> None:
+    """No build tool would take it, so nobody knows which package it is and at which version."""
+    release(full, {"arm/package.xml": text}, "1.2.0")
     status, found = diff(full, "1.1.0", "1.2.0")
     assert status == 2
     assert ("arm/package.xml", "malformed", "new") in limiting(found)
@@ -282,3 +283,15 @@ def test_folder_that_does_not_exist(full: Path, capsys: pytest.CaptureFixture[st
     """What is written like a path is told to be none."""
     assert run(["diff", spec, "1.1.0", "--repo", str(full)]) == 2
     assert f"There is no folder {spec}" in capsys.readouterr().err
+
+
+def test_sides_that_parted(full: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A side that lags lacks what the other gained, which is told before it is called removed."""
+    git(full, "checkout", "-q", "-b", "lagging", "1.0.0")
+    release(full, {"README.md": "x"}, "1.0.1")
+    run(["diff", "1.1.0", "1.0.1", "--repo", str(full)])
+    shared = git(full, "rev-parse", "1.0.0")[:12]
+    note = f"note: 1.1.0 is not behind 1.0.1: what it has gained since they parted at {shared} is removed here\n"
+    assert note in capsys.readouterr().err
+    run(["diff", "1.0.0", "1.1.0", "--repo", str(full)])
+    assert "note:" not in capsys.readouterr().err

@@ -11,6 +11,7 @@ import click
 import msgspec
 
 from ecm_extract.cli.outputs import INCOMPLETE, findings_as, write_outputs
+from ecm_extract.report.terminal import one_line
 
 if TYPE_CHECKING:
     from ecm_extract.diff.model import Comparison, RefInfo
@@ -99,7 +100,7 @@ def _compare(asked: Asked) -> Comparison:
 
 def _request(asked: Asked) -> Request:
     from ecm_extract.cli.progress import progress_bar
-    from ecm_extract.diff.baseline import default_baseline, open_side
+    from ecm_extract.diff.baseline import default_baseline, open_side, parting
     from ecm_extract.diff.model import RefInfo
     from ecm_extract.diff.run import Request
     from ecm_extract.extraction_model import Options
@@ -111,6 +112,7 @@ def _request(asked: Asked) -> Request:
     old, new = open_side(spec, folder), open_side(asked.new, folder)
     infos = RefInfo(spec, old.commit, why), RefInfo(asked.new, new.commit, "named")
     _say_baseline(infos)
+    _say_parting(infos, parting(old, new, folder))
     repo = find_repo(folder)
     with progress_bar() as progress:
         options = Options(asked.include_tests, asked.config, asked.jobs, progress, not asked.no_cache)
@@ -132,9 +134,17 @@ def _say_baseline(infos: tuple[RefInfo, RefInfo]) -> None:
     click.echo(f"against:  {_shown(new)}", err=True)
 
 
-def _shown(info: RefInfo) -> str:
-    from ecm_extract.report.terminal import one_line
+def _say_parting(infos: tuple[RefInfo, RefInfo], commit: str | None) -> None:
+    """Two branches each have what the other lacks: who compares them may want only what one of them did."""
+    if commit is not None:
+        old, new = infos
+        note = (
+            f"{old.ref} is not behind {new.ref}: what it has gained since they parted at {commit[:12]} is removed here"
+        )
+        click.echo(f"note: {one_line(note)}", err=True)
 
+
+def _shown(info: RefInfo) -> str:
     return one_line(f"{info.ref} {info.commit[:12] if info.commit else 'files in no commit'}")
 
 

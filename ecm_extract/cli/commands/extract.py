@@ -101,6 +101,7 @@ def _refuse_contradictions(request: Request) -> None:
 
 
 def _extract(request: Request) -> Extraction:
+    from ecm_extract.asked import refuse_nothing_read
     from ecm_extract.cli.progress import progress_bar
     from ecm_extract.extraction import extract
     from ecm_extract.extraction_model import Options
@@ -109,19 +110,8 @@ def _extract(request: Request) -> Extraction:
     with progress_bar() as progress:
         options = Options(request.include_tests, request.config, request.jobs, progress, not request.no_cache)
         extraction = extract(open_tree(request.path, request.ref), options)
-    if not extraction.packages or not extraction.counts.files:
-        raise _nothing_read(extraction)
+    refuse_nothing_read(extraction)
     return extraction
-
-
-def _nothing_read(extraction: Extraction) -> InputError:
-    from ecm_extract.report.unread_text import unread_lines
-
-    lines = unread_lines(each for each in extraction.unread if each.carries)
-    if lines:
-        return InputError(f"nothing could be read of {extraction.path}", f"not read: {'; '.join(lines)}")
-    message = f"no ROS package in {extraction.path}"
-    return InputError(message, "a package is a folder with a package.xml; name a folder in or above one")
 
 
 def _print_documents(extraction: Extraction, request: Request) -> None:
