@@ -138,9 +138,8 @@ def _say_parting(infos: tuple[RefInfo, RefInfo], commit: str | None) -> None:
     """Two branches each have what the other lacks: who compares them may want only what one of them did."""
     if commit is not None:
         old, new = infos
-        note = (
-            f"{old.ref} is not behind {new.ref}: what it has gained since they parted at {commit[:12]} is removed here"
-        )
+        why = f"what it has gained since they parted at {commit[:12]} is removed here"
+        note = f"{old.ref} is not behind {new.ref}: {why}"
         click.echo(f"note: {one_line(note)}", err=True)
 
 
