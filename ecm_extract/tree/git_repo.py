@@ -26,6 +26,7 @@ TIMEOUT_S = 120
 """Longest that one git command may take, in seconds."""
 
 _SHARED = ("refs", "packed-refs", "reftable", "shallow")
+_OBJECT_LISTS = ("objects/info", "objects/pack")
 _OWN = ("logs", "FETCH_HEAD", "ORIG_HEAD", "MERGE_HEAD")
 _HEAD = re.compile(r"ref: .+|[0-9a-f]{40}|[0-9a-f]{64}")
 _MAX_HEAD_BYTES = 4096
@@ -136,6 +137,8 @@ def _view(repo: GitRepo) -> Iterator[Path]:
 
 
 def _fill_view(repo: GitRepo, view: Path) -> None:
+    for name in _OBJECT_LISTS:
+        _refuse_special(repo, repo.common_dir / name)
     (view / "objects").mkdir()
     (view / "HEAD").write_text(_first_line(repo.git_dir / "HEAD") + "\n", errors="surrogateescape")
     (view / "config").write_text(_config(repo))
@@ -172,8 +175,11 @@ def _config(repo: GitRepo) -> str:
 
 
 def _config_text(repo: GitRepo) -> str:
+    file = repo.common_dir / "config"
+    if not file.is_file():
+        return ""
     try:
-        with (repo.common_dir / "config").open("rb") as stream:
+        with file.open("rb") as stream:
             return stream.read(_MAX_CONFIG_BYTES).decode("utf-8", "replace")
     except OSError:
         return ""

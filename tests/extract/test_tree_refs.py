@@ -147,7 +147,7 @@ def test_tag_of_a_blob(tmp_path: Path) -> None:
             resolve_commit(open_repo(tmp_path), name)
 
 
-@pytest.mark.parametrize("place", ["packed-refs", "refs/heads/pipe", "shallow"])
+@pytest.mark.parametrize("place", ["packed-refs", "refs/heads/pipe", "shallow", "objects/info/alternates"])
 def test_pipe_in_the_repository(tmp_path: Path, place: str) -> None:
     """Git would wait at a pipe for ever."""
     _history(tmp_path)
@@ -213,3 +213,11 @@ def test_repository_name(tmp_path: Path) -> None:
     assert open_tree(tmp_path / "r").repository == "https://example.org/o/r.git"
     git(tmp_path / "r", "remote", "set-url", "origin", str(tmp_path))
     assert open_tree(tmp_path / "r", "HEAD").repository == "r"
+
+
+def test_pipe_as_configuration(tmp_path: Path) -> None:
+    """What is no file says nothing."""
+    ids = _history(tmp_path)
+    (tmp_path / ".git" / "config").unlink()
+    os.mkfifo(tmp_path / ".git" / "config")
+    assert resolve_commit(open_repo(tmp_path), "main") == ids["head"]
