@@ -160,3 +160,11 @@ def test_a_closed_pipe_is_silent(tmp_path: Path) -> None:
         process.stdout.close()
         assert process.wait(timeout=20) == 141
     assert err.read_text() == ""
+
+
+def test_an_option_is_no_command(capsys: pytest.CaptureFixture[str]) -> None:
+    """An option before the path lacks a path; no command is called like it."""
+    assert run(["--ref", "1.0.0"]) == 2
+    err = capsys.readouterr().err
+    assert "did you mean" not in err
+    assert "Missing argument 'PATH'" in err
