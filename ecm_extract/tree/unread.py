@@ -13,6 +13,8 @@ manifest; left out because the project asks for it (`exclude`, a marker); a link
 REASONS: Final[tuple[Reason, ...]] = get_args(Reason)
 NOT_READABLE: Final[frozenset[Reason]] = frozenset({"missing", "too-large", "unreadable", "malformed"})
 """Reasons that nobody asked for, about files of this tree itself."""
+ON_PURPOSE: Final[frozenset[Reason]] = frozenset({"excluded", "ignored", "link"})
+"""Reasons that the project itself has given."""
 
 _DECLARING: Final = (
     *(".msg", ".srv", ".action", ".idl", ".xml", ".yaml", ".yml", ".cfg", ".launch", ".test"),

@@ -158,6 +158,17 @@ def test_a_base_that_cannot_be_read(parted: Path, lint: Lint) -> None:
     assert [(each["path"], each["side"]) for each in found["unread"]] == [("arm/src/n.cpp", "old")]
 
 
+def test_a_change_that_leaves_a_package_out(parted: Path, lint: Lint) -> None:
+    """Its interfaces are gone for who builds it, which is found; that is an answer."""
+    (parted / "leg").mkdir()
+    commit(parted, {"leg/package.xml": MANIFEST.format("leg")})
+    (parted / "arm" / "COLCON_IGNORE").touch()
+    status, found, err = lint(parted, "--base", "HEAD")
+    assert (status, found["complete"]) == (0, True)
+    assert "LNT019" in {each["rule"] for each in found["findings"]}
+    assert "not read: 1 folder(s) left out by COLCON_IGNORE" in err
+
+
 @pytest.mark.parametrize(
     ("files", "told"),
     [
