@@ -164,11 +164,14 @@ def _yaml(path: Path, data: bytes) -> Iterator[Any]:
 
 
 def _extracted(path: str, cache: bool, told: Told) -> Subject:
+    from ecm_extract.asked import refuse_gaps, refuse_nothing_read
     from ecm_extract.extraction import extract
     from ecm_extract.extraction_model import Options
     from ecm_extract.tree import open_tree
 
     extraction = extract(open_tree(path, None), Options(cache=cache, hub=True))
+    refuse_nothing_read(extraction)
+    refuse_gaps(extraction)
     told(extraction.diagnostics)
     found = tuple(module for package in extraction.packages for module in package.modules)
     if not found:

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any, Literal, get_args
 
 import msgspec
+from pathspec import GitIgnoreSpec
 
 from ecm_extract.errors import ConfigError
 from ecm_extract.link.forms import Form
@@ -29,7 +30,7 @@ class Extract(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Table `[extract]`: what is read.
 
     Attributes:
-        exclude: globs of paths relative to the root of the tree that are not read, `**` for any depth.
+        exclude: paths relative to the root of the tree that are not read, in patterns of a `.gitignore`.
         include_tests: whether test code counts as part of the package.
     """
 
@@ -88,7 +89,16 @@ def parse_config(data: bytes, path: str = FILE_NAME) -> Config:
         steps, message = _explain(str(error))
         key = ".".join(str(step) for step in steps if isinstance(step, str))
         raise ConfigError(path, locate(text, steps), printable(key), message) from None
+    _check_patterns(config.extract.exclude, text, path)
     return msgspec.structs.replace(config, severity={rule_id(rule): level for rule, level in config.severity.items()})
+
+
+def _check_patterns(patterns: tuple[str, ...], text: str, path: str) -> None:
+    try:
+        GitIgnoreSpec.from_lines(patterns)
+    except ValueError as error:
+        message = f"is not a list of patterns as in a .gitignore: {printable(str(error))}"
+        raise ConfigError(path, locate(text, ("extract", "exclude")), "extract.exclude", message) from None
 
 
 def _check_levels(severity: object, text: str, path: str) -> None:

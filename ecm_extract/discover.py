@@ -5,7 +5,8 @@ from pathlib import PurePosixPath
 
 import msgspec
 
-from ecm_extract.tree import Entry, FileDiagnostic, Tree, printable
+from ecm_extract.exclusion import Exclusion
+from ecm_extract.tree import Entry, FileDiagnostic, Tree, Unread, can_declare, printable
 
 MANIFESTS = ("package.xml", "manifest.xml")
 """Package manifests: REP 149 and its predecessors, then rosbuild's (until ROS Fuerte)."""
@@ -44,22 +45,28 @@ class PackageRoot(msgspec.Struct, frozen=True):
         return self.manifest is not None and self.manifest.endswith("manifest.xml")
 
 
-def discover(tree: Tree) -> tuple[PackageRoot, ...]:
+def discover(tree: Tree, exclude: Exclusion | None = None) -> tuple[PackageRoot, ...]:
     """Packages of a tree, sorted by path; what was left out is reported to the tree.
 
     Raises:
         TreeError: the tree cannot be listed.
     """
-    marked = {_folder(entry.path) for entry in tree.files() if _name(entry.path) in IGNORE_MARKERS}
-    ignored = marked - {""}  # who gives a folder by name means it
-    kept = tuple(entry for entry in tree.files() if not _is_under(entry.path, ignored))
-    if ignored:
-        tree.report(_ignored_note(ignored, len(tree.files()) - len(kept)))
+    kept = _not_marked(tree, exclude.kept(tree) if exclude is not None else tree.files())
     manifests = _manifests(kept)
     if not manifests:
         tree.report(_no_package(tree))
         return (PackageRoot("", None, kept),)
     return _packages(manifests, kept)
+
+
+def _not_marked(tree: Tree, entries: tuple[Entry, ...]) -> tuple[Entry, ...]:
+    """Files outside of the folders that a marker hides; the hidden folders are reported."""
+    marked = {_folder(entry.path) for entry in entries if _name(entry.path) in IGNORE_MARKERS}
+    ignored = marked - {""}  # who gives a folder by name means it
+    outer = sorted(folder for folder in ignored if not _is_under(folder, ignored - {folder}))
+    for folder in outer:
+        tree.report(_ignored_note(folder, [entry.path for entry in entries if _is_under(entry.path, {folder})]))
+    return tuple(entry for entry in entries if not _is_under(entry.path, ignored))
 
 
 def is_test_package(root: str) -> bool:
@@ -126,13 +133,17 @@ def _name(path: str) -> str:
     return path.rpartition("/")[2]
 
 
-def _ignored_note(folders: set[str], files: int) -> FileDiagnostic:
-    outer = sorted(folder for folder in folders if not _is_under(folder, folders - {folder}))
+def _ignored_note(folder: str, files: Collection[str]) -> FileDiagnostic:
     message = (
-        f"{len(outer)} folder(s) with {files} file(s) are left out, as the build tool does. "
+        f"The folder and its {len(files)} file(s) are left out, as the build tool does. "
         f"Remove {', '.join(IGNORE_MARKERS[:-1])} or {IGNORE_MARKERS[-1]} there to read them."
     )
-    return FileDiagnostic("info", "ignored-folder", printable(outer[0]) or ".", 0, message)
+    shown = printable(folder)
+    return FileDiagnostic("info", "ignored-folder", shown, 0, message, Unread(shown, "ignored", _any_declares(files)))
+
+
+def _any_declares(files: Iterable[str]) -> bool:
+    return any(can_declare(path) for path in files if _name(path) not in IGNORE_MARKERS)
 
 
 def _no_package(tree: Tree) -> FileDiagnostic:

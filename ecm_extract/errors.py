@@ -7,9 +7,9 @@ The tree of exceptions:
     │   ├── TreeError           the folder, repository or ref cannot be opened
     │   │   ├── RefError        no such ref, or no such folder at that ref
     │   │   └── TreeReadError   one file of a tree cannot be read
+    │   ├── GitError            git is not installed, or cannot read the repository: damaged, or too slow
     │   └── ConfigError         `ecm.toml` is wrong: file, line and key
     └── ToolError         (3)   the tool itself failed
-        └── GitError            git is missing, broke down or took too long
 
 Content of artefacts never raises: it gives diagnostics. Source of the exit statuses: DESIGN §6.
 """
@@ -43,6 +43,10 @@ class InputError(EcmError):
     """What the user gave cannot be used."""
 
     exit_status = 2
+
+
+class GitError(InputError):
+    """Git is not installed, or cannot read the repository: it is damaged, or takes too long."""
 
 
 class TreeError(InputError):
@@ -88,7 +92,3 @@ class ConfigError(InputError):
 
 class ToolError(EcmError):
     """The tool itself failed; the input may be right."""
-
-
-class GitError(ToolError):
-    """Git is not installed, ended with an error or took too long."""

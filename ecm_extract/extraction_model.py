@@ -11,6 +11,8 @@ from typing import Literal
 import msgspec
 from ecm_checker.contract import Contract
 
+from ecm_extract.tree.unread import Unread
+
 Severity = Literal["error", "warning", "info"]
 Progress = Callable[[int, int], None]
 
@@ -70,6 +72,7 @@ class Extraction(msgspec.Struct, frozen=True):
         diagnostics: in a stable order (by path, line, code).
         elapsed: seconds from opening the tree to the last contract.
         counts: files and bytes read.
+        unread: what of the tree was not read.
     """
 
     path: str
@@ -78,6 +81,7 @@ class Extraction(msgspec.Struct, frozen=True):
     diagnostics: tuple[LocatedDiagnostic, ...] = ()
     elapsed: float = 0.0
     counts: Counts = Counts()
+    unread: tuple[Unread, ...] = ()
 
 
 class Options(msgspec.Struct, frozen=True):

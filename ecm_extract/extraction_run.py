@@ -17,7 +17,7 @@ from ecm_extract.link.forms import form_table
 from ecm_extract.link.linker import Linker
 from ecm_extract.read.reader import Reader
 from ecm_extract.settings import config_of
-from ecm_extract.tree import Tree
+from ecm_extract.tree import Tree, unread_of
 
 
 def read_contracts(tree: Tree, options: Options) -> tuple[Extraction, dict[str, str]]:
@@ -47,6 +47,7 @@ def read_contracts(tree: Tree, options: Options) -> tuple[Extraction, dict[str, 
         packages=contracts,
         diagnostics=_diagnostics(tree),
         counts=Counts(reader.files, reader.bytes),
+        unread=unread_of(tree.diagnostics),
     )
     return extraction, reader.blobs
 

@@ -16,6 +16,7 @@ from ecm_extract.entities.side import PackageInfo, Side
 from ecm_extract.errors import InputError
 from ecm_extract.extraction_model import PackageContracts
 from ecm_extract.report.manifest_yaml import SUFFIX as MANIFEST
+from ecm_extract.tree.unread import Unread
 
 MAX_BYTES: Final = 500_000_000
 _JSON: Final = ".json"
@@ -27,12 +28,18 @@ class Stored(msgspec.Struct, frozen=True):
 
     Attributes:
         label: how the user named them. commit: that they were read at; None of a work tree.
-        packages: in the order of the documents.
+        packages: in the order of the documents. unread: what was not read of the tree.
     """
 
     label: str
     commit: str | None
     packages: tuple[Package, ...]
+    unread: tuple[Unread, ...] = ()
+
+    @property
+    def paths(self) -> frozenset[str]:
+        """Of the files of its packages."""
+        return frozenset(path for package in self.packages for path in package.files)
 
 
 def is_stored(spec: str) -> bool:
@@ -61,12 +68,13 @@ def read_stored(spec: str) -> Stored:
         message = f"{spec} holds manifests and no document of a package (*{SUFFIX})"
         raise InputError(message, "an older version wrote them; extract the package once more")
     read = [_read(path) for path in files]
-    commits = {commit for commit, _ in read}
-    packages = tuple(package for _, packages in read for package in packages)
-    return Stored(spec, commits.pop() if len(commits) == 1 else None, packages)
+    commits = {found.commit for found in read}
+    packages = tuple(package for found in read for package in found.packages)
+    unread = dict.fromkeys(each for found in read for each in found.unread)
+    return Stored(spec, commits.pop() if len(commits) == 1 else None, packages, tuple(unread))
 
 
-def _read(path: Path) -> tuple[str | None, Sequence[Package]]:
+def _read(path: Path) -> Stored:
     try:
         if path.stat().st_size > MAX_BYTES:
             message = f"{path} is larger than {MAX_BYTES} bytes"
@@ -79,7 +87,8 @@ def _read(path: Path) -> tuple[str | None, Sequence[Package]]:
         message = f"{path} cannot be read: {error}"
         raise InputError(message, "write it anew with `ecm-extract PATH --format json`") from error
     packages = document.packages if isinstance(document, Extract) else (document,)
-    return document.source.commit, packages
+    unread = tuple(msgspec.convert(each, Unread, from_attributes=True) for each in document.unread)
+    return Stored(str(path), document.source.commit, packages, unread)
 
 
 def package_of(extracted: PackageContracts) -> Package:
@@ -100,7 +109,7 @@ def stored_side(stored: Stored) -> Side:
         packages={each.name: _info(each) for each in stored.packages},
         entities=entities,
         interfaces=dict(_interfaces(stored.packages)),
-        blobs={path: blob for each in stored.packages for path, blob in each.files.items()},
+        blobs={path: blob for each in stored.packages for path, blob in each.files.items() if blob},
         bound=frozenset(name for each in stored.packages for name in each.bound),
         quoted=frozenset(name for each in stored.packages for name in each.quoted),
         reads=frozenset(_reads(stored.packages)),

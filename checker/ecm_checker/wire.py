@@ -66,6 +66,15 @@ class Diagnostic(msgspec.Struct, frozen=True):
     message: str
 
 
+class NotRead(msgspec.Struct, frozen=True):
+    """Something that was not read: path, reason, whether it can declare interfaces, the commit of a submodule."""
+
+    path: str
+    reason: str
+    carries: bool
+    commit: str = ""
+
+
 class Origin(msgspec.Struct, frozen=True):
     """The tree that was read: as the user named it, and its commit when it has one."""
 

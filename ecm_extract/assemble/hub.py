@@ -49,7 +49,7 @@ class _Kept(msgspec.Struct, frozen=True):
 
 
 def _hub(facts: PackageFacts, entities: Sequence[Provision], required: Sequence[Requirement], kept: _Kept) -> Hub:
-    paths = {entry.path for entry in facts.root.files}
+    paths = sorted(entry.path for entry in facts.root.files)
     return Hub(
         manifest=facts.root.manifest,
         provides=tuple(provided(entity) for entity in entities),
@@ -60,6 +60,6 @@ def _hub(facts: PackageFacts, entities: Sequence[Provision], required: Sequence[
             interface_name(facts.name, path, definition): json_data(definition)
             for path, definition in sorted(facts.interfaces.items())
         },
-        files={path: kept.blobs[path] for path in sorted(paths & kept.blobs.keys())},
-        notes={path: tuple(kept.notes[path]) for path in sorted(paths & kept.notes.keys())},
+        files={path: kept.blobs.get(path, "") for path in paths},
+        notes={path: tuple(kept.notes[path]) for path in paths if path in kept.notes},
     )

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import gc
 import os
-import signal
 import sys
 
 
@@ -18,7 +17,6 @@ def main() -> None:
         from ecm_extract.cli.run import run
         from ecm_extract.cli.streams import flush_streams
 
-        signal.signal(signal.SIGTERM, signal.default_int_handler)  # to be ended cleans up like Ctrl-C
         gc.disable()
         status = run(sys.argv[1:])
         flush_streams()

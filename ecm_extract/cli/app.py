@@ -91,7 +91,7 @@ class App(click.Group):
 
     def _refuse_typo(self, ctx: click.Context, argument: str) -> None:
         close = difflib.get_close_matches(argument, self.list_commands(ctx), n=1)
-        if close and not Path(argument).exists():
+        if close and not argument.startswith("-") and not Path(argument).exists():
             message = f"{argument!r} is neither a command nor a path; did you mean {close[0]!r}?"
             raise click.UsageError(message, ctx)
 

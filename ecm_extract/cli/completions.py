@@ -52,7 +52,7 @@ def lint_rules(_ctx: click.Context, _parameter: click.Parameter, start: str) -> 
 def refs(ctx: click.Context, _parameter: click.Parameter, start: str) -> list[CompletionItem]:
     """Tags and branches of the repository that the command line names, else of the one here."""
     from ecm_extract.tree.open import open_repo
-    from ecm_extract.tree.refs import ref_names
+    from ecm_extract.tree.ref_hints import ref_names
 
     return _items(ref_names(open_repo(_folder(ctx))), start)
 

@@ -14,6 +14,9 @@ from ecm_extract.errors import InputError
 if TYPE_CHECKING:
     from ecm_checker.finding import Finding
 
+INCOMPLETE: Final = 2
+"""Status of a result without findings of an input that could not be read as a whole: no change of code mends it."""
+
 FINDING_FORMATS: Final = ("sarif", "github", "junit", "markdown", "html")
 """Formats that show findings alike, whichever command found them."""
 

@@ -6,13 +6,15 @@
 | 1 | findings |
 | 2 | the input or the command line is wrong |
 | 3 | the tool itself failed |
-| 130, 141 | interrupted; whoever read the output left |
+| 130, 141, 143 | interrupted; whoever read the output left; asked to stop |
 """
 
 from __future__ import annotations
 
 import os
+import signal
 import sys
+import threading
 import traceback
 from collections.abc import Sequence
 from contextlib import suppress
@@ -27,7 +29,11 @@ from ecm_extract.errors import EcmError
 DEBUG_VARIABLE: Final = "ECM_DEBUG"
 ISSUES: Final = "the issue tracker of ecm-extract"
 
-_USAGE, _FAILED, _INTERRUPTED, _PIPE_CLOSED = 2, 3, 130, 141
+_USAGE, _FAILED, _INTERRUPTED, _PIPE_CLOSED, _TERMINATED = 2, 3, 130, 141, 143
+
+
+class TerminatedError(KeyboardInterrupt):
+    """Somebody asked the process to stop (SIGTERM): it unwinds like after Ctrl-C."""
 
 
 class _End(NamedTuple):
@@ -47,6 +53,7 @@ def run(arguments: Sequence[str]) -> int:
     Returns:
         The exit status. Errors are told on standard error, with a traceback only when ECM_DEBUG is set.
     """
+    _end_on_termination()
     try:
         open_streams()
         status = app.main(list(arguments), prog_name=PROGRAM, standalone_mode=False)
@@ -60,6 +67,8 @@ def run(arguments: Sequence[str]) -> int:
         return _USAGE
     except Exception as error:
         end = _end_of(error)
+    except TerminatedError:
+        end = _End(_TERMINATED, "asked to stop")
     except KeyboardInterrupt:
         end = _End(_INTERRUPTED, "interrupted")
     else:
@@ -112,3 +121,13 @@ def _plain(text: str) -> str:
     from ecm_extract.report.terminal import one_line
 
     return one_line(text, 1000)
+
+
+def _end_on_termination() -> None:
+    """Who is asked to stop unwinds, so that temporary folders go; the default action would leave them behind."""
+    if threading.current_thread() is threading.main_thread():
+        signal.signal(signal.SIGTERM, _terminated)
+
+
+def _terminated(_signal: int, _frame: object) -> None:
+    raise TerminatedError

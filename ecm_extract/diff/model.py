@@ -6,8 +6,10 @@ from typing import Literal
 
 import msgspec
 from ecm_checker.finding import Finding
-from ecm_checker.release import Change, Verdict
+from ecm_checker.release import Change, CompatibilityClass
+from ecm_checker.versions import Bump
 
+from ecm_extract.diff.unread import UnreadPart
 from ecm_extract.entities.model import PublicEntity
 
 How = Literal["same", "moved", "renamed"]
@@ -46,6 +48,22 @@ class RefInfo(msgspec.Struct, frozen=True):
     why: str = ""
 
 
+class Verdict(msgspec.Struct, frozen=True):
+    """What is known of a release.
+
+    Attributes:
+        compatibility_class: of its changes; `unknown` where none of them breaks and not all could be read.
+        required_bump: the step that it needs, the least one where it is not complete.
+        declared_bump: the step that it takes; None where it cannot be read.
+        complete: whether everything that can carry interfaces was read on both sides.
+    """
+
+    compatibility_class: CompatibilityClass | Literal["unknown"]
+    required_bump: Bump
+    declared_bump: Bump | None
+    complete: bool = True
+
+
 class PackageVerdict(msgspec.Struct, frozen=True):
     """The verdict on one package, with its versions."""
 
@@ -63,7 +81,7 @@ class Comparison(msgspec.Struct, frozen=True):
         changes: most breaking first, grouped by package.
         findings: VER001, one per cause.
         verdict: of the repository. packages: of each package that changed.
-        computed: how many names of endpoints are computed, so that no change of them can be seen.
+        unread: what was not read, what limits the verdict first.
     """
 
     repo: str
@@ -73,3 +91,4 @@ class Comparison(msgspec.Struct, frozen=True):
     findings: tuple[Finding, ...]
     verdict: Verdict
     packages: tuple[PackageVerdict, ...] = ()
+    unread: tuple[UnreadPart, ...] = ()

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import msgspec
 from ecm_checker.match.consumer import Consumer
 from ecm_parsers.source.facts import SourceFile
+from msgspec.structs import replace
 
+from ecm_extract.asked import refuse_empty, refuse_unknown_packages
 from ecm_extract.diff.break_findings import findings_of
 from ecm_extract.diff.broken_names import BrokenNames
 from ecm_extract.diff.changes import changes_of
@@ -17,12 +20,13 @@ from ecm_extract.diff.history import History
 from ecm_extract.diff.model import Comparison, Located, RefInfo
 from ecm_extract.diff.pair import Evidence, Pairing
 from ecm_extract.diff.sides import Sides, both_sides
+from ecm_extract.diff.unread import SideRead, UnreadPart, unread_parts
 from ecm_extract.diff.verdict import package_verdicts, repository_verdict
 from ecm_extract.entities.side import Side, read_workspace
 from ecm_extract.extraction_model import Options
 from ecm_extract.requires.collect import consumers
 from ecm_extract.stored import Stored, stored_consumers
-from ecm_extract.tree import Tree
+from ecm_extract.tree import Tree, unread_of
 
 
 class Request(msgspec.Struct, frozen=True):
@@ -53,6 +57,7 @@ def compare(request: Request) -> Comparison:
     Raises:
         TreeError: a tree cannot be listed.
         ConfigError: an `ecm.toml` is wrong.
+        NothingThereError: a side holds no package, or not one that was asked for.
     """
     parsed: dict[str, SourceFile] = {}
     sides = both_sides(request.old, request.new, request.options, parsed)
@@ -68,6 +73,7 @@ def compared(request: Request, sides: Sides, parsed: dict[str, SourceFile]) -> C
         parsed: facts by blob id, for the consumers to take from.
     """
     old, new = sides.old, sides.new
+    refuse_unknown_packages(request.packages, {*old.packages, *new.packages}, _both_labels(request))
     located = _changes(request, old, new)
     broken = BrokenNames(located, old, new)
     uses = list(uses_of(sides.own(), broken, new.commit, own=True))
@@ -75,21 +81,48 @@ def compared(request: Request, sides: Sides, parsed: dict[str, SourceFile]) -> C
         uses += uses_of(_consumers(other, request.options, parsed), broken, other.commit)
     findings = findings_of(uses)
     changes = tuple(entry.change for entry in located)
+    unread = _unread(request, old, new)
     return Comparison(
         repo=request.name,
         old=request.infos[0],
         new=request.infos[1],
         changes=changes,
         findings=findings,
-        verdict=repository_verdict(changes, old, new),
-        packages=package_verdicts(changes, old, new),
+        verdict=repository_verdict(changes, old, new, unread),
+        packages=package_verdicts(changes, old, new, unread),
+        unread=unread,
     )
 
 
 def _consumers(other: Tree | Stored, options: Options, parsed: dict[str, SourceFile]) -> list[Consumer]:
     if isinstance(other, Stored):
         return stored_consumers(other)
-    return consumers(read_workspace(other, options, parsed))
+    workspace = read_workspace(other, options, parsed)
+    refuse_empty(other, [package.root for package in workspace.packages])
+    return consumers(workspace)
+
+
+def _both_labels(request: Request) -> str:
+    return " or ".join(info.ref for info in request.infos)
+
+
+def _unread(request: Request, old: Side, new: Side) -> tuple[UnreadPart, ...]:
+    """What was not read until now: the trees tell it once all that is wanted of them was read."""
+    consumers = [unread for each in request.consumers for unread in _read_of(each).unread]
+    parts = unread_parts(_read_of(request.old), _read_of(request.new), consumers)
+    folders = [side.packages[name].path for side in (old, new) for name in request.packages if name in side.packages]
+    return tuple(part if _concerns(part, folders) else replace(part, limits=False) for part in parts)
+
+
+def _concerns(part: UnreadPart, folders: Sequence[str]) -> bool:
+    """Whether something lies in a package that was asked for; all packages were where none is named."""
+    return not folders or part.side == "consumer" or any(f"{part.path}/".startswith(f"{each}/") for each in folders)
+
+
+def _read_of(origin: Tree | Stored) -> SideRead:
+    if isinstance(origin, Stored):
+        return SideRead(origin.unread, origin.paths)
+    return SideRead(unread_of(origin.diagnostics), frozenset(entry.path for entry in origin.files()))
 
 
 def _changes(request: Request, old: Side, new: Side) -> list[Located]:

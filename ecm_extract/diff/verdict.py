@@ -1,33 +1,45 @@
-"""The verdict: compatibility class and the version step that changes need, against the step that was taken."""
+"""The verdict: compatibility class and the version step that changes need, against the step that was taken.
+
+What was not read is part of it: no class that is milder than `breaking` is known of a release that is not whole.
+"""
 
 from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
 
-from ecm_checker.release import Change, Verdict, compatibility_class, required_bump
+from ecm_checker.release import Change, compatibility_class, required_bump
 from ecm_checker.versions import BUMPS, Bump, bump_between
 
-from ecm_extract.diff.model import PackageVerdict
-from ecm_extract.entities.side import Side
+from ecm_extract.diff.model import Comparison, PackageVerdict, Verdict
+from ecm_extract.diff.unread import UnreadPart
+from ecm_extract.entities.side import PackageInfo, Side
 
 
-def package_verdicts(changes: Iterable[Change], old: Side, new: Side) -> tuple[PackageVerdict, ...]:
-    """Return the verdict on every package that changed, by name."""
+def package_verdicts(
+    changes: Iterable[Change], old: Side, new: Side, unread: Sequence[UnreadPart]
+) -> tuple[PackageVerdict, ...]:
+    """Return the verdict on every package that changed or was not read as a whole, by name."""
     grouped: dict[str, list[Change]] = defaultdict(list)
     for change in changes:
         grouped[change.package].append(change)
-    return tuple(_package(name, grouped[name], old, new) for name in sorted(grouped))
+    gaps = [part.path for part in unread if part.limits]
+    cut = {name for side in (old, new) for name, each in side.packages.items() if _is_cut(each, gaps)}
+    return tuple(_package(name, grouped[name], (old, new), name not in cut) for name in sorted({*grouped, *cut}))
 
 
-def _package(name: str, changes: list[Change], old: Side, new: Side) -> PackageVerdict:
-    before, after = old.packages.get(name), new.packages.get(name)
+def _is_cut(package: PackageInfo, gaps: Sequence[str]) -> bool:
+    folder = f"{package.path}/" if package.path else ""
+    return any(path.startswith(folder) for path in gaps)
+
+
+def _package(name: str, changes: list[Change], sides: tuple[Side, Side], complete: bool) -> PackageVerdict:
+    before, after = (side.packages.get(name) for side in sides)
     versions = before.version if before else None, after.version if after else None
-    verdict = Verdict(compatibility_class(changes), required_bump(changes), bump_between(*versions))
-    return PackageVerdict(name, *versions, verdict)
+    return PackageVerdict(name, *versions, _verdict(changes, bump_between(*versions), complete))
 
 
-def repository_verdict(changes: Sequence[Change], old: Side, new: Side) -> Verdict:
+def repository_verdict(changes: Sequence[Change], old: Side, new: Side, unread: Iterable[UnreadPart]) -> Verdict:
     """Return the verdict on all packages; the declared step is the least that any changed package takes."""
     steps = [
         step
@@ -35,15 +47,30 @@ def repository_verdict(changes: Sequence[Change], old: Side, new: Side) -> Verdi
         if name in new.packages and (step := bump_between(before.version, new.packages[name].version)) is not None
     ]
     declared: Bump | None = min(steps, key=BUMPS.index) if steps else None
-    return Verdict(compatibility_class(changes), required_bump(changes), declared)
+    return _verdict(changes, declared, not any(part.limits for part in unread))
 
 
-def backport_line(changes: Sequence[Change]) -> str:
+def _verdict(changes: Sequence[Change], declared: Bump | None, complete: bool) -> Verdict:
+    known = compatibility_class(changes)
+    seen = known if complete or known == "breaking" else "unknown"
+    return Verdict(seen, required_bump(changes), declared, complete)
+
+
+def needed(verdict: Verdict) -> str:
+    """The step that a release needs, in words; of one that is not whole only the least step is known."""
+    if verdict.complete or verdict.required_bump == "major":
+        return verdict.required_bump
+    return "unknown" if verdict.required_bump == "none" else f"at least {verdict.required_bump}"
+
+
+def backport_line(comparison: Comparison) -> str:
     """Say in one line whether the changes may go into a released distribution (REP 2004: patch and minor only)."""
-    needed = required_bump(changes)
-    if needed == "major":
-        count = sum(change.breaking for change in changes)
+    required = required_bump(comparison.changes)
+    if required == "major":
+        count = sum(change.breaking for change in comparison.changes)
         return (
             f"backport: no, {count} breaking changes; REP 2004 allows only patch and minor in a released distribution"
         )
-    return f"backport: yes, {needed} only (REP 2004)"
+    if not comparison.verdict.complete:
+        return f"backport: unknown, {required} in what could be read (REP 2004)"
+    return f"backport: yes, {required} only (REP 2004)"

@@ -20,7 +20,7 @@ from ecm_parsers.source.facts import SourceFile
 from ecm_extract.processes import forked
 from ecm_extract.read.parsed_file import BlobFacts, ParsedFile, Task
 from ecm_extract.read.select import SourceKind, is_python_script
-from ecm_extract.tree import FileDiagnostic, Tree, blob_id, printable
+from ecm_extract.tree import FileDiagnostic, Tree, Unread, blob_id, printable
 
 MIN_PARALLEL = 40
 BATCH = 12
@@ -84,7 +84,7 @@ class SourceParse:
             yield from _parse(self.tree, self.tasks[start : start + BATCH], done)
 
     def _work(self, sender: Connection) -> None:
-        before = len(self.tree.diagnostics)
+        before = frozenset(self.tree.diagnostics)
         encoder = msgspec.msgpack.Encoder()
         pending: list[ParsedFile] = []
         for parsed in self._batches(lambda count: None):
@@ -92,7 +92,8 @@ class SourceParse:
             if len(pending) >= BATCH:
                 sender.send_bytes(encoder.encode(_Batch(tuple(pending))))
                 pending = []
-        sender.send_bytes(encoder.encode(_Batch(tuple(pending), tuple(self.tree.diagnostics[before:]))))
+        unread = tuple(entry for entry in self.tree.diagnostics if entry not in before)
+        sender.send_bytes(encoder.encode(_Batch(tuple(pending), unread)))
         sender.close()
 
     def _report_lost(self, results: Mapping[str, ParsedFile]) -> None:
@@ -103,7 +104,8 @@ class SourceParse:
         for path, _ in self.tasks:
             if path not in results and printable(path) not in unread:
                 message = "The process that read this file was stopped. Run again with --jobs 1 to see why."
-                self.tree.report(FileDiagnostic("error", "worker-lost", printable(path), 0, message))
+                shown = printable(path)
+                self.tree.report(FileDiagnostic("error", "worker-lost", shown, 0, message, Unread(shown, "unreadable")))
 
 
 class _Collector:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
-from fnmatch import fnmatch
 from pathlib import PurePosixPath
 from typing import Any, cast
 
@@ -14,6 +13,7 @@ from ecm_parsers.controllers_yaml import parse_controllers
 from ecm_parsers.diagnostics_yaml import is_diagnostics, parse_diagnostics
 from ecm_parsers.interface_facts import Shape
 from ecm_parsers.overlay_yaml import Overlay, parse_overlay
+from ecm_parsers.package_facts import Manifest
 from ecm_parsers.recorder_topics import is_recorder, parse_recorder
 from ecm_parsers.result import Diagnostic, Parsed
 from ecm_parsers.sros_policy import is_policy, parse_policy
@@ -21,15 +21,28 @@ from ecm_parsers.sros_policy import is_policy, parse_policy
 from ecm_extract.cache.blobs import Blob, BlobCache
 from ecm_extract.discover import PackageRoot, discover, is_test_path
 from ecm_extract.errors import TreeReadError
+from ecm_extract.exclusion import Exclusion
 from ecm_extract.read import select
 from ecm_extract.read.build_files import read_cmake, read_setups
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.read.parallel import SourceParse
 from ecm_extract.read.parsed_file import BlobFacts, ParsedFile, Task
 from ecm_extract.read.prefetch import Prefetch
-from ecm_extract.tree import FileDiagnostic, Tree, printable
+from ecm_extract.tree import FileDiagnostic, Tree, Unread, printable
 
 OVERLAY = "ecm.yaml"
+_NO_MANIFEST = frozenset(
+    {
+        "xml-empty",
+        "xml-entity",
+        "xml-malformed",
+        "xml-too-deep",
+        "xml-too-large",
+        "package-wrong-root",
+        "package-no-name",
+    }
+)
+"""What the parser says of a file that is no package.xml."""
 Progress = Callable[[int, int], None]
 
 
@@ -39,7 +52,7 @@ class Reader:
     Args:
         tree: where files are read.
         include_tests: also read test folders.
-        exclude: globs of paths that are not read.
+        exclude: patterns of paths that are not read, as in a `.gitignore`.
         cached: take facts of contents that were parsed before, and keep those of new ones.
 
     Attributes:
@@ -52,7 +65,7 @@ class Reader:
     ) -> None:
         self.tree = tree
         self.include_tests = include_tests
-        self.exclude = tuple(exclude)
+        self.exclude = Exclusion(tuple(exclude))
         self.files = 0
         self.bytes = 0
         self.blobs: dict[str, str] = {}
@@ -61,7 +74,7 @@ class Reader:
 
     def read(self, jobs: int | None, progress: Progress | None = None) -> list[PackageFacts]:
         """Return the facts of every package, sorted by path."""
-        packages = [PackageFacts(self._wanted(root)) for root in discover(self.tree)]
+        packages = [PackageFacts(root) for root in discover(self.tree, self.exclude)]
         tasks = [task for package in packages for task in select.sources(package.root, self.include_tests)]
         known = self._known(self._identified(packages, tasks))
         missing = [task for task in tasks if task[0] not in known]
@@ -120,22 +133,29 @@ class Reader:
         if self._cache is not None:
             self._cache.add({(kinds[file.path], file.blob): file.content for file in parsed})
 
-    def _wanted(self, root: PackageRoot) -> PackageRoot:
-        if not self.exclude:
-            return root
-        kept = tuple(e for e in root.files if not any(fnmatch(e.path, pattern) for pattern in self.exclude))
-        return PackageRoot(root.path, root.manifest, kept)
-
     def _read_package(self, package: PackageFacts) -> None:
         root = package.root
         if root.manifest is not None and root.manifest.endswith("package.xml"):
-            package.manifest = self.parse(root.manifest, package_xml.parse)
+            package.manifest = self._manifest(root.manifest)
         package.overlay = self._overlay(root)
         package.cmake = read_cmake(self, root)
         package.setups = read_setups(self, root)
         for entry in root.files:
             self._read_declarative(package, entry.path)
         self._read_named(package)
+
+    def _manifest(self, path: str) -> Manifest | None:
+        """Build tools refuse a manifest that is none, so what is read of it is no declaration of the package."""
+        data = self._contents.read(path)
+        if data is None:
+            return None
+        parsed = package_xml.parse(data)
+        manifest: Manifest = self._taken(path, data, parsed)
+        if any(entry.code in _NO_MANIFEST for entry in parsed.diagnostics):
+            shown = printable(path)
+            message = "No build tool reads this as the manifest of a package, so it has no name or version. Correct it."
+            self.tree.report(FileDiagnostic("error", "package-unread", shown, 0, message, Unread(shown, "malformed")))
+        return manifest
 
     def _overlay(self, root: PackageRoot) -> tuple[str, Overlay] | None:
         path = f"{root.path}/{OVERLAY}" if root.path else OVERLAY

@@ -10,7 +10,7 @@ from ecm_checker.hub.package import PACKAGE_SCHEMA
 from ecm_checker.json_data import json_data, record_data
 from ecm_checker.wire import EXTRACT_SCHEMA, Origin
 
-from ecm_extract.extraction_model import Extraction, LocatedDiagnostic, PackageContracts
+from ecm_extract.extraction_model import Extraction, PackageContracts
 
 
 def extract_document(extraction: Extraction) -> dict[str, Any]:
@@ -25,6 +25,7 @@ def extract_document(extraction: Extraction) -> dict[str, Any]:
         "source": record_data(Origin(extraction.path, extraction.commit)),
         "packages": [_package(each, held.get(each.path, [])) for each in extraction.packages],
         "diagnostics": held.get(None, []),
+        "unread": [json_data(each) for each in extraction.unread],
     }
 
 
@@ -44,20 +45,27 @@ def package_document(extraction: Extraction, package: PackageContracts) -> bytes
     """The document of one package as canonical JSON: equal content gives equal bytes."""
     held = _by_package(extraction).get(package.path, [])
     source = record_data(Origin(extraction.path, extraction.commit))
-    whole = {"schema": PACKAGE_SCHEMA, "source": source, **_package(package, held)}
+    unread = [json_data(each) for each in extraction.unread if _concerns(each.path, package, extraction)]
+    whole = {"schema": PACKAGE_SCHEMA, "source": source, **_package(package, held), "unread": unread}
     return msgspec.json.encode(whole, order="deterministic") + b"\n"
+
+
+def _concerns(path: str, package: PackageContracts, extraction: Extraction) -> bool:
+    """Whether something lies in a package, or in none of them, so that it may be of any."""
+    owner = _owner(path, {each.path for each in extraction.packages})
+    return owner in {None, package.path}
 
 
 def _by_package(extraction: Extraction) -> dict[str | None, list[dict[str, Any]]]:
     paths = {package.path for package in extraction.packages}
     held: dict[str | None, list[dict[str, Any]]] = {}
     for diagnostic in extraction.diagnostics:
-        held.setdefault(_owner(diagnostic, paths), []).append(record_data(diagnostic))
+        held.setdefault(_owner(diagnostic.path, paths), []).append(record_data(diagnostic))
     return held
 
 
-def _owner(diagnostic: LocatedDiagnostic, paths: set[str]) -> str | None:
-    folder = diagnostic.path
+def _owner(path: str, paths: set[str]) -> str | None:
+    folder = path
     while folder:
         folder = folder.rpartition("/")[0]
         if folder in paths:

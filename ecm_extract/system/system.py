@@ -24,7 +24,7 @@ from ecm_extract.system.node_model import SystemNode
 from ecm_extract.system.nodes import NodeMaker
 from ecm_extract.system.robots import MAX_ROBOTS, controller_files, descriptions_of
 from ecm_extract.system.simulation import simulated_nodes
-from ecm_extract.tree import FileDiagnostic, Tree
+from ecm_extract.tree import FileDiagnostic, Tree, printable
 
 
 @dataclass(slots=True)
@@ -45,8 +45,11 @@ class System:
     frames: list[FrameEdge]
 
 
+_LOOKED_FOR = "looked for: a root <launch>, a list `launch:` in YAML, a Python function generate_launch_description"
+
+
 class LaunchError(InputError):
-    """A launch file that was asked for is not in the tree."""
+    """A launch file that was asked for is not in the tree, or is no launch file."""
 
 
 def read_system(tree: Tree, launches: Sequence[str], given: Given, options: Options) -> System:
@@ -61,7 +64,7 @@ def read_system(tree: Tree, launches: Sequence[str], given: Given, options: Opti
     Raises:
         TreeError: the tree cannot be listed.
         ConfigError: `ecm.toml` is wrong.
-        LaunchError: a launch file is not in the tree.
+        LaunchError: a launch file is not in the tree, or is none.
     """
     config = config_of(tree, options)
     enabled = gc.isenabled()
@@ -74,7 +77,10 @@ def read_system(tree: Tree, launches: Sequence[str], given: Given, options: Opti
         linked = linker.link()
         index = ModuleIndex(linked, packages, composition_of(linker.modules, linker.references))
         files = Files(tree, packages)
-        return evaluated_system(tree, files, index, [_path(entry, files) for entry in launches], given)
+        paths = [_path(entry, files) for entry in launches]
+        system = evaluated_system(tree, files, index, paths, given)
+        _refuse_unread(system, paths)
+        return system
     finally:
         if enabled:
             gc.enable()
@@ -113,6 +119,15 @@ def evaluated_system(tree: Tree, files: Files, index: ModuleIndex, paths: Sequen
         robots=robots,
         frames=frames_of(nodes, robots),
     )
+
+
+def _refuse_unread(system: System, paths: Sequence[str]) -> None:
+    """Who names a file that starts nothing must not be told that nothing is wrong."""
+    for path in paths:
+        if path not in system.launched.files:
+            why = next((entry for entry in system.tree.diagnostics if entry.path == printable(path)), None)
+            message = f"{printable(path)} cannot be read as a launch file"
+            raise LaunchError(message, why.message if why is not None else _LOOKED_FOR)
 
 
 def _path(text: str, files: Files) -> str:

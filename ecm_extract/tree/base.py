@@ -8,6 +8,8 @@ from typing import Protocol
 import msgspec
 from ecm_parsers.result import Severity
 
+from ecm_extract.tree.unread import Unread
+
 MAX_FILE_BYTES = 8 * 1024 * 1024
 """Largest file that is read for parsing; generated solvers of half a megabyte are the largest seen in use."""
 
@@ -36,13 +38,17 @@ class Entry(msgspec.Struct, frozen=True):
 
 
 class FileDiagnostic(msgspec.Struct, frozen=True):
-    """A diagnostic with its file, in the wire form of `diagnostics[]` (DESIGN §6); `path` is printable."""
+    """A diagnostic with its file, in the wire form of `diagnostics[]` (DESIGN §6); `path` is printable.
+
+    `unread` is set where it tells of something that was not read.
+    """
 
     severity: Severity
     code: str
     path: str
     line: int
     message: str
+    unread: Unread | None = None
 
 
 class Tree(Protocol):
@@ -89,6 +95,12 @@ class Tree(Protocol):
 
     def report(self, diagnostic: FileDiagnostic) -> None:
         """Add to `diagnostics`, once."""
+
+
+def unread_of(diagnostics: Iterable[FileDiagnostic]) -> tuple[Unread, ...]:
+    """What diagnostics say was not read, sorted by path and reason."""
+    found = {each.unread for each in diagnostics if each.unread is not None}
+    return tuple(sorted(found, key=lambda each: (each.path, each.reason, each.commit)))
 
 
 def blob_id(data: bytes) -> str:

@@ -2,6 +2,7 @@
 
 import os
 import stat
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from ecm_parsers.result import Severity
@@ -9,6 +10,8 @@ from ecm_parsers.result import Severity
 from ecm_extract.errors import TreeError, TreeReadError
 from ecm_extract.tree.base import MAX_FILE_BYTES, Entry, FileDiagnostic, printable
 from ecm_extract.tree.listing import MAX_FILES, ListedTree, Listing, too_large, too_many
+from ecm_extract.tree.submodules import submodule_unread
+from ecm_extract.tree.unread import Unread
 
 _NEVER = frozenset({".git", ".hg", ".svn", ".bzr", ".venv", "node_modules", "__pycache__", ".tox"})
 # A file of these in a folder of that name shows that a build tool wrote it (colcon, catkin, CMake).
@@ -29,11 +32,21 @@ class DirectoryTree(ListedTree):
         label: how the user named it.
         commit: HEAD of the repository around it, None outside any.
         repository: public name of that repository.
+        submodules: commit of each submodule below the folder that HEAD names, by its path in the folder.
     """
 
-    def __init__(self, root: Path, *, label: str, commit: str | None, repository: str | None) -> None:
+    def __init__(
+        self,
+        root: Path,
+        *,
+        label: str,
+        commit: str | None,
+        repository: str | None,
+        submodules: Mapping[str, str] | None = None,
+    ) -> None:
         super().__init__(label, commit, repository)
         self._root = root
+        self._submodules = submodules or {}
 
     def read(self, path: str) -> bytes:
         """Content of one file."""
@@ -51,7 +64,14 @@ class DirectoryTree(ListedTree):
         while walk.todo:
             path = walk.todo.pop()
             walk.folder(self._root / path, path)
-        return Listing(tuple(walk.entries), walk.links, tuple(walk.diagnostics))
+        diagnostics = (*walk.diagnostics, *self._not_checked_out(walk.entries))
+        return Listing(tuple(walk.entries), walk.links, diagnostics)
+
+    def _not_checked_out(self, entries: Sequence[Entry]) -> Iterator[FileDiagnostic]:
+        """Submodules whose folder is empty: `git submodule update` has not run."""
+        for path, commit in self._submodules.items():
+            if not any(entry.path.startswith(f"{path}/") for entry in entries):
+                yield submodule_unread(path, commit)
 
 
 class _Walk:
@@ -95,14 +115,18 @@ class _Walk:
         try:
             self.links[path] = os.readlink(item.path)  # noqa: PTH115 - a Path would tidy the text
         except OSError as error:
-            self._note("warning", "unreadable", path, f"The link cannot be read: {error.strerror}.")
+            self._not_read(path, f"The link cannot be read: {error.strerror}.")
 
     def _unreadable(self, path: str, error: OSError) -> None:
         if not path:
             message = f"The folder {self.label} cannot be listed: {error.strerror}."
             raise TreeError(message, "Check the path and its permissions.") from error
         message = f"The folder cannot be listed: {error.strerror}. Check its permissions."
-        self._note("warning", "unreadable", path, message)
+        self._not_read(path, message)
+
+    def _not_read(self, path: str, message: str) -> None:
+        shown = printable(path)
+        self.diagnostics.append(FileDiagnostic("warning", "unreadable", shown, 0, message, Unread(shown, "unreadable")))
 
     def _note(self, severity: Severity, code: str, path: str, message: str) -> None:
         self.diagnostics.append(FileDiagnostic(severity, code, printable(path), 0, message))

@@ -6,7 +6,7 @@ from contextlib import contextmanager, suppress
 from threading import Thread
 from typing import IO
 
-from ecm_extract.errors import GitError
+from ecm_extract.errors import GitError, ToolError
 from ecm_extract.tree.git_repo import TIMEOUT_S, GitRepo
 
 _MAX_RESTARTS = 100
@@ -102,5 +102,5 @@ def pipes(process: subprocess.Popen[bytes]) -> tuple[IO[bytes], IO[bytes]]:
     """Standard input and output of a process that was started with both as pipes."""
     if process.stdin is None or process.stdout is None:
         message = "git was started without pipes."
-        raise GitError(message)
+        raise ToolError(message)
     return process.stdin, process.stdout

@@ -1,10 +1,10 @@
 """A tree read out of a git repository at a commit: no checkout, no file written in the repository."""
 
-from collections.abc import Generator, Iterable, Iterator
+from collections.abc import Generator, Iterable, Iterator, Mapping
 from contextlib import closing
 
 from ecm_extract.errors import TreeError, TreeReadError
-from ecm_extract.tree.base import MAX_FILE_BYTES, Entry, FileDiagnostic, printable
+from ecm_extract.tree.base import MAX_FILE_BYTES, Entry, printable
 from ecm_extract.tree.git_batch import pipes, read_objects
 from ecm_extract.tree.git_repo import GitRepo
 from ecm_extract.tree.listing import MAX_FILES, ListedTree, Listing, too_large, too_many
@@ -30,6 +30,13 @@ class GitTree(ListedTree):
         super().__init__(label, commit, repository)
         self._repo = repo
         self._tree_id = tree_id
+        self._submodules: dict[str, str] = {}
+
+    @property
+    def submodules(self) -> Mapping[str, str]:
+        """Commit of each submodule that the tree names, by its path; their files are not part of this tree."""
+        self.files()
+        return self._submodules
 
     def read(self, path: str) -> bytes:
         """Content of one file; a process each, so prefer `read_many`."""
@@ -68,18 +75,17 @@ class GitTree(ListedTree):
     def _list(self) -> Listing:
         entries: list[Entry] = []
         links: list[Entry] = []
-        diagnostics: list[FileDiagnostic] = []
         with closing(self._records()) as records:
             for mode, entry in records:
                 if mode == "160000":
-                    diagnostics.append(_submodule(entry))
+                    self._submodules[entry.path] = entry.identity or ""
                 elif mode == "120000":
                     links.append(entry)
                 else:
                     entries.append(entry)
-                if len(entries) + len(links) + len(diagnostics) > MAX_FILES:
+                if len(entries) + len(links) + len(self._submodules) > MAX_FILES:
                     raise too_many(self.label)
-        return Listing(tuple(entries), self._targets(links), tuple(diagnostics))
+        return Listing(tuple(entries), self._targets(links))
 
     def _records(self) -> Generator[tuple[str, Entry], None, None]:
         """Mode and entry of each file, streamed: a few small objects can describe billions of files."""
@@ -115,14 +121,6 @@ def _record(record: bytes) -> tuple[str, Entry]:
         executable=mode == "100755",
     )
     return mode, entry
-
-
-def _submodule(entry: Entry) -> FileDiagnostic:
-    message = (
-        f"A submodule at {(entry.identity or '')[:12]} is not part of this tree. "
-        "Extract it by itself, or the folder after `git submodule update --init`."
-    )
-    return FileDiagnostic("info", "submodule", printable(entry.path), 0, message)
 
 
 def _missing(path: str) -> TreeReadError:

@@ -12,6 +12,7 @@ import os
 import re
 import secrets
 import shutil
+import stat
 import subprocess
 import tempfile
 from collections.abc import Iterator
@@ -27,6 +28,7 @@ TIMEOUT_S = 120
 """Longest that one git command may take, in seconds."""
 
 _SHARED = ("refs", "packed-refs", "reftable", "shallow")
+_OBJECT_LISTS = ("objects/info", "objects/pack")
 _OWN = ("logs", "FETCH_HEAD", "ORIG_HEAD", "MERGE_HEAD")
 _HEAD = re.compile(r"ref: .+|[0-9a-f]{40}|[0-9a-f]{64}")
 _MAX_HEAD_BYTES = 4096
@@ -88,24 +90,23 @@ def find_repo(folder: Path) -> GitRepo | None:
     try:
         if _is_git_dir(start):
             return _repo(start, None)
-        found = ((place, _git_dir_of(place)) for place in (start, *start.parents))
-        return next((_repo(git_dir, place) for place, git_dir in found if git_dir is not None), None)
+        found = (repo_at(place / ".git", place) for place in (start, *start.parents))
+        return next((repo for repo in found if repo is not None), None)
     except PermissionError:
         return None
+
+
+def repo_at(dot_git: Path, work_tree: Path | None) -> GitRepo | None:
+    """The repository whose git folder `dot_git` is, or that the file `dot_git` names; None when it is neither."""
+    pointer = _first_line(dot_git)
+    if pointer.startswith("gitdir: "):
+        dot_git = (dot_git.parent / pointer.removeprefix("gitdir: ")).resolve()
+    return _repo(dot_git, work_tree) if _is_git_dir(dot_git) else None
 
 
 def _repo(git_dir: Path, work_tree: Path | None) -> GitRepo:
     common = _first_line(git_dir / "commondir")
     return GitRepo(git_dir, (git_dir / common).resolve() if common else git_dir, work_tree)
-
-
-def _git_dir_of(place: Path) -> Path | None:
-    """The git folder behind `place/.git`, which is a folder, or a file that names one."""
-    dot_git = place / ".git"
-    pointer = _first_line(dot_git)
-    if pointer.startswith("gitdir: "):
-        dot_git = (place / pointer.removeprefix("gitdir: ")).resolve()
-    return dot_git if _is_git_dir(dot_git) else None
 
 
 def _is_git_dir(folder: Path) -> bool:
@@ -152,15 +153,33 @@ def _temporary_folder() -> Iterator[Path]:
 
 
 def _fill_view(repo: GitRepo, view: Path) -> None:
+    for name in _OBJECT_LISTS:
+        _refuse_special(repo, repo.common_dir / name)
     (view / "objects").mkdir()
     (view / "HEAD").write_text(_first_line(repo.git_dir / "HEAD") + "\n", errors="surrogateescape")
     (view / "config").write_text(_config(repo))
     for folder, names in ((repo.common_dir, _SHARED), (repo.git_dir, _OWN)):
         for name in names:
             if (folder / name).exists():
+                _refuse_special(repo, folder / name)
                 (view / name).symlink_to(folder / name)
     if not (view / "refs").exists():
         (view / "refs").mkdir()
+
+
+def _refuse_special(repo: GitRepo, place: Path) -> None:
+    """Git waits for ever at a pipe that stands where it expects a file."""
+    below = (Path(folder, name) for folder, _, names in os.walk(place) for name in names)
+    special = next((each for each in (place, *below) if _is_special(each)), None)
+    if special is not None:
+        shown = printable(str(special))
+        message = f"{shown} is a pipe, socket or device, so git cannot read the repository {repo.name}."
+        raise GitError(message, "Remove it, and get what it held with `git fetch --tags origin`.")
+
+
+def _is_special(place: Path) -> bool:
+    mode = place.stat(follow_symlinks=True).st_mode if place.exists() else stat.S_IFREG
+    return not (stat.S_ISREG(mode) or stat.S_ISDIR(mode))
 
 
 def _config(repo: GitRepo) -> str:
@@ -172,8 +191,11 @@ def _config(repo: GitRepo) -> str:
 
 
 def _config_text(repo: GitRepo) -> str:
+    file = repo.common_dir / "config"
+    if not file.is_file():
+        return ""
     try:
-        with (repo.common_dir / "config").open("rb") as stream:
+        with file.open("rb") as stream:
             return stream.read(_MAX_CONFIG_BYTES).decode("utf-8", "replace")
     except OSError:
         return ""
@@ -194,8 +216,8 @@ def _started(view: Path, common_dir: Path, args: tuple[str, ...], stderr: int) -
             process_group=0,  # Ctrl-C is for this program, which then ends git
         )
     except FileNotFoundError:
-        message = "Git is not installed."
-        raise GitError(message, "Install git, or extract from a folder.") from None
+        message = "Git is not installed, so no ref, tag or commit can be read."
+        raise GitError(message, "Install git, or give folders in place of refs.") from None
     with process:
         try:
             yield process

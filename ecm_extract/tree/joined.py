@@ -27,13 +27,13 @@ class JoinedTree:
     @property
     def diagnostics(self) -> tuple[FileDiagnostic, ...]:
         """What could not be listed or read so far, tree by tree, then what was reported of the whole."""
-        below = [_moved(name, entry) for name, tree in self._trees.items() for entry in tree.diagnostics]
+        below = [moved(name, entry) for name, tree in self._trees.items() for entry in tree.diagnostics]
         return *below, *self._own
 
     def files(self) -> tuple[Entry, ...]:
         """All files, sorted by path."""
         if self._files is None:
-            found = [_below(name, entry) for name, tree in self._trees.items() for entry in tree.files()]
+            found = [below(name, entry) for name, tree in self._trees.items() for entry in tree.files()]
             self._files = tuple(sorted(found, key=lambda entry: entry.path))
         return self._files
 
@@ -67,13 +67,17 @@ class JoinedTree:
         return tree, inner
 
 
-def _below(name: str, entry: Entry) -> Entry:
+def below(name: str, entry: Entry) -> Entry:
+    """A file of a tree that stands in the folder `name` of another."""
     target = f"{name}/{entry.target}" if entry.target is not None else None
     return msgspec.structs.replace(entry, path=f"{name}/{entry.path}", target=target)
 
 
-def _moved(name: str, diagnostic: FileDiagnostic) -> FileDiagnostic:
-    return msgspec.structs.replace(diagnostic, path=f"{name}/{diagnostic.path}" if diagnostic.path else name)
+def moved(name: str, diagnostic: FileDiagnostic) -> FileDiagnostic:
+    """A diagnostic of a tree that stands in the folder `name` of another."""
+    path = f"{name}/{diagnostic.path}" if diagnostic.path else name
+    unread = diagnostic.unread and msgspec.structs.replace(diagnostic.unread, path=f"{name}/{diagnostic.unread.path}")
+    return msgspec.structs.replace(diagnostic, path=path, unread=unread)
 
 
 def _runs(paths: Iterable[str]) -> Iterator[tuple[str, list[str]]]:

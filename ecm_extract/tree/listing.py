@@ -1,7 +1,7 @@
 """What both kinds of tree share: a listing made once, links put in their place, diagnostics kept once."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import PurePosixPath
 
 import msgspec
@@ -10,9 +10,13 @@ from ecm_parsers.result import Severity
 from ecm_extract.errors import TreeError, TreeReadError
 from ecm_extract.tree.base import MAX_FILE_BYTES, Entry, FileDiagnostic, blob_id, printable
 from ecm_extract.tree.links import LinkProblem, resolve
+from ecm_extract.tree.unread import Reason, Unread, can_declare
 
 MAX_FILES = 250_000
 """Most files in one tree; the largest public robot workspaces have some ten thousand."""
+
+_REASONS: Mapping[str, Reason] = {"missing-blob": "missing", "too-large": "too-large", "unreadable": "unreadable"}
+"""Why a file was not read, by the code of its error; a file that is in no tree was not missed."""
 
 _LINK_MESSAGES: dict[LinkProblem, str] = {
     "symlink-outside": "The link leads out of the tree and is not followed. Extract the tree of its target.",
@@ -91,7 +95,9 @@ class ListedTree(ABC):
 
     def _report_error(self, error: TreeReadError) -> None:
         message = f"{error.message} {error.hint}".rstrip()
-        self.report(FileDiagnostic("warning", error.code, error.path, 0, message))
+        reason = _REASONS.get(error.code)
+        unread = Unread(error.path, reason, can_declare(error.path)) if reason is not None else None
+        self.report(FileDiagnostic("warning", error.code, error.path, 0, message, unread))
 
 
 def too_large(path: str, size: int) -> TreeReadError:
@@ -124,7 +130,9 @@ def _link_diagnostics(listing: Listing) -> Iterator[FileDiagnostic]:
         problem = resolve(path, listing.links, files, folders).problem
         if problem is not None:
             severity: Severity = "info" if problem == "symlink-directory" else "warning"
-            yield FileDiagnostic(severity, problem, printable(path), 0, _LINK_MESSAGES[problem])
+            shown = printable(path)
+            unread = Unread(shown, "link", can_declare(path)) if problem == "symlink-outside" else None
+            yield FileDiagnostic(severity, problem, shown, 0, _LINK_MESSAGES[problem], unread)
 
 
 def _folders(files: Iterable[str]) -> set[str]:

@@ -1,6 +1,5 @@
 """Refs as people use them: which commit a name means, which releases lie behind it, where two lines part."""
 
-import difflib
 import re
 
 import msgspec
@@ -9,10 +8,9 @@ from ecm_extract.errors import GitError, RefError, TreeError
 from ecm_extract.tree.base import printable
 from ecm_extract.tree.git_batch import describe_objects
 from ecm_extract.tree.git_repo import GitRepo
+from ecm_extract.tree.ref_hints import is_shallow, missing_ref_hint, ref_names, shown
 
-_NEAREST = 3
 _MAX_REF_CHARS = 1024
-_OBJECT_ID = re.compile(r"[0-9a-fA-F]{40}(?:[0-9a-fA-F]{24})?")
 _VERSION = re.compile(
     r"(?:^|[-_/vV])(?P<numbers>\d{1,9}(?:\.\d{1,9}){1,5})(?:-(?P<revision>\d{1,9}))?"
     r"(?P<pre>[-_.+~]?(?:a|b|c|rc|alpha|beta|pre|preview|dev|snapshot|test|nightly)[-_.]?\d{0,9})?$",
@@ -44,8 +42,7 @@ def resolve_commit(repo: GitRepo, ref: str) -> str:
     """
     found = _describe(repo, f"{ref}^{{commit}}") if _is_sane(ref) else None
     if found is None:
-        message = f"{repo.name} has no ref or commit {printable(ref)!r}."
-        raise RefError(message, _missing_hint(repo, ref))
+        raise _no_commit(repo, ref)
     return found[0]
 
 
@@ -128,31 +125,25 @@ def _describe(repo: GitRepo, name: str) -> tuple[str, str] | None:
     return found[0] if found else None
 
 
+def _no_commit(repo: GitRepo, ref: str) -> RefError:
+    """The error for a ref that is none, or that is one of something else than a commit."""
+    other = _describe(repo, f"{ref}^{{}}") if _is_sane(ref) else None
+    if other is not None:
+        message = f"{shown(ref)!r} of {repo.name} is a {other[1]}, not a commit."
+        return RefError(message, "Give a tag of a commit, a branch or a commit.")
+    if re.fullmatch(r"(?:HEAD|@)", ref) and ref_names(repo):
+        message = f"HEAD of {repo.name} names a branch that has no commit yet."
+        return RefError(message, "Give a branch or tag that is there, or check one out.")
+    start = re.match(r"[^~^]*", ref)
+    if start is not None and start[0] not in ("", ref) and _is_sane(ref) and _describe(repo, f"{start[0]}^{{commit}}"):
+        message = f"{repo.name} has {shown(start[0])!r}, but nothing at {shown(ref)!r}."
+        return RefError(message, _no_ancestor_hint(repo))
+    return RefError(f"{repo.name} has no ref or commit {shown(ref)!r}.", missing_ref_hint(repo, ref))
+
+
+def _no_ancestor_hint(repo: GitRepo) -> str:
+    return "Get the history with `git fetch --unshallow origin`." if is_shallow(repo) else "Its history is shorter."
+
+
 def _is_sane(ref: str) -> bool:
     return 0 < len(ref) <= _MAX_REF_CHARS and min(ref) >= " "
-
-
-def _missing_hint(repo: GitRepo, ref: str) -> str:
-    near = difflib.get_close_matches(ref[:_MAX_REF_CHARS], ref_names(repo), _NEAREST)
-    nearest = f"Nearest: {', '.join(printable(name) for name in near)}. " if near else ""
-    return f"{nearest}If it exists upstream: {_fetch_line(repo, ref)}"
-
-
-def _fetch_line(repo: GitRepo, ref: str) -> str:
-    if (repo.common_dir / "shallow").exists():
-        return "git fetch --unshallow --tags origin"
-    if _OBJECT_ID.fullmatch(ref):
-        return f"git fetch origin {ref}"
-    if not _is_sane(ref) or ref.startswith("-") or not re.fullmatch(r"[\w./+-]+", ref):
-        return "git fetch --tags origin"
-    return f"git fetch origin refs/tags/{ref}:refs/tags/{ref}"
-
-
-def ref_names(repo: GitRepo) -> list[str]:
-    """Short names of all tags and branches; empty when they cannot be listed."""
-    layout = "--format=%(refname:strip=2)"
-    try:
-        _, out = repo.run("for-each-ref", layout, "refs/tags", "refs/heads", "refs/remotes")
-    except GitError:
-        return []
-    return out.decode("utf-8", "surrogateescape").splitlines()

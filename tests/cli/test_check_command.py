@@ -106,3 +106,14 @@ def test_threshold_and_wrong_input(tmp_path: Path, capsys: pytest.CaptureFixture
     assert check() == 2
     assert check(tmp_path / "nothing") == 2
     assert "Traceback" not in capsys.readouterr().err
+
+
+def test_nothing_is_decided_about_what_was_not_read(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Neither about an empty folder, nor about a package whose manifest is none."""
+    (tmp_path / "empty").mkdir()
+    assert run(["check", str(tmp_path / "empty")]) == 2
+    assert "no ROS package" in capsys.readouterr().err
+    (tmp_path / "a").mkdir()
+    (tmp_path / "a" / "package.xml").write_text("<package><name>a</na")
+    assert run(["check", str(tmp_path / "a")]) == 2
+    assert "could not be read as a whole" in capsys.readouterr().err

@@ -98,7 +98,7 @@ def test_a_mistyped_command_is_told(capsys: pytest.CaptureFixture[str]) -> None:
             2,
             "error: no such tag: 1.0\nhint: git fetch --tags\n",
         ),
-        (GitError("git is not installed"), 3, "error: git is not installed\n"),
+        (GitError("git is not installed"), 2, "error: git is not installed\n"),
         (ValueError("oops"), 3, "error: ecm-extract failed: ValueError: oops\nhint: this is a bug"),
         (KeyboardInterrupt(), 130, "interrupted\n"),
         (click.Abort(), 130, "interrupted\n"),
@@ -197,3 +197,11 @@ def test_a_closed_pipe_is_silent(tmp_path: Path) -> None:
         process.stdout.close()
         assert process.wait(timeout=20) == 141
     assert err.read_text() == ""
+
+
+def test_an_option_is_no_command(capsys: pytest.CaptureFixture[str]) -> None:
+    """An option before the path lacks a path; no command is called like it."""
+    assert run(["--ref", "1.0.0"]) == 2
+    err = capsys.readouterr().err
+    assert "did you mean" not in err
+    assert "Missing argument 'PATH'" in err

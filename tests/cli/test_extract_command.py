@@ -139,3 +139,22 @@ def test_a_tree_that_is_not_there_is_told(monkeypatch: pytest.MonkeyPatch, capsy
     monkeypatch.setitem(sys.modules, "ecm_extract.extraction", module)
     assert run(["/no/such/folder"]) == 2
     assert "/no/such/folder" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("files", [{}, {"README.md": ""}, {"a/package.xml": "<package/>", "a/COLCON_IGNORE": ""}])
+def test_nothing_to_read(tmp_path: Path, files: dict[str, str], capsys: pytest.CaptureFixture[str]) -> None:
+    """A folder that holds nothing, or nothing that the project lets be read, has no contracts."""
+    for path, text in files.items():
+        (tmp_path / "ws" / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / "ws" / path).write_text(text)
+    (tmp_path / "ws").mkdir(exist_ok=True)
+    assert run([str(tmp_path / "ws"), "--format", "summary"]) == 2
+    assert ("COLCON_IGNORE" in capsys.readouterr().err) == ("a/COLCON_IGNORE" in files)
+
+
+def test_a_manifest_that_is_none(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """What could be read is shown, and that it is not the whole."""
+    (tmp_path / "a").mkdir()
+    (tmp_path / "a" / "package.xml").write_text("<package><name>a</na")
+    assert run([str(tmp_path), "--format", "summary"]) == 2
+    assert "not read: 1 package.xml that cannot be read as one: a/package.xml" in capsys.readouterr().err

@@ -139,8 +139,9 @@ def test_the_document_is_the_wire_format(repo: Path, capsys: pytest.CaptureFixtu
         "kind", "change", "package", "owner", "old", "new", "breaking", "dimension", "confidence", "reason",
         "evidence_old", "evidence_new",
     }  # fmt: skip
-    verdict = {"compatibility_class": "breaking", "required_bump": "major", "declared_bump": "minor"}
+    verdict = {"compatibility_class": "breaking", "required_bump": "major", "declared_bump": "minor", "complete": True}
     assert found["verdict"] == verdict
+    assert found["unread"] == []
 
 
 def test_consumers_break_on_their_own_lines(repo: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -319,10 +320,10 @@ def test_a_document_that_cannot_be_read(
 
 
 def test_an_unknown_ref_is_an_input_error(repo: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """Status 2, with the line that fetches it, and no traceback."""
+    """Status 2, with what to do about it, and no traceback."""
     status, out, err = ran(capsys, "9.9.9", "1.1.0", "--repo", repo)
     assert (status, out) == (2, "")
-    assert "git fetch" in err
+    assert "check the spelling" in err
 
 
 @pytest.mark.parametrize(("fail_on", "status"), [("error", 1), ("breaking", 1), ("never", 0)])

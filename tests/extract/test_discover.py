@@ -44,7 +44,7 @@ def test_ignored_folders(tmp_path: Path, marker: str) -> None:
     assert _packages(tree) == {"a": ["a/package.xml"]}
     discover(tree)
     assert [(d.severity, d.code, d.path) for d in tree.diagnostics] == [("info", "ignored-folder", "b")]
-    assert "1 folder(s) with 4 file(s)" in tree.diagnostics[0].message
+    assert "its 4 file(s)" in tree.diagnostics[0].message
 
 
 def test_marker_in_the_given_folder(tmp_path: Path) -> None:

@@ -21,7 +21,7 @@ ERRORS: list[tuple[EcmError, int]] = [
     (TreeReadError("a.py", "too-large", "m", "h"), 2),
     (ConfigError("ecm.toml", 3, "extract.x", "m"), 2),
     (ToolError("m"), 3),
-    (GitError("m", "h"), 3),
+    (GitError("m", "h"), 2),
 ]
 
 

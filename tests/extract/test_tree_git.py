@@ -287,10 +287,10 @@ def test_no_repository(tmp_path: Path) -> None:
 
 
 def test_git_not_installed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Without git a ref is a tool failure (status 3), and a folder is read all the same."""
+    """Without git a ref cannot be read, which the user can mend (status 2), and a folder is read all the same."""
     make_repo(tmp_path / "r", FILES)
     monkeypatch.setenv("PATH", str(tmp_path))
     assert _contents(open_tree(tmp_path / "r")) == FILES
     with pytest.raises(GitError) as error:
         open_repo(tmp_path / "r").run("cat-file", "--batch-check")
-    assert error.value.exit_status == 3
+    assert error.value.exit_status == 2

@@ -1,9 +1,10 @@
+import os
 from pathlib import Path
 
 import pytest
 from tree_repos import commit, git, make_repo
 
-from ecm_extract.errors import RefError
+from ecm_extract.errors import GitError, RefError
 from ecm_extract.tree import merge_base, newest_release, open_repo, open_tree, release_tags, resolve_commit
 from ecm_extract.tree.refs import as_release
 from ecm_extract.tree.remote import public_url
@@ -88,19 +89,83 @@ def test_resolve(tmp_path: Path, name: str) -> None:
 @pytest.mark.parametrize(
     ("ref", "hint"),
     [
-        ("1.10.1", "git fetch origin refs/tags/1.10.1:refs/tags/1.10.1"),
+        ("1.10.1", "if it is a branch: git fetch origin 1.10.1:refs/remotes/origin/1.10.1, then give origin/1.10.1"),
+        ("origin/x", "git fetch origin x:refs/remotes/origin/x"),
         ("f" * 40, "git fetch origin " + "f" * 40),
-        ("$(reboot)", "git fetch --tags origin"),
-        ("--exec", "git fetch --tags origin"),
+        ("$(reboot)", "Check the spelling."),
+        ("--exec", "Check the spelling."),
+        ("x" * 100_000, "Check the spelling."),
+        ("1.9.0..1.10.0", "Give two refs as two words: 1.9.0 1.10.0"),
+        ("1.9.0...1.10.0", "Give one ref; `git merge-base 1.9.0 1.10.0` tells the commit where the two part."),
+        ("main..$(reboot)", "Check the spelling."),
+        ("main~99", "Its history is shorter."),
     ],
 )
 def test_missing_ref(tmp_path: Path, ref: str, hint: str) -> None:
     """A missing ref names the nearest ones and a line that is safe to paste."""
     _history(tmp_path)
+    git(tmp_path, "remote", "add", "origin", "https://example.org/r.git")
     with pytest.raises(RefError) as error:
         resolve_commit(open_repo(tmp_path), ref)
     assert error.value.hint.endswith(hint)
-    assert ("1.10.0" in error.value.hint) == (ref == "1.10.1")
+    assert len(error.value.message) < 400
+    assert ("Nearest: 1.10.0" in error.value.hint) == (ref == "1.10.1")
+
+
+def test_no_remote(tmp_path: Path) -> None:
+    """A clone that was never fetched into is sent nowhere."""
+    _history(tmp_path)
+    with pytest.raises(RefError) as error:
+        resolve_commit(open_repo(tmp_path), "zzz")
+    assert "git fetch" not in error.value.hint
+
+
+@pytest.mark.parametrize("ref", ["HEAD", "main", "1.0.0"])
+def test_no_commit(tmp_path: Path, ref: str) -> None:
+    """A repository without commits says so."""
+    git(tmp_path, "init", "-q")
+    with pytest.raises(RefError) as error:
+        resolve_commit(open_repo(tmp_path), ref)
+    assert "no branch and no tag yet" in error.value.hint
+
+
+def test_orphan_head(tmp_path: Path) -> None:
+    """HEAD of a new branch is no ref that could be fetched."""
+    _history(tmp_path)
+    git(tmp_path, "checkout", "-q", "--orphan", "new")
+    with pytest.raises(RefError, match=r"HEAD of .* names a branch that has no commit yet"):
+        resolve_commit(open_repo(tmp_path), "HEAD")
+
+
+def test_tag_of_a_blob(tmp_path: Path) -> None:
+    """A tag of something else than a commit is there, and is told to be that."""
+    _history(tmp_path)
+    git(tmp_path, "tag", "blobtag", git(tmp_path, "hash-object", "-w", "--stdin", stdin=b"x"))
+    git(tmp_path, "tag", "-m", "annotated", "treetag", "HEAD^{tree}")
+    for name, kind in (("blobtag", "blob"), ("treetag", "tree")):
+        with pytest.raises(RefError, match=f"'{name}' of .* is a {kind}, not a commit"):
+            resolve_commit(open_repo(tmp_path), name)
+
+
+@pytest.mark.parametrize("place", ["packed-refs", "refs/heads/pipe", "shallow", "objects/info/alternates"])
+def test_pipe_in_the_repository(tmp_path: Path, place: str) -> None:
+    """Git would wait at a pipe for ever."""
+    _history(tmp_path)
+    (tmp_path / ".git" / place).unlink(missing_ok=True)
+    os.mkfifo(tmp_path / ".git" / place)
+    with pytest.raises(GitError, match="is a pipe"):
+        resolve_commit(open_repo(tmp_path), "main")
+
+
+def test_empty_objects(tmp_path: Path) -> None:
+    """A damaged repository is what was given, not what the tool did."""
+    ids = _history(tmp_path)
+    loose = tmp_path / ".git" / "objects" / ids["head"][:2] / ids["head"][2:]
+    loose.chmod(0o644)
+    loose.write_bytes(b"")
+    with pytest.raises(GitError) as error:
+        resolve_commit(open_repo(tmp_path), "main")
+    assert error.value.exit_status == 2
 
 
 def test_shallow_clone(tmp_path: Path) -> None:
@@ -148,3 +213,11 @@ def test_repository_name(tmp_path: Path) -> None:
     assert open_tree(tmp_path / "r").repository == "https://example.org/o/r.git"
     git(tmp_path / "r", "remote", "set-url", "origin", str(tmp_path))
     assert open_tree(tmp_path / "r", "HEAD").repository == "r"
+
+
+def test_pipe_as_configuration(tmp_path: Path) -> None:
+    """What is no file says nothing."""
+    ids = _history(tmp_path)
+    (tmp_path / ".git" / "config").unlink()
+    os.mkfifo(tmp_path / ".git" / "config")
+    assert resolve_commit(open_repo(tmp_path), "main") == ids["head"]

@@ -83,3 +83,24 @@ def test_missing_launch_file_is_an_error_of_the_user(capsys: pytest.CaptureFixtu
     """Status 2 and a hint, no traceback."""
     assert system("arm_bringup/none.launch.py") == 2
     assert "package/file" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "why"),
+    [
+        ("some.yaml", "a: 1\n", "There is no `launch:` list"),
+        ("robot.xml", "<robot/>", "The root is <robot>, not <launch>"),
+        ("program.py", "print(1)\n", "There is no `generate_launch_description`"),
+        ("broken.launch", "", "The file holds no XML"),
+        ("notes.txt", "hello\n", "Not well-formed"),
+    ],
+)
+def test_a_file_that_is_no_launch_file(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], name: str, text: str, why: str
+) -> None:
+    """A file that starts nothing is a mistake, and what was looked for is told."""
+    (tmp_path / name).write_text(text)
+    assert run(["system", str(tmp_path / name)]) == 2
+    err = capsys.readouterr().err
+    assert f"{name} cannot be read as a launch file" in err
+    assert why in err

@@ -16,7 +16,7 @@ from ecm_checker.encode import encode as encode_contract
 from ecm_checker.hub.provision import Form, Key, Provision
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.json_data import json_data
-from ecm_checker.wire import EXTRACT_SCHEMA, Diagnostic, Module, Origin
+from ecm_checker.wire import EXTRACT_SCHEMA, Diagnostic, Module, NotRead, Origin
 
 PACKAGE_SCHEMA: Final = "ecm-extract/package/1"
 SUFFIX: Final = ".package.json"
@@ -55,7 +55,7 @@ class Hub(msgspec.Struct, frozen=True, kw_only=True):
         bound: dotted names that its Python modules offer without declaring them.
         quoted: dotted names that its Python modules give by text, as a class decorator does.
         interfaces: what its interface files declare, by `package/msg|srv|action/Name`.
-        files: git blob id of each file by path; empty where that is not known.
+        files: git blob id of each file by path, empty where it is not known.
         notes: sentences of its changelogs, by path.
     """
 
@@ -75,7 +75,7 @@ class Package(Hub, frozen=True, kw_only=True):
     Attributes:
         name: as in package.xml. version: None when it declares none.
         path: of its folder in the tree. ros: 1 or 2; None when no artefact tells.
-        modules: their contracts.
+        modules: their contracts. unread: what was not read of it, or of its tree outside of packages.
     """
 
     name: str
@@ -84,6 +84,7 @@ class Package(Hub, frozen=True, kw_only=True):
     ros: Literal[1, 2] | None
     modules: tuple[Module, ...] = ()
     diagnostics: tuple[Diagnostic, ...] = ()
+    unread: tuple[NotRead, ...] = ()
 
     def contracts(self) -> tuple[Contract, ...]:
         """Return the contracts of its modules."""
@@ -104,6 +105,7 @@ class Extract(msgspec.Struct, frozen=True, kw_only=True):
     source: Origin
     packages: tuple[Package, ...]
     diagnostics: tuple[Diagnostic, ...] = ()
+    unread: tuple[NotRead, ...] = ()
 
 
 class SchemaError(ValueError):

@@ -22,11 +22,12 @@ def command(fingerprint: str, reason: str, until: str | None, path: str) -> None
     The fingerprint stands below each finding; it does not change when lines move or words change.
     """
     from ecm_extract.lint.suppressions import FILE_NAME, Accepted, accepted_row, parse_accepted
+    from ecm_extract.own_files import own_file
 
     if not re.fullmatch(r"[0-9a-f]{16}", fingerprint):
         message = f"{fingerprint} is no fingerprint"
         raise InputError(message, "it is the 16 digits that lint prints behind `accept:`")
-    target = Path(path) / FILE_NAME
+    target = own_file(Path(path), FILE_NAME)
     before = target.read_bytes() if target.is_file() else b""
     if any(row.fingerprint == fingerprint for row in parse_accepted(before, str(target))):
         message = f"{fingerprint} is already in {target}"

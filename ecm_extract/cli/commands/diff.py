@@ -11,7 +11,8 @@ import click
 import msgspec
 
 from ecm_extract.cli.completions import packages, sides
-from ecm_extract.cli.outputs import findings_as, write_outputs
+from ecm_extract.cli.outputs import INCOMPLETE, findings_as, write_outputs
+from ecm_extract.report.terminal import one_line
 
 if TYPE_CHECKING:
     from ecm_extract.diff.model import Comparison, RefInfo
@@ -90,7 +91,7 @@ def command(**options: Any) -> int:
     comparison = _compare(asked)
     _print(comparison, asked)
     _say_verdict(comparison)
-    return int(_is_failure(comparison, asked.fail_on))
+    return _status(comparison, asked.fail_on)
 
 
 def _compare(asked: Asked) -> Comparison:
@@ -102,7 +103,7 @@ def _compare(asked: Asked) -> Comparison:
 
 
 def _request(asked: Asked, progress: Progress | None) -> Request:
-    from ecm_extract.diff.baseline import default_baseline, open_consumer, open_side
+    from ecm_extract.diff.baseline import default_baseline, open_consumer, open_side, parting
     from ecm_extract.diff.model import RefInfo
     from ecm_extract.diff.run import Request
     from ecm_extract.extraction_model import Options
@@ -113,6 +114,7 @@ def _request(asked: Asked, progress: Progress | None) -> Request:
     old, new = open_side(spec, folder), open_side(asked.new, folder)
     infos = RefInfo(spec, old.commit, why), RefInfo(asked.new, new.commit, "named")
     _say_baseline(infos)
+    _say_parting(infos, parting(old, new, folder))
     repo = find_repo(folder)
     options = Options(asked.include_tests, asked.config, asked.jobs, progress, not asked.no_cache)
     return Request(
@@ -133,9 +135,16 @@ def _say_baseline(infos: tuple[RefInfo, RefInfo]) -> None:
     click.echo(f"against:  {_shown(new)}", err=True)
 
 
-def _shown(info: RefInfo) -> str:
-    from ecm_extract.report.terminal import one_line
+def _say_parting(infos: tuple[RefInfo, RefInfo], commit: str | None) -> None:
+    """Two branches each have what the other lacks: who compares them may want only what one of them did."""
+    if commit is not None:
+        old, new = infos
+        why = f"what it has gained since they parted at {commit[:12]} is removed here"
+        note = f"{old.ref} is not behind {new.ref}: {why}"
+        click.echo(f"note: {one_line(note)}", err=True)
 
+
+def _shown(info: RefInfo) -> str:
     return one_line(f"{info.ref} {info.commit[:12] if info.commit else 'files in no commit'}")
 
 
@@ -143,7 +152,7 @@ def _print(comparison: Comparison, asked: Asked) -> None:
     if asked.backport:
         from ecm_extract.diff.verdict import backport_line
 
-        click.echo(backport_line(comparison.changes))
+        click.echo(backport_line(comparison))
         return
     write_outputs(asked.output, FORMATS, lambda form: _rendered(comparison, form))
     sys.stdout.write(_rendered(comparison, asked.format))
@@ -157,14 +166,26 @@ def _rendered(comparison: Comparison, form: str) -> str:
 
 
 def _say_verdict(comparison: Comparison) -> None:
+    from ecm_extract.diff.formats.phrases import incomplete
+    from ecm_extract.diff.verdict import needed
+
     verdict = comparison.verdict
     declared = verdict.declared_bump or "unknown"
     breaking = sum(change.breaking for change in comparison.changes)
     click.echo(
-        f"verdict: {verdict.compatibility_class}, needs {verdict.required_bump}, takes {declared}; "
+        f"verdict: {verdict.compatibility_class}, needs {needed(verdict)}, takes {declared}; "
         f"{len(comparison.changes)} changes, {breaking} breaking; {len(comparison.findings)} findings",
         err=True,
     )
+    if not verdict.complete:
+        click.echo(f"incomplete: {incomplete(comparison)}", err=True)
+
+
+def _status(comparison: Comparison, fail_on: FailOn) -> int:
+    """A finding is true whatever else was read; without one, what was not read leaves the answer open."""
+    if _is_failure(comparison, fail_on):
+        return 1
+    return 0 if comparison.verdict.complete else INCOMPLETE
 
 
 def _is_failure(comparison: Comparison, fail_on: FailOn) -> bool:

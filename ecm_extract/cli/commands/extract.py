@@ -12,6 +12,7 @@ import click
 import msgspec
 
 from ecm_extract.cli.completions import refs
+from ecm_extract.cli.outputs import INCOMPLETE
 from ecm_extract.cli.overlays import tell_overlay_problems
 from ecm_extract.errors import InputError
 
@@ -82,7 +83,19 @@ def command(**options: Any) -> int:
         _print_documents(extraction, request)
     else:
         _write_documents(extraction, request)
-    return tell_overlay_problems(extraction.diagnostics)
+    incomplete = _status(extraction)
+    return tell_overlay_problems(extraction.diagnostics) or incomplete
+
+
+def _status(extraction: Extraction) -> int:
+    """Contracts of a tree that could not be read as a whole lack what nobody can see in them."""
+    from ecm_extract.report.unread_text import unread_lines
+    from ecm_extract.tree.unread import is_gap
+
+    gaps = [each for each in extraction.unread if is_gap(each)]
+    for line in unread_lines(gaps):
+        click.echo(f"not read: {line}", err=True)
+    return INCOMPLETE if gaps else 0
 
 
 def _refuse_contradictions(request: Request) -> None:
@@ -92,6 +105,7 @@ def _refuse_contradictions(request: Request) -> None:
 
 
 def _extract(request: Request) -> Extraction:
+    from ecm_extract.asked import refuse_nothing_read
     from ecm_extract.cli.progress import progress_bar
     from ecm_extract.extraction import extract
     from ecm_extract.extraction_model import Options
@@ -101,9 +115,7 @@ def _extract(request: Request) -> Extraction:
         with_hub = request.format != "summary"
         options = Options(request.include_tests, request.config, request.jobs, progress, not request.no_cache, with_hub)
         extraction = extract(open_tree(request.path, request.ref), options)
-    if not extraction.packages:
-        message = f"no ROS package in {extraction.path}"
-        raise InputError(message, "a package is a folder with a package.xml; name a folder in or above one")
+    refuse_nothing_read(extraction)
     return extraction
 
 

@@ -10,7 +10,6 @@ import click
 import msgspec
 
 from ecm_extract.cli.completions import packages
-from ecm_extract.errors import InputError
 
 if TYPE_CHECKING:
     from ecm_extract.extraction_model import Extraction, PackageContracts
@@ -54,15 +53,16 @@ def command(**options: Any) -> None:
 
 
 def _packages(request: Request) -> list[PackageContracts]:
+    from ecm_extract.asked import refuse_unknown_packages
+
     extraction = _extract(request)
-    found = [each for each in extraction.packages if request.package in (None, each.name)]
-    if not found:
-        message = f"no package {request.package} in {extraction.path}" if request.package else "no ROS package found"
-        raise InputError(message, "name a folder in or above one that has a package.xml")
-    return found
+    asked = () if request.package is None else (request.package,)
+    refuse_unknown_packages(asked, {each.name for each in extraction.packages}, extraction.path)
+    return [each for each in extraction.packages if request.package in (None, each.name)]
 
 
 def _extract(request: Request) -> Extraction:
+    from ecm_extract.asked import refuse_nothing_read
     from ecm_extract.cli.progress import progress_bar
     from ecm_extract.extraction import extract
     from ecm_extract.extraction_model import Options
@@ -70,7 +70,9 @@ def _extract(request: Request) -> Extraction:
 
     with progress_bar() as progress:
         options = Options(False, request.config, request.jobs, progress, not request.no_cache)
-        return extract(open_tree(request.path), options)
+        extraction = extract(open_tree(request.path), options)
+    refuse_nothing_read(extraction)
+    return extraction
 
 
 def _write(package: PackageContracts, request: Request) -> None:

@@ -15,6 +15,7 @@ import msgspec
 from ecm_extract.cli.completions import lint_rules, refs
 from ecm_extract.cli.outputs import (
     FINDING_FORMATS,
+    INCOMPLETE,
     findings_as,
     refuse_statistics_as,
     statistics_as,
@@ -25,8 +26,10 @@ from ecm_extract.errors import InputError
 if TYPE_CHECKING:
     from ecm_checker.finding import Finding
 
+    from ecm_extract.diff.model import Comparison, RefInfo
     from ecm_extract.entities.side import PackagesRead, Side
     from ecm_extract.extraction_model import Options, Progress
+    from ecm_extract.lint.completeness import Completeness
     from ecm_extract.lint.suppressions import Answered
     from ecm_extract.lint.workspace import Workspace
     from ecm_extract.tree import Tree
@@ -47,6 +50,7 @@ class Request(msgspec.Struct, frozen=True):
 
     path: str
     base: str | None
+    base_tip: bool
     patch: str | None
     select: frozenset[str]
     statistics: bool
@@ -67,8 +71,9 @@ class Request(msgspec.Struct, frozen=True):
     "--base",
     metavar="REF",
     shell_complete=refs,
-    help="Only what the change from REF brings in, with its interface changes.",
+    help="Only what changed since REF and this one parted, with its interface changes.",
 )
+@click.option("--base-tip", is_flag=True, help="Compare with REF as it is, not with where the change left it.")
 @click.option("--patch", metavar="FILE|-", help="Only lines that a patch touches.")
 @click.option(
     "--select",
@@ -102,19 +107,22 @@ def command(**options: Any) -> int:
 
     request = Request(**{**options, "select": _selected(options["select"])})
     refuse_statistics_as(request.format, request.statistics)
+    if request.base_tip and request.base is None:
+        message = "--base-tip says how to take --base REF, which is not given"
+        raise click.UsageError(message, click.get_current_context())
     with progress_bar() as progress:
-        findings, workspace = _findings(request, progress)
+        findings, workspace, read = _findings(request, progress)
     if request.write_baseline:
         return _write_baseline(findings, request)
     answered = _answered(findings, workspace, request)
     if request.fix:
         _fix(answered.findings, workspace, request)
     if request.statistics:
-        _print_statistics(answered.findings, workspace, request)
+        _print_statistics(answered.findings, workspace, request, read)
     else:
-        _print(answered.findings, request)
-    _say(answered)
-    return int(_is_failure(answered.findings, request.fail_on))
+        _print(answered.findings, request, read)
+    _say(answered, read)
+    return _status(answered.findings, request.fail_on, read)
 
 
 def _selected(texts: tuple[str, ...]) -> frozenset[str]:
@@ -127,17 +135,29 @@ def _selected(texts: tuple[str, ...]) -> frozenset[str]:
     return rules_meant(texts, lint_rule_ids())
 
 
-def _findings(request: Request, progress: Progress | None) -> tuple[list[Finding], Workspace]:
+class Linted(NamedTuple):
+    """What a run has found, where, and what it has not read."""
+
+    findings: list[Finding]
+    workspace: Workspace
+    read: Completeness
+
+
+def _findings(request: Request, progress: Progress | None) -> Linted:
+    from ecm_extract.asked import refuse_empty
+    from ecm_extract.lint.completeness import completeness_of
     from ecm_extract.tree import open_tree
 
     tree = open_tree(request.path)
     parsed: dict[str, Any] = {}
     read = _read(tree, _options(request, progress), parsed)
-    base = _base(request, parsed) if request.base is not None else None
+    refuse_empty(tree, [package.root for package in read.packages])
+    base = _base(tree, request, parsed) if request.base is not None else None
     workspace = _workspace(read, request)
     found = _run(workspace, request)
+    comparison = None
     if base is not None:
-        found = _brought_in(found, workspace, request, base)
+        found, comparison = _brought_in(found, workspace, request, base)
     if request.patch is not None:
         from ecm_extract.lint.hunks import touched_lines
 
@@ -145,7 +165,7 @@ def _findings(request: Request, progress: Progress | None) -> tuple[list[Finding
         found = [
             each for each in found if each.evidence and each.evidence[0].line in lines.get(each.evidence[0].path, ())
         ]
-    return found, workspace
+    return Linted(found, workspace, completeness_of(tree, comparison))
 
 
 def _read(tree: Tree, options: Options, parsed: dict[str, Any]) -> PackagesRead:
@@ -175,28 +195,32 @@ def _run(workspace: Workspace, request: Request) -> list[Finding]:
 
 
 class Base(NamedTuple):
-    """The state before the change: its tree, and what gives its findings and its side once they are there."""
+    """The state before the change: its tree, why it is this one, and what gives its findings and side."""
 
     tree: Tree
+    info: RefInfo
     result: Callable[[], tuple[list[Finding], Side]]
 
 
-def _base(request: Request, parsed: dict[str, Any]) -> Base:
+def _base(now: Tree, request: Request, parsed: dict[str, Any]) -> Base:
     """Lint the base in another process, while this one lints the state of now."""
-    from ecm_extract.diff.baseline import open_source
+    from ecm_extract.diff.baseline import open_base
     from ecm_extract.entities.side import side_of
     from ecm_extract.parallel_work import meanwhile
 
-    tree = open_source(str(request.base), _folder(request))
+    tree, info = open_base(str(request.base), _folder(request), now, request.base_tip)
+    click.echo(f"base: {info.ref} {(info.commit or '')[:12]} ({info.why})", err=True)
 
     def work() -> tuple[list[Finding], Side]:
         workspace = _workspace(_read(tree, _options(request, None), parsed), request)
         return _run(workspace, request), side_of(workspace.as_side())
 
-    return Base(tree, meanwhile(work, request.jobs))
+    return Base(tree, info, meanwhile(work, request.jobs))
 
 
-def _brought_in(found: list[Finding], workspace: Workspace, request: Request, base: Base) -> list[Finding]:
+def _brought_in(
+    found: list[Finding], workspace: Workspace, request: Request, base: Base
+) -> tuple[list[Finding], Comparison]:
     from ecm_extract.diff.model import RefInfo
     from ecm_extract.diff.run import Request as Comparing
     from ecm_extract.diff.run import compared
@@ -208,14 +232,13 @@ def _brought_in(found: list[Finding], workspace: Workspace, request: Request, ba
     now = workspace.as_side()
     after = side_of(now)
     before, old = base.result()
-    name, tree = str(request.base), workspace.tree
-    click.echo(f"base: {name} {(base.tree.commit or '')[:12]}", err=True)
-    infos = RefInfo(name, base.tree.commit, "named"), RefInfo(request.path, tree.commit, "named")
+    tree = workspace.tree
+    infos = base.info, RefInfo(request.path, tree.commit, "named")
     comparing = Comparing(base.tree, tree, _folder(request), "", infos)
     comparison = compared(comparing, Sides(old, after, lambda: consumers(now)), {})
     changes = change_findings(comparison, base.tree, tree)
     wanted = [each for each in changes if not request.select or each.rule in request.select]
-    return [*new_findings(found, before), *wanted]
+    return [*new_findings(found, before), *wanted], comparison
 
 
 def _folder(request: Request) -> Path:
@@ -238,20 +261,22 @@ def _answered(findings: list[Finding], workspace: Workspace, request: Request) -
     from ecm_extract.lint.baseline_file import FILE_NAME, read_baseline
     from ecm_extract.lint.suppressions import FILE_NAME as ACCEPTED
     from ecm_extract.lint.suppressions import answered, parse_accepted
+    from ecm_extract.own_files import own_file
 
     folder = _folder(request)
-    baseline = Path(request.baseline) if request.baseline else folder / FILE_NAME
+    baseline = Path(request.baseline) if request.baseline else own_file(folder, FILE_NAME)
     known = read_baseline(baseline.read_text("utf-8", errors="replace")) if baseline.is_file() else frozenset()
     left = [each for each in findings if each.fingerprint not in known]
-    accepted = folder / ACCEPTED
+    accepted = own_file(folder, ACCEPTED)
     rows = parse_accepted(accepted.read_bytes(), str(accepted)) if accepted.is_file() else ()
     return answered(left, rows, workspace.files, datetime.now(tz=UTC).date())
 
 
 def _write_baseline(findings: list[Finding], request: Request) -> int:
     from ecm_extract.lint.baseline_file import FILE_NAME, baseline_text
+    from ecm_extract.own_files import own_file
 
-    target = Path(request.baseline) if request.baseline else _folder(request) / FILE_NAME
+    target = Path(request.baseline) if request.baseline else own_file(_folder(request), FILE_NAME)
     target.write_text(baseline_text(findings), "utf-8")
     click.echo(f"written: {target} with {len({each.fingerprint for each in findings})} findings", err=True)
     return 0
@@ -269,42 +294,56 @@ def _fix(findings: tuple[Finding, ...], workspace: Workspace, request: Request) 
         (root / path).write_text(after, "utf-8", errors="surrogateescape", newline="")
 
 
-def _print_statistics(findings: tuple[Finding, ...], workspace: Workspace, request: Request) -> None:
+def _print_statistics(
+    findings: tuple[Finding, ...], workspace: Workspace, request: Request, read: Completeness
+) -> None:
     from ecm_extract.lint.fixes import fixes_of
 
-    write_outputs(request.output, FORMATS, lambda form: _rendered(findings, form))
+    write_outputs(request.output, FORMATS, lambda form: _rendered(findings, form, read))
     click.echo(statistics_as(request.format, findings, lambda each: bool(fixes_of([each], workspace))), nl=False)
     sys.stdout.flush()
 
 
-def _print(findings: tuple[Finding, ...], request: Request) -> None:
-    write_outputs(request.output, FORMATS, lambda form: _rendered(findings, form))
+def _print(findings: tuple[Finding, ...], request: Request, read: Completeness) -> None:
+    write_outputs(request.output, FORMATS, lambda form: _rendered(findings, form, read))
     if request.format == "text":
         from ecm_extract.report.findings.text import styled
 
         click.echo(styled(findings), nl=False, color=False if "NO_COLOR" in os.environ else None)
     else:
-        sys.stdout.write(_rendered(findings, request.format))
+        sys.stdout.write(_rendered(findings, request.format, read))
         sys.stdout.flush()
 
 
-def _rendered(findings: tuple[Finding, ...], form: str) -> str:
+def _rendered(findings: tuple[Finding, ...], form: str, read: Completeness) -> str:
     if form == "json":
         from ecm_extract.lint.json_document import lint_json
 
-        return lint_json(findings)
+        return lint_json(findings, read)
     return findings_as(form, findings)
 
 
-def _say(answered: Answered) -> None:
+def _say(answered: Answered, read: Completeness) -> None:
+    from ecm_extract.report.unread_text import unread_lines
+
     counts = {
         level: sum(each.severity == level for each in answered.findings) for level in ("error", "warning", "info")
     }
     shown = ", ".join(f"{count} {level}" for level, count in counts.items() if count) or "nothing found"
+    shown += "" if read.complete else " in what could be read"
     suppressed = f", {answered.suppressed} answered" if answered.suppressed else ""
     click.echo(f"{shown}{suppressed}", err=True)
     for line in answered.unused:
         click.echo(f"unused: {line}", err=True)
+    for line in unread_lines(each for each in read.unread if each.carries):
+        click.echo(f"not read: {line}", err=True)
+
+
+def _status(findings: tuple[Finding, ...], fail_on: str, read: Completeness) -> int:
+    """A finding is true whatever else was read; without one, what was not read leaves the answer open."""
+    if _is_failure(findings, fail_on):
+        return 1
+    return 0 if read.complete else INCOMPLETE
 
 
 def _is_failure(findings: tuple[Finding, ...], fail_on: str) -> bool:

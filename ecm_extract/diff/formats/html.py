@@ -9,8 +9,9 @@ from ecm_checker.release import Change
 from lxml import html
 from lxml.html import builder as tag
 
-from ecm_extract.diff.formats.phrases import by_package, place, subject
+from ecm_extract.diff.formats.phrases import by_package, incomplete, left_out, place, subject
 from ecm_extract.diff.model import Comparison, PackageVerdict, RefInfo
+from ecm_extract.diff.verdict import needed
 from ecm_extract.report.findings.html import findings_parts
 from ecm_extract.report.html_page import chip, page, words
 
@@ -26,6 +27,7 @@ def render(comparison: Comparison) -> str:
         title,
         tag.H1(words(title), " ", chip(comparison.verdict.compatibility_class)),
         tag.P(words(_verdict(comparison))),
+        *(tag.P(tag.CLASS("note"), words(f"Not read: {line}")) for line in left_out(comparison)),
         tag.P(tag.CLASS("note"), words(f"{_shown(comparison.old)} to {_shown(comparison.new)}")),
         tag.H2(f"Who breaks ({len(comparison.findings)})"),
         *findings_parts(comparison.findings),
@@ -36,7 +38,9 @@ def render(comparison: Comparison) -> str:
 
 def _verdict(comparison: Comparison) -> str:
     verdict = comparison.verdict
-    return f"Needs {verdict.required_bump}, declared {verdict.declared_bump or 'unknown'}."
+    gap = incomplete(comparison)
+    told = f" {gap[0].upper() + gap[1:]}." if gap else ""
+    return f"Needs {needed(verdict)}, declared {verdict.declared_bump or 'unknown'}.{told}"
 
 
 def _shown(info: RefInfo) -> str:
@@ -53,7 +57,7 @@ def _packages(comparison: Comparison) -> Iterator[html.HtmlElement]:
 
 
 def _versions(entry: PackageVerdict) -> tuple[html.HtmlElement, html.HtmlElement]:
-    needs, takes = entry.verdict.required_bump, entry.verdict.declared_bump or "unknown"
+    needs, takes = needed(entry.verdict), entry.verdict.declared_bump or "unknown"
     versions = f"{entry.old_version or '?'} to {entry.new_version or '?'}, needs {needs}, takes {takes}"
     return chip(entry.verdict.compatibility_class), tag.SPAN(tag.CLASS("note"), words(versions))
 

@@ -32,6 +32,7 @@ def diff_document(comparison: Comparison) -> dict[str, Any]:
             }
             for entry in comparison.packages
         ],
+        "unread": [record_data(part) for part in comparison.unread],
     }
 
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ecm_extract.diff.formats.migration import escape
-from ecm_extract.diff.formats.phrases import by_package, place, subject
+from ecm_extract.diff.formats.phrases import by_package, incomplete, left_out, place, subject
 from ecm_extract.diff.model import Comparison
+from ecm_extract.diff.verdict import needed
 
 MAX_ROWS = 60
 
@@ -19,7 +20,9 @@ def render(comparison: Comparison) -> str:
 def _lines(comparison: Comparison) -> Iterator[str]:
     verdict = comparison.verdict
     declared = verdict.declared_bump or "unknown"
-    yield f"**Interface changes: {verdict.compatibility_class}.** Needs {verdict.required_bump}, declared {declared}."
+    gap = incomplete(comparison)
+    told = f" {escape(gap[0].upper() + gap[1:])}." if gap else ""
+    yield f"**Interface changes: {verdict.compatibility_class}.** Needs {needed(verdict)}, declared {declared}.{told}"
     yield ""
     for finding in comparison.findings:
         at = finding.evidence[0]
@@ -39,3 +42,6 @@ def _lines(comparison: Comparison) -> Iterator[str]:
     compatible = sum(not change.breaking for change in comparison.changes)
     yield ""
     yield f"{compatible} compatible changes."
+    for line in left_out(comparison):
+        yield ""
+        yield f"Not read: {escape(line)}."

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ecm_checker.release import Change
 
-from ecm_extract.diff.formats.phrases import by_package, instead
+from ecm_extract.diff.formats.phrases import by_package, incomplete, instead
 from ecm_extract.diff.model import Comparison
 from ecm_extract.report.terminal import one_line
 
@@ -21,6 +21,10 @@ def render(comparison: Comparison) -> str:
 def _lines(comparison: Comparison) -> Iterator[str]:
     yield f"## Migration from {_code(comparison.old.ref)} to {_code(comparison.new.ref)}"
     yield ""
+    gap = incomplete(comparison)
+    if gap:
+        yield f"{escape(gap[0].upper() + gap[1:])}."
+        yield ""
     told = False
     for package, changes in by_package(comparison.changes):
         rows = [change for change in changes if change.breaking or change.change in _WORTH]
@@ -34,7 +38,7 @@ def _lines(comparison: Comparison) -> Iterator[str]:
         for change in rows:
             yield _row(change)
         yield ""
-    if not told:
+    if not told and not gap:
         yield "Nothing has to be changed."
 
 

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from ecm_checker.release import Change
 
+from ecm_extract.diff.model import Comparison
 from ecm_extract.report.terminal import one_line
+from ecm_extract.report.unread_text import unread_lines
 
 _RANK = {"removed": 0, "renamed": 1, "moved": 2, "type_changed": 3, "signature_changed": 4}
 _KINDS = (
@@ -22,6 +24,17 @@ _KINDS = (
     "launch_argument",
     "frame",
 )
+
+
+def incomplete(comparison: Comparison) -> str:
+    """Say in one line that the verdict is not of the whole, and why; empty where it is."""
+    gaps = [part for part in comparison.unread if part.limits]
+    return f"not everything could be read: {'; '.join(unread_lines(gaps))}" if gaps else ""
+
+
+def left_out(comparison: Comparison) -> list[str]:
+    """Say what was not read and hides no change, one line for each reason."""
+    return unread_lines(part for part in comparison.unread if part.carries and not part.limits)
 
 
 def by_package(changes: tuple[Change, ...]) -> list[tuple[str, list[Change]]]:

@@ -8,8 +8,9 @@ from collections.abc import Iterator
 from ecm_checker.finding import Finding
 from ecm_checker.release import Change
 
-from ecm_extract.diff.formats.phrases import by_package, place, subject
+from ecm_extract.diff.formats.phrases import by_package, incomplete, left_out, place, subject
 from ecm_extract.diff.model import Comparison
+from ecm_extract.diff.verdict import needed
 from ecm_extract.report.terminal import one_line
 
 MAX_COMPATIBLE = 12
@@ -21,6 +22,10 @@ def render(comparison: Comparison) -> str:
 
 
 def _lines(comparison: Comparison) -> Iterator[str]:
+    gap = incomplete(comparison)
+    if gap:
+        yield f"{comparison.verdict.compatibility_class}: {gap}"
+        yield ""
     for finding in comparison.findings:
         yield from _finding(finding)
     versions = {entry.package: entry for entry in comparison.packages}
@@ -28,14 +33,15 @@ def _lines(comparison: Comparison) -> Iterator[str]:
         entry = versions.get(package)
         head = f"{package}"
         if entry is not None:
-            needs, takes = entry.verdict.required_bump, entry.verdict.declared_bump
+            needs, takes = needed(entry.verdict), entry.verdict.declared_bump
             head += f" {entry.old_version or '?'} -> {entry.new_version or '?'}"
             head += f": {entry.verdict.compatibility_class}, needs {needs}, takes {takes or 'unknown'}"
         yield one_line(head, 300)
         yield from _changes(changes)
         yield ""
     if not comparison.changes:
-        yield "no change of a public entity"
+        yield "no change of a public entity" + (" in what could be read" if gap else "")
+    yield from (f"not read: {line}" for line in left_out(comparison))
 
 
 def _finding(finding: Finding) -> Iterator[str]:

@@ -1,0 +1,31 @@
+"""What a run of lint has not read, and whether its answer is therefore not of the whole."""
+
+from __future__ import annotations
+
+import msgspec
+
+from ecm_extract.diff.model import Comparison
+from ecm_extract.diff.unread import UnreadPart
+from ecm_extract.tree import Tree, Unread, unread_of
+from ecm_extract.tree.unread import ON_PURPOSE, is_gap
+
+
+class Completeness(msgspec.Struct, frozen=True):
+    """What was not read, and whether more could be found in it.
+
+    A submodule that is not here, or what the project leaves out, is told and asks for nothing: it is no part of the
+    tree under lint. What a comparison with a base has not read of either side is; what the change itself leaves out is
+    reported as removed.
+    """
+
+    complete: bool
+    unread: tuple[Unread | UnreadPart, ...]
+
+
+def completeness_of(tree: Tree, comparison: Comparison | None) -> Completeness:
+    """Return what was not read of the tree under lint, and of its base where it has one."""
+    if comparison is not None:
+        gaps = [part for part in comparison.unread if part.limits and part.reason not in ON_PURPOSE]
+        return Completeness(not gaps, comparison.unread)
+    unread = unread_of(tree.diagnostics)
+    return Completeness(not any(map(is_gap, unread)), unread)
