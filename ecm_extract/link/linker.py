@@ -41,6 +41,7 @@ from ecm_extract.link.qos import QosReader
 from ecm_extract.link.references import References, Unit
 from ecm_extract.link.registry import build_registry
 from ecm_extract.link.scope import Scope
+from ecm_extract.link.sight import Sight
 from ecm_extract.link.site import Site
 from ecm_extract.link.sites import Sites, overrides
 from ecm_extract.link.stamps import Stamp, stamps
@@ -80,7 +81,8 @@ class Linker:
 
     def __init__(self, packages: Sequence[PackageFacts], forms: FormTable) -> None:
         self.packages = packages
-        self.program = Program(_files(packages))
+        files = _files(packages)
+        self.program = Program(files, Sight(packages, files))
         self.parameters = Parameters(forms)
         self.folder = Folder(self.program, Scope(self.program), self.parameters)
         self.types = Types(self.folder)
