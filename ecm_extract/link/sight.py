@@ -21,14 +21,14 @@ class Sight:
 
     def __init__(self, packages: Sequence[PackageFacts], files: Sequence[File]) -> None:
         self._all = frozenset(package.name for package in packages)
-        self._open = frozenset(package.name for package in packages if package.manifest is None)
+        self._open = frozenset(package.name for package in packages if not _is_stated(package))
         self._declared = _declared(packages)
         self._offers = _Offers(files)
         self._imports = _imports(files)
         self._seen: dict[str, frozenset[str]] = {}
 
     def of(self, package: str) -> frozenset[str]:
-        """Return the names of the packages that a package sees; of one without manifest all, since nothing tells."""
+        """Return the names of the packages that a package sees; of one whose manifest cannot be read all."""
         known = self._seen.get(package)
         if known is None:
             known = self._seen[package] = self._all if package in self._open else self._reached(package)
@@ -87,6 +87,11 @@ def _named(file: File) -> Iterator[str]:
         elif entry.module and not entry.module.startswith("."):
             module = entry.module.replace(".", "/")
             yield from (module, f"{module}/{entry.name}") if entry.name else (module,)
+
+
+def _is_stated(package: PackageFacts) -> bool:
+    """Tell whether a manifest could be read, so that it can say what the package depends on."""
+    return package.manifest is not None and bool(package.manifest.name)
 
 
 def _declared(packages: Iterable[PackageFacts]) -> Mapping[str, set[str]]:
