@@ -28,7 +28,9 @@ def read_contracts(tree: Tree, options: Options) -> tuple[Extraction, dict[str, 
         include_tests = options.include_tests or config.extract.include_tests
         reader = Reader(tree, include_tests, config.extract.exclude, options.cache)
         packages = reader.read(options.jobs, options.progress)
-        linked = Linker(packages, form_table(config.forms)).link()
+        linker = Linker(packages, form_table(config.forms))
+        linked = linker.link()
+        linker.tell(tree)
         contracts = assemble(tree, packages, linked)
     extraction = Extraction(
         path=tree.label,

@@ -46,7 +46,7 @@ class NameFolder:
 
     def name(self, expr: Name, env: Env) -> tuple[Value, ...]:
         """A variable, a parameter, a member of `this`, or a constant."""
-        return self.folder.guarded(expr.id, env, lambda: self._name(expr.id, env))
+        return self.folder.once(expr.id, env, lambda: self._name(expr.id, env))
 
     def _name(self, name: str, env: Env) -> tuple[Value, ...]:
         found = self._local(name, env)

@@ -10,7 +10,6 @@ from typing import Any
 import pytest
 from workspaces import MANIFESTS, Workspace
 
-from ecm_extract.extraction_model import Options
 from ecm_extract.link.forms import form_table
 from ecm_extract.link.linker import Linker
 from ecm_extract.read.reader import Reader
