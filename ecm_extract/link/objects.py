@@ -209,16 +209,17 @@ class Objects:
 
     def _method(self, call: Invocation, cls: Cls | None) -> Func | None:
         """The method of an object's class, or else of its nearest base, that fits a call best."""
-        owners = self.program.ancestry(cls) if cls is not None else ()
-        found = (_fitting(call, [func for func in owner.methods if func.fact.name == call.last]) for owner in owners)
+        owners, name = self.program.ancestry(cls) if cls is not None else (), call.last
+        found = (_fitting(call, [func for func in owner.methods if func.fact.name == name]) for owner in owners)
         return next((funcs[0] for funcs in found if funcs), None)
 
     def _free(self, call: Invocation, env: Env) -> Func | None:
-        candidates = _fitting(call, self.program.seen_functions(call.last, call.func.file))
-        free = [f for f in candidates if f.cls is None or call.path.endswith(f"{f.cls.fact.name}::{f.fact.name}")]
+        """The function outside of classes, or method named with its class, that is nearest and fits best."""
         least = 0 if "::" in call.path or "." in call.path else 1
-        near = [(self.program.nearness(f.file, env.func.file), f) for f in free]
-        return max((entry for entry in near if entry[0] >= least), key=lambda entry: entry[0], default=(0, None))[1]
+        seen = self.program.seen_functions(call.last, call.func.file)
+        free = [f for f in seen if f.cls is None or call.path.endswith(f"{f.cls.fact.name}::{f.fact.name}")]
+        near = [f for f in free if self.program.nearness(f.file, env.func.file) >= least]
+        return max(_fitting(call, near), key=lambda f: self.program.nearness(f.file, env.func.file), default=None)
 
 
 def _fitting(call: Invocation, funcs: Iterable[Func]) -> list[Func]:

@@ -71,20 +71,16 @@ def test_an_object_of_unknown_type_is_of_a_package_that_is_seen(workspace: Any, 
         }
 
 
-@pytest.mark.parametrize(
-    "link", ["<depend>util</depend>", "", None], ids=["manifest", "include", "unreadable manifest"]
-)
-def test_what_a_manifest_or_an_include_names_is_seen(workspace: Any, link: str | None) -> None:
+@pytest.mark.parametrize("link", ["<depend>util</depend>", ""], ids=["manifest", "include"])
+def test_what_a_manifest_or_an_include_names_is_seen(workspace: Any, link: str) -> None:
     """A helper in another package is found by the manifest's word, the include's, or where no word can be read."""
     helper = "struct Util { void open(rclcpp::Node * n, const std::string & t) { n->create_publisher<A>(t, 1); } };"
     workspace.package({"include/util.hpp": helper}, name="util")
-    include = '#include "util.hpp"\n' if link == "" else ""
+    include = '#include "util.hpp"\n' if not link else ""
     node = 'class D : public rclcpp::Node { D() : Node("d") { auto u = get(); u->open(this, "scan"); } };'
     workspace.package({"src/d.cpp": include + node, "CMakeLists.txt": "project(pkg)\n"})
     manifest = workspace.root / "pkg/package.xml"
     manifest.write_text(MANIFESTS[2].format(name="pkg").replace("<export>", f"{link}<export>"), "utf-8")
-    if link is None:
-        manifest.write_text("<package", "utf-8")
     assert "/scan" in {entry.name for entry in workspace.interfaces() if entry.role == "publisher"}
 
 
@@ -96,3 +92,12 @@ def test_what_lies_beside_costs_nothing(tmp_path: Path) -> None:
     for index in range(_MANY):
         _package(Workspace(tmp_path / "many"), f"p{index}")
     assert _steps(tmp_path / "many") < 1.1 * _MANY * _steps(tmp_path / "one")
+
+
+def test_a_module_inside_another_python_package_is_not_imported_by_its_last_name(workspace: Any) -> None:
+    """`import logging` means the library, not `right.logging` of a package that happens to lie beside."""
+    workspace.package({"left/left.py": "import logging\n" + _PYTHON.format(topic="left")}, name="left")
+    workspace.package({"right/__init__.py": "", "right/logging.py": _HELPER}, name="right")
+    interfaces = workspace.interfaces()
+    assert {place.path for entry in interfaces for place in entry.evidence} <= {"right/right/logging.py"}
+    assert "/left" not in {entry.name for entry in interfaces}
