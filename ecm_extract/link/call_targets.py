@@ -33,19 +33,25 @@ class CallTargets:
         self.place = place
         self._targets: dict[int, tuple[Func, ...]] = {}
         self._receivers: dict[int, Container[Cls]] = {}
-        self._called: set[str] = set()
+        self._asked: set[tuple[str, str]] = set()
         self._callers_of: dict[int, list[Invocation]] = defaultdict(list)
 
     def callers(self, func: Func) -> Sequence[Invocation]:
         """Return the calls of a function by others: those that mean it by name, arguments and receiver."""
-        name = func.fact.name
-        if name not in self._called:
-            self._called.add(name)
-            for call in self.calls.get(name, ()):
-                for target in self.targets(call):
-                    if target is not call.func:
-                        self._callers_of[id(target)].append(call)
+        asked = (func.fact.name, func.file.package)
+        if asked not in self._asked:
+            self._asked.add(asked)
+            for call in self.calls.get(func.fact.name, ()):
+                if self.folder.program.sees(call.func.file, func.file):
+                    self._note(call)
         return self._callers_of.get(id(func), ())
+
+    def _note(self, call: Invocation) -> None:
+        """Remember a call with each function that it means, once."""
+        if id(call) not in self._targets:
+            for target in self.targets(call):
+                if target is not call.func:
+                    self._callers_of[id(target)].append(call)
 
     def targets(self, call: Invocation) -> tuple[Func, ...]:
         """Return the functions of the tree that a call can mean, the best fitting overloads only."""

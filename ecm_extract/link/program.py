@@ -102,6 +102,10 @@ class Program:
         seen = self.sight.of(file.package)
         return (entry for entry in self.constants.get(name, ()) if entry[0].package in seen)
 
+    def sees(self, file: File, other: File) -> bool:
+        """Tell whether code in a file can mean what stands in another: the package of one sees that of the other."""
+        return other.package in self.sight.of(file.package)
+
     def _seen(self, units: Iterable[_Unit], file: File) -> tuple[_Unit, ...]:
         seen = self.sight.of(file.package)
         return tuple([unit for unit in units if unit.file.language == file.language and unit.file.package in seen])

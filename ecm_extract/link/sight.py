@@ -1,7 +1,7 @@
 """Which packages of a tree a package sees: repositories that only lie side by side have nothing to do with each other.
 
 A package sees itself and, at any distance, the packages that its manifest and its build files name. Manifests are
-often incomplete or missing: what an include or import names that none of these has, is in whatever packages of the tree do.
+often incomplete or missing: what an include or import names that none of these has, is in whatever packages do.
 """
 
 from __future__ import annotations
