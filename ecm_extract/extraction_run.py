@@ -37,6 +37,7 @@ def read_contracts(tree: Tree, options: Options) -> tuple[Extraction, dict[str, 
         packages = reader.read(options.jobs, options.progress)
         linker = Linker(packages, form_table(config.forms))
         linked = linker.link()
+        linker.tell(tree)
         contracts = assemble(tree, packages, linked)
         if options.hub:
             workspace = Workspace(tree, packages, linked, linker.program, linker.folder.objects)

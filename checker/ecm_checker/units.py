@@ -11,6 +11,8 @@ from typing import Any, Final, NamedTuple
 
 _QUANTITY: Final = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([A-Za-z%][\w%/*.^]*)?\s*")
 _LONGEST: Final = 80
+_MOST: Final = 10**300
+"""Integers beyond it are no double, and no quantity of a robot."""
 
 
 class Unit(NamedTuple):
@@ -45,7 +47,7 @@ def quantity(value: object) -> Quantity | None:
     if isinstance(value, bool):
         return None
     if isinstance(value, int | float):
-        return Quantity(float(value), "")
+        return Quantity(float(value), "") if abs(value) <= _MOST or isinstance(value, float) else None
     found = _QUANTITY.fullmatch(value) if isinstance(value, str) and len(value) <= _LONGEST else None
     if found is None:
         return None

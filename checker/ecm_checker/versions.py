@@ -11,6 +11,8 @@ from packaging.version import InvalidVersion, Version
 Bump = Literal["none", "patch", "minor", "major"]
 
 BUMPS: Final[tuple[Bump, ...]] = ("none", "patch", "minor", "major")
+MAX_LENGTH: Final = 200
+"""Longest text that is read as a version or a range; numbers of thousands of digits cannot be read at all."""
 _ANY: Final = frozenset({"", "*", "any", "True"})
 _SPACE: Final = re.compile(r"(?<=[\w*])\s+(?=[<>=!~])")
 
@@ -18,7 +20,7 @@ _SPACE: Final = re.compile(r"(?<=[\w*])\s+(?=[<>=!~])")
 def version(text: str | None) -> Version | None:
     """The version of a text; None when it is none."""
     try:
-        return Version(text or "")
+        return Version(text or "") if len(text or "") <= MAX_LENGTH else None
     except InvalidVersion:
         return None
 
@@ -31,6 +33,8 @@ def in_range(installed: str, wanted: str) -> bool | None:
     if wanted.strip() in _ANY:
         return True
     found = version(installed)
+    if len(wanted) > MAX_LENGTH:
+        return None
     text = _SPACE.sub(",", wanted.strip())
     try:
         ranges = SpecifierSet(text if text[0] in "<>=!~" else f"=={text}", prereleases=True)

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 
 from ecm_checker.contract import Evidence, Interface, Recovery, Value
 from ecm_parsers.behavior_tree import retries
+from ecm_parsers.numbers import truncated
 
 from ecm_extract.assemble.definitions import Definitions
 from ecm_extract.assemble.evidence import inferred, is_watchdog, number_of, of_interfaces, parameters_where
@@ -68,8 +69,9 @@ def _rollback(entry: LinkedModule) -> Value | None:
 def _retry(interfaces: Iterable[Interface]) -> Value | None:
     for entry in parameters_where(interfaces, lambda name: _RETRY.search(name) is not None):
         number = number_of(entry)
-        if number is not None:
-            return inferred({"max": int(number), "parameter": entry.name}, entry.evidence[:1], "default")
+        most = truncated(number) if number is not None else None
+        if most is not None:
+            return inferred({"max": most, "parameter": entry.name}, entry.evidence[:1], "default")
     return None
 
 

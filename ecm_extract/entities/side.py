@@ -112,7 +112,9 @@ def link_packages(read: PackagesRead) -> Workspace:
     """Link what was read."""
     with without_collector():
         linker = Linker(read.packages, read.forms)
-        return Workspace(read.tree, read.packages, linker.link(), linker.program, linker.folder.objects)
+        workspace = Workspace(read.tree, read.packages, linker.link(), linker.program, linker.folder.objects)
+        linker.tell(read.tree)
+        return workspace
 
 
 def side_of(workspace: Workspace) -> Side:

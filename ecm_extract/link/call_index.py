@@ -28,7 +28,7 @@ def call_index(program: Program, wanted: Set[str], aliases: Set[str]) -> dict[st
         for cls in group:
             for call in held_objects(cls):
                 index[call.last].append(call)
-    for name in aliases:
+    for name in sorted(aliases):
         for call in index.get(name, ()):
             _add_meant(call, program, index, wanted)
     return index

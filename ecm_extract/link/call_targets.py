@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Container, Mapping, Sequence
 
 from ecm_extract.link.calls import Invocation
 from ecm_extract.link.env import Env
@@ -15,6 +15,9 @@ from ecm_extract.link.units import Cls, Func
 
 class CallTargets:
     """Matches calls and functions by name, arguments and receiver; each call and each name is asked about once.
+
+    What a call can mean is sought in the packages that its own sees, and its receiver is looked up once for all
+    functions of the name.
 
     Args:
         folder: knows the classes of receivers.
@@ -29,25 +32,33 @@ class CallTargets:
         self.calls = calls
         self.place = place
         self._targets: dict[int, tuple[Func, ...]] = {}
-        self._called: set[str] = set()
+        self._receivers: dict[int, Container[Cls]] = {}
+        self._asked: set[tuple[str, str]] = set()
         self._callers_of: dict[int, list[Invocation]] = defaultdict(list)
 
     def callers(self, func: Func) -> Sequence[Invocation]:
         """Return the calls of a function by others: those that mean it by name, arguments and receiver."""
-        name = func.fact.name
-        if name not in self._called:
-            self._called.add(name)
-            for call in self.calls.get(name, ()):
-                for target in self.targets(call):
-                    if target is not call.func:
-                        self._callers_of[id(target)].append(call)
+        asked = (func.fact.name, func.file.package)
+        if asked not in self._asked:
+            self._asked.add(asked)
+            for call in self.calls.get(func.fact.name, ()):
+                if self.folder.program.sees(call.func.file, func.file):
+                    self._note(call)
         return self._callers_of.get(id(func), ())
+
+    def _note(self, call: Invocation) -> None:
+        """Remember a call with each function that it means, once."""
+        if id(call) not in self._targets:
+            for target in self.targets(call):
+                if target is not call.func:
+                    self._callers_of[id(target)].append(call)
 
     def targets(self, call: Invocation) -> tuple[Func, ...]:
         """Return the functions of the tree that a call can mean, the best fitting overloads only."""
         known = self._targets.get(id(call))
         if known is None:
-            scored = [(score(call, func), func) for func in self.folder.program.functions.get(call.last, ())]
+            seen = self.folder.program.seen_functions(call.last, call.func.file)
+            scored = [(score(call, func), func) for func in seen]
             fitting = [(fit, func) for fit, func in scored if fit != NO and self._visible(call, func)]
             if call.simple and any(func.cls is not None for _, func in fitting):
                 fitting = [(fit, func) for fit, func in fitting if func.cls is not None]  # members hide functions
@@ -69,17 +80,30 @@ class CallTargets:
         return call.receiver is None and near >= (0 if "::" in call.path or "." in call.path else 1)
 
     def _method_means(self, call: Invocation, cls: Cls) -> bool:
-        if call.receiver is None and "::" not in call.path:
-            own = call.func.cls
-            return own is not None and cls in self.folder.program.ancestry(own)
-        if call.receiver is None:
+        if call.receiver is None and "::" in call.path:
             return cls.fact.name in call.path.split("::")
+        known = self._receivers.get(id(call))
+        if known is None:
+            known = self._receivers[id(call)] = self._classes(call)
+        return cls in known
+
+    def _classes(self, call: Invocation) -> Container[Cls]:
+        """The classes whose method a call can run: those of its receiver, any for one of unknown type."""
+        if call.receiver is None:
+            return self.folder.program.ancestry(call.func.cls) if call.func.cls is not None else ()
         env = self.place(call)
         owner = self.folder.objects.class_of(call.receiver, env)
         if owner is not None:
-            return cls in self.folder.program.ancestry(owner)
+            return self.folder.program.ancestry(owner)
         written = plain(self.folder.objects.type_of(call.receiver, env))
-        return not written or written == "auto" or written in _templates(call.func)
+        return _Any() if not written or written == "auto" or written in _templates(call.func) else ()
+
+
+class _Any(Container[Cls]):
+    """Every class: those of an object of which nothing is known."""
+
+    def __contains__(self, _: object) -> bool:
+        return True
 
 
 def _own_first(call: Invocation, funcs: list[Func]) -> tuple[Func, ...]:

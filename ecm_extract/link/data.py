@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
+from ecm_parsers.numbers import INT_MAX, INT_MIN
 from ecm_parsers.source.expr import Call, Constant, Expr, Items, Member, Name, Number, Op, Text
 
 from ecm_extract.link.env import Env, invocation_of
@@ -13,6 +15,8 @@ from ecm_extract.link.spelling import last_name
 
 MAX_DEPTH = 12
 MAX_POWER = 64
+MAX_LENGTH = 16_384
+"""Characters of a text that is put together."""
 _CPP_TYPES = {
     "bool": "bool",
     **NUMBERS,
@@ -44,8 +48,13 @@ UNKNOWN = object()
 
 def data_of(expr: Expr | None, env: Env, folder: Folder, depth: int = 0) -> Any:
     """Return the data that an expression is, `UNKNOWN` when the tree does not show it."""
-    if expr is None or depth > MAX_DEPTH:
+    if expr is None or depth > MAX_DEPTH or not folder.steps.take(env):
         return UNKNOWN
+    with folder.steps:
+        return _data(expr, env, folder, depth)
+
+
+def _data(expr: Expr, env: Env, folder: Folder, depth: int) -> Any:
     if isinstance(expr, Text | Number):
         return expr.value
     if isinstance(expr, Constant):
@@ -72,19 +81,25 @@ def _operation(expr: Op, env: Env, folder: Folder, depth: int) -> Any:
         return UNKNOWN
     left, right = operands
     if expr.op == "+" and isinstance(left, str) and isinstance(right, str):
-        return left + right
+        return left + right if len(left) + len(right) <= MAX_LENGTH else UNKNOWN
     if not _numeric(left) or not _numeric(right):
         return UNKNOWN
-    if expr.op == "/":
-        return (
-            UNKNOWN
-            if right == 0
-            else left // right
-            if isinstance(left, int) and isinstance(right, int)
-            else left / right
-        )
+    return _in_range(_computed(expr.op, left, right))
+
+
+def _computed(operator: str, left: float, right: float) -> Any:
+    if operator == "/":
+        whole = isinstance(left, int) and isinstance(right, int)
+        return UNKNOWN if right == 0 else left // right if whole else left / right
     work = {"+": left + right, "-": left - right, "*": left * right}
-    return work.get(expr.op, UNKNOWN)
+    return work.get(operator, UNKNOWN)
+
+
+def _in_range(value: Any) -> Any:
+    """A number that a parameter can hold: an integer of 64 bit, or finite."""
+    if isinstance(value, int):
+        return value if INT_MIN <= value <= INT_MAX else UNKNOWN
+    return value if isinstance(value, float) and math.isfinite(value) else UNKNOWN
 
 
 def _numeric(value: Any) -> bool:

@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Any
 
+from ecm_parsers.numbers import real
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Number, Op
 
 from ecm_extract.link.data import UNKNOWN, data_of
@@ -47,8 +48,13 @@ _KEYWORDS: Mapping[str, float] = MappingProxyType({"seconds": 1.0, "nanoseconds"
 
 def seconds_of(expr: Expr | None, env: Env, folder: Folder, depth: int = 0) -> float | None:
     """Return a duration in seconds; a bare number counts as seconds. None when it is not known."""
-    if expr is None or depth > MAX_DEPTH:
+    if expr is None or depth > MAX_DEPTH or not folder.steps.take(env):
         return None
+    with folder.steps:
+        return _seconds(expr, env, folder, depth)
+
+
+def _seconds(expr: Expr, env: Env, folder: Folder, depth: int) -> float | None:
     if isinstance(expr, Number):
         return float(expr.value)
     if isinstance(expr, Call):
@@ -109,10 +115,7 @@ def _plain(expr: Expr, env: Env, folder: Folder) -> float | None:
     if value is UNKNOWN or value is None:
         folded = folder.fold(expr, env)[0]
         value = folded.text if folded.confidence != "pattern" else _declared(expr, env, folder)
-    try:
-        return float(value) if value is not None and not isinstance(value, bool | list) else None
-    except (TypeError, ValueError):
-        return None
+    return real(str(value)) if isinstance(value, int | float | str) and not isinstance(value, bool) else None
 
 
 def _declared(expr: Expr, env: Env, folder: Folder) -> Any:

@@ -32,6 +32,7 @@ from ecm_extract.link.objects import Objects
 from ecm_extract.link.parameter_reads import ParameterReads
 from ecm_extract.link.program import Program
 from ecm_extract.link.scope import Scope
+from ecm_extract.link.steps import Steps
 from ecm_extract.link.values import (
     Value,
     demoted,
@@ -40,6 +41,9 @@ from ecm_extract.link.values import (
     unique,
     unknown,
 )
+
+_Asked = tuple[int, str, int, int, int, int, int]
+"""A name with everything that its value depends on."""
 
 
 class Folder:
@@ -56,14 +60,20 @@ class Folder:
         self.calls = CallFolder(self)
         self.lists = ListFolder(self)
         self.cuts = 0
+        self._cycles = 0
+        self.steps = Steps(sum(len(func.fact.body) for group in program.functions.values() for func in group))
         self._active: set[tuple[int, str, int]] = set()
+        self._answers: dict[_Asked, tuple[Env, tuple[Value, ...]]] = {}
 
     def fold(self, expr: Expr | None, env: Env) -> tuple[Value, ...]:
         """Return the possible values of an expression, at least one."""
-        if expr is None or env.depth > MAX_DEPTH:
+        if not self.steps.depth:
+            self._answers.clear()  # more may be known of parameters by now
+        if expr is None or env.depth > MAX_DEPTH or not self.steps.take(env):
             self.cuts += 1
             return (unknown("value"),)
-        return self._by_kind(expr, env)
+        with self.steps:
+            return self._by_kind(expr, env)
 
     def _by_kind(self, expr: Expr, env: Env) -> tuple[Value, ...]:
         match expr:
@@ -90,12 +100,25 @@ class Folder:
         key = (id(env.func), label, env.at)
         if key in self._active or len(self._active) > 60:
             self.cuts += 1
+            self._cycles += 1
             return (unknown(label),)
         self._active.add(key)
         try:
             return work()
         finally:
             self._active.discard(key)
+
+    def once(self, label: str, env: Env, work: Callable[[], tuple[Value, ...]]) -> tuple[Value, ...]:
+        """Answer a question that several branches ask once, as long as no cycle had a part in the answer."""
+        key = (id(env.func), label, env.at, env.depth, id(env.args), id(env.this), id(env.made))
+        known = self._answers.get(key)
+        if known is not None:
+            return known[1]
+        cycles = self._cycles
+        values = self.guarded(label, env, work)
+        if self.steps.depth and cycles == self._cycles:
+            self._answers[key] = (env, values)  # with the environment, so that no other one gets its identity
+        return values
 
     def forget(self) -> None:
         """Drop remembered members, since more of the parameters is known now."""

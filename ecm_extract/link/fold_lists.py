@@ -67,8 +67,12 @@ class ListFolder:
 
     def items(self, expr: Expr | None, env: Env) -> list[Bound] | None:
         """Return the elements of a list that an expression is, None when the tree does not show them."""
-        if env.depth > MAX_DEPTH or expr is None:
+        if env.depth > MAX_DEPTH or expr is None or not self.folder.steps.take(env):
             return None
+        with self.folder.steps:
+            return self._items(expr, env)
+
+    def _items(self, expr: Expr, env: Env) -> list[Bound] | None:
         if isinstance(expr, Items):
             return [Bound(item, env) for item in expr.items]
         if isinstance(expr, Table):

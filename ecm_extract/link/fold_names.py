@@ -17,6 +17,7 @@ from ecm_parsers.source.expr import (
 from ecm_extract.link.env import Env, bind, invocation_of
 from ecm_extract.link.scope import Definition
 from ecm_extract.link.spelling import last_name
+from ecm_extract.link.units import File
 from ecm_extract.link.values import (
     Value,
     demoted,
@@ -45,7 +46,7 @@ class NameFolder:
 
     def name(self, expr: Name, env: Env) -> tuple[Value, ...]:
         """A variable, a parameter, a member of `this`, or a constant."""
-        return self.folder.guarded(expr.id, env, lambda: self._name(expr.id, env))
+        return self.folder.once(expr.id, env, lambda: self._name(expr.id, env))
 
     def _name(self, name: str, env: Env) -> tuple[Value, ...]:
         found = self._local(name, env)
@@ -137,8 +138,8 @@ class NameFolder:
         text = outside_constants().get(last_name(name))
         return () if text is None else (Value((text,), "folded"),)
 
-    def _file_env(self, file: object, env: Env) -> Env:
-        func = next((f for f in self.folder.program.functions.get("<module>", ()) if f.file is file), None)
+    def _file_env(self, file: File, env: Env) -> Env:
+        func = next((f for f in self.folder.program.functions_in(file) if f.fact.name == "<module>"), None)
         return Env(func) if func is not None else env
 
     def imported(self, dotted: str, env: Env) -> tuple[Value, ...]:
@@ -147,7 +148,7 @@ class NameFolder:
         target = ".".join([env.func.file.imported.get(head, head), *rest])
         owner, _, last = target.rpartition(".")
         owner_last = owner.rsplit(".", 1)[-1]
-        for file, constant in self.folder.program.constants.get(last, ()):
+        for file, constant in self.folder.program.seen_constants(last, env.func.file):
             stem = file.path.rsplit("/", 1)[-1].removesuffix(".py")
             if (
                 file.language == "python"

@@ -15,6 +15,8 @@ VALUE_READS = frozenset(
     | {"lower", "lstrip", "rstrip", "strip"}
 )
 """Members and methods that give the text of what they are called on."""
+_MAX_INDEX = 6
+"""Digits of an index that are read: no call has as many arguments."""
 _PERCENT = re.compile(r"%(?:\((\w+)\))?[-+ #0-9.]*l?[sdifurgx]")
 _BRACES = re.compile(r"\{([^{}:!]*)(?:[:!][^{}]*)?\}")
 
@@ -52,9 +54,9 @@ def braces(text: str, args: Sequence[Expr], keywords: dict[str, Expr]) -> list[E
     for match in _BRACES.finditer(text):
         pieces.append(text[position : match.start()])
         key = match.group(1)
-        index = int(key) if key.isdigit() else count
+        index = int(key[:_MAX_INDEX]) if key.isdecimal() else count
         count += not key
-        known = keywords.get(key) if key and not key.isdigit() else args[index] if index < len(args) else None
+        known = keywords.get(key) if key and not key.isdecimal() else args[index] if index < len(args) else None
         pieces.append(known if known is not None else Name(key or "value"))
         position = match.end()
     return [*pieces, text[position:]]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from typing import Any
 
@@ -14,7 +15,7 @@ from ecm_extract.link.calls import dotted_name
 from ecm_extract.link.parameters import Parameters
 from ecm_extract.link.program import Program
 from ecm_extract.link.references import Unit
-from ecm_extract.link.units import Cls, File, Func
+from ecm_extract.link.units import File, Func
 from ecm_extract.read.facts import PackageFacts
 
 _TYPES = {"int": "integer", "str": "string", "double": "double", "bool": "bool"}
@@ -27,6 +28,9 @@ class GeneratedParameters:
         self.program = program
         self.packages = packages
         self._texts: dict[str, list[tuple[Unit, str]]] = {}
+        self._files: dict[str, list[File]] = defaultdict(list)
+        for file in program.files:
+            self._files[file.package].append(file)
 
     def declare(self, parameters: Parameters) -> None:
         """Make the defaults known, so that names that come from parameters fold."""
@@ -41,7 +45,7 @@ class GeneratedParameters:
     def interfaces(self) -> Iterator[tuple[Unit, tuple[Interface, ...]]]:
         """Yield each unit that holds generated parameters, with them."""
         for package in self.packages:
-            files = [file for file in self.program.files if file.package == package.name]
+            files = self._files[package.name]
             for path, namespaces in package.parameters.items():
                 for namespace in namespaces:
                     found = _library(path, namespace)
@@ -78,16 +82,15 @@ class GeneratedParameters:
         package = files[0].package if files else ""
         known = self._texts.get(package)
         if known is None:
-            program = self.program
-            classes = (cls for group in program.classes.values() for cls in group if cls.file.package == package)
-            functions = (f for group in program.functions.values() for f in group if f.file.package == package)
+            classes = (cls for file in files for cls in self.program.classes_in(file))
+            functions = (func for file in files for func in self.program.functions_in(file))
             known = [(cls, " ".join([f"{entry.type}>" for entry in cls.fact.fields])) for cls in classes]
             known += [(func.holder or func, _types_in(func)) for func in functions]
             self._texts[package] = known
         return known
 
     def _units_of(self, files: Sequence[File]) -> list[Unit]:
-        found: list[Cls | Func] = [cls for group in self.program.classes.values() for cls in group if cls.file in files]
+        found: list[Unit] = [cls for file in files for cls in self.program.classes_in(file)]
         return found[:1]
 
     def _servers(self, reconfigure: ReconfigureFile, files: Sequence[File]) -> list[Unit]:

@@ -8,13 +8,15 @@ from pathlib import PurePosixPath
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from ecm_extract.link.sight import Sight
     from ecm_extract.link.units import File
 
 
 class Includes:
     """Follows includes through the files of a tree."""
 
-    def __init__(self, files: tuple[File, ...]) -> None:
+    def __init__(self, files: tuple[File, ...], sight: Sight) -> None:
+        self._sight = sight
         self._by_name: dict[str, list[File]] = defaultdict(list)
         self._reached: dict[int, dict[int, File]] = {}
         for file in files:
@@ -34,7 +36,8 @@ class Includes:
         return known
 
     def _direct(self, file: File) -> Iterator[File]:
+        seen = self._sight.of(file.package)
         for entry in file.facts.imports:
             for other in self._by_name.get(entry.module.rpartition("/")[2], ()):
-                if other.path.endswith("/" + entry.module):
+                if other.package in seen and other.path.endswith("/" + entry.module):
                     yield other

@@ -42,6 +42,7 @@ from ecm_extract.link.qos import QosReader
 from ecm_extract.link.references import References, Unit
 from ecm_extract.link.registry import build_registry
 from ecm_extract.link.scope import Scope
+from ecm_extract.link.sight import Sight
 from ecm_extract.link.site import Site
 from ecm_extract.link.sites import Sites, overrides
 from ecm_extract.link.stamps import Stamp, stamps
@@ -49,6 +50,7 @@ from ecm_extract.link.types import Types
 from ecm_extract.link.units import File
 from ecm_extract.link.values import Value, literal, settled, unknown
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.tree import Tree
 
 MAX_NAMES = 40
 _Found = TypeVar("_Found", Observation, Stamp, Diagnosis)
@@ -81,7 +83,8 @@ class Linker:
 
     def __init__(self, packages: Sequence[PackageFacts], forms: FormTable) -> None:
         self.packages = packages
-        self.program = Program(_files(packages))
+        files = _files(packages)
+        self.program = Program(files, Sight(packages, files))
         self.parameters = Parameters(forms)
         self.folder = Folder(self.program, Scope(self.program), self.parameters)
         self.types = Types(self.folder)
@@ -123,6 +126,11 @@ class Linker:
         self._given_out(stamps(self.sites), self._stamped)
         self._given_out(diagnoses(self.sites), self._diagnosed)
         return [self._linked(module, found, nodes) for module in _ordered(self.modules.all())]
+
+    def tell(self, tree: Tree) -> None:
+        """Report the places whose values were not computed to the end to the tree that they stand in."""
+        for entry in self.folder.steps.left_out():
+            tree.report(entry)
 
     def _given_out(self, found: Iterable[tuple[Unit, _Found]], by_module: dict[int, list[_Found]]) -> None:
         """Give what units do to the modules that have them."""

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
+from collections.abc import Sequence
+
 from ecm_parsers.source.expr import Call, Expr, Member, Name
 
 from ecm_extract.link.calls import Invocation
@@ -10,11 +13,11 @@ from ecm_extract.link.fold import Folder
 from ecm_extract.link.module_kinds import is_node_base
 from ecm_extract.link.sites import Sites
 from ecm_extract.link.spelling import plain
-from ecm_extract.link.units import Cls, Func
+from ecm_extract.link.units import Cls, File, Func
 from ecm_extract.link.values import Value
 
 _INITS = {"ros::init": 2, "rospy.init_node": 0, "rclpy.create_node": 0}
-_MAKERS = frozenset({"Node", "LifecycleNode", "make_shared"})
+_NAMING = ("init", "init_node", "create_node", "Node", "LifecycleNode", "make_shared")
 
 
 class NodeNames:
@@ -23,6 +26,7 @@ class NodeNames:
     def __init__(self, folder: Folder, sites: Sites) -> None:
         self.folder = folder
         self.sites = sites
+        self._free: dict[int, list[Invocation]] | None = None
 
     def of_class(self, cls: Cls) -> str | None:
         """Return the name that the class passes to its node base, None when it is not fixed."""
@@ -69,13 +73,20 @@ class NodeNames:
 
     def of_program(self, main: Func) -> str | None:
         """Return the name that a program gives its node, by a call in the file of its main function."""
-        for name in ("init", "init_node", "create_node", "Node", "LifecycleNode", "make_shared"):
-            for call in self.sites.calls.get(name, ()):
-                if call.func.file is main.file and call.func.cls is None:
-                    found = self._initialised(call)
-                    if found is not None:
-                        return found
+        for call in self._free_calls(main.file):
+            found = self._initialised(call)
+            if found is not None:
+                return found
         return None
+
+    def _free_calls(self, file: File) -> Sequence[Invocation]:
+        """The calls in functions of a file that can give a node its name, those of client libraries first."""
+        if self._free is None:
+            self._free = defaultdict(list)
+            for call in (call for name in _NAMING for call in self.sites.calls.get(name, ())):
+                if call.func.cls is None:
+                    self._free[id(call.func.file)].append(call)
+        return self._free.get(id(file), ())
 
     def _initialised(self, call: Invocation) -> str | None:
         index = next((at for path, at in _INITS.items() if call.path == path or call.path.endswith("::" + path)), None)

@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Any
 
+from ecm_parsers.numbers import truncated
+
 NUMBERS: Mapping[str, str] = MappingProxyType(
     dict.fromkeys(("int", "uint", "long", "short", "unsigned", "size_t"), "integer")
     | {f"{sign}int{bits}_t": "integer" for sign in ("", "u") for bits in (8, 16, 32, 64)}
@@ -18,4 +20,5 @@ def as_number(value: Any, name: str) -> Any:
     if isinstance(value, bool) or not isinstance(value, int | float):
         return value
     kind = NUMBERS.get(name)
-    return float(value) if kind == "double" else int(value) if kind == "integer" else value
+    whole = truncated(value) if kind == "integer" else None
+    return float(value) if kind == "double" else value if whole is None else whole

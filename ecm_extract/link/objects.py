@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable
 
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
 
@@ -15,7 +15,7 @@ from ecm_extract.link.overloads import NO, score
 from ecm_extract.link.program import Program
 from ecm_extract.link.scope import Scope
 from ecm_extract.link.spelling import last_name, plain, pointee, template_arguments
-from ecm_extract.link.units import Cls, Func
+from ecm_extract.link.units import Cls, File, Func
 
 _POINTER_SUFFIX = re.compile(r"(?:Const)?(?:Shared|Unique|Weak)?Ptr$")
 _ITSELF = frozenset({"lock", "get", "shared_from_this", "value", "release"})
@@ -96,8 +96,7 @@ class Objects:
                 return expr.types[0]
             if last.startswith("get") and last.endswith("NodeHandle"):
                 return "ros::NodeHandle"
-            is_type = last in self.program.classes or (last[:1].isupper() and not self.program.functions.get(last))
-            return expr.callee.id if is_type else self._returned(last)
+            return expr.callee.id if self._is_type(last, env.func.file) else self._returned(last, env.func.file)
         dotted = dotted_name(expr.callee)
         if dotted and env.func.file.language == "python":
             return dotted
@@ -117,8 +116,12 @@ class Objects:
                     return method.fact.returns
         return ""
 
-    def _returned(self, name: str) -> str:
-        types = {func.fact.returns for func in self.program.functions.get(name, ()) if func.fact.returns}
+    def _is_type(self, name: str, file: File) -> bool:
+        known = self.program.seen_classes(name, file)
+        return bool(known) or (name[:1].isupper() and not self.program.seen_functions(name, file))
+
+    def _returned(self, name: str, file: File) -> str:
+        types = {func.fact.returns for func in self.program.seen_functions(name, file) if func.fact.returns}
         return next(iter(types)) if len(types) == 1 else ""
 
     # --- instances -------------------------------------------------------------------------------------
@@ -198,25 +201,31 @@ class Objects:
 
     def callee(self, call: Invocation, env: Env) -> Func | None:
         """Return the function in the tree that a call means, with a body."""
-        scored = [(score(call, func), func) for func in self.program.functions.get(call.last, ()) if func.fact.body]
-        candidates = [func for fit, func in sorted(scored, key=lambda entry: -entry[0]) if fit != NO]
-        if not candidates:
+        if call.last not in self.program.functions:
             return None
         if call.receiver is not None:
-            cls = self.class_of(call.receiver, env.before(env.at))
-            return self._method(cls, candidates)
-        found = self._method(env.this or env.func.cls, candidates)
-        return found or self._free(call, candidates, env)
+            return self._method(call, self.class_of(call.receiver, env.before(env.at)))
+        return self._method(call, env.this or env.func.cls) or self._free(call, env)
 
-    def _method(self, cls: Cls | None, candidates: Sequence[Func]) -> Func | None:
-        owners = self.program.ancestry(cls) if cls is not None else ()
-        return next((func for owner in owners for func in candidates if func.cls is owner), None)
+    def _method(self, call: Invocation, cls: Cls | None) -> Func | None:
+        """The method of an object's class, or else of its nearest base, that fits a call best."""
+        owners, name = self.program.ancestry(cls) if cls is not None else (), call.last
+        found = (_fitting(call, [func for func in owner.methods if func.fact.name == name]) for owner in owners)
+        return next((funcs[0] for funcs in found if funcs), None)
 
-    def _free(self, call: Invocation, candidates: Sequence[Func], env: Env) -> Func | None:
-        free = [f for f in candidates if f.cls is None or call.path.endswith(f"{f.cls.fact.name}::{f.fact.name}")]
+    def _free(self, call: Invocation, env: Env) -> Func | None:
+        """The function outside of classes, or method named with its class, that is nearest and fits best."""
         least = 0 if "::" in call.path or "." in call.path else 1
-        near = [(self.program.nearness(f.file, env.func.file), f) for f in free]
-        return max((entry for entry in near if entry[0] >= least), key=lambda entry: entry[0], default=(0, None))[1]
+        seen = self.program.seen_functions(call.last, call.func.file)
+        free = [f for f in seen if f.cls is None or call.path.endswith(f"{f.cls.fact.name}::{f.fact.name}")]
+        near = [f for f in free if self.program.nearness(f.file, env.func.file) >= least]
+        return max(_fitting(call, near), key=lambda f: self.program.nearness(f.file, env.func.file), default=None)
+
+
+def _fitting(call: Invocation, funcs: Iterable[Func]) -> list[Func]:
+    """The functions with a body that a call can mean, best first."""
+    scored = [(score(call, func), func) for func in funcs if func.fact.body]
+    return [func for fit, func in sorted(scored, key=lambda entry: -entry[0]) if fit != NO]
 
 
 def _calls_super(call: Call, parent: Cls) -> bool:

@@ -67,9 +67,7 @@ def _text_fit(last: str) -> int:
 
 
 def _variable_fit(name: str, wanted: str, caller: Func) -> int:
-    declared = next((entry.type for entry in caller.fact.params if entry.name == name), "")
-    if not declared:
-        declared = next((s.type for s in caller.fact.body if s.kind == "let" and s.target == Name(name)), "")
+    declared = caller.written_types.get(name, "")
     if not declared or declared == "auto" or plain(declared) in caller.fact.template:
         return 0
     actual = plain(declared).rsplit("::", 1)[-1]

@@ -1,33 +1,49 @@
 """All source facts of a tree, indexed so that names can be looked up the way a compiler would.
 
-A name resolves to the nearest candidate: same file, included or imported file, same package, whole tree.
+A name resolves to the nearest candidate: same file, included or imported file, same package, packages that it sees.
 """
 
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import TypeVar
 
 from ecm_parsers.source.facts import Constant, Function
 
 from ecm_extract.link.aliases import Aliases, enclosing_scopes
 from ecm_extract.link.class_alternatives import alternatives_joined
 from ecm_extract.link.includes import Includes
+from ecm_extract.link.sight import Sight
 from ecm_extract.link.spelling import plain
 from ecm_extract.link.units import Cls, File, Func
 
+_Unit = TypeVar("_Unit", Cls, Func)
+_Asked = tuple[str, str, str]
+"""A name, with the package and the language of who asks for it."""
+
 
 class Program:
-    """The index over all files. Built once, then only read."""
+    """The index over all files. Built once, then only read.
 
-    def __init__(self, files: Iterable[File]) -> None:
+    Args:
+        files: all source files of the tree.
+        sight: which packages see which.
+    """
+
+    def __init__(self, files: Sequence[File], sight: Sight) -> None:
         self.files = tuple(files)
+        self.sight = sight
         self.classes: Mapping[str, list[Cls]] = _group_classes(self.files)
         self.functions: dict[str, list[Func]] = defaultdict(list)
         self.constants: dict[str, list[tuple[File, Constant]]] = defaultdict(list)
         self.aliases = Aliases(self.nearness)
         self._resolved: dict[tuple[str, str, int], Cls | None] = {}
-        self._headers = Includes(self.files)
+        self._headers = Includes(self.files, sight)
+        self._classes_by_file = _by_file(self.classes)
+        self._functions_by_file: dict[int, list[Func]] = defaultdict(list)
+        self._seen_functions: dict[_Asked, tuple[Func, ...]] = {}
+        self._seen_classes: dict[_Asked, tuple[Cls, ...]] = {}
         self._mro: dict[int, tuple[Cls, ...]] = {}
         for file in self.files:
             self._index(file)
@@ -38,6 +54,7 @@ class Program:
             namesakes = self.functions[function.name]
             func = Func(function, file, owner, namesakes)
             namesakes.append(func)
+            self._functions_by_file[id(file)].append(func)
             if owner is not None:
                 owner.methods.append(func)
                 if "static" in function.traits and file.language == "cpp":
@@ -53,16 +70,53 @@ class Program:
         if not function.scope:
             return None
         last = function.scope.rsplit("::", 1)[-1]
-        candidates = [cls for cls in self.classes.get(last, ()) if cls.file.language == file.language]
+        candidates = self.seen_classes(last, file)
         exact = [cls for cls in candidates if cls.qualified == function.scope]
         loose = [cls for cls in candidates if cls.qualified.endswith("::" + function.scope)]
         repeated = [cls for cls in candidates if function.scope.endswith("::" + cls.qualified)]
         return self._nearest(exact or loose or repeated, file)
 
-    def _nearest(self, candidates: list[Cls], file: File) -> Cls | None:
+    def _nearest(self, candidates: Sequence[Cls], file: File) -> Cls | None:
         if not candidates:
             return None
         return max(candidates, key=lambda cls: self.nearness(cls.file, file))
+
+    def seen_functions(self, name: str, file: File) -> tuple[Func, ...]:
+        """Return the functions of a name that code in a file can mean: of its language, in packages that it sees."""
+        key = (name, file.package, file.language)
+        known = self._seen_functions.get(key)
+        if known is None:
+            known = self._seen_functions[key] = self._seen(self.functions.get(name, ()), file)
+        return known
+
+    def seen_classes(self, name: str, file: File) -> tuple[Cls, ...]:
+        """Return the classes of a name that code in a file can mean: of its language, in packages that it sees."""
+        key = (name, file.package, file.language)
+        known = self._seen_classes.get(key)
+        if known is None:
+            known = self._seen_classes[key] = self._seen(self.classes.get(name, ()), file)
+        return known
+
+    def seen_constants(self, name: str, file: File) -> Iterator[tuple[File, Constant]]:
+        """Yield the constants of a name that code in a file can mean, each with the file it stands in."""
+        seen = self.sight.of(file.package)
+        return (entry for entry in self.constants.get(name, ()) if entry[0].package in seen)
+
+    def sees(self, file: File, other: File) -> bool:
+        """Tell whether code in a file can mean what stands in another: the package of one sees that of the other."""
+        return other.package in self.sight.of(file.package)
+
+    def _seen(self, units: Iterable[_Unit], file: File) -> tuple[_Unit, ...]:
+        seen = self.sight.of(file.package)
+        return tuple([unit for unit in units if unit.file.language == file.language and unit.file.package in seen])
+
+    def classes_in(self, file: File) -> Sequence[Cls]:
+        """Return the classes of a file, in its order."""
+        return self._classes_by_file.get(id(file), ())
+
+    def functions_in(self, file: File) -> Sequence[Func]:
+        """Return the functions of a file, in its order."""
+        return self._functions_by_file.get(id(file), ())
 
     def nearness(self, other: File, file: File) -> int:
         """Return how close another file is: 3 itself, 2 included, 1 in the same package, 0 elsewhere."""
@@ -95,7 +149,7 @@ class Program:
         if file.language == "python":
             return self._find_python(name, file)
         last = name.rsplit("::", 1)[-1]
-        candidates = [cls for cls in self.classes.get(last, ()) if cls.file.language == "cpp"]
+        candidates = self.seen_classes(last, file)
         for prefix in enclosing_scopes(scope):
             wanted = f"{prefix}::{name}" if prefix else name.removeprefix("::")
             exact = [cls for cls in candidates if cls.qualified == wanted]
@@ -115,7 +169,7 @@ class Program:
         head, *rest = name.replace("::", ".").split(".")
         target = ".".join([file.imported.get(head, head), *rest])
         last = target.rsplit(".", 1)[-1]
-        candidates = [cls for cls in self.classes.get(last, ()) if cls.file.language == "python"]
+        candidates = self.seen_classes(last, file)
         if head not in file.imported:
             return next((cls for cls in candidates if cls.file is file), None)
         module = target.rpartition(".")[0].lstrip(".")
@@ -176,6 +230,14 @@ def _group_classes(files: tuple[File, ...]) -> dict[str, list[Cls]]:
         for fact in alternatives_joined(file.facts.classes) if file.language == "cpp" else file.facts.classes:
             grouped[fact.name].append(Cls(fact, file, fields={entry.name: entry for entry in fact.fields}))
     return grouped
+
+
+def _by_file(classes: Mapping[str, list[Cls]]) -> Mapping[int, list[Cls]]:
+    found: dict[int, list[Cls]] = defaultdict(list)
+    for group in classes.values():
+        for cls in group:
+            found[id(cls.file)].append(cls)
+    return found
 
 
 def imported_names(file: File) -> dict[str, str]:

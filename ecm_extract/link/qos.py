@@ -15,6 +15,7 @@ from typing import Any
 
 from ecm_checker.contract import Qos
 from ecm_checker.match.generated import snake
+from ecm_parsers.numbers import real, truncated
 from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member, Name, Number, Op
 
 from ecm_extract.link.calls import dotted_name
@@ -86,10 +87,14 @@ class QosReader:
         return Qos(depth=number) if number is not None else None
 
     def _policies(self, expr: Expr, env: Env, level: int) -> dict[str, Any]:
-        if level > MAX_DEPTH:
+        if level > MAX_DEPTH or not self.folder.steps.take(env):
             return {**_UNSEEN}
+        with self.folder.steps:
+            return self._of_kind(expr, env, level)
+
+    def _of_kind(self, expr: Expr, env: Env, level: int) -> dict[str, Any]:
         if isinstance(expr, Number):
-            return {"history": "keep_last", "depth": int(expr.value)}
+            return {"history": "keep_last", "depth": truncated(expr.value)}
         preset = self._preset(expr)
         if preset is not None and not isinstance(expr, Call):
             return preset
@@ -201,8 +206,12 @@ class QosReader:
     def _words(self, value: Expr, env: Env, level: int = 0) -> set[str]:
         """The policies that a value can be, `unknown` among them for what the tree does not show."""
         word = policy_word(value)
-        if word or level > MAX_DEPTH:
+        if word or level > MAX_DEPTH or not self.folder.steps.take(env):
             return {word or "unknown"}
+        with self.folder.steps:
+            return self._words_of(value, env, level)
+
+    def _words_of(self, value: Expr, env: Env, level: int) -> set[str]:
         if isinstance(value, Op) and value.op == "?:":
             return {word for branch in self._branches(value, env) for word in self._words(branch, env, level + 1)}
         bound = env.args.get(value.id) if isinstance(value, Name) else None
@@ -263,11 +272,8 @@ class QosReader:
         return {**_UNSEEN}
 
     def _number(self, expr: Expr, env: Env) -> int | None:
-        text = self.folder.fold(expr, env)[0].text
-        try:
-            return int(float(text))
-        except ValueError:
-            return None
+        number = real(self.folder.fold(expr, env)[0].text)
+        return truncated(number) if number is not None else None
 
 
 def _returned(call: Call) -> str:

@@ -45,8 +45,8 @@ class References:
 
     def _mention_global(self, constant: Constant, file: File) -> None:
         """An object outside of functions is of the program that its file is the main one of."""
-        for main in self.program.functions.get("main", ()):
-            if main.file is file:
+        for main in self.program.functions_in(file):
+            if main.fact.name == "main":
                 self._mention(constant.type, main, file, constant.scope)
 
     def _mention_body(self, func: Func) -> None:

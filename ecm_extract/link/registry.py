@@ -151,11 +151,10 @@ def _mains(file: File, program: Program, entries: dict[tuple[str, str], str]) ->
     """Main functions of a file: `main`, what an entry point names, and the body of a Python program."""
     stem = PurePosixPath(file.path).stem
     wanted = {"main", *(attribute for module, attribute in entries if module == stem)}
-    found = [
-        func for name in wanted for func in program.functions.get(name, ()) if func.file is file and func.cls is None
-    ]
+    own = program.functions_in(file)
+    found = [func for func in own if func.fact.name in wanted and func.cls is None]
     if file.language == "python":
-        body = [func for func in program.functions.get("<module>", ()) if func.file is file]
+        body = [func for func in own if func.fact.name == "<module>"]
         found += [func for func in body if file.facts.shebang or found or _runs_as_main(func)]
     return found
 

@@ -150,7 +150,7 @@ class Scope:
         """Return the value of a constant that `name` means at a place, with the file it stands in."""
         last = name.rsplit("::", 1)[-1]
         best, rank = None, 0
-        for file, constant in self.program.constants.get(last, ()):
+        for file, constant in self.program.seen_constants(last, env.func.file):
             if constant.value is None or file.language != env.func.file.language:
                 continue
             score = self._constant_rank(name, constant.scope, file, env)

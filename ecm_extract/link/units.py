@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import inf
 
-from ecm_parsers.source.expr import Call, Expr
+from ecm_parsers.source.expr import Call, Expr, Name
 from ecm_parsers.source.facts import Class, Field, Function, Parameter, SourceFile
 
 from ecm_extract.link.spelling import is_node_interface
@@ -41,6 +41,7 @@ class Func:
     _arity: tuple[int, float] | None = None
     _calls: tuple[Sequence[Call], ...] | None = None
     _defaults: tuple[tuple[str, Expr], ...] | None = None
+    _written_types: Mapping[str, str] | None = None
 
     def siblings(self) -> Iterator[Func]:
         """The declarations and definitions of that name in its class or namespace, itself included."""
@@ -57,6 +58,16 @@ class Func:
         if self._params is None:
             self._params = _one_node(self.fact.params)
         return self._params
+
+    @property
+    def written_types(self) -> Mapping[str, str]:
+        """The types of its parameters and variables as written; of several declarations of a name the first."""
+        if self._written_types is None:
+            lets = [(entry.target, entry.type) for entry in self.fact.body if entry.kind == "let"]
+            found = {target.id: written for target, written in reversed(lets) if isinstance(target, Name)}
+            given = {entry.name: entry.type for entry in reversed(self.fact.params) if entry.type}
+            self._written_types = {**found, **given}
+        return self._written_types
 
     @property
     def calls(self) -> tuple[Sequence[Call], ...]:

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from itertools import islice
 from typing import Literal, NamedTuple
 
 from ecm_checker.contract import Confidence
 
 MAX_ALTERNATIVES = 12
+MAX_LENGTH = 16_384
+"""Characters of a value that is put together."""
 NAMESPACE = "node namespace"
 PARENT_NAMESPACE = "parent namespace"
 """Labels with a space: no variable of a source is called so."""
@@ -25,6 +28,10 @@ class Hole(NamedTuple):
     label: str
     kind: Literal["param", "made", "node", "space", "unknown"] = "unknown"
     default: str | None = None
+
+
+TOO_LONG = Hole("too long a text")
+"""Stands for a text that is put together beyond `MAX_LENGTH`."""
 
 
 class Value(NamedTuple):
@@ -118,15 +125,25 @@ def demoted(values: Iterable[Value]) -> tuple[Value, ...]:
 
 
 def joined(groups: Iterable[tuple[Value, ...]]) -> tuple[Value, ...]:
-    """Concatenate: every combination of one alternative of each group, bounded."""
+    """Concatenate: every combination of one alternative of each group, bounded in number and length."""
     results: list[Value] = [Value((), "folded")]
     for group in groups:
-        results = [
-            Value(left.parts + right.parts, weaker(left.confidence, right.confidence), _template(left, right))
-            for left in results
-            for right in group
-        ][:MAX_ALTERNATIVES]
+        pairs = ((left, right) for left in results for right in group)
+        results = [_beside(left, right) for left, right in islice(pairs, MAX_ALTERNATIVES)]
     return tuple(results)
+
+
+def _beside(left: Value, right: Value) -> Value:
+    """One value after another; what is longer than any name is told as such and goes no further."""
+    if TOO_LONG in left.parts or TOO_LONG in right.parts or _length(left) + _length(right) > MAX_LENGTH:
+        return Value((TOO_LONG,), "pattern")
+    return Value(left.parts + right.parts, weaker(left.confidence, right.confidence), _template(left, right))
+
+
+def _length(value: Value) -> int:
+    """Parts and characters of a value and of its template."""
+    parts = sum([len(part) if isinstance(part, str) else len(part.label) for part in value.parts])
+    return max(parts + len(value.parts), len(value.template or ""))
 
 
 def _template(left: Value, right: Value) -> str | None:

@@ -24,7 +24,7 @@ def touched_lines(text: str) -> dict[str, set[int]]:
     """
     try:
         patch = PatchSet(text)
-    except UnidiffParseError as error:
+    except (UnidiffParseError, ValueError) as error:  # the latter for line numbers of thousands of digits
         message = f"the patch cannot be read: {error}"
         raise PatchError(message, "give a unified diff, as `git diff` writes it") from None
     found: dict[str, set[int]] = {}

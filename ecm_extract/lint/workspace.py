@@ -56,6 +56,7 @@ class Workspace:
         with without_collector():
             self.linker = Linker(found.packages, found.forms)
             self.linked = self.linker.link()
+            self.linker.tell(tree)
         self.externals = frozenset(config.externals)
         self.by_name = {package.name: package for package in self.packages}
         self.files = Files(tree, self.packages)

@@ -23,7 +23,7 @@ def contradiction(declared: Any, inferred: Any) -> str | None:
                 return f"{key}: {inner}"
         return None
     if _number(inferred) and _number(declared):
-        return None if float(inferred) == float(declared) else f"{declared} here, {inferred} there"
+        return None if inferred == declared else f"{declared} here, {inferred} there"
     same = declared == inferred and isinstance(declared, bool) is isinstance(inferred, bool)
     return None if same else f"{_shown(declared)} here, {_shown(inferred)} there"
 

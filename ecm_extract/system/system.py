@@ -75,6 +75,7 @@ def read_system(tree: Tree, launches: Sequence[str], given: Given, options: Opti
         packages = reader.read(options.jobs, options.progress)
         linker = Linker(packages, form_table(config.forms))
         linked = linker.link()
+        linker.tell(tree)
         index = ModuleIndex(linked, packages, composition_of(linker.modules, linker.references))
         files = Files(tree, packages)
         paths = [_path(entry, files) for entry in launches]

@@ -20,6 +20,7 @@ from ecm_parsers.interface_facts import (
     Section,
     Shape,
 )
+from ecm_parsers.numbers import integer
 from ecm_parsers.result import Diagnostic, Parsed
 from ecm_parsers.text import decode
 from ecm_parsers.units import unit_of
@@ -179,6 +180,9 @@ def _read_field(line: _Line) -> Field | None:
     if string_bound and base not in _STRINGS:
         return None
     default = _split_comment(match["rest"])[0]
+    length, most = (integer(text) if text else None for text in (bound, string_bound))
+    if (bound and length is None) or (string_bound and most is None):
+        return None
     return Field(
         name=match["name"],
         type=match["type"],
@@ -186,8 +190,8 @@ def _read_field(line: _Line) -> Field | None:
         package=packages[0] if packages else _implied_package(match["type"]),
         line=line.number,
         array=_array_kind(bounded, bound),
-        bound=int(bound) if bound else None,
-        string_bound=int(string_bound) if string_bound else None,
+        bound=length,
+        string_bound=most,
         default=default or None,
         comment=line.comment,
         doc=line.doc,

@@ -65,3 +65,11 @@ def test_ranges(installed: str, wanted: str, fits: bool | None) -> None:
 def test_steps(old: str, new: str, step: str) -> None:
     """The first number that differs names the step; a step back is none."""
     assert bump_between(old, new) == step
+
+
+def test_a_version_of_thousands_of_digits_is_none() -> None:
+    """What no registry takes cannot be read, in a version as in a range."""
+    long = "1." + "9" * 5000
+    assert bump_between("1.0.0", long) is None
+    assert in_range(long, ">=1") is None
+    assert in_range("1.0", f">={long}") is None

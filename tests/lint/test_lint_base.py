@@ -11,7 +11,7 @@ import pytest
 from lint_fixtures import FIXTURES
 
 from ecm_extract.cli.run import run
-from ecm_extract.lint.hunks import landing_line, touched_lines
+from ecm_extract.lint.hunks import PatchError, landing_line, touched_lines
 
 GIT = ["git", "-c", "user.name=a", "-c", "user.email=a@b.c", "-c", "commit.gpgsign=false"]
 
@@ -96,3 +96,9 @@ def test_touched_lines() -> None:
     """Added lines, and for a pure removal the line it leaves behind."""
     patch = "--- a/x\n+++ b/x\n@@ -1,2 +1,3 @@\n a\n+b\n c\n@@ -9,2 +10,1 @@\n d\n-e\n"
     assert touched_lines(patch) == {"x": {2, 10}}
+
+
+def test_a_line_number_of_thousands_of_digits_is_no_patch() -> None:
+    """What no tool writes is the input's fault."""
+    with pytest.raises(PatchError):
+        touched_lines(f"--- a/x\n+++ b/x\n@@ -{'1' * 5000} +1 @@\n-a\n+b\n")

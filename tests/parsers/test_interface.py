@@ -176,3 +176,11 @@ def test_never_raises(text: str, shape: Shape) -> None:
     for section in parsed.facts.sections:
         assert all(1 <= item.line <= lines for item in section.fields)
         assert all(1 <= item.line <= lines for item in section.constants)
+
+
+@pytest.mark.parametrize("text", [f"int8[{'9' * 5000}] x", f"int8[<={'9' * 5000}] x", f"string<={'9' * 5000} x"])
+def test_a_bound_beyond_all_sizes_is_no_bound(text: str) -> None:
+    """A length of thousands of digits is told like any other line that is no field."""
+    parsed = parse(text.encode(), "msg")
+    assert parsed.facts.sections[0].fields == ()
+    assert len(parsed.diagnostics) == 1

@@ -56,8 +56,8 @@ def check(workspace: Workspace) -> Iterator[Finding]:
 def _lambdas(program: Program, func: Func) -> Sequence[Func]:
     """Named lambdas inside a function."""
     scope = f"{func.fact.scope}::{func.fact.name}".removeprefix("::")
-    found = [entry for group in program.functions.values() for entry in group if entry.file is func.file]
-    return [entry for entry in found if "lambda" in entry.fact.traits and entry.fact.scope.endswith(scope)]
+    own = program.functions_in(func.file)
+    return [entry for entry in own if "lambda" in entry.fact.traits and entry.fact.scope.endswith(scope)]
 
 
 def _by_type_only(bodies: Sequence[Func]) -> bool:

@@ -23,6 +23,8 @@ from ecm_parsers.launch.values import (
     template_of,
 )
 
+_MAX_INDEX = 6
+"""Digits of an index that are read: no call has as many arguments."""
 _FIELD = re.compile(r"\{(\w*)(?:[:!][^{}]*)?\}")
 _PERCENT = re.compile(r"%[-#0 +]*\d*(?:\.\d+)?[sdifgrx]")
 _PLAIN_TEXT: Mapping[str, Callable[..., Value]] = MappingProxyType(
@@ -163,7 +165,7 @@ def _filled(match: re.Match[str], given: Arguments, following: Callable[[], Valu
         if not key:
             return template_of(following())
         if key.isdecimal():
-            return template_of(given.positional[int(key)])
+            return template_of(given.positional[int(key[:_MAX_INDEX])])
         return template_of(given.keywords[key])
     except (StopIteration, IndexError, KeyError):
         return (match[0],)

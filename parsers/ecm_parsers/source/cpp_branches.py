@@ -7,7 +7,7 @@ from ecm_parsers.source.cpp_text import blanked
 
 _TOKEN = re.compile(
     rb"""(?P<directive>^[ \t]*\#[ \t]*(?P<word>if|elif|else|endif)?(?:[^\n\\]|\\.)*)"""
-    rb"""|//[^\n]*|/\*(?:[^*]|\*(?!/))*(?:\*/)?|"(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)'|(?P<bracket>[{}()])""",
+    rb"""|//[^\n]*|/\*(?:[^*]|\*(?!/))*(?:\*/)?|"(?:[^"\\\n]|\\.)*"?|'(?:[^'\\\n]|\\.)'|(?P<bracket>[{}()])""",
     re.MULTILINE | re.VERBOSE | re.DOTALL,
 )
 _STEP = {b"{": (1, 0), b"}": (-1, 0), b"(": (0, 1), b")": (0, -1)}

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from ecm_parsers.numbers import truncated
 from ecm_parsers.source.cpp_casts import cast_arguments
 from ecm_parsers.source.cpp_literals import concatenated, constant, number, string, user_literal
 from ecm_parsers.source.expr import (
@@ -141,7 +142,8 @@ def _cast(value: Expr, types: tuple[str, ...]) -> Expr:
     """A cast changes nothing but numbers: `static_cast<double>(10)` is 10.0."""
     if isinstance(value, Number) and types in {("double",), ("float",)}:
         return Number(float(value.value))
-    return Number(int(value.value)) if isinstance(value, Number) and types == ("int",) else value
+    whole = truncated(value.value) if isinstance(value, Number) and types == ("int",) else None
+    return Number(whole) if whole is not None else value
 
 
 def _new(reader: ExprReader, node: Node) -> Expr:

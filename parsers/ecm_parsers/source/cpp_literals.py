@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
+from ecm_parsers.numbers import integer, real
 from ecm_parsers.source.expr import Call, Constant, Expr, Name, Number, Op, Opaque, Text
 
 if TYPE_CHECKING:
@@ -44,14 +45,16 @@ def concatenated(reader: ExprReader, node: Node) -> Expr:
 def number(reader: ExprReader, node: Node) -> Expr:
     """A number without suffix and digit separators."""
     text = reader.text(node)
-    try:
-        if text[:2].lower() in {"0x", "0b"}:
-            return Number(int(text.rstrip("uUlL").replace("'", ""), 0))
-        match = _DIGITS.match(text)
-        digits = match.group().replace("'", "") if match else text
-        return Number(float(digits) if any(c in digits for c in ".eE") else int(digits))
-    except ValueError:
-        return Opaque(text[:80])
+    value = _number(text)
+    return Number(value) if value is not None else Opaque(text[:80])
+
+
+def _number(text: str) -> int | float | None:
+    if text[:2].lower() in {"0x", "0b"}:
+        return integer(text.rstrip("uUlL").replace("'", ""), 0)
+    match = _DIGITS.match(text)
+    digits = match.group().replace("'", "") if match else text
+    return real(digits) if any(c in digits for c in ".eE") else integer(digits)
 
 
 def user_literal(reader: ExprReader, node: Node) -> Expr:

@@ -23,12 +23,17 @@ def members(reader: DeclarationReader, body: Node, place: Place, access: str) ->
     place.access = access
     for child in flat_members(body):
         if child.type == "access_specifier":
-            place.access = reader.expr.text(child).split()[0]
+            place.access = _access(reader.expr.text(child)) or place.access
         elif child.type == "field_declaration":
             fields.extend(_field(reader, child, place))
         else:
             reader.read(child, place)
     return fields
+
+
+def _access(text: str) -> str:
+    """`public` or the like; empty where the grammar mends what stands there with a word of its own."""
+    return next(iter(text.split()), "")
 
 
 def _field(reader: DeclarationReader, node: Node, place: Place) -> list[Field]:

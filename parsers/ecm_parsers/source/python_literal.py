@@ -5,11 +5,8 @@ from __future__ import annotations
 import re
 import unicodedata
 
+from ecm_parsers.numbers import INT_MIN, integer, real
 from ecm_parsers.source.expr import Constant, Expr, Number, Op, Template, Text
-
-# What msgpack can carry; a larger literal is no parameter value.
-INT_MIN = -(2**63)
-INT_MAX = 2**64 - 1
 
 _ESCAPE = re.compile(
     r"\\(\r?\n|[0-7]{1,3}|x[0-9a-fA-F]{2}|u[0-9a-fA-F]{4}|U[0-9a-fA-F]{8}|N\{[^{}]{1,100}\}|.)", re.DOTALL
@@ -94,23 +91,11 @@ def _named(code: str, written: str) -> str:
 
 
 def number_value(raw: bytes) -> int | float | None:
-    """Value of a number literal, Python 2 `0777` and `10L` included; None for complex or beyond 64 bit."""
+    """Value of a number literal, Python 2 `0777` and `10L` included; None for complex, infinite or beyond 64 bit."""
     text = raw.decode("ascii", "replace").replace("_", "").rstrip("lL").lower()
-    value = _integer(text)
-    if value is not None:
-        return value if value <= INT_MAX else None
-    try:
-        return float(text)
-    except ValueError:
-        return None
-
-
-def _integer(text: str) -> int | None:
     octal = len(text) > 1 and text[0] == "0" and text.isdigit()
-    try:
-        return int(text, 8 if octal else 0)
-    except ValueError:
-        return None
+    value = integer(text, 8 if octal else 0)
+    return value if value is not None or text.isdigit() else real(text)
 
 
 def negated(operand: Expr) -> Expr:

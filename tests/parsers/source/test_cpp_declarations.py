@@ -277,3 +277,8 @@ def test_a_comment_in_a_macro_of_several_lines_hides_nothing() -> None:
     facts = parse_cpp(macro + b"\nclass A { public: void go(); };\n").facts
     assert [cls.name for cls in facts.classes] == ["A"]
     assert "go" in {function.name for function in facts.functions}
+
+
+def test_an_access_that_the_grammar_mends_is_none() -> None:
+    """`class{public::` has an access without a word, which changes nothing."""
+    assert parse_cpp(b"class{public::// c\n}").facts.classes

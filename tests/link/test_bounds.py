@@ -1,0 +1,95 @@
+"""What a source makes of a value is bounded, told, and never ends the run."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from ecm_extract.extraction import extract
+from ecm_extract.extraction_model import Options
+from ecm_extract.link.values import MAX_LENGTH, TOO_LONG, joined, literal
+from ecm_extract.tree import open_tree
+
+_HEAD = """
+from rclpy.node import Node
+class Driver(Node):
+    def __init__(self):
+        super().__init__("driver")
+        x = "a"
+"""
+_BRANCH = """
+        if f("a{0}") == "x":
+            x = x + "1"
+        else:
+            x = x + "2"
+"""
+_PLACES = {
+    "name": "        self.create_publisher(String, x, 1)\n",
+    "depth": '        self.create_publisher(String, "t", x)\n',
+    "profile": '        self.create_publisher(String, "t", QoSProfile(depth=1, reliability=x))\n',
+    "period": "        self.create_timer(x, self.tick)\n",
+    "default": '        self.declare_parameter("p", x)\n',
+}
+_CPP = 'class D : public rclcpp::Node {{ D() : Node("d") {{ {0} }} }};'
+
+
+def _driver(workspace: Any, body: str) -> Any:
+    workspace.package({"pkg/driver.py": _HEAD + body}, name="pkg")
+    return extract(open_tree(workspace.root), Options(jobs=1))
+
+
+@pytest.mark.parametrize("place", _PLACES)
+def test_a_value_of_many_branches_is_unknown_and_told(workspace: Any, place: str) -> None:
+    """Forty branches one after another have a million million values; the place that asks for them is named."""
+    found = _driver(workspace, "".join(_BRANCH.format(index) for index in range(40)) + _PLACES[place])
+    lines = (_HEAD + _BRANCH * 40).count("\n") + 1
+    told = {(entry.code, entry.line) for entry in found.diagnostics}
+    assert told <= {("values-left-out", lines)}
+    assert place not in {"name", "depth"} or told
+
+
+@pytest.mark.parametrize("place", _PLACES)
+def test_a_value_that_doubles_ends(workspace: Any, place: str) -> None:
+    """Sixty doublings of a text end like forty branches do."""
+    _driver(workspace, "        x = x + x\n" * 60 + _PLACES[place])
+
+
+def test_few_branches_are_all_followed(workspace: Any) -> None:
+    """What is within the bounds is computed to the end."""
+    found = _driver(workspace, "".join(_BRANCH.format(index) for index in range(3)) + _PLACES["name"])
+    module = next(module for package in found.packages for module in package.modules)
+    names = {entry.name for entry in module.signature.interfaces if entry.role == "publisher"}
+    assert found.diagnostics == ()
+    assert "/a111" in names
+
+
+def test_a_text_longer_than_any_name_is_told_as_such() -> None:
+    """Texts are put together up to a length; beyond it the value says why it is unknown."""
+    half = (literal("x" * (MAX_LENGTH // 2 + 1)),)
+    assert joined([half])[0].text == half[0].text
+    assert joined([half, half])[0].parts == joined([half, half, half])[0].parts == (TOO_LONG,)
+
+
+@pytest.mark.parametrize("number", ["1e999", "-1e999", "1e30", "9" * 5000, "0x" + "f" * 5000, "1" + "'0" * 3000])
+@pytest.mark.parametrize(
+    "body",
+    [
+        'create_publisher<std_msgs::msg::String>("t", {0});',
+        'create_publisher<std_msgs::msg::String>("t", static_cast<int>({0}));',
+        'declare_parameter("max_retries", {0} * 10);',
+        'declare_parameter("max_retries", {0} / 3.0);',
+        'auto x = {0}; auto y = x * x; declare_parameter("p", y * y); create_publisher<A>("t", y);',
+        "timer_ = create_wall_timer(std::chrono::milliseconds({0}), f); rclcpp::Rate r({0});",
+    ],
+)
+def test_a_number_beyond_all_types_is_none(workspace: Any, number: str, body: str) -> None:
+    """Numbers that no type holds are no numbers, wherever one stands."""
+    workspace.package({"src/d.cpp": _CPP.format(body.format(number))})
+    assert workspace.modules()
+
+
+def test_a_format_with_an_index_beyond_all_counts_stays(workspace: Any) -> None:
+    """`{99999}` and digits of other scripts fill nothing."""
+    body = "".join(f'        self.create_publisher(String, "a{{{key}}}".format(x), 1)\n' for key in ("9" * 5000, "²"))
+    assert _driver(workspace, body).packages
