@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
+import msgspec
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
-from ecm_checker.release import Change
+from ecm_checker.release import Change, fingerprint_of
 from ecm_parsers.package_xml import parse
 
 from ecm_extract.diff.model import Comparison, PackageVerdict
@@ -64,7 +65,8 @@ def _changed(change: Change, old: Tree, new: Tree) -> Finding:
     became = f"becomes {change.new}" if renamed else change.change.replace("_", " ")
     text = f"{change.kind} {name} of {change.package} {became}"
     entity = Entity(change.kind, change.old or "", change.new or "")
-    return RULE.finding(text, entity, change.package, _places(change, old, new), certainty="likely")
+    found = RULE.finding(text, entity, change.package, _places(change, old, new), certainty="likely")
+    return msgspec.structs.replace(found, fingerprint=fingerprint_of(change))
 
 
 def _places(change: Change, old: Tree, new: Tree) -> list[Evidence]:

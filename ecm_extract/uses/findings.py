@@ -6,8 +6,8 @@ from collections.abc import Iterable
 from typing import Final
 
 from ecm_checker.contract import Evidence
-from ecm_checker.finding import Certainty, Entity, Finding, Severity, Who, fingerprint
-from ecm_checker.release import Change
+from ecm_checker.finding import Certainty, Finding, Severity, Who
+from ecm_checker.release import Change, fingerprint_of
 
 from ecm_extract.diff.model import Located
 from ecm_extract.uses.model import Use
@@ -63,8 +63,6 @@ def _finding(located: Located, uses: list[Use]) -> Finding:
     distinct = {(use.path, use.line, use.what): use for use in uses}
     readers = [distinct[place] for place in sorted(distinct, key=lambda place: (bool(distinct[place].kept_for), place))]
     certainty: Certainty = "proved" if any(use.certainty == "proved" for use in readers) else "likely"
-    name = change.old or ""
-    packages = (change.package,)
     return Finding(
         rule=RULE,
         name=NAME,
@@ -74,7 +72,7 @@ def _finding(located: Located, uses: list[Use]) -> Finding:
         resolution=_resolution(change),
         subjects=_subjects(change, readers),
         evidence=_evidence(located, readers),
-        fingerprint=fingerprint(RULE, Entity(change.kind, name, change.new or ""), packages),
+        fingerprint=fingerprint_of(change),
         who=_WHO.get(change.kind, "source"),
         certainty=certainty,
     )

@@ -40,5 +40,5 @@ def check(workspace: Workspace) -> Iterator[Finding]:
                     if _SENTENCE.search(_TEMPLATE.sub("", setting.name)) and "$(" not in setting.name:
                         text = f"the key `{setting.name[:60]}` is a sentence"
                         evidence = [Evidence(entry.path, setting.line)]
-                        entity = Entity("parameter", setting.name)
+                        entity = Entity("parameter", setting.name, owner=setting.node or "")
                         yield RULE.finding(text, entity, package.name, evidence, certainty="likely")
