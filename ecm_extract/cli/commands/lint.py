@@ -18,9 +18,10 @@ from ecm_extract.errors import InputError
 if TYPE_CHECKING:
     from ecm_checker.finding import Finding
 
+    from ecm_extract.answers.answered import Answered
+    from ecm_extract.answers.scope import Scope
     from ecm_extract.entities.side import PackagesRead, Side
     from ecm_extract.extraction_model import Options, Progress
-    from ecm_extract.lint.suppressions import Answered
     from ecm_extract.lint.workspace import Workspace
     from ecm_extract.tree import Tree
 
@@ -204,17 +205,24 @@ def _text_of(name: str) -> str:
 
 
 def _answered(findings: list[Finding], workspace: Workspace, request: Request) -> Answered:
+    from ecm_extract.answers.accepted_file import accepted_file, accepted_in
+    from ecm_extract.answers.answered import Answers, answered
+    from ecm_extract.answers.shown import remember, shown_of
     from ecm_extract.lint.baseline_file import FILE_NAME, read_baseline
-    from ecm_extract.lint.suppressions import FILE_NAME as ACCEPTED
-    from ecm_extract.lint.suppressions import answered, parse_accepted
 
     folder = _folder(request)
     baseline = Path(request.baseline) if request.baseline else folder / FILE_NAME
     known = read_baseline(baseline.read_text("utf-8", errors="replace")) if baseline.is_file() else frozenset()
     left = [each for each in findings if each.fingerprint not in known]
-    accepted = folder / ACCEPTED
-    rows = parse_accepted(accepted.read_bytes(), str(accepted)) if accepted.is_file() else ()
-    return answered(left, rows, workspace.files, datetime.now(tz=UTC).date())
+    accepted = accepted_file(folder)
+    today = datetime.now(tz=UTC).date()
+    remember(shown_of(left, accepted))
+    return answered(left, Answers(accepted_in(accepted), workspace.files.read, today, _whole(request)))
+
+
+def _whole(request: Request) -> tuple[Scope, ...]:
+    """What the run looks at as a whole; a base, a patch or a choice of rules leaves findings out."""
+    return () if request.base or request.patch or request.select else ("tree",)
 
 
 def _write_baseline(findings: list[Finding], request: Request) -> int:
