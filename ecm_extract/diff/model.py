@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Literal
 
 import msgspec
+from ecm_checker.contract import Evidence
 from ecm_checker.finding import Finding
 from ecm_checker.release import Change, Verdict
 
@@ -39,11 +41,15 @@ class Located(msgspec.Struct, frozen=True):
 
 
 class RefInfo(msgspec.Struct, frozen=True):
-    """One side as the user named it, and its commit; `why` tells how a default was chosen."""
+    """One side as the user named it, and its commit.
+
+    `why` tells how a default was chosen, `uncommitted` that files of the work tree are not those of the commit.
+    """
 
     ref: str
     commit: str | None
     why: str = ""
+    uncommitted: bool = False
 
 
 class PackageVerdict(msgspec.Struct, frozen=True):
@@ -64,6 +70,8 @@ class Comparison(msgspec.Struct, frozen=True):
         findings: VER001, one per cause.
         verdict: of the repository. packages: of each package that changed.
         computed: how many names of endpoints are computed, so that no change of them can be seen.
+        accepted: fingerprints that a person has answered.
+        homes: folder of the consumer, as it was named, that a line of a finding stands in.
     """
 
     repo: str
@@ -73,3 +81,5 @@ class Comparison(msgspec.Struct, frozen=True):
     findings: tuple[Finding, ...]
     verdict: Verdict
     packages: tuple[PackageVerdict, ...] = ()
+    accepted: frozenset[str] = frozenset()
+    homes: Mapping[Evidence, str] = {}

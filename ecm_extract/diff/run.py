@@ -20,7 +20,7 @@ from ecm_extract.entities.side import Side, read_workspace
 from ecm_extract.extraction_model import Options
 from ecm_extract.tree import Tree
 from ecm_extract.uses.collect import uses_of
-from ecm_extract.uses.findings import findings_of
+from ecm_extract.uses.findings import findings_of, line_of
 from ecm_extract.uses.index import ChangeIndex
 
 
@@ -71,10 +71,9 @@ def compared(request: Request, sides: Sides, parsed: dict[str, SourceFile]) -> C
     old, new, workspace = sides
     located = _changes(request, old, new)
     index = ChangeIndex(located, old, new)
-    uses = list(uses_of(workspace, index, own=True)) if workspace is not None else []
-    for tree in request.consumers:
-        uses += uses_of(read_workspace(tree, request.options, parsed), index)
-    findings = findings_of(uses)
+    own = list(uses_of(workspace, index, own=True)) if workspace is not None else []
+    theirs = [(tree, list(uses_of(read_workspace(tree, request.options, parsed), index))) for tree in request.consumers]
+    findings = findings_of([*own, *(use for _, uses in theirs for use in uses)])
     changes = tuple(entry.change for entry in located)
     return Comparison(
         repo=request.name,
@@ -84,6 +83,7 @@ def compared(request: Request, sides: Sides, parsed: dict[str, SourceFile]) -> C
         findings=findings,
         verdict=repository_verdict(changes, old, new),
         packages=package_verdicts(changes, old, new),
+        homes={line_of(use): tree.label for tree, uses in theirs for use in uses},
     )
 
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import msgspec
 
 from ecm_extract.entities.side import Workspace
+from ecm_extract.uses.commented import CommentedLines
 from ecm_extract.uses.cpp_names import cpp_name_uses
 from ecm_extract.uses.endpoints import endpoint_uses
 from ecm_extract.uses.fields import field_uses
@@ -56,9 +57,10 @@ def uses_of(workspace: Workspace, index: ChangeIndex, own: bool = False) -> Iter
         return
     remaps = remaps_of(workspace)
     paths = frozenset(entry.path for entry in workspace.tree.files())
+    comments = CommentedLines(workspace.tree)
     for matcher in _MATCHERS:
         for use in matcher(workspace, index):
-            if own and not _is_forgotten(use):
+            if (own and not _is_forgotten(use)) or comments.answer(use):
                 continue
             alive = is_kept_alive(use, remaps)
             kept = kept_for(use.path, paths)

@@ -54,6 +54,11 @@ def findings_of(uses: Iterable[Use]) -> tuple[Finding, ...]:
     return tuple(sorted(found, key=lambda entry: (_rank(entry.severity), entry.message, entry.fingerprint)))
 
 
+def line_of(use: Use) -> Evidence:
+    """Return the line of a consumer as evidence."""
+    return Evidence(use.path, use.line, commit=use.commit)
+
+
 def _rank(severity: Severity) -> int:
     return ("error", "warning", "info").index(severity)
 
@@ -139,7 +144,7 @@ def _subjects(change: Change, readers: list[Use]) -> tuple[str, ...]:
 
 
 def _evidence(located: Located, readers: list[Use]) -> tuple[Evidence, ...]:
-    lines = [Evidence(use.path, use.line, commit=use.commit) for use in readers]
+    lines = [line_of(use) for use in readers]
     change = located.change
     lines += [entry for entry in (change.evidence_old, change.evidence_new) if entry is not None]
     return tuple(dict.fromkeys(lines))

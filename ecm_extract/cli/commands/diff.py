@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Sequence
+from datetime import UTC, datetime
+from functools import partial
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, Literal
@@ -13,8 +16,14 @@ import msgspec
 from ecm_extract.cli.outputs import findings_as, write_outputs
 
 if TYPE_CHECKING:
+    from ecm_checker.release import Change
+
+    from ecm_extract.answers.answered import Answered
+    from ecm_extract.answers.scope import Scope
     from ecm_extract.diff.model import Comparison, RefInfo
     from ecm_extract.diff.run import Request
+    from ecm_extract.diff.steps import ShortStep
+    from ecm_extract.tree import Tree
 
 FORMATS: Final = ("text", "json", "migration", "markdown", "html", "sarif", "github", "junit")
 
@@ -71,7 +80,8 @@ class Asked(msgspec.Struct, frozen=True):
     type=click.Choice(["error", "warning", "info", "breaking", "never"]),
     default="error",
     show_default=True,
-    help="Exit with 1 from findings of this severity on; breaking: on any breaking change.",
+    help="Exit with 1 from findings of this severity on; breaking: on any breaking change. A version step that is less "
+    "than the changes need is always 1, but for never.",
 )
 @click.option("--backport", is_flag=True, help="Print one line: may this go into a released distribution?")
 @click.option("--include-tests", is_flag=True, help="Read test folders too.")
@@ -84,34 +94,64 @@ def command(**options: Any) -> int:
     OLD defaults to the newest release tag that NEW can reach, NEW to the work tree. The report goes to standard
     output, what was compared and the verdict to standard error.
     """
+    from ecm_extract.diff.run import compare
+    from ecm_extract.diff.steps import short_steps
+
     asked = Asked(**options)
-    comparison = _compare(asked)
+    request = _request(asked)
+    comparison, answered = _answered(compare(request), request, asked)
+    short = short_steps(comparison)
     _print(comparison, asked)
     _say_verdict(comparison)
-    return int(_is_failure(comparison, asked.fail_on))
+    _say_what_to_do(comparison, short)
+    _say_unused(answered)
+    return int(_is_failure(comparison, short, asked))
 
 
-def _compare(asked: Asked) -> Comparison:
-    from ecm_extract.diff.run import compare
+def _answered(comparison: Comparison, request: Request, asked: Asked) -> tuple[Comparison, Answered]:
+    """Take out what was answered, in the new tree or in the file of the repository on disk."""
+    from ecm_extract.answers.accepted_file import FILE_NAME, accepted_file, accepted_in, parse_accepted
+    from ecm_extract.answers.answered import Answers
+    from ecm_extract.answers.comparison import answerable, answered_comparison
+    from ecm_extract.answers.shown import remember, shown_of
 
-    return compare(_request(asked))
+    file, found = accepted_file(Path(asked.repo)), answerable(comparison, request.old, request.new)
+    stored = parse_accepted(_content(request.new, FILE_NAME) or b"", f"{request.new.label}: {FILE_NAME}")
+    rows = {row.fingerprint: row for row in (*stored, *accepted_in(file))}
+    if not asked.no_cache:
+        remember(shown_of(found, file))
+    today = datetime.now(tz=UTC).date()
+    scopes: tuple[Scope, ...] = () if asked.package else ("change",)
+    answers = Answers(tuple(rows.values()), partial(_content, request.new), today, scopes)
+    return answered_comparison(comparison, found, answers)
+
+
+def _content(tree: Tree, path: str) -> bytes | None:
+    from ecm_extract.errors import TreeReadError
+
+    try:
+        return tree.read(path)
+    except TreeReadError:
+        return None
 
 
 def _request(asked: Asked) -> Request:
     from ecm_extract.cli.progress import progress_bar
-    from ecm_extract.diff.baseline import default_baseline, open_side
+    from ecm_extract.diff.baseline import WORK_TREE, default_baseline, open_side
     from ecm_extract.diff.model import RefInfo
     from ecm_extract.diff.run import Request
     from ecm_extract.extraction_model import Options
     from ecm_extract.tree import open_tree
     from ecm_extract.tree.git_repo import find_repo
+    from ecm_extract.tree.work_tree import has_uncommitted
 
     folder = Path(asked.repo)
     spec, why = (asked.old, "named") if asked.old else default_baseline(asked.new, folder)
     old, new = open_side(spec, folder), open_side(asked.new, folder)
-    infos = RefInfo(spec, old.commit, why), RefInfo(asked.new, new.commit, "named")
-    _say_baseline(infos)
     repo = find_repo(folder)
+    dirty = repo is not None and asked.new == WORK_TREE and has_uncommitted(repo)
+    infos = RefInfo(spec, old.commit, why), RefInfo(asked.new, new.commit, "named", dirty)
+    _say_baseline(infos)
     with progress_bar() as progress:
         options = Options(asked.include_tests, asked.config, asked.jobs, progress, not asked.no_cache)
     return Request(
@@ -135,14 +175,15 @@ def _say_baseline(infos: tuple[RefInfo, RefInfo]) -> None:
 def _shown(info: RefInfo) -> str:
     from ecm_extract.report.terminal import one_line
 
-    return one_line(f"{info.ref} {info.commit[:12] if info.commit else 'files in no commit'}")
+    state = " with uncommitted changes" if info.uncommitted else ""
+    return one_line(f"{info.ref} {info.commit[:12] if info.commit else 'files in no commit'}{state}")
 
 
 def _print(comparison: Comparison, asked: Asked) -> None:
     if asked.backport:
         from ecm_extract.diff.verdict import backport_line
 
-        click.echo(backport_line(comparison.changes))
+        click.echo(backport_line(_open_changes(comparison)))
         return
     write_outputs(asked.output, FORMATS, lambda form: _rendered(comparison, form))
     sys.stdout.write(_rendered(comparison, asked.format))
@@ -159,17 +200,44 @@ def _say_verdict(comparison: Comparison) -> None:
     verdict = comparison.verdict
     declared = verdict.declared_bump or "unknown"
     breaking = sum(change.breaking for change in comparison.changes)
+    closed = len(comparison.changes) - len(_open_changes(comparison))
+    accepted = f", {closed} accepted" if closed else ""
     click.echo(
-        f"verdict: {verdict.compatibility_class}, needs {verdict.required_bump}, takes {declared}; "
-        f"{len(comparison.changes)} changes, {breaking} breaking; {len(comparison.findings)} findings",
+        f"verdict: {verdict.compatibility_class}, needs {verdict.required_bump}, declares {declared}; "
+        f"{len(comparison.changes)} changes, {breaking} breaking{accepted}; {len(comparison.findings)} findings",
         err=True,
     )
 
 
-def _is_failure(comparison: Comparison, fail_on: FailOn) -> bool:
-    if fail_on == "never":
+def _open_changes(comparison: Comparison) -> list[Change]:
+    """Changes that nobody has accepted."""
+    from ecm_checker.release import fingerprint_of
+
+    return [change for change in comparison.changes if fingerprint_of(change) not in comparison.accepted]
+
+
+def _say_what_to_do(comparison: Comparison, short: Sequence[ShortStep]) -> None:
+    from ecm_extract.diff.formats.phrases import step_lines
+
+    for line in step_lines(short):
+        click.echo(line, err=True)
+    if short and any(change.breaking for change in _open_changes(comparison)):
+        click.echo("or accept what is meant: ecm-extract accept FINGERPRINT --reason ...", err=True)
+
+
+def _say_unused(answered: Answered) -> None:
+    for line in answered.unused:
+        click.echo(f"unused: {line}", err=True)
+
+
+def _is_failure(comparison: Comparison, short: Sequence[ShortStep], asked: Asked) -> bool:
+    """A release fails when it takes too small a step, or when somebody who is seen breaks."""
+    if asked.fail_on == "never":
         return False
-    if fail_on == "breaking":
-        return any(change.breaking for change in comparison.changes)
+    breaks = any(change.breaking for change in _open_changes(comparison))
+    if asked.backport or asked.fail_on == "breaking":
+        return breaks or (bool(short) and not asked.backport)
     levels = ("error", "warning", "info")
-    return any(levels.index(entry.severity) <= levels.index(fail_on) for entry in comparison.findings)
+    return bool(short) or any(
+        levels.index(entry.severity) <= levels.index(asked.fail_on) for entry in comparison.findings
+    )

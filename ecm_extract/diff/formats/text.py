@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 
-from ecm_checker.finding import Finding
-from ecm_checker.release import Change
+from ecm_checker.release import Change, fingerprint_of
 
-from ecm_extract.diff.formats.phrases import by_package, place, subject
+from ecm_extract.diff.formats.phrases import by_package, place, subject, values
 from ecm_extract.diff.model import Comparison
+from ecm_extract.report.findings.text import render as findings_text
 from ecm_extract.report.terminal import one_line
 
 MAX_COMPATIBLE = 12
@@ -21,40 +21,33 @@ def render(comparison: Comparison) -> str:
 
 
 def _lines(comparison: Comparison) -> Iterator[str]:
-    for finding in comparison.findings:
-        yield from _finding(finding)
+    if comparison.findings:
+        yield findings_text(comparison.findings)
     versions = {entry.package: entry for entry in comparison.packages}
     for package, changes in by_package(comparison.changes):
         entry = versions.get(package)
         head = f"{package}"
         if entry is not None:
-            needs, takes = entry.verdict.required_bump, entry.verdict.declared_bump
+            needs, declares = entry.verdict.required_bump, entry.verdict.declared_bump
             head += f" {entry.old_version or '?'} -> {entry.new_version or '?'}"
-            head += f": {entry.verdict.compatibility_class}, needs {needs}, takes {takes or 'unknown'}"
+            head += f": {entry.verdict.compatibility_class}, needs {needs}, declares {declares or 'unknown'}"
         yield one_line(head, 300)
-        yield from _changes(changes)
+        yield from _changes(changes, comparison.accepted)
         yield ""
     if not comparison.changes:
         yield "no change of a public entity"
 
 
-def _finding(finding: Finding) -> Iterator[str]:
-    at = finding.evidence[0]
-    yield one_line(f"{at.path}:{at.line}: {finding.severity}: {finding.message} [{finding.rule}]", 1000)
-    for other in finding.evidence[1:]:
-        yield one_line(f"    {other.path}:{other.line}")
-    yield one_line(f"    do: {finding.resolution}", 600)
-    yield ""
-
-
-def _changes(changes: list[Change]) -> Iterator[str]:
+def _changes(changes: list[Change], accepted: Container[str]) -> Iterator[str]:
     breaking = [change for change in changes if change.breaking]
     rest = [change for change in changes if not change.breaking]
     for change in breaking:
-        yield f"  ! {change.change:<17} {subject(change)}"
+        fingerprint = fingerprint_of(change)
+        answer = "accepted" if fingerprint in accepted else fingerprint
+        yield f"  ! {change.change:<17} {subject(change)} [{answer}]"
         yield one_line(f"      {place(change)}  {change.reason}", 400)
     for change in rest[:MAX_COMPATIBLE]:
-        yield f"    {change.change:<17} {subject(change)}"
+        yield f"    {change.change:<17} {subject(change)}{values(change)}"
     if len(rest) > MAX_COMPATIBLE:
         counts = Counter(f"{change.kind.replace('_', ' ')} {change.change}" for change in rest[MAX_COMPATIBLE:])
         listed = ", ".join(f"{count} {name}" for name, count in counts.most_common(6))
