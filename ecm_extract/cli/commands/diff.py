@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Sequence
 from datetime import UTC, datetime
 from functools import partial
@@ -13,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Final, Literal
 import click
 import msgspec
 
-from ecm_extract.cli.outputs import findings_as, write_outputs
+from ecm_extract.cli.outputs import echo_report, findings_as, write_outputs
 
 if TYPE_CHECKING:
     from ecm_checker.release import Change
@@ -23,6 +22,7 @@ if TYPE_CHECKING:
     from ecm_extract.diff.model import Comparison, RefInfo
     from ecm_extract.diff.run import Request
     from ecm_extract.diff.steps import ShortStep
+    from ecm_extract.report.places import Places
     from ecm_extract.tree import Tree
 
 FORMATS: Final = ("text", "json", "migration", "markdown", "html", "sarif", "github", "junit")
@@ -101,7 +101,7 @@ def command(**options: Any) -> int:
     request = _request(asked)
     comparison, answered = _answered(compare(request), request, asked)
     short = short_steps(comparison)
-    _print(comparison, asked)
+    _print(comparison, asked, _places(comparison, request, asked))
     _say_verdict(comparison)
     _say_what_to_do(comparison, short)
     _say_unused(answered)
@@ -179,21 +179,43 @@ def _shown(info: RefInfo) -> str:
     return one_line(f"{info.ref} {info.commit[:12] if info.commit else 'files in no commit'}{state}")
 
 
-def _print(comparison: Comparison, asked: Asked) -> None:
+def _places(comparison: Comparison, request: Request, asked: Asked) -> Places:
+    """Paths of the new side; of a ref they are those of the same files on disk."""
+    from ecm_extract.diff.baseline import WORK_TREE
+    from ecm_extract.report.places import Places, typed_folder
+    from ecm_extract.report.source_lines import source_lines
+
+    named = asked.new != WORK_TREE and Path(asked.new.split("@", 1)[0]).is_dir()
+    folder = typed_folder(asked.new) if named else typed_folder(f"{asked.repo}@{asked.new}")
+    return Places(folder, comparison.homes, source_lines(partial(_content, request.new), comparison.homes))
+
+
+def _print(comparison: Comparison, asked: Asked, places: Places) -> None:
     if asked.backport:
         from ecm_extract.diff.verdict import backport_line
 
         click.echo(backport_line(_open_changes(comparison)))
         return
-    write_outputs(asked.output, FORMATS, lambda form: _rendered(comparison, form))
-    sys.stdout.write(_rendered(comparison, asked.format))
+    write_outputs(asked.output, FORMATS, lambda form: _rendered(comparison, form, places))
+    echo_report(_rendered(comparison, asked.format, places, color=True))
 
 
-def _rendered(comparison: Comparison, form: str) -> str:
+def _rendered(comparison: Comparison, form: str, places: Places, color: bool = False) -> str:
     if form in {"sarif", "github", "junit"}:
-        return findings_as(form, comparison.findings)
-    text: str = import_module(f"ecm_extract.diff.formats.{form}").render(comparison)
+        return findings_as(form, comparison.findings, places)
+    if form == "text":
+        from ecm_extract.diff.formats.text import render, styled
+
+        return styled(comparison, places) if color else render(comparison, places)
+    text: str = import_module(f"ecm_extract.diff.formats.{form}").render(_placed(comparison, form, places))
     return text
+
+
+def _placed(comparison: Comparison, form: str, places: Places) -> Comparison:
+    from ecm_extract.report.places import placed_for
+
+    findings = placed_for(form, comparison.findings, places)
+    return msgspec.structs.replace(comparison, findings=tuple(findings))
 
 
 def _say_verdict(comparison: Comparison) -> None:

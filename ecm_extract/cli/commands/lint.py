@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import sys
 from collections.abc import Callable
 from datetime import UTC, datetime
@@ -12,10 +11,11 @@ from typing import TYPE_CHECKING, Any, Final, Literal, NamedTuple
 import click
 import msgspec
 
-from ecm_extract.cli.outputs import FINDING_FORMATS, findings_as, write_outputs
+from ecm_extract.cli.outputs import FINDING_FORMATS, echo_report, findings_as, write_outputs
 from ecm_extract.errors import InputError
 
 if TYPE_CHECKING:
+    from ecm_checker.contract import Evidence
     from ecm_checker.finding import Finding
 
     from ecm_extract.answers.answered import Answered
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from ecm_extract.entities.side import PackagesRead, Side
     from ecm_extract.extraction_model import Options, Progress
     from ecm_extract.lint.workspace import Workspace
+    from ecm_extract.report.places import Places
     from ecm_extract.tree import Tree
 
 FORMATS: Final = ("text", "json", *FINDING_FORMATS)
@@ -86,7 +87,7 @@ def command(**options: Any) -> int:
     answered = _answered(findings, workspace, request)
     if request.fix:
         _fix(answered.findings, workspace, request)
-    _print(answered.findings, request)
+    _print(answered.findings, request, _places(workspace, request))
     _say(answered)
     return int(_is_failure(answered.findings, request.fail_on))
 
@@ -106,10 +107,21 @@ def _findings(request: Request) -> tuple[list[Finding], Workspace]:
         from ecm_extract.lint.hunks import touched_lines
 
         lines = touched_lines(_text_of(request.patch))
-        found = [
-            each for each in found if each.evidence and each.evidence[0].line in lines.get(each.evidence[0].path, ())
-        ]
+        places = _places(workspace, request)
+        found = [each for each in found if each.evidence and _is_touched(each.evidence[0], lines, places)]
     return found, workspace
+
+
+def _is_touched(place: Evidence, lines: dict[str, set[int]], places: Places) -> bool:
+    """Paths of a patch begin at the root of the repository, or at the folder where it was made."""
+    return any(place.line in lines.get(path, ()) for path in (places.from_repository(place).path, place.path))
+
+
+def _places(workspace: Workspace, request: Request) -> Places:
+    from ecm_extract.report.places import Places, typed_folder
+    from ecm_extract.report.source_lines import source_lines
+
+    return Places(typed_folder(request.path), line=source_lines(workspace.files.read))
 
 
 def _read(tree: Tree, request: Request, parsed: dict[str, Any]) -> PackagesRead:
@@ -246,23 +258,17 @@ def _fix(findings: tuple[Finding, ...], workspace: Workspace, request: Request) 
         (root / path).write_text(after, "utf-8", errors="surrogateescape", newline="")
 
 
-def _print(findings: tuple[Finding, ...], request: Request) -> None:
-    write_outputs(request.output, FORMATS, lambda form: _rendered(findings, form))
-    if request.format == "text":
-        from ecm_extract.report.findings.text import styled
-
-        click.echo(styled(findings), nl=False, color=False if "NO_COLOR" in os.environ else None)
-    else:
-        sys.stdout.write(_rendered(findings, request.format))
-        sys.stdout.flush()
+def _print(findings: tuple[Finding, ...], request: Request, places: Places) -> None:
+    write_outputs(request.output, FORMATS, lambda form: _rendered(findings, form, places))
+    echo_report(_rendered(findings, request.format, places, color=True))
 
 
-def _rendered(findings: tuple[Finding, ...], form: str) -> str:
+def _rendered(findings: tuple[Finding, ...], form: str, places: Places, color: bool = False) -> str:
     if form == "json":
         from ecm_extract.lint.json_document import lint_json
 
         return lint_json(findings)
-    return findings_as(form, findings)
+    return findings_as(form, findings, places, color)
 
 
 def _say(answered: Answered) -> None:

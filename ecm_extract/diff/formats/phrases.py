@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 import msgspec
+from ecm_checker.contract import Evidence
 from ecm_checker.release import Change
 
 from ecm_extract.diff.steps import ShortStep
@@ -66,13 +67,12 @@ def _shown(value: str | None) -> str:
     return "none" if value is None else value or "''"
 
 
-def place(change: Change) -> str:
-    """Where the change can be seen: the new line, else the line at the old ref."""
-    if change.evidence_new is not None:
-        return one_line(f"{change.evidence_new.path}:{change.evidence_new.line}")
-    if change.evidence_old is not None:
-        return one_line(f"{change.evidence_old.path}:{change.evidence_old.line} (old)")
-    return ""
+def place(change: Change, where: Callable[[Evidence], Evidence] = lambda entry: entry) -> str:
+    """Where the change can be seen: the new line, else the line at the old ref; `where` gives the path for readers."""
+    at = change.evidence_new or change.evidence_old
+    if at is None:
+        return ""
+    return one_line(f"{where(at).path}:{at.line}{'' if change.evidence_new is not None else ' (old)'}")
 
 
 def step_lines(short: Sequence[ShortStep]) -> Iterator[str]:

@@ -5,24 +5,31 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Container, Iterator
 
+import click
 from ecm_checker.release import Change, fingerprint_of
 
 from ecm_extract.diff.formats.phrases import by_package, place, subject, values
 from ecm_extract.diff.model import Comparison
-from ecm_extract.report.findings.text import render as findings_text
+from ecm_extract.report.findings.text import styled as styled_findings
+from ecm_extract.report.places import Places
 from ecm_extract.report.terminal import one_line
 
 MAX_COMPATIBLE = 12
 
 
-def render(comparison: Comparison) -> str:
+def render(comparison: Comparison, places: Places) -> str:
     """Return the report."""
-    return "\n".join(_lines(comparison)) + "\n"
+    return click.unstyle(styled(comparison, places))
 
 
-def _lines(comparison: Comparison) -> Iterator[str]:
+def styled(comparison: Comparison, places: Places) -> str:
+    """Return the report with colors for a terminal, and paths as they are opened from here."""
+    return "\n".join(_lines(comparison, places)) + "\n"
+
+
+def _lines(comparison: Comparison, places: Places) -> Iterator[str]:
     if comparison.findings:
-        yield findings_text(comparison.findings)
+        yield styled_findings(comparison.findings, places)
     versions = {entry.package: entry for entry in comparison.packages}
     for package, changes in by_package(comparison.changes):
         entry = versions.get(package)
@@ -32,20 +39,21 @@ def _lines(comparison: Comparison) -> Iterator[str]:
             head += f" {entry.old_version or '?'} -> {entry.new_version or '?'}"
             head += f": {entry.verdict.compatibility_class}, needs {needs}, declares {declares or 'unknown'}"
         yield one_line(head, 300)
-        yield from _changes(changes, comparison.accepted)
+        yield from _changes(changes, comparison.accepted, places)
         yield ""
     if not comparison.changes:
         yield "no change of a public entity"
 
 
-def _changes(changes: list[Change], accepted: Container[str]) -> Iterator[str]:
+def _changes(changes: list[Change], accepted: Container[str], places: Places) -> Iterator[str]:
     breaking = [change for change in changes if change.breaking]
     rest = [change for change in changes if not change.breaking]
     for change in breaking:
         fingerprint = fingerprint_of(change)
         answer = "accepted" if fingerprint in accepted else fingerprint
-        yield f"  ! {change.change:<17} {subject(change)} [{answer}]"
-        yield one_line(f"      {place(change)}  {change.reason}", 400)
+        mark = click.style("!", fg="red", bold=True) if answer == fingerprint else " "
+        yield f"  {mark} {change.change:<17} {subject(change)} [{answer}]"
+        yield one_line(f"      {place(change, places.from_here)}  {change.reason}", 400)
     for change in rest[:MAX_COMPATIBLE]:
         yield f"    {change.change:<17} {subject(change)}{values(change)}"
     if len(rest) > MAX_COMPATIBLE:
