@@ -139,3 +139,16 @@ def test_a_tree_that_is_not_there_is_told(monkeypatch: pytest.MonkeyPatch, capsy
     monkeypatch.setitem(sys.modules, "ecm_extract.extraction", module)
     assert run(["/no/such/folder"]) == 2
     assert "/no/such/folder" in capsys.readouterr().err
+
+
+def test_the_default_folder_keeps_itself_out_of_git(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Nobody commits manifests by accident; a folder that was named may be meant to be committed."""
+    monkeypatch.chdir(tmp_path)
+    robot = Path(__file__).parents[2] / "fixtures" / "arm_robot"
+    assert run(["extract", str(robot), "-q"]) == 0
+    assert (tmp_path / "ecm-manifests" / ".gitignore").read_text().splitlines()[-1] == "*"
+    assert run(["extract", str(robot), "-q", "-o", "named"]) == 0
+    assert not (tmp_path / "named" / ".gitignore").exists()
+    capsys.readouterr()
