@@ -56,7 +56,7 @@ def findings_of(uses: Iterable[Use]) -> tuple[Finding, ...]:
 
 def line_of(use: Use) -> Evidence:
     """Return the line of a consumer as evidence."""
-    return Evidence(use.path, use.line, commit=use.commit)
+    return Evidence(use.path, use.line, commit=use.commit, column=use.column or None)
 
 
 def _rank(severity: Severity) -> int:

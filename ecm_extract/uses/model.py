@@ -13,7 +13,8 @@ class Use(msgspec.Struct, frozen=True):
 
     Attributes:
         located: the change. package: of the consumer.
-        path, line: where; `commit` of the tree that was read, None in a work tree.
+        path, line, column: where, the column 0 where it is not known.
+        commit: of the tree that was read, None in a work tree.
         what: what the line does, as a phrase.
         certainty: `proved` when names are literal and resolved, `likely` when they match by their end.
         remapped: a launch file keeps the old name alive.
@@ -29,6 +30,7 @@ class Use(msgspec.Struct, frozen=True):
     certainty: Certainty = "proved"
     remapped: bool = False
     kept_for: str = ""
+    column: int = 0
 
 
 class Place(msgspec.Struct, frozen=True):
@@ -37,8 +39,9 @@ class Place(msgspec.Struct, frozen=True):
     package: str
     path: str
     line: int
+    column: int = 0
 
 
 def use_at(located: Located, place: Place, what: str, certainty: Certainty = "proved") -> Use:
     """Return the use of a change at a place; the tree's commit is filled in by the collector."""
-    return Use(located, place.package, place.path, place.line, None, what, certainty)
+    return Use(located, place.package, place.path, place.line, None, what, certainty, column=place.column)

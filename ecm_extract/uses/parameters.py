@@ -35,7 +35,7 @@ def parameter_uses(workspace: Workspace, index: ChangeIndex) -> Iterator[Use]:
 
 def _of_file(file: ParameterFile, package: str, path: str, index: ChangeIndex) -> Iterator[Use]:
     for entry in file.sets:
-        place = Place(package, path, entry.line)
+        place = Place(package, path, entry.line, entry.column)
         for located in index.of_kind("parameter"):
             certainty = _sets(entry, file.ros, located)
             if certainty is not None and not _declared(entry, file.ros, located, index):

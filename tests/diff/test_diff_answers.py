@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from diff_repos import git, package, release, write
+from diff_repos import git, node, package, release, write
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -190,3 +190,21 @@ def test_a_backport_that_breaks_fails(repo: Path, capsys: pytest.CaptureFixture[
     """The line says no, and so does the status."""
     assert run(["diff", "1.0.0", ".", "--repo", str(repo), "--backport"]) == 1
     assert capsys.readouterr().out.startswith("backport: no")
+
+
+def test_a_key_of_yaml_has_its_column(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The mark of the text stands below the key, and the JSON document names the column."""
+    folder = tmp_path / "r"
+    config = "arm:\n  ros__parameters:\n    speed: 1.0\n"
+    files = {"package.xml": package("p"), "config/arm.yaml": config}
+    release(folder, {**files, "src/a.cpp": node('declare_parameter("speed", 1.0);')}, "1.0.0")
+    write(folder, {"src/a.cpp": node('declare_parameter("pace_of_arm", true);')})
+    _, found, _ = diff(capsys, folder)
+    assert [(each["line"], each.get("column")) for each in found["findings"][0]["evidence"][:1]] == [(3, 5)]
+    monkeypatch.chdir(folder)
+    run(["diff", "1.0.0", "."])
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0].startswith("config/arm.yaml:3:5: ")
+    assert lines[1:3] == ["    3 |     speed: 1.0", "      |     ^"]
