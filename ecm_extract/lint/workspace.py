@@ -146,7 +146,7 @@ class Workspace:
 
 def evidence_of(place: Place) -> Evidence:
     """Return a place as evidence."""
-    return Evidence(place.path, place.line, column=place.column or None)
+    return Evidence(place.path, place.line)
 
 
 def all_actions(actions: Sequence[Action]) -> Iterator[Action]:

@@ -9,11 +9,10 @@ from typing import Any, NamedTuple
 
 
 class Place(NamedTuple):
-    """A line of a file: path in the tree, 1-based line, 1-based column or 0 where it is not known."""
+    """A line of a file: path in the tree, 1-based line."""
 
     path: str
     line: int
-    column: int = 0
 
 
 class Text(NamedTuple):

@@ -55,11 +55,11 @@ class Settings:
         prefix = self.substituter.text(source.prefix).text
         for entry in sets:
             if source.plain:
-                yield Setting(_dotted(prefix, entry), entry.value, Place(path, entry.line, entry.column))
+                yield Setting(_dotted(prefix, entry), entry.value, Place(path, entry.line))
                 continue
             value = self._rewritten(entry.name, self._substituted(entry.value), rewrites)
             node = entry.node if entry.node is None or not root else _below(root, entry.node)
-            yield Setting(entry.name, value, Place(path, entry.line, entry.column), node or EVERY_NODE)
+            yield Setting(entry.name, value, Place(path, entry.line), node or EVERY_NODE)
 
     def ros1(self, source: ParameterSource, namespace: str) -> Iterator[Setting]:
         """Yield what a source puts on the parameter server, with absolute names below a namespace."""
@@ -69,9 +69,7 @@ class Settings:
             path, sets = self._sets(source)
             base = join(namespace, self.substituter.text(source.namespace).text)
             for entry in sets:
-                yield Setting(
-                    join(base, entry.name), self._substituted(entry.value), Place(path, entry.line, entry.column)
-                )
+                yield Setting(join(base, entry.name), self._substituted(entry.value), Place(path, entry.line))
             return
         name = self.substituter.text(source.name).text.removeprefix("~")
         if not source.is_yaml:

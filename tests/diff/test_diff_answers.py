@@ -208,3 +208,9 @@ def test_a_key_of_yaml_has_its_column(
     lines = capsys.readouterr().out.splitlines()
     assert lines[0].startswith("config/arm.yaml:3:5: ")
     assert lines[1:3] == ["    3 |     speed: 1.0", "      |     ^"]
+
+
+def test_the_verdict_counts_as_people_do(repo: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """One change is no changes."""
+    err = diff(capsys, repo)[2]
+    assert "verdict: breaking, needs major, declares none; 1 change, 1 breaking; 1 finding\n" in err

@@ -219,6 +219,8 @@ def _placed(comparison: Comparison, form: str, places: Places) -> Comparison:
 
 
 def _say_verdict(comparison: Comparison) -> None:
+    from ecm_extract.diff.formats.phrases import counted
+
     verdict = comparison.verdict
     declared = verdict.declared_bump or "unknown"
     breaking = sum(change.breaking for change in comparison.changes)
@@ -226,7 +228,8 @@ def _say_verdict(comparison: Comparison) -> None:
     accepted = f", {closed} accepted" if closed else ""
     click.echo(
         f"verdict: {verdict.compatibility_class}, needs {verdict.required_bump}, declares {declared}; "
-        f"{len(comparison.changes)} changes, {breaking} breaking{accepted}; {len(comparison.findings)} findings",
+        f"{counted(len(comparison.changes), 'change')}, {breaking} breaking{accepted}; "
+        f"{counted(len(comparison.findings), 'finding')}",
         err=True,
     )
 

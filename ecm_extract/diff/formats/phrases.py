@@ -75,6 +75,11 @@ def place(change: Change, where: Callable[[Evidence], Evidence] = lambda entry: 
     return one_line(f"{where(at).path}:{at.line}{'' if change.evidence_new is not None else ' (old)'}")
 
 
+def counted(number: int, what: str) -> str:
+    """`1 change`, `2 changes`."""
+    return f"{number} {what}{'' if number == 1 else 's'}"
+
+
 def step_lines(short: Sequence[ShortStep]) -> Iterator[str]:
     """Say which packages take too small a version step, and the version that would do; alike packages in one line."""
     groups: dict[ShortStep, list[str]] = {}
