@@ -26,12 +26,13 @@ Role = Literal[
 
 
 class Evidence(msgspec.Struct, frozen=True, omit_defaults=True):
-    """A place in a tree: path relative to its root, 1-based line."""
+    """A place in a tree: path relative to its root, 1-based line, 1-based column in characters where it is known."""
 
     path: str
     line: int
     end_line: int | None = None
     commit: str | None = None
+    column: int | None = None
 
 
 class Qos(msgspec.Struct, frozen=True, omit_defaults=True):

@@ -62,17 +62,24 @@ class Entity(msgspec.Struct, frozen=True):
         kind: `topic`, `claim`, `sensor`, ...
         old: its name, or the name on the offering side.
         new: the name on the other side; empty when there is one name only.
+        owner: whose it is where names repeat within a package: the robot of a joint, the node of a parameter.
     """
 
     kind: str
     old: str
     new: str = ""
+    owner: str = ""
 
 
 def fingerprint(rule: str, entity: Entity, packages: tuple[str, ...]) -> str:
-    """16 hexadecimal digits over rule, kind of entity, packages, old and new name.
+    """16 hexadecimal digits over rule, kind of entity, packages, old and new name, and the owner where one is named.
 
     Neither path, line nor wording is in it, so that a moved line keeps its exceptions.
     """
-    text = "\0".join((rule, entity.kind, *packages, "", entity.old, entity.new))
-    return hashlib.sha256(text.encode("utf-8", "replace")).hexdigest()[:16]
+    owner = ("", entity.owner) if entity.owner else ()
+    return digest(rule, entity.kind, *packages, "", entity.old, entity.new, *owner)
+
+
+def digest(*parts: str) -> str:
+    """16 hexadecimal digits over texts."""
+    return hashlib.sha256("\0".join(parts).encode("utf-8", "replace")).hexdigest()[:16]

@@ -12,7 +12,7 @@ from typing import Any, Final, Literal
 import msgspec
 
 from ecm_checker.contract import Evidence
-from ecm_checker.finding import Dimension
+from ecm_checker.finding import Dimension, digest
 from ecm_checker.versions import BUMPS, Bump
 
 CompatibilityClass = Literal[
@@ -44,6 +44,7 @@ ACTIONS: Final[Mapping[CompatibilityClass, Action]] = {
     "policy-sensitive": "governance_review",
     "breaking": "migration",
 }
+_FAMILY: Final = "change"
 _SENSITIVE: Final[Mapping[str, CompatibilityClass]] = {
     "resources": "resource-sensitive",
     "recovery": "recovery-sensitive",
@@ -67,6 +68,8 @@ class Change(msgspec.Struct, frozen=True, kw_only=True):
         reason: why it is breaking or not.
         evidence_old: line before.
         evidence_new: line after.
+        old_value: type, default or form before, where that is what changed.
+        new_value: the same after.
     """
 
     kind: str
@@ -81,6 +84,8 @@ class Change(msgspec.Struct, frozen=True, kw_only=True):
     reason: str = ""
     evidence_old: Evidence | None = None
     evidence_new: Evidence | None = None
+    old_value: str | None = None
+    new_value: str | None = None
 
 
 class Verdict(msgspec.Struct, frozen=True):
@@ -89,6 +94,16 @@ class Verdict(msgspec.Struct, frozen=True):
     compatibility_class: CompatibilityClass
     required_bump: Bump
     declared_bump: Bump | None
+
+
+def fingerprint_of(change: Change) -> str:
+    """16 hexadecimal digits that everything said about a change shares: the change itself, and each use it breaks.
+
+    Values are in it, so that who accepts one new type has not accepted the next one.
+    """
+    names = (change.old, change.new, change.old_value, change.new_value)
+    words = (change.kind, change.change, change.package, change.owner)
+    return digest(_FAMILY, *words, *(name or "" for name in names))
 
 
 def class_of(change: Change) -> CompatibilityClass:

@@ -54,6 +54,19 @@ class App(click.Group):
         """Names of the commands, sorted: ours and those of plugins."""
         return sorted({*_own_commands(), *(entry.name for entry in _plugin_commands())})
 
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Write the commands of the tool, and in a section of their own those that plugins bring."""
+        own = _own_commands()
+        for title, names in (
+            ("Commands", own),
+            ("Evaluation and plugins", [name for name in self.list_commands(ctx) if name not in own]),
+        ):
+            commands = ((name, self.get_command(ctx, name)) for name in names)
+            rows = [(name, each.get_short_help_str(60)) for name, each in commands if each is not None]
+            if rows:
+                with formatter.section(title):
+                    formatter.write_dl(rows)
+
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         """The command of a name; None when there is none. Ours win over those of plugins."""
         if cmd_name in _own_commands():

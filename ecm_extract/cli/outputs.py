@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Sequence
 from importlib import import_module
 from pathlib import Path
@@ -14,6 +15,8 @@ from ecm_extract.errors import InputError
 if TYPE_CHECKING:
     from ecm_checker.finding import Finding
 
+    from ecm_extract.report.places import Places
+
 INCOMPLETE: Final = 2
 """Status of a result without findings of an input that could not be read as a whole: no change of code mends it."""
 
@@ -21,9 +24,15 @@ FINDING_FORMATS: Final = ("sarif", "github", "junit", "markdown", "html")
 """Formats that show findings alike, whichever command found them."""
 
 
-def findings_as(form: str, findings: Sequence[Finding]) -> str:
-    """Return findings in one of `FINDING_FORMATS`, or as `text`."""
-    text: str = import_module(f"ecm_extract.report.findings.{form}").render(findings)
+def findings_as(form: str, findings: Sequence[Finding], places: Places, color: bool = False) -> str:
+    """Return findings in one of `FINDING_FORMATS`, or as `text`, with the paths that its readers need."""
+    if form == "text":
+        from ecm_extract.report.findings.text import render, styled
+
+        return styled(findings, places) if color else render(findings, places)
+    from ecm_extract.report.places import placed_for
+
+    text: str = import_module(f"ecm_extract.report.findings.{form}").render(placed_for(form, findings, places))
     return text
 
 
@@ -44,6 +53,11 @@ def refuse_statistics_as(form: str, wanted: bool) -> None:
     if wanted and form not in ("text", "json"):
         message = f"--statistics is shown as text or json, not as {form}"
         raise click.UsageError(message, click.get_current_context())
+
+
+def echo_report(text: str) -> None:
+    """Write a report to standard output; its colors are for terminals only, and not where NO_COLOR is set."""
+    click.echo(text, nl=False, color=False if "NO_COLOR" in os.environ else None)
 
 
 def write_outputs(entries: Sequence[str], formats: Sequence[str], rendered: Callable[[str], str]) -> None:

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Final
 
+import msgspec
 from ecm_checker.contract import Evidence
-from ecm_checker.finding import Certainty, Entity, Finding, Severity, fingerprint
+from ecm_checker.finding import Certainty, Finding, Severity
 from ecm_checker.hub.kinds import kinds
-from ecm_checker.release import Change
+from ecm_checker.release import Change, fingerprint_of
 
 from ecm_extract.diff.model import Located
 from ecm_extract.diff.use import Use
@@ -26,6 +27,11 @@ def findings_of(uses: Iterable[Use]) -> tuple[Finding, ...]:
     return tuple(sorted(found, key=lambda entry: (_rank(entry.severity), entry.message, entry.fingerprint)))
 
 
+def line_of(use: Use) -> Evidence:
+    """Return the line of a consumer as evidence."""
+    return msgspec.structs.replace(use.at, commit=use.commit)
+
+
 def _rank(severity: Severity) -> int:
     return ("error", "warning", "info").index(severity)
 
@@ -35,8 +41,6 @@ def _finding(located: Located, uses: list[Use]) -> Finding:
     distinct = {(use.path, use.line, use.what): use for use in uses}
     readers = [distinct[place] for place in sorted(distinct, key=lambda place: (bool(distinct[place].kept_for), place))]
     certainty: Certainty = "proved" if any(use.certainty == "proved" for use in readers) else "likely"
-    name = change.old or ""
-    packages = (change.package,)
     return Finding(
         rule=RULE,
         name=NAME,
@@ -46,7 +50,7 @@ def _finding(located: Located, uses: list[Use]) -> Finding:
         resolution=_resolution(change),
         subjects=_subjects(change, readers),
         evidence=_evidence(located, readers),
-        fingerprint=fingerprint(RULE, Entity(change.kind, name, change.new or ""), packages),
+        fingerprint=fingerprint_of(change),
         who=kinds()[change.kind].who,
         certainty=certainty,
     )
@@ -113,7 +117,7 @@ def _subjects(change: Change, readers: list[Use]) -> tuple[str, ...]:
 
 
 def _evidence(located: Located, readers: list[Use]) -> tuple[Evidence, ...]:
-    lines = [Evidence(use.path, use.line, commit=use.commit) for use in readers]
+    lines = [line_of(use) for use in readers]
     change = located.change
     lines += [entry for entry in (change.evidence_old, change.evidence_new) if entry is not None]
     return tuple(dict.fromkeys(lines))

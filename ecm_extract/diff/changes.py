@@ -122,6 +122,8 @@ def _record(pair: Pair, difference: Difference) -> Change:
         reason=difference.reason,
         evidence_old=Evidence(pair.old.path, pair.old.line) if pair.old is not None else None,
         evidence_new=Evidence(pair.new.path, pair.new.line) if pair.new is not None else None,
+        old_value=difference.old_value,
+        new_value=difference.new_value,
     )
 
 

@@ -39,7 +39,7 @@ def uses_of(consumers: Sequence[Consumer], broken: BrokenNames, commit: str | No
     for consumer in consumers:
         for requirement in consumer.requirements:
             for located, certainty, what in _broken(requirement, consumer, broken):
-                if own and not _is_forgotten(requirement, located):
+                if (own and not _is_forgotten(requirement, located)) or _is_answered(requirement, located, what):
                     continue
                 alive = _is_kept_alive(located, remaps)
                 for at in requirement.evidence:
@@ -192,6 +192,12 @@ def _is_forgotten(requirement: Requirement, located: Located) -> bool:
     if entity.facet == "subscribed":
         return False
     return change.change in GONE or entity.kind not in {"message_field", "constant"}
+
+
+def _is_answered(requirement: Requirement, located: Located, what: str) -> bool:
+    """Whether a comment on the line says that the break is known."""
+    told = f"{located.change.old} {located.change.new} {what}"
+    return any(word in told for word in requirement.ignored)
 
 
 def _is_kept_alive(located: Located, remaps: Sequence[Requirement]) -> bool:

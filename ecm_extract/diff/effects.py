@@ -29,7 +29,10 @@ _POLICY: Final = frozenset({"vel", "velocity", "accel", "acceleration", "force",
 
 
 class Difference(msgspec.Struct, frozen=True):
-    """One way in which a pair differs; `old` and `new` replace the names where a value is what changed."""
+    """One way in which a pair differs.
+
+    `old` and `new` replace the names where a policy is what changed; the values are type, default or form.
+    """
 
     change: ChangeWord
     breaking: bool
@@ -38,6 +41,8 @@ class Difference(msgspec.Struct, frozen=True):
     kind: str = ""
     old: str | None = None
     new: str | None = None
+    old_value: str | None = None
+    new_value: str | None = None
 
 
 Effect = Callable[[PublicEntity, PublicEntity, Pair], Iterator[Difference]]
@@ -75,7 +80,8 @@ def type_changed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[D
         return  # a type of its own package, which has another name now
     reason = f"type {old.type} became {new.type}"
     widened = old.kind == "parameter" and (old.type, new.type) == ("integer", "double")
-    yield Difference("type_changed", True, reason + (" and YAML integers are refused" if widened else ""))
+    note = " and YAML integers are refused" if widened else ""
+    yield Difference("type_changed", True, reason + note, old_value=old.type, new_value=new.type)
 
 
 def default_changed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[Difference]:
@@ -83,7 +89,8 @@ def default_changed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterato
     if old.default == new.default or old.kind not in _WITH_DEFAULT:
         return
     if old.kind == "launch_argument" and new.default is None:
-        yield Difference("default_changed", True, f"default {old.default!r} is gone: a value must be given now")
+        reason = f"default {old.default!r} is gone: a value must be given now"
+        yield Difference("default_changed", True, reason, old_value=str(old.default))
         return
     if old.default is None or new.default is None:
         return
@@ -92,7 +99,8 @@ def default_changed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterato
     reason = f"default {old.default!r} became {new.default!r}"
     if in_message:
         reason = f"value {old.default!r} became {new.default!r}: both sides run, each means another thing"
-    yield Difference("default_changed", in_message, reason, dimension)
+    values = str(old.default), str(new.default)
+    yield Difference("default_changed", in_message, reason, dimension, old_value=values[0], new_value=values[1])
 
 
 def _dimension(name: str) -> str:
@@ -140,7 +148,8 @@ def signature_changed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Itera
     if lost:
         shown_old = " | ".join(form.text for form in lost)
         shown_new = " | ".join(form.text for form in new.forms)
-        yield Difference("signature_changed", True, f"{shown_old} became {shown_new}"[:400])
+        reason = f"{shown_old} became {shown_new}"[:400]
+        yield Difference("signature_changed", True, reason, old_value=shown_old, new_value=shown_new)
     outdated = [form for form in new.forms if form.deprecated]
     before = {form.types for form in old.forms if form.deprecated}
     fresh = [form for form in outdated if form.types not in before]

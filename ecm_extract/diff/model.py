@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Literal
 
 import msgspec
+from ecm_checker.contract import Evidence
 from ecm_checker.finding import Finding
 from ecm_checker.release import Change, CompatibilityClass
 from ecm_checker.versions import Bump
@@ -41,11 +43,15 @@ class Located(msgspec.Struct, frozen=True):
 
 
 class RefInfo(msgspec.Struct, frozen=True):
-    """One side as the user named it, and its commit; `why` tells how a default was chosen."""
+    """One side as the user named it, and its commit.
+
+    `why` tells how a default was chosen, `uncommitted` that files of the work tree are not those of the commit.
+    """
 
     ref: str
     commit: str | None
     why: str = ""
+    uncommitted: bool = False
 
 
 class Verdict(msgspec.Struct, frozen=True):
@@ -82,6 +88,9 @@ class Comparison(msgspec.Struct, frozen=True):
         findings: VER001, one per cause.
         verdict: of the repository. packages: of each package that changed.
         unread: what was not read, what limits the verdict first.
+        computed: how many names of endpoints are computed, so that no change of them can be seen.
+        accepted: fingerprints that a person has answered.
+        homes: folder of the consumer, as it was named, that a line of a finding stands in.
     """
 
     repo: str
@@ -92,3 +101,5 @@ class Comparison(msgspec.Struct, frozen=True):
     verdict: Verdict
     packages: tuple[PackageVerdict, ...] = ()
     unread: tuple[UnreadPart, ...] = ()
+    accepted: frozenset[str] = frozenset()
+    homes: Mapping[Evidence, str] = {}

@@ -11,7 +11,7 @@ from ecm_parsers.source.facts import SourceFile
 from msgspec.structs import replace
 
 from ecm_extract.asked import refuse_empty, refuse_unknown_packages
-from ecm_extract.diff.break_findings import findings_of
+from ecm_extract.diff.break_findings import findings_of, line_of
 from ecm_extract.diff.broken_names import BrokenNames
 from ecm_extract.diff.changes import changes_of
 from ecm_extract.diff.consumers import uses_of
@@ -21,6 +21,7 @@ from ecm_extract.diff.model import Comparison, Located, RefInfo
 from ecm_extract.diff.pair import Evidence, Pairing
 from ecm_extract.diff.sides import Sides, both_sides
 from ecm_extract.diff.unread import SideRead, UnreadPart, unread_parts
+from ecm_extract.diff.use import Use
 from ecm_extract.diff.verdict import package_verdicts, repository_verdict
 from ecm_extract.entities.side import Side, read_workspace
 from ecm_extract.extraction_model import Options
@@ -76,10 +77,9 @@ def compared(request: Request, sides: Sides, parsed: dict[str, SourceFile]) -> C
     refuse_unknown_packages(request.packages, {*old.packages, *new.packages}, _both_labels(request))
     located = _changes(request, old, new)
     broken = BrokenNames(located, old, new)
-    uses = list(uses_of(sides.own(), broken, new.commit, own=True))
-    for other in request.consumers:
-        uses += uses_of(_consumers(other, request.options, parsed), broken, other.commit)
-    findings = findings_of(uses)
+    own = list(uses_of(sides.own(), broken, new.commit, own=True))
+    theirs = [(each, _uses(each, request, parsed, broken)) for each in request.consumers]
+    findings = findings_of([*own, *(use for _, uses in theirs for use in uses)])
     changes = tuple(entry.change for entry in located)
     unread = _unread(request, old, new)
     return Comparison(
@@ -91,7 +91,12 @@ def compared(request: Request, sides: Sides, parsed: dict[str, SourceFile]) -> C
         verdict=repository_verdict(changes, old, new, unread),
         packages=package_verdicts(changes, old, new, unread),
         unread=unread,
+        homes={line_of(use): each.label for each, uses in theirs for use in uses},
     )
+
+
+def _uses(other: Tree | Stored, request: Request, parsed: dict[str, SourceFile], broken: BrokenNames) -> list[Use]:
+    return list(uses_of(_consumers(other, request.options, parsed), broken, other.commit))
 
 
 def _consumers(other: Tree | Stored, options: Options, parsed: dict[str, SourceFile]) -> list[Consumer]:

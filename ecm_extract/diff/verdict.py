@@ -63,11 +63,16 @@ def needed(verdict: Verdict) -> str:
     return "unknown" if verdict.required_bump == "none" else f"at least {verdict.required_bump}"
 
 
-def backport_line(comparison: Comparison) -> str:
-    """Say in one line whether the changes may go into a released distribution (REP 2004: patch and minor only)."""
-    required = required_bump(comparison.changes)
+def backport_line(comparison: Comparison, changes: Sequence[Change]) -> str:
+    """Say in one line whether changes may go into a released distribution (REP 2004: patch and minor only).
+
+    Args:
+        comparison: that they are of.
+        changes: those that nobody has accepted.
+    """
+    required = required_bump(changes)
     if required == "major":
-        count = sum(change.breaking for change in comparison.changes)
+        count = sum(change.breaking for change in changes)
         return (
             f"backport: no, {count} breaking changes; REP 2004 allows only patch and minor in a released distribution"
         )

@@ -4,19 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
+import msgspec
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
-from ecm_checker.release import Change
+from ecm_checker.release import Change, fingerprint_of
 from ecm_parsers.package_xml import parse
 
 from ecm_extract.diff.model import Comparison, PackageVerdict
+from ecm_extract.diff.steps import is_enough
 from ecm_extract.discover import discover
 from ecm_extract.lint.hunks import landing_line
 from ecm_extract.lint.rules.lnt019 import RULE
 from ecm_extract.lint.rules.lnt030 import RULE as BUMP
 from ecm_extract.tree import Tree
-
-_BUMPS = ("none", "patch", "minor", "major")
 
 
 def new_findings(now: Iterable[Finding], before: Iterable[Finding]) -> list[Finding]:
@@ -30,7 +30,7 @@ def change_findings(comparison: Comparison, old: Tree, new: Tree) -> Iterator[Fi
     yield from comparison.findings
     for change in comparison.changes:
         if change.breaking:
-            yield _changed(change, old, new)
+            yield where_made(change, old, new)
     for package in comparison.packages:
         yield from _bumped(package, new)
 
@@ -38,9 +38,9 @@ def change_findings(comparison: Comparison, old: Tree, new: Tree) -> Iterator[Fi
 def _bumped(package: PackageVerdict, new: Tree) -> Iterator[Finding]:
     """A change that leaves the version alone is no release, so it asks for nothing."""
     required, declared = package.verdict.required_bump, package.verdict.declared_bump
-    if package.old_version == package.new_version or declared not in _BUMPS or required not in _BUMPS:
+    if package.old_version == package.new_version or declared is None:
         return
-    if _BUMPS.index(declared) < _BUMPS.index(required):
+    if not is_enough(declared, required, package.old_version):
         text = (
             f"{package.package} goes from {package.old_version} to {package.new_version}, its changes need {required}"
         )
@@ -58,13 +58,20 @@ def _manifest(package: str, tree: Tree) -> list[Evidence]:
     return []
 
 
-def _changed(change: Change, old: Tree, new: Tree) -> Finding:
+def where_made(change: Change, old: Tree, new: Tree) -> Finding:
+    """Return a change as a finding on the line of the new tree that makes it."""
+    return as_finding(change, _places(change, old, new))
+
+
+def as_finding(change: Change, places: Iterable[Evidence] = ()) -> Finding:
+    """Return a change as a finding on lines; it shares the fingerprint of what it breaks."""
     name = change.old or change.new or ""
     renamed = change.old and change.new and change.old != change.new
     became = f"becomes {change.new}" if renamed else change.change.replace("_", " ")
     text = f"{change.kind} {name} of {change.package} {became}"
     entity = Entity(change.kind, change.old or "", change.new or "")
-    return RULE.finding(text, entity, change.package, _places(change, old, new), certainty="likely")
+    found = RULE.finding(text, entity, change.package, places, certainty="likely")
+    return msgspec.structs.replace(found, fingerprint=fingerprint_of(change))
 
 
 def _places(change: Change, old: Tree, new: Tree) -> list[Evidence]:

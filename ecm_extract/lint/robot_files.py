@@ -14,7 +14,7 @@ from ecm_extract.lint.workspace import Workspace
 
 @dataclass(frozen=True, slots=True)
 class WrittenJoint:
-    """A joint element with its children by tag, and where it stands."""
+    """A joint element with its children by tag, where it stands, and the robot or macro that it is part of."""
 
     package: str
     path: str
@@ -22,6 +22,7 @@ class WrittenJoint:
     name: str
     kind: str
     parts: dict[str, dict[str, str]]
+    robot: str
 
 
 def written_joints(workspace: Workspace) -> Iterator[WrittenJoint]:
@@ -34,7 +35,14 @@ def written_joints(workspace: Workspace) -> Iterator[WrittenJoint]:
                     parts = {tag: _attributes(child) for tag, child in children(element)}
                     own = _attributes(element)
                     name, kind = own.get("name", ""), own.get("type", "")
-                    yield WrittenJoint(package.name, entry.path, line_of(element), name, kind, parts)
+                    robot = robot_of(element)
+                    yield WrittenJoint(package.name, entry.path, line_of(element), name, kind, parts, robot)
+
+
+def robot_of(element: etree._Element) -> str:
+    """Return the name of the macro or robot around an element; a part that another file includes has none."""
+    around = (each for each in element.iterancestors() if etree.QName(each).localname in ("macro", "robot"))
+    return next((name for each in around if (name := str(each.get("name", "")))), "")
 
 
 def _attributes(element: etree._Element) -> dict[str, str]:

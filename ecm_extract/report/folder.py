@@ -24,6 +24,10 @@ from ecm_extract.report.manifest_yaml import SUFFIX, manifest_yaml
 
 _UNSAFE: Final = re.compile(r"[^A-Za-z0-9_.+-]")
 _LONGEST_NAME: Final = 120
+_IGNORE: Final = ".gitignore"
+_IGNORED: Final = (
+    b"# Written by ecm-extract. Delete this file to commit the folder, or write elsewhere with -o DIR.\n*\n"
+)
 _MARK: Final = MANIFEST_SCHEMA.encode()
 
 
@@ -73,6 +77,17 @@ def write_document(content: bytes, path: Path) -> Path:
     except OSError as error:
         raise _unwritable(path.parent, error) from error
     return path
+
+
+def keep_out_of_git(folder: Path) -> None:
+    """Make a folder ignore itself, as caches of other tools do; a file that is there is left alone.
+
+    Raises:
+        InputError: it cannot be written.
+    """
+    place = folder / _IGNORE
+    if not place.exists() and not place.is_symlink():
+        write_document(_IGNORED, place)
 
 
 def _write_atomically(path: Path, content: bytes) -> None:

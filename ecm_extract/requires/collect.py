@@ -24,6 +24,7 @@ from ecm_extract.requires.cpp_overrides import override_requirements
 from ecm_extract.requires.cpp_results import result_requirements
 from ecm_extract.requires.descriptions import description_requirements
 from ecm_extract.requires.endpoints import endpoint_requirements
+from ecm_extract.requires.ignored import comments_of, with_answers
 from ecm_extract.requires.kept import kept_for
 from ecm_extract.requires.launch_files import launch_requirements
 from ecm_extract.requires.parameter_files import parameter_file_requirements
@@ -53,7 +54,11 @@ def requirements(workspace: Workspace) -> Mapping[str, Sequence[Requirement]]:
     for package, requirement in _of_program(workspace):
         found[package].append(requirement)
     paths = frozenset(entry.path for entry in workspace.tree.files())
-    return {package: _ordered(_kept(entry, paths) for entry in entries) for package, entries in found.items()}
+    comments = comments_of(workspace.tree, (each.evidence[0].path for entries in found.values() for each in entries))
+    return {
+        package: _ordered(each for entry in entries for each in with_answers(_kept(entry, paths), comments))
+        for package, entries in found.items()
+    }
 
 
 def _kept(entry: Requirement, paths: frozenset[str]) -> Requirement:

@@ -41,7 +41,7 @@ def parameter_file_requirements(tree: Tree, facts: PackageFacts) -> Iterator[Req
 
 
 def _of_set(entry: ParameterSet, ros: int, path: str) -> Iterator[Requirement]:
-    place = Place(path, entry.line, f"file {path}")
+    place = Place(path, entry.line, f"file {path}", entry.column or None)
     certainty: Certainty = "likely" if entry.node in _ANY_NODE else "proved"
     yield required(
         "sets_parameter",

@@ -10,16 +10,20 @@ from ecm_checker.hub.requirement import Requirement
 
 
 class Place(msgspec.Struct, frozen=True):
-    """A line, and who requires there: `by` is `node talker`, `launch_file bringup.launch.py`, or a path."""
+    """A line, and who requires there: `by` is `node talker`, `launch_file bringup.launch.py`, or a path.
+
+    `column` is 1-based, None where it is not known.
+    """
 
     path: str
     line: int
     by: str = ""
+    column: int | None = None
 
     @property
     def evidence(self) -> tuple[Evidence, ...]:
         """The line as evidence."""
-        return (Evidence(self.path, self.line),)
+        return (Evidence(self.path, self.line, column=self.column),)
 
 
 def required(use: str, name: str, place: Place, certainty: Certainty = "proved", **more: object) -> Requirement:

@@ -29,7 +29,7 @@ TIMEOUT_S = 120
 
 _SHARED = ("refs", "packed-refs", "reftable", "shallow")
 _OBJECT_LISTS = ("objects/info", "objects/pack")
-_OWN = ("logs", "FETCH_HEAD", "ORIG_HEAD", "MERGE_HEAD")
+_OWN = ("logs", "FETCH_HEAD", "ORIG_HEAD", "MERGE_HEAD", "index")
 _HEAD = re.compile(r"ref: .+|[0-9a-f]{40}|[0-9a-f]{64}")
 _MAX_HEAD_BYTES = 4096
 _MAX_CONFIG_BYTES = 1024 * 1024

@@ -28,7 +28,7 @@ class ParameterSet(msgspec.Struct, frozen=True):
         name: `a/b/c` in a ROS 1 file, `a.b.c` in a ROS 2 file.
         value: plain data; launch substitutions such as `$(var x)` stay text.
         type: bool, int, double, string, null, a typed array (`double_array`), `array` when mixed, or `map`.
-        line: 1-based line of the last key.
+        line: 1-based line of the last key. column: 1-based column of it, 0 where it is not known.
     """
 
     node: str | None
@@ -36,6 +36,7 @@ class ParameterSet(msgspec.Struct, frozen=True):
     value: Any
     type: str
     line: int
+    column: int = 0
 
 
 class ParameterFile(msgspec.Struct, frozen=True):
@@ -127,4 +128,4 @@ def _read_values(values: Mapping, scope: _Scope, sets: list[ParameterSet]) -> No
             _read_values(entry.value, _Scope(scope.node, scope.separator, name), sets)
         else:
             value = plain(entry.value)
-            sets.append(ParameterSet(scope.node, name, value, parameter_type(value), entry.line))
+            sets.append(ParameterSet(scope.node, name, value, parameter_type(value), entry.line, entry.column))

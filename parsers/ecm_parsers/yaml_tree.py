@@ -33,12 +33,14 @@ class Scalar(msgspec.Struct, frozen=True):
         line: 1-based.
         text: as written, without quotes.
         tag: local tag such as `!degrees`, else empty.
+        column: 1-based, in characters; 0 where it stands for something that is not written.
     """
 
     value: PlainScalar
     line: int
     text: str
     tag: str = ""
+    column: int = 0
 
 
 class Sequence(msgspec.Struct, frozen=True):
@@ -49,11 +51,12 @@ class Sequence(msgspec.Struct, frozen=True):
 
 
 class Entry(msgspec.Struct, frozen=True):
-    """One `key: value` of a mapping; the key as text, with its 1-based line."""
+    """One `key: value` of a mapping; the key as text, with its 1-based line and column."""
 
     key: str
     value: Node
     line: int
+    column: int = 0
 
 
 class Mapping(msgspec.Struct, frozen=True):
@@ -224,7 +227,8 @@ class _Builder:
             self._unknown_tag(tag, line)
         elif event.implicit[0]:
             value = self._typed(event.value)
-        return _Built(Scalar(value, line, event.value, "" if tag.startswith(_CORE) else tag))
+        local = "" if tag.startswith(_CORE) else tag
+        return _Built(Scalar(value, line, event.value, local, event.start_mark.column + 1))
 
     def _mapping(self, frame: _Frame) -> Mapping:
         """Pair keys with values; a key without a value (cut file) has value null."""
@@ -239,7 +243,7 @@ class _Builder:
             elif key.text == "<<":
                 merged.extend(_mappings(value))
             else:
-                entries.append(Entry(key.text, value, key.line))
+                entries.append(Entry(key.text, value, key.line, key.column))
         lines = self._key_lines(entries)
         for mapping in merged:
             for entry in mapping.entries:

@@ -51,6 +51,14 @@ def test_version_imports_nothing_heavy() -> None:
     assert not loaded & {"rich", "tree_sitter", "yaml", "lxml", "git", "msgspec", "jsonschema", "rosbags"}
 
 
+def test_commands_of_plugins_stand_apart(capsys: pytest.CaptureFixture[str]) -> None:
+    """Who reads packages need not read about the evaluation of the paper."""
+    run(["--help"])
+    own, _, others = capsys.readouterr().out.partition("Evaluation and plugins:")
+    assert [name for name in ("agree", "blind", "brief", "score") if f"\n  {name} " not in others] == []
+    assert [name for name in ("accept", "diff", "lint") if f"\n  {name} " not in own] == []
+
+
 def test_help_shows_examples(capsys: pytest.CaptureFixture[str]) -> None:
     """A person copies an example before reading options."""
     assert run(["--help"]) == 0

@@ -158,3 +158,16 @@ def test_a_manifest_that_is_none(tmp_path: Path, capsys: pytest.CaptureFixture[s
     (tmp_path / "a" / "package.xml").write_text("<package><name>a</na")
     assert run([str(tmp_path), "--format", "summary"]) == 2
     assert "not read: 1 package.xml that cannot be read as one: a/package.xml" in capsys.readouterr().err
+
+
+def test_the_default_folder_keeps_itself_out_of_git(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Nobody commits manifests by accident; a folder that was named may be meant to be committed."""
+    monkeypatch.chdir(tmp_path)
+    robot = Path(__file__).parents[2] / "fixtures" / "arm_robot"
+    assert run(["extract", str(robot), "-q"]) == 0
+    assert (tmp_path / "ecm-manifests" / ".gitignore").read_text().splitlines()[-1] == "*"
+    assert run(["extract", str(robot), "-q", "-o", "named"]) == 0
+    assert not (tmp_path / "named" / ".gitignore").exists()
+    capsys.readouterr()

@@ -6,6 +6,7 @@ import io
 import json
 import re
 import shutil
+import subprocess
 from pathlib import Path
 
 import jsonschema
@@ -15,8 +16,10 @@ from ecm_checker.finding import Finding
 from lint_fixtures import FIXTURES
 from lxml import etree
 
+from ecm_extract.cli.outputs import findings_as
 from ecm_extract.cli.run import run
 from ecm_extract.report.findings.text import render, styled
+from ecm_extract.report.places import Places
 
 BAD = FIXTURES / "LNT003" / "bad"
 LAUNCH = "demo/launch/a.launch.xml"
@@ -54,6 +57,10 @@ def bad(tmp_path: Path) -> Path:
     return tmp_path / "ws"
 
 
+def git(folder: Path, *arguments: str) -> None:
+    subprocess.run(["git", *arguments], cwd=folder, check=True)
+
+
 def lint(*arguments: str | Path) -> int:
     return run(["lint", *map(str, arguments)])
 
@@ -64,11 +71,16 @@ def test_exit_status(fail_on: str, status: int, bad: Path) -> None:
     assert lint(bad, "--fail-on", fail_on) == status
 
 
-def test_text(bad: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """Place first, so that editors and terminals can jump; summary on standard error."""
-    lint(bad)
+@pytest.mark.parametrize(("stand", "path", "shown"), [("ws", ".", ""), (".", "ws", "ws/"), ("ws/demo", "..", "../")])
+def test_text(
+    stand: str, path: str, shown: str, bad: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Place first and as it is opened from here, so that editors and terminals can jump; summary on standard error."""
+    monkeypatch.chdir(bad.parent / stand)
+    lint(path)
     captured = capsys.readouterr()
-    assert captured.out.startswith(f"{LAUNCH}:2: error LNT003 executable_missing: ")
+    assert captured.out.startswith(f"{shown}{LAUNCH}:2: error LNT003 executable_missing: ")
+    assert '    2 |   <node pkg="demo" exec="bass"/>\n' in captured.out
     assert "fix: write base" in captured.out
     assert captured.err.strip() == "1 error"
 
@@ -79,24 +91,28 @@ def test_info_takes_one_line(bad: Path, capsys: pytest.CaptureFixture[str]) -> N
     assert run(["lint", str(bad)]) == 0
     lines = capsys.readouterr().out.splitlines()
     assert len(lines) == 1
-    assert re.match(rf"{LAUNCH}:\d+: info LNT003 .* \[[0-9a-f]{{16}}\]$", lines[0])
+    assert re.match(rf"{bad}/{LAUNCH}:\d+: info LNT003 .* \[[0-9a-f]{{16}}\]$", lines[0])
 
 
-def test_a_finding_cannot_color_the_terminal() -> None:
-    """Only the tool writes escape codes, and to a terminal only."""
-    finding = Finding(
+def _finding(message: str, place: Evidence) -> Finding:
+    return Finding(
         rule="X",
         name="name",
         dimension="signature",
         severity="error",
-        message="\x1b[35mred",
+        message=message,
         resolution="fix",
         subjects=(),
-        evidence=(Evidence("a\x1b[1m", 1),),
+        evidence=(place,),
         fingerprint="0" * 16,
         who="config",
         certainty="proved",
     )
+
+
+def test_a_finding_cannot_color_the_terminal() -> None:
+    """Only the tool writes escape codes, and to a terminal only."""
+    finding = _finding("\x1b[35mred", Evidence("a\x1b[1m", 1))
     assert "\x1b[" in styled([finding])
     assert "\x1b[35m" not in styled([finding])
     assert "\x1b" not in render([finding])
@@ -125,6 +141,41 @@ def test_junit(bad: Path, tmp_path: Path) -> None:
     assert lint(FIXTURES / "LNT003" / "good", "--output", f"junit={target}") == 0
     suite = etree.fromstring(target.read_bytes())
     assert (suite.get("tests"), suite.get("failures")) == ("1", "0")
+
+
+@pytest.mark.parametrize("path", ["ws", "ws/demo"])
+def test_a_code_host_gets_paths_from_the_root_of_the_repository(
+    path: str, bad: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Whatever folder is linted, and wherever from: annotations of another path are shown nowhere."""
+    git(bad.parent, "init", "-q")
+    monkeypatch.chdir(bad)
+    wanted = f"ws/{LAUNCH}"
+    lint(bad.parent / path, "--format", "github")
+    assert capsys.readouterr().out.startswith(f"::error file={wanted},line=2,")
+    lint(bad.parent / path, "--format", "sarif")
+    (result,) = json.loads(capsys.readouterr().out)["runs"][0]["results"]
+    assert result["locations"][0]["physicalLocation"]["artifactLocation"]["uri"] == wanted
+    lint(bad.parent / path, "--format", "junit")
+    assert f"{wanted}:2" in capsys.readouterr().out
+    lint(bad.parent / path, "--format", "markdown")
+    assert f"`{wanted}:2`" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("form", ["sarif", "github", "junit"])
+def test_a_known_column_is_told(form: str) -> None:
+    """Code hosts mark the place in the line."""
+    text = findings_as(form, [_finding("said.", Evidence("a.yaml", 3, column=7))], Places())
+    assert {"sarif": '"startColumn": 7', "github": "line=3,col=7,", "junit": "a.yaml:3:7"}[form] in text
+    assert "said. fix." in text
+
+
+def test_text_marks_the_column() -> None:
+    """The line that was read, and a mark below the place; tabs do not move it."""
+    places = Places(line=lambda _: "\ta: bass")
+    lines = render([_finding("said", Evidence("a.yaml", 3, column=5))], places).splitlines()
+    assert lines[0].startswith("a.yaml:3:5: error X name: said")
+    assert lines[1:3] == ["    3 |         a: bass", "      |            ^"]
 
 
 def test_github_and_markdown(bad: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -173,14 +224,15 @@ def test_comment(comment: str, status: int, bad: Path, capsys: pytest.CaptureFix
 
 def test_accept(bad: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """A row with a reason; after its day it counts again; a second row for the same is refused."""
+    row = bad / "ecm-accepted.toml"
     lint(bad, "--format", "json")
     fingerprint = json.loads(capsys.readouterr().out)["findings"][0]["fingerprint"]
     assert run(["accept", fingerprint, "--reason", 'old "robot"', "--path", str(bad)]) == 0
     assert lint(bad) == 0
     assert run(["accept", fingerprint, "--reason", "again", "--path", str(bad)]) == 2
-    (bad / "ecm-accepted.toml").unlink()
-    assert run(["accept", fingerprint, "--reason", "x", "--until", "2020-01-01", "--path", str(bad)]) == 0
+    row.write_text(row.read_text() + "until = 2020-01-01\n")
     assert lint(bad) == 1
+    assert "was accepted until 2020-01-01" in capsys.readouterr().err
     assert run(["accept", "abc", "--reason", "x"]) == 2
     assert run(["accept", fingerprint, "--reason", "x", "--until", "soon"]) == 2
 

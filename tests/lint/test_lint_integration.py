@@ -74,6 +74,6 @@ def test_action(fail_on: str, status: int, workspace: Path) -> None:
     script = action["runs"]["steps"][1]["run"]
     done = shell(script, workspace, ECM_PATH="src", ECM_BASE="", ECM_FAIL_ON=fail_on, ECM_SARIF="out.sarif")
     assert done.returncode == status
-    assert "::error file=demo/launch/a.launch.xml" in done.stdout
+    assert "::error file=src/demo/launch/a.launch.xml" in done.stdout
     assert (workspace / "out.sarif").is_file()
     assert "LNT003" in (workspace / "ecm-extract.md").read_text()

@@ -50,6 +50,7 @@ class Requirement(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True)
         by: who requires it: `node talker`, `launch_file bringup.launch.py`.
         said: what else the phrase of the use needs.
         kept_for: the distribution whose folder the file lies in, beside the same file for all others; empty for none.
+        ignored: words of comments on the line that answer breaks of it; an empty word answers any.
         evidence: the line first; of one name that a file uses in several lines all of them.
     """
 
@@ -70,6 +71,7 @@ class Requirement(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True)
     ros: int | None = None
     said: str = ""
     kept_for: str = ""
+    ignored: tuple[str, ...] = ()
 
     @property
     def phrase(self) -> str:

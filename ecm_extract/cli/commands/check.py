@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import sys
+from datetime import UTC, datetime
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, Literal
 
@@ -11,6 +13,7 @@ import msgspec
 
 from ecm_extract.cli.outputs import (
     FINDING_FORMATS,
+    echo_report,
     findings_as,
     refuse_statistics_as,
     statistics_as,
@@ -22,8 +25,11 @@ from ecm_extract.errors import InputError
 if TYPE_CHECKING:
     from ecm_checker.outcome import Report
 
+    from ecm_extract.answers.answered import Answered
     from ecm_extract.check import Given
     from ecm_extract.extraction_model import LocatedDiagnostic
+    from ecm_extract.report.places import Places
+    from ecm_extract.tree import Tree
 
 OPERATIONS: Final = ("system", "compose", "chain", "install", "upgrade", "invoke")
 FORMATS: Final = ("text", "json", *FINDING_FORMATS)
@@ -107,8 +113,10 @@ def command(ctx: click.Context, /, **options: Any) -> None:
         raise click.UsageError(message, ctx)
     refuse_statistics_as(request.format, request.statistics)
     diagnostics: list[LocatedDiagnostic] = []
-    report = _decide(request, diagnostics)
-    _print(report, request)
+    places = _places(request)
+    report, answered = _answered(_decide(request, diagnostics), request)
+    _print(report, request, places)
+    _say_answered(answered, request)
     if tell_overlay_problems(diagnostics):
         ctx.exit(WRONG_INPUT)
     if _fails(report, request.fail_on):
@@ -158,34 +166,101 @@ def _dimensions(request: Request) -> tuple[Any, ...]:
     return tuple(name for name in wanted if name not in request.without)
 
 
-def _print(report: Report, request: Request) -> None:
+def _places(request: Request) -> Places:
+    """Where a source tree begins; of manifests nobody knows where the sources lie."""
+    from ecm_extract.report.places import Places, typed_folder
+    from ecm_extract.report.source_lines import source_lines
+
+    tree = _source_tree(request)
+    return (
+        Places() if tree is None else Places(typed_folder(request.paths[0]), line=source_lines(partial(_content, tree)))
+    )
+
+
+def _source_tree(request: Request) -> Tree | None:
+    """The tree that is checked; None where manifests are, or several trees."""
+    from ecm_extract.report.manifest_yaml import SUFFIX
+    from ecm_extract.tree import open_tree
+
+    first = Path(request.paths[0])
+    if len(request.paths) != 1 or first.is_file() or any(True for _ in first.rglob(f"*{SUFFIX}")):
+        return None
+    return open_tree(request.paths[0])
+
+
+def _content(tree: Tree, path: str) -> bytes | None:
+    from ecm_extract.errors import TreeError
+
+    try:
+        return tree.read(path)
+    except TreeError:
+        return None
+
+
+def _answered(report: Report, request: Request) -> tuple[Report, Answered]:
+    """Decide anew without what a person has answered."""
+    from ecm_checker.outcome import conditions, decide
+
+    from ecm_extract.answers.accepted_file import accepted_file, accepted_in
+    from ecm_extract.answers.answered import Answers, answered
+    from ecm_extract.answers.shown import remember, shown_of
+
+    file = accepted_file(_near(request))
+    if not request.no_cache:
+        remember(shown_of(report.findings, file))
+    today = datetime.now(tz=UTC).date()
+    tree = _source_tree(request)
+    read = partial(_content, tree) if tree is not None else lambda _path: None
+    found = answered(report.findings, Answers(accepted_in(file), read, today))
+    outcome = decide(found.findings)
+    listed = conditions(found.findings) if outcome == "accept_with_conditions" else ()
+    return msgspec.structs.replace(report, findings=found.findings, outcome=outcome, conditions=listed), found
+
+
+def _near(request: Request) -> Path:
+    """The folder of what is checked, whose file of accepted findings counts."""
+    from ecm_extract.report.places import typed_folder
+
+    first = Path(typed_folder(request.paths[0]))
+    return first.parent if first.is_file() else first
+
+
+def _say_answered(answered: Answered, request: Request) -> None:
+    if answered.suppressed and not request.quiet:
+        click.echo(f"  {answered.suppressed} answered", err=True)
+    for line in answered.unused:
+        click.echo(f"unused: {line}", err=True)
+
+
+def _print(report: Report, request: Request, places: Places) -> None:
     from ecm_extract.report.check_text import summary_text
 
-    write_outputs(request.output, FORMATS, lambda form: _rendered(report, form))
-    click.echo(_shown(report, request), nl=False)
+    write_outputs(request.output, FORMATS, lambda form: _rendered(report, form, places))
+    echo_report(_shown(report, request, places))
     if not request.quiet:
         sys.stdout.flush()
         click.echo(summary_text(report), err=True, nl=False)
 
 
-def _shown(report: Report, request: Request) -> str:
+def _shown(report: Report, request: Request, places: Places) -> str:
     if not request.statistics:
-        return _rendered(report, request.format)
+        return _rendered(report, request.format, places, color=True)
     from ecm_extract.report.findings.statistics import never
 
     return statistics_as(request.format, report.findings, never)
 
 
-def _rendered(report: Report, form: str) -> str:
-    from ecm_extract.report.check_text import report_json, report_text
+def _rendered(report: Report, form: str, places: Places, color: bool = False) -> str:
+    if form == "json":
+        from ecm_extract.report.check_text import report_json
 
-    if form in {"text", "json"}:
-        return report_text(report) if form == "text" else report_json(report)
+        return report_json(report)
     if form == "html":
         from ecm_extract.report.check_html import report_html
+        from ecm_extract.report.places import placed_for
 
-        return report_html(report)
-    return findings_as(form, report.findings)
+        return report_html(msgspec.structs.replace(report, findings=placed_for(form, report.findings, places)))
+    return findings_as(form, report.findings, places, color)
 
 
 def _fails(report: Report, threshold: str) -> bool:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-import sys
+from collections.abc import Sequence
+from datetime import UTC, datetime
+from functools import partial
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, Literal
@@ -11,13 +13,21 @@ import click
 import msgspec
 
 from ecm_extract.cli.completions import packages, sides
-from ecm_extract.cli.outputs import INCOMPLETE, findings_as, write_outputs
+from ecm_extract.cli.outputs import INCOMPLETE, echo_report, findings_as, write_outputs
 from ecm_extract.report.terminal import one_line
 
 if TYPE_CHECKING:
+    from ecm_checker.release import Change
+
+    from ecm_extract.answers.answered import Answered
+    from ecm_extract.answers.scope import Scope
     from ecm_extract.diff.model import Comparison, RefInfo
     from ecm_extract.diff.run import Request
+    from ecm_extract.diff.steps import ShortStep
     from ecm_extract.extraction_model import Progress
+    from ecm_extract.report.places import Places
+    from ecm_extract.stored import Stored
+    from ecm_extract.tree import Tree
 
 FORMATS: Final = ("text", "json", "migration", "markdown", "html", "sarif", "github", "junit")
 
@@ -74,7 +84,8 @@ class Asked(msgspec.Struct, frozen=True):
     type=click.Choice(["error", "warning", "info", "breaking", "never"]),
     default="error",
     show_default=True,
-    help="Exit with 1 from findings of this severity on; breaking: on any breaking change.",
+    help="Exit with 1 from findings of this severity on; breaking: on any breaking change. A version step that is less "
+    "than the changes need is always 1, but for never.",
 )
 @click.option("--backport", is_flag=True, help="Print one line: may this go into a released distribution?")
 @click.option("--include-tests", is_flag=True, help="Read test folders too.")
@@ -87,35 +98,70 @@ def command(**options: Any) -> int:
     OLD defaults to the newest release tag that NEW can reach, NEW to the work tree. The report goes to standard
     output, what was compared and the verdict to standard error.
     """
-    asked = Asked(**options)
-    comparison = _compare(asked)
-    _print(comparison, asked)
-    _say_verdict(comparison)
-    return _status(comparison, asked.fail_on)
-
-
-def _compare(asked: Asked) -> Comparison:
     from ecm_extract.cli.progress import progress_bar
     from ecm_extract.diff.run import compare
+    from ecm_extract.diff.steps import short_steps
 
+    asked = Asked(**options)
     with progress_bar() as progress:
-        return compare(_request(asked, progress))
+        request = _request(asked, progress)
+        compared = compare(request)
+    comparison, answered = _answered(compared, request, asked)
+    short = short_steps(comparison)
+    _print(comparison, asked, _places(comparison, request, asked))
+    _say_verdict(comparison)
+    _say_what_to_do(comparison, short)
+    _say_unused(answered)
+    return _status(comparison, short, asked)
+
+
+def _answered(comparison: Comparison, request: Request, asked: Asked) -> tuple[Comparison, Answered]:
+    """Take out what was answered, in the new tree or in the file of the repository on disk."""
+    from ecm_extract.answers.accepted_file import FILE_NAME, accepted_file, accepted_in, parse_accepted
+    from ecm_extract.answers.answered import Answers
+    from ecm_extract.answers.comparison import answerable, answered_comparison
+    from ecm_extract.answers.shown import remember, shown_of
+    from ecm_extract.stored import Stored
+
+    trees = None if isinstance(request.old, Stored) or isinstance(request.new, Stored) else (request.old, request.new)
+    file, found = accepted_file(Path(asked.repo)), answerable(comparison, trees)
+    stored = parse_accepted(_content(request.new, FILE_NAME) or b"", f"{request.new.label}: {FILE_NAME}")
+    rows = {row.fingerprint: row for row in (*stored, *accepted_in(file))}
+    if not asked.no_cache:
+        remember(shown_of(found, file))
+    today = datetime.now(tz=UTC).date()
+    scopes: tuple[Scope, ...] = () if asked.package else ("change",)
+    answers = Answers(tuple(rows.values()), partial(_content, request.new), today, scopes)
+    return answered_comparison(comparison, found, answers)
+
+
+def _content(origin: Tree | Stored, path: str) -> bytes | None:
+    """Content of a file of the new side; of stored documents nobody has it."""
+    from ecm_extract.errors import TreeReadError
+    from ecm_extract.stored import Stored
+
+    try:
+        return None if isinstance(origin, Stored) else origin.read(path)
+    except TreeReadError:
+        return None
 
 
 def _request(asked: Asked, progress: Progress | None) -> Request:
-    from ecm_extract.diff.baseline import default_baseline, open_consumer, open_side, parting
+    from ecm_extract.diff.baseline import WORK_TREE, default_baseline, open_consumer, open_side, parting
     from ecm_extract.diff.model import RefInfo
     from ecm_extract.diff.run import Request
     from ecm_extract.extraction_model import Options
     from ecm_extract.tree.git_repo import find_repo
+    from ecm_extract.tree.work_tree import has_uncommitted
 
     folder = Path(asked.repo)
     spec, why = (asked.old, "named") if asked.old else default_baseline(asked.new, folder)
     old, new = open_side(spec, folder), open_side(asked.new, folder)
-    infos = RefInfo(spec, old.commit, why), RefInfo(asked.new, new.commit, "named")
+    repo = find_repo(folder)
+    dirty = repo is not None and asked.new == WORK_TREE and has_uncommitted(repo)
+    infos = RefInfo(spec, old.commit, why), RefInfo(asked.new, new.commit, "named", dirty)
     _say_baseline(infos)
     _say_parting(infos, parting(old, new, folder))
-    repo = find_repo(folder)
     options = Options(asked.include_tests, asked.config, asked.jobs, progress, not asked.no_cache)
     return Request(
         old=old,
@@ -145,53 +191,104 @@ def _say_parting(infos: tuple[RefInfo, RefInfo], commit: str | None) -> None:
 
 
 def _shown(info: RefInfo) -> str:
-    return one_line(f"{info.ref} {info.commit[:12] if info.commit else 'files in no commit'}")
+    state = " with uncommitted changes" if info.uncommitted else ""
+    return one_line(f"{info.ref} {info.commit[:12] if info.commit else 'files in no commit'}{state}")
 
 
-def _print(comparison: Comparison, asked: Asked) -> None:
+def _places(comparison: Comparison, request: Request, asked: Asked) -> Places:
+    """Paths of the new side; of a ref they are those of the same files on disk."""
+    from ecm_extract.diff.baseline import WORK_TREE
+    from ecm_extract.report.places import Places, typed_folder
+    from ecm_extract.report.source_lines import source_lines
+
+    named = asked.new != WORK_TREE and Path(asked.new.split("@", 1)[0]).is_dir()
+    folder = typed_folder(asked.new) if named else typed_folder(f"{asked.repo}@{asked.new}")
+    return Places(folder, comparison.homes, source_lines(partial(_content, request.new), comparison.homes))
+
+
+def _print(comparison: Comparison, asked: Asked, places: Places) -> None:
     if asked.backport:
         from ecm_extract.diff.verdict import backport_line
 
-        click.echo(backport_line(comparison))
+        click.echo(backport_line(comparison, _open_changes(comparison)))
         return
-    write_outputs(asked.output, FORMATS, lambda form: _rendered(comparison, form))
-    sys.stdout.write(_rendered(comparison, asked.format))
+    write_outputs(asked.output, FORMATS, lambda form: _rendered(comparison, form, places))
+    echo_report(_rendered(comparison, asked.format, places, color=True))
 
 
-def _rendered(comparison: Comparison, form: str) -> str:
+def _rendered(comparison: Comparison, form: str, places: Places, color: bool = False) -> str:
     if form in {"sarif", "github", "junit"}:
-        return findings_as(form, comparison.findings)
-    text: str = import_module(f"ecm_extract.diff.formats.{form}").render(comparison)
+        return findings_as(form, comparison.findings, places)
+    if form == "text":
+        from ecm_extract.diff.formats.text import render, styled
+
+        return styled(comparison, places) if color else render(comparison, places)
+    text: str = import_module(f"ecm_extract.diff.formats.{form}").render(_placed(comparison, form, places))
     return text
 
 
+def _placed(comparison: Comparison, form: str, places: Places) -> Comparison:
+    from ecm_extract.report.places import placed_for
+
+    findings = placed_for(form, comparison.findings, places)
+    return msgspec.structs.replace(comparison, findings=tuple(findings))
+
+
 def _say_verdict(comparison: Comparison) -> None:
-    from ecm_extract.diff.formats.phrases import incomplete
+    from ecm_extract.diff.formats.phrases import counted, incomplete
     from ecm_extract.diff.verdict import needed
 
     verdict = comparison.verdict
     declared = verdict.declared_bump or "unknown"
     breaking = sum(change.breaking for change in comparison.changes)
+    closed = len(comparison.changes) - len(_open_changes(comparison))
+    accepted = f", {closed} accepted" if closed else ""
     click.echo(
-        f"verdict: {verdict.compatibility_class}, needs {needed(verdict)}, takes {declared}; "
-        f"{len(comparison.changes)} changes, {breaking} breaking; {len(comparison.findings)} findings",
+        f"verdict: {verdict.compatibility_class}, needs {needed(verdict)}, declares {declared}; "
+        f"{counted(len(comparison.changes), 'change')}, {breaking} breaking{accepted}; "
+        f"{counted(len(comparison.findings), 'finding')}",
         err=True,
     )
     if not verdict.complete:
         click.echo(f"incomplete: {incomplete(comparison)}", err=True)
 
 
-def _status(comparison: Comparison, fail_on: FailOn) -> int:
+def _status(comparison: Comparison, short: Sequence[ShortStep], asked: Asked) -> int:
     """A finding is true whatever else was read; without one, what was not read leaves the answer open."""
-    if _is_failure(comparison, fail_on):
+    if _is_failure(comparison, short, asked):
         return 1
     return 0 if comparison.verdict.complete else INCOMPLETE
 
 
-def _is_failure(comparison: Comparison, fail_on: FailOn) -> bool:
-    if fail_on == "never":
+def _open_changes(comparison: Comparison) -> list[Change]:
+    """Changes that nobody has accepted."""
+    from ecm_checker.release import fingerprint_of
+
+    return [change for change in comparison.changes if fingerprint_of(change) not in comparison.accepted]
+
+
+def _say_what_to_do(comparison: Comparison, short: Sequence[ShortStep]) -> None:
+    from ecm_extract.diff.formats.phrases import step_lines
+
+    for line in step_lines(short):
+        click.echo(line, err=True)
+    if short and any(change.breaking for change in _open_changes(comparison)):
+        click.echo("or accept what is meant: ecm-extract accept FINGERPRINT --reason ...", err=True)
+
+
+def _say_unused(answered: Answered) -> None:
+    for line in answered.unused:
+        click.echo(f"unused: {line}", err=True)
+
+
+def _is_failure(comparison: Comparison, short: Sequence[ShortStep], asked: Asked) -> bool:
+    """A release fails when it takes too small a step, or when somebody who is seen breaks."""
+    if asked.fail_on == "never":
         return False
-    if fail_on == "breaking":
-        return any(change.breaking for change in comparison.changes)
+    breaks = any(change.breaking for change in _open_changes(comparison))
+    if asked.backport or asked.fail_on == "breaking":
+        return breaks or (bool(short) and not asked.backport)
     levels = ("error", "warning", "info")
-    return any(levels.index(entry.severity) <= levels.index(fail_on) for entry in comparison.findings)
+    return bool(short) or any(
+        levels.index(entry.severity) <= levels.index(asked.fail_on) for entry in comparison.findings
+    )

@@ -139,13 +139,15 @@ def _documents(extraction: Extraction, request: Request) -> Iterator[bytes]:
 
 
 def _write_documents(extraction: Extraction, request: Request) -> None:
-    from ecm_extract.report.folder import write_document, write_manifests
+    from ecm_extract.report.folder import keep_out_of_git, write_document, write_manifests
 
     folder = _folder(request)
     if request.format == "json":
         written = str(write_document(b"".join(_documents(extraction, request)), folder / DOCUMENT_NAME))
     else:
         written = f"{len(write_manifests(extraction, folder))} manifests in {folder}{os.sep}"
+    if request.output is None:
+        keep_out_of_git(folder)
     if not request.quiet:
         _summarise(extraction, sys.stdout)
         click.echo(f"\nwritten: {written}")

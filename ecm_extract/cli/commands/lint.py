@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import sys
 from collections.abc import Callable
 from datetime import UTC, datetime
@@ -16,6 +15,7 @@ from ecm_extract.cli.completions import lint_rules, refs
 from ecm_extract.cli.outputs import (
     FINDING_FORMATS,
     INCOMPLETE,
+    echo_report,
     findings_as,
     refuse_statistics_as,
     statistics_as,
@@ -24,14 +24,17 @@ from ecm_extract.cli.outputs import (
 from ecm_extract.errors import InputError
 
 if TYPE_CHECKING:
+    from ecm_checker.contract import Evidence
     from ecm_checker.finding import Finding
 
+    from ecm_extract.answers.answered import Answered
+    from ecm_extract.answers.scope import Scope
     from ecm_extract.diff.model import Comparison, RefInfo
     from ecm_extract.entities.side import PackagesRead, Side
     from ecm_extract.extraction_model import Options, Progress
     from ecm_extract.lint.completeness import Completeness
-    from ecm_extract.lint.suppressions import Answered
     from ecm_extract.lint.workspace import Workspace
+    from ecm_extract.report.places import Places
     from ecm_extract.tree import Tree
 
 FORMATS: Final = ("text", "json", *FINDING_FORMATS)
@@ -117,10 +120,11 @@ def command(**options: Any) -> int:
     answered = _answered(findings, workspace, request)
     if request.fix:
         _fix(answered.findings, workspace, request)
+    output = Output(_places(workspace, request), read)
     if request.statistics:
-        _print_statistics(answered.findings, workspace, request, read)
+        _print_statistics(answered.findings, workspace, request, output)
     else:
-        _print(answered.findings, request, read)
+        _print(answered.findings, request, output)
     _say(answered, read)
     return _status(answered.findings, request.fail_on, read)
 
@@ -162,10 +166,21 @@ def _findings(request: Request, progress: Progress | None) -> Linted:
         from ecm_extract.lint.hunks import touched_lines
 
         lines = touched_lines(_text_of(request.patch))
-        found = [
-            each for each in found if each.evidence and each.evidence[0].line in lines.get(each.evidence[0].path, ())
-        ]
+        places = _places(workspace, request)
+        found = [each for each in found if each.evidence and _is_touched(each.evidence[0], lines, places)]
     return Linted(found, workspace, completeness_of(tree, comparison))
+
+
+def _is_touched(place: Evidence, lines: dict[str, set[int]], places: Places) -> bool:
+    """Paths of a patch begin at the root of the repository, or at the folder where it was made."""
+    return any(place.line in lines.get(path, ()) for path in (places.from_repository(place).path, place.path))
+
+
+def _places(workspace: Workspace, request: Request) -> Places:
+    from ecm_extract.report.places import Places, typed_folder
+    from ecm_extract.report.source_lines import source_lines
+
+    return Places(typed_folder(request.path), line=source_lines(workspace.files.read))
 
 
 def _read(tree: Tree, options: Options, parsed: dict[str, Any]) -> PackagesRead:
@@ -258,18 +273,25 @@ def _text_of(name: str) -> str:
 
 
 def _answered(findings: list[Finding], workspace: Workspace, request: Request) -> Answered:
+    from ecm_extract.answers.accepted_file import accepted_file, accepted_in
+    from ecm_extract.answers.answered import Answers, answered
+    from ecm_extract.answers.shown import remember, shown_of
     from ecm_extract.lint.baseline_file import FILE_NAME, read_baseline
-    from ecm_extract.lint.suppressions import FILE_NAME as ACCEPTED
-    from ecm_extract.lint.suppressions import answered, parse_accepted
     from ecm_extract.own_files import own_file
 
     folder = _folder(request)
     baseline = Path(request.baseline) if request.baseline else own_file(folder, FILE_NAME)
     known = read_baseline(baseline.read_text("utf-8", errors="replace")) if baseline.is_file() else frozenset()
     left = [each for each in findings if each.fingerprint not in known]
-    accepted = own_file(folder, ACCEPTED)
-    rows = parse_accepted(accepted.read_bytes(), str(accepted)) if accepted.is_file() else ()
-    return answered(left, rows, workspace.files, datetime.now(tz=UTC).date())
+    accepted = accepted_file(folder)
+    today = datetime.now(tz=UTC).date()
+    remember(shown_of(left, accepted))
+    return answered(left, Answers(accepted_in(accepted), workspace.files.read, today, _whole(request)))
+
+
+def _whole(request: Request) -> tuple[Scope, ...]:
+    """What the run looks at as a whole; a base, a patch or a choice of rules leaves findings out."""
+    return () if request.base or request.patch or request.select else ("tree",)
 
 
 def _write_baseline(findings: list[Finding], request: Request) -> int:
@@ -294,33 +316,31 @@ def _fix(findings: tuple[Finding, ...], workspace: Workspace, request: Request) 
         (root / path).write_text(after, "utf-8", errors="surrogateescape", newline="")
 
 
-def _print_statistics(
-    findings: tuple[Finding, ...], workspace: Workspace, request: Request, read: Completeness
-) -> None:
+class Output(NamedTuple):
+    """What rendering needs beside the findings: how paths are written, and what was not read."""
+
+    places: Places
+    read: Completeness
+
+
+def _print_statistics(findings: tuple[Finding, ...], workspace: Workspace, request: Request, output: Output) -> None:
     from ecm_extract.lint.fixes import fixes_of
 
-    write_outputs(request.output, FORMATS, lambda form: _rendered(findings, form, read))
-    click.echo(statistics_as(request.format, findings, lambda each: bool(fixes_of([each], workspace))), nl=False)
-    sys.stdout.flush()
+    write_outputs(request.output, FORMATS, lambda form: _rendered(findings, form, output))
+    echo_report(statistics_as(request.format, findings, lambda each: bool(fixes_of([each], workspace))))
 
 
-def _print(findings: tuple[Finding, ...], request: Request, read: Completeness) -> None:
-    write_outputs(request.output, FORMATS, lambda form: _rendered(findings, form, read))
-    if request.format == "text":
-        from ecm_extract.report.findings.text import styled
-
-        click.echo(styled(findings), nl=False, color=False if "NO_COLOR" in os.environ else None)
-    else:
-        sys.stdout.write(_rendered(findings, request.format, read))
-        sys.stdout.flush()
+def _print(findings: tuple[Finding, ...], request: Request, output: Output) -> None:
+    write_outputs(request.output, FORMATS, lambda form: _rendered(findings, form, output))
+    echo_report(_rendered(findings, request.format, output, color=True))
 
 
-def _rendered(findings: tuple[Finding, ...], form: str, read: Completeness) -> str:
+def _rendered(findings: tuple[Finding, ...], form: str, output: Output, color: bool = False) -> str:
     if form == "json":
         from ecm_extract.lint.json_document import lint_json
 
-        return lint_json(findings, read)
-    return findings_as(form, findings)
+        return lint_json(findings, output.read)
+    return findings_as(form, findings, output.places, color)
 
 
 def _say(answered: Answered, read: Completeness) -> None:

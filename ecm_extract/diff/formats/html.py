@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Container, Iterator, Sequence
 from typing import Final
 
-from ecm_checker.release import Change
+from ecm_checker.release import Change, fingerprint_of
 from lxml import html
 from lxml.html import builder as tag
 
@@ -40,7 +40,7 @@ def _verdict(comparison: Comparison) -> str:
     verdict = comparison.verdict
     gap = incomplete(comparison)
     told = f" {gap[0].upper() + gap[1:]}." if gap else ""
-    return f"Needs {needed(verdict)}, declared {verdict.declared_bump or 'unknown'}.{told}"
+    return f"Needs {needed(verdict)}, declares {verdict.declared_bump or 'unknown'}.{told}"
 
 
 def _shown(info: RefInfo) -> str:
@@ -53,27 +53,35 @@ def _packages(comparison: Comparison) -> Iterator[html.HtmlElement]:
     for package, changes in by_package(comparison.changes):
         verdict = verdicts.get(package)
         head = tag.SUMMARY(tag.B(words(package)), " ", *(_versions(verdict) if verdict is not None else ()))
-        yield tag.DETAILS(head, _table(changes), **unfolded)
+        yield tag.DETAILS(head, _table(changes, comparison.accepted), **unfolded)
 
 
 def _versions(entry: PackageVerdict) -> tuple[html.HtmlElement, html.HtmlElement]:
-    needs, takes = needed(entry.verdict), entry.verdict.declared_bump or "unknown"
-    versions = f"{entry.old_version or '?'} to {entry.new_version or '?'}, needs {needs}, takes {takes}"
+    needs, declares = needed(entry.verdict), entry.verdict.declared_bump or "unknown"
+    versions = f"{entry.old_version or '?'} to {entry.new_version or '?'}, needs {needs}, declares {declares}"
     return chip(entry.verdict.compatibility_class), tag.SPAN(tag.CLASS("note"), words(versions))
 
 
-def _table(changes: Sequence[Change]) -> html.HtmlElement:
+def _table(changes: Sequence[Change], accepted: Container[str]) -> html.HtmlElement:
     head = tag.TR(tag.TH("change"), tag.TH("what"), tag.TH("why"))
-    return tag.TABLE(head, *(_row(change) for change in changes))
+    return tag.TABLE(head, *(_row(change, accepted) for change in changes))
 
 
-def _row(change: Change) -> html.HtmlElement:
-    where = tag.DIV(tag.CLASS("note"), tag.CODE(words(place(change))))
+def _row(change: Change, accepted: Container[str]) -> html.HtmlElement:
+    where = tag.DIV(tag.CLASS("note"), tag.CODE(words(place(change))), _answer(change, accepted))
     return tag.TR(
         tag.TD(tag.CLASS("change"), words(change.change.replace("_", " ")), " ", _mark(change)),
         tag.TD(tag.CODE(words(subject(change))), where),
         tag.TD(tag.CLASS("why"), words(change.reason)),
     )
+
+
+def _answer(change: Change, accepted: Container[str]) -> str:
+    """What a breaking change is accepted by, or that it is."""
+    fingerprint = fingerprint_of(change)
+    if fingerprint in accepted:
+        return " accepted"
+    return f" {fingerprint}" if change.breaking else ""
 
 
 def _mark(change: Change) -> html.HtmlElement | str:

@@ -6,8 +6,10 @@ from typing import Any, Final
 
 import msgspec
 from ecm_checker.json_data import record_data
+from ecm_checker.release import Change, fingerprint_of
 
 from ecm_extract.diff.model import Comparison, RefInfo
+from ecm_extract.diff.steps import short_steps
 from ecm_extract.report.findings.data import finding_data
 
 SCHEMA: Final = "ecm-extract/diff/1"
@@ -20,7 +22,7 @@ def diff_document(comparison: Comparison) -> dict[str, Any]:
         "repo": comparison.repo,
         "old": _ref(comparison.old),
         "new": _ref(comparison.new),
-        "changes": [record_data(change) for change in comparison.changes],
+        "changes": [_change(change, comparison) for change in comparison.changes],
         "findings": [finding_data(finding) for finding in comparison.findings],
         "verdict": msgspec.to_builtins(comparison.verdict),
         "packages": [
@@ -33,11 +35,18 @@ def diff_document(comparison: Comparison) -> dict[str, Any]:
             for entry in comparison.packages
         ],
         "unread": [record_data(part) for part in comparison.unread],
+        "short_steps": [msgspec.to_builtins(step) for step in short_steps(comparison)],
     }
 
 
 def _ref(info: RefInfo) -> dict[str, Any]:
-    return {"ref": info.ref, "commit": info.commit}
+    """The side; that files are not those of the commit is said only where it is so."""
+    return {"ref": info.ref, "commit": info.commit, **({"uncommitted": True} if info.uncommitted else {})}
+
+
+def _change(change: Change, comparison: Comparison) -> dict[str, Any]:
+    fingerprint = fingerprint_of(change)
+    return {**record_data(change), "fingerprint": fingerprint, "accepted": fingerprint in comparison.accepted}
 
 
 def render(comparison: Comparison) -> str:

@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator, Sequence
+
+import msgspec
+from ecm_checker.contract import Evidence
 from ecm_checker.release import Change
 
 from ecm_extract.diff.model import Comparison
+from ecm_extract.diff.steps import ShortStep
 from ecm_extract.report.terminal import one_line
 from ecm_extract.report.unread_text import unread_lines
 
+_MOST_NAMED = 4
 _RANK = {"removed": 0, "renamed": 1, "moved": 2, "type_changed": 3, "signature_changed": 4}
 _KINDS = (
     "package",
@@ -63,13 +69,41 @@ def subject(change: Change) -> str:
     return one_line(f"{kind} {owner}{old or new}", 300)
 
 
-def place(change: Change) -> str:
-    """Where the change can be seen: the new line, else the line at the old ref."""
-    if change.evidence_new is not None:
-        return one_line(f"{change.evidence_new.path}:{change.evidence_new.line}")
-    if change.evidence_old is not None:
-        return one_line(f"{change.evidence_old.path}:{change.evidence_old.line} (old)")
-    return ""
+def values(change: Change) -> str:
+    """` (10.0 -> 20.0)` where a default is what changed; empty where the names tell."""
+    if change.change != "default_changed":
+        return ""
+    return one_line(f" ({_shown(change.old_value)} -> {_shown(change.new_value)})")
+
+
+def _shown(value: str | None) -> str:
+    return "none" if value is None else value or "''"
+
+
+def place(change: Change, where: Callable[[Evidence], Evidence] = lambda entry: entry) -> str:
+    """Where the change can be seen: the new line, else the line at the old ref; `where` gives the path for readers."""
+    at = change.evidence_new or change.evidence_old
+    if at is None:
+        return ""
+    return one_line(f"{where(at).path}:{at.line}{'' if change.evidence_new is not None else ' (old)'}")
+
+
+def counted(number: int, what: str) -> str:
+    """`1 change`, `2 changes`."""
+    return f"{number} {what}{'' if number == 1 else 's'}"
+
+
+def step_lines(short: Sequence[ShortStep]) -> Iterator[str]:
+    """Say which packages take too small a version step, and the version that would do; alike packages in one line."""
+    groups: dict[ShortStep, list[str]] = {}
+    for step in short:
+        groups.setdefault(msgspec.structs.replace(step, package=""), []).append(step.package)
+    for step, names in groups.items():
+        more = f" and {len(names) - _MOST_NAMED} more" if len(names) > _MOST_NAMED else ""
+        versions = f"{step.old_version or '?'} -> {step.new_version or 'gone'}"
+        takes = f"declares {step.declared or 'no step that can be read'}, needs {step.required}"
+        do = f"release as {step.enough}" if step.enough and step.new_version else "say so by the step of the others"
+        yield one_line(f"version: {', '.join(names[:_MOST_NAMED])}{more} {versions} {takes}: {do}", 600)
 
 
 def instead(change: Change) -> str:

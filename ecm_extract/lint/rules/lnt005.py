@@ -61,7 +61,7 @@ def _of(parameter: Parameter, node: SystemNode, declared: list[str], workspace: 
     if near is None or any(entry.name == near and entry.place is not None for entry in node.parameters):
         return None
     text = f"{node.name} does not read {parameter.name}; it reads {near}"
-    entity = Entity("parameter", parameter.name, near)
+    entity = Entity("parameter", parameter.name, near, node.name)
     package = workspace.package_of(parameter.place.path)
     evidence = [evidence_of(parameter.place)]
     return RULE.finding(text, entity, package, evidence, certainty="likely", resolution=f"write {near}")

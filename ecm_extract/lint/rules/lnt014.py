@@ -53,7 +53,7 @@ def _doubled(workspace: Workspace) -> Iterator[Finding]:
             if is_ros1 and twice is not None and "{" not in twice and place not in seen:
                 seen.add(place)
                 text = f"{interface.name} holds {twice} twice"
-                entity = Entity("parameter", interface.name)
+                entity = Entity("parameter", interface.name, owner=entry.module.name)
                 yield RULE.finding(text, entity, entry.module.package, interface.evidence[:2], certainty="likely")
 
 

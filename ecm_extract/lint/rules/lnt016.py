@@ -37,7 +37,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
                 text = f"{joint.name} has the {side} limit {value:g}, which is beyond {_multiple(abs(value))} pi"
                 severity: Severity = "warning" if _multiple(abs(value)) == 1 and _turns_fully(joint) else "info"
                 evidence = [Evidence(joint.where.path, joint.where.line)]
-                entity = Entity("joint", joint.name, side)
+                entity = Entity("joint", joint.name, side, description.name)
                 package = workspace.package_of(joint.where.path)
                 yield RULE.finding(text, entity, package, evidence, severity=severity)
 

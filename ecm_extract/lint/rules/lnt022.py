@@ -10,6 +10,7 @@ from ecm_parsers.xml_tree import children, line_of, parse_xml
 from lxml import etree
 
 from ecm_extract.discover import is_test_path
+from ecm_extract.lint.robot_files import robot_of
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 
@@ -49,7 +50,8 @@ def _of(parent: etree._Element, path: str, package: str) -> Iterator[Finding]:
                 what = f" for {said}" if said else ""
                 text = f"<{tag}> {name} stands twice{what}"
                 evidence = [Evidence(path, line_of(element)), Evidence(path, line_of(first))]
-                yield RULE.finding(text, Entity(tag, str(name), said), package, evidence, certainty="likely")
+                entity = Entity(tag, str(name), said, robot_of(element))
+                yield RULE.finding(text, entity, package, evidence, certainty="likely")
                 break
 
 

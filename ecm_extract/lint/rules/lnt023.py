@@ -39,6 +39,6 @@ def check(workspace: Workspace) -> Iterator[Finding]:
                 for setting in parse_parameter_yaml(workspace.files.read(entry.path) or b"").facts.sets:
                     if _SENTENCE.search(_TEMPLATE.sub("", setting.name)) and "$(" not in setting.name:
                         text = f"the key `{setting.name[:60]}` is a sentence"
-                        evidence = [Evidence(entry.path, setting.line)]
-                        entity = Entity("parameter", setting.name)
+                        evidence = [Evidence(entry.path, setting.line, column=setting.column or None)]
+                        entity = Entity("parameter", setting.name, owner=setting.node or "")
                         yield RULE.finding(text, entity, package.name, evidence, certainty="likely")

@@ -48,7 +48,7 @@ def _compared(made: Description, written: Description, package: str) -> Iterator
         if source is not None and what is not None:
             text = f"{joint.name} of {written.path} has {what}"
             evidence = [Evidence(*joint.where), Evidence(*source.where)]
-            entity = Entity("joint", joint.name, what.partition(",")[0].rpartition(" ")[0])
+            entity = Entity("joint", joint.name, what.partition(",")[0].rpartition(" ")[0], written.name)
             yield RULE.finding(text, entity, package, evidence, certainty="likely")
 
 

@@ -47,4 +47,4 @@ def _is_rounded(text: str) -> bool:
 def _finding(joint: WrittenJoint, written: str) -> Finding:
     text = f"the origin of {joint.name} is turned by {written}, which is pi or half of it, rounded"
     place = [Evidence(joint.path, joint.line)]
-    return RULE.finding(text, Entity("joint", joint.name, written), joint.package, place)
+    return RULE.finding(text, Entity("joint", joint.name, written, joint.robot), joint.package, place)

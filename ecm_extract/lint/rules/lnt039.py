@@ -47,4 +47,5 @@ def _range(written: Mapping[str, str] | None, low: str, high: str) -> tuple[floa
 def _finding(joint: WrittenJoint, part: str, found: tuple[float, float], severity: Severity) -> Finding:
     text = f"<{part}> of {joint.name} goes from {found[0]:g} to {found[1]:g}"
     place = [Evidence(joint.path, joint.line)]
-    return RULE.finding(text, Entity("joint", joint.name, part), joint.package, place, severity=severity)
+    entity = Entity("joint", joint.name, part, joint.robot)
+    return RULE.finding(text, entity, joint.package, place, severity=severity)

@@ -44,7 +44,8 @@ def check(workspace: Workspace) -> Iterator[Finding]:
             level: Severity = "warning" if spaces[_space(name)] > 1 and _is_own(_space(name), entry) else "info"
             text = f"{entry.module.name} reads {name}, which is absolute"
             evidence = interface.evidence[:2]
-            yield RULE.finding(text, Entity("parameter", name), entry.module.package, evidence, severity=level)
+            entity = Entity("parameter", name, owner=entry.module.name)
+            yield RULE.finding(text, entity, entry.module.package, evidence, severity=level)
 
 
 def _is_absolute(interface: Interface) -> bool:

@@ -6,6 +6,8 @@ from collections.abc import Sequence
 
 from ecm_checker.finding import Finding
 
+from ecm_extract.report.findings.sentence import sentences
+
 _LEVELS = {"error": "error", "warning": "warning", "info": "notice"}
 
 
@@ -16,9 +18,10 @@ def render(findings: Sequence[Finding]) -> str:
 
 def _command(finding: Finding) -> str:
     place = finding.evidence[0] if finding.evidence else None
-    where = f"file={_property(place.path)},line={max(place.line, 1)}," if place else ""
+    column = f"col={place.column}," if place and place.column else ""
+    where = f"file={_property(place.path)},line={max(place.line, 1)},{column}" if place else ""
     title = _property(f"{finding.rule} {finding.name}")
-    return f"::{_LEVELS[finding.severity]} {where}title={title}::{_data(f'{finding.message}. {finding.resolution}.')}"
+    return f"::{_LEVELS[finding.severity]} {where}title={title}::{_data(sentences(finding))}"
 
 
 def _data(text: str) -> str:

@@ -7,6 +7,8 @@ from collections.abc import Sequence
 from ecm_checker.finding import Finding
 from lxml import etree
 
+from ecm_extract.report.findings.sentence import sentences
+
 
 def render(findings: Sequence[Finding]) -> str:
     """Return one suite; a finding below error is a test that passed and said something."""
@@ -23,11 +25,12 @@ def render(findings: Sequence[Finding]) -> str:
 
 def _case(suite: etree._Element, finding: Finding) -> None:
     place = finding.evidence[0] if finding.evidence else None
-    where = f"{place.path}:{place.line}" if place else ""
+    column = f":{place.column}" if place and place.column else ""
+    where = f"{place.path}:{place.line}{column}" if place else ""
     case = etree.SubElement(
         suite, "testcase", classname=f"ecm-extract.{finding.rule}", name=_plain(f"{finding.name} {where}")
     )
-    text = _plain(f"{where}: {finding.message}. {finding.resolution}.")
+    text = _plain(f"{where}: {sentences(finding)}")
     if finding.severity == "error":
         etree.SubElement(case, "failure", message=text).text = text
     else:

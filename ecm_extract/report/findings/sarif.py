@@ -12,6 +12,7 @@ from ecm_checker.contract import Evidence
 from ecm_checker.finding import Finding
 
 from ecm_extract.errors import InputError
+from ecm_extract.report.findings.sentence import sentences
 from ecm_extract.rule_pages import page_of
 
 _LEVELS = {"error": "error", "warning": "warning", "info": "note"}
@@ -62,7 +63,7 @@ def _result(finding: Finding) -> dict[str, Any]:
     result: dict[str, Any] = {
         "ruleId": finding.rule,
         "level": _LEVELS[finding.severity],
-        "message": {"text": f"{finding.message}. {finding.resolution}."},
+        "message": {"text": sentences(finding)},
         "partialFingerprints": {"ecmExtract/v1": finding.fingerprint},
         "properties": {"certainty": finding.certainty, "breaks": finding.who},
     }
@@ -75,5 +76,6 @@ def _result(finding: Finding) -> dict[str, Any]:
 
 def _location(place: Evidence) -> dict[str, Any]:
     uri = quote(place.path)
-    region = {"region": {"startLine": place.line}} if place.line > 0 else {}
+    column = {"startColumn": place.column} if place.column else {}
+    region = {"region": {"startLine": place.line, **column}} if place.line > 0 else {}
     return {"physicalLocation": {"artifactLocation": {"uri": uri, "uriBaseId": "%SRCROOT%"}, **region}}
