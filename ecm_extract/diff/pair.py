@@ -18,14 +18,17 @@ from ecm_extract.diff.computed import Computed
 from ecm_extract.diff.file_moves import alone_in_moved_files
 from ecm_extract.diff.history import History
 from ecm_extract.diff.model import How, Pair
-from ecm_extract.diff.moves import best_home, is_reshaped
+from ecm_extract.diff.moves import Places, best_home, is_reshaped
+from ecm_extract.diff.nodes import Successions, is_ported, module_homes, names_after, node_pairs
 from ecm_extract.diff.same_form import given_away, only_ones
 from ecm_extract.diff.same_stem import other_endings
 from ecm_extract.diff.scores import score
 from ecm_extract.diff.similarity import last_part
 from ecm_extract.diff.successors import stated_successor
 from ecm_extract.diff.texts import Texts
+from ecm_extract.entities.endpoints import HOLE
 from ecm_extract.entities.model import Key, PublicEntity
+from ecm_extract.entities.nodes import LAUNCHED
 
 CONTAINERS = ("package", "message", "class", "bt_node", "launch_file")
 _FOLLOWING = frozenset({"message_field", "member", "method", "constant", "bt_port", "launch_argument"})
@@ -64,8 +67,10 @@ class Pairing:
             self._renamed({kind})
             self._by_file(kind)
             self._learn(kind)
+        self._nodes()
         self._follow()
-        kinds = {key[0] for key in self.old} - set(CONTAINERS)
+        self._with_their_module()
+        kinds = {key[0] for key in self.old} - {*CONTAINERS, "node"}
         self._inherited()
         self._reshaped()
         self._endings()
@@ -108,6 +113,28 @@ class Pairing:
         """What its file alone declared of a kind has moved with the file, however it is called now."""
         for found in list(alone_in_moved_files(kind, self.old.values(), self.new.values(), self.evidence.files)):
             self.take(found)
+
+    def _nodes(self) -> None:
+        """Nodes under another name, or made by something else; a launch file that starts other ones is no change."""
+        known = Successions(self.packages, self.owners, self.evidence.files)
+        for found in list(node_pairs(self.old.values(), self.new.values(), known)):
+            self.take(found)
+        for side in (self.old, self.new):
+            for entity in list(side.values()):
+                if entity.kind == "node" and (entity.facet == LAUNCHED or entity.name == HOLE):
+                    side.pop(entity.key)
+
+    def _with_their_module(self) -> None:
+        """What a module offers is what it was when the module or its package has another name."""
+        homes = module_homes(self.pairs)
+        for entity in list(self.old.values()):
+            if entity.kind in _IN_MODULES:
+                package = self.packages.get(entity.package, entity.package)
+                package, owner = homes.get((entity.package, entity.owner), (package, entity.owner))
+                keys = ((entity.kind, package, owner, name, entity.facet) for name in names_after(entity))
+                target = next((self.new[key] for key in keys if key in self.new), None)
+                if target is not None and is_ported(entity, target):
+                    self.take(Pair(entity, target))
 
     def _learn(self, kind: str) -> None:
         for pair in self.pairs:
@@ -187,11 +214,12 @@ class Pairing:
         for entity in self.new.values():
             if entity.kind in kinds:
                 index[_move_key(entity)].append(entity)
+        places = Places(self.evidence.files, self.packages, self._same_module)
         for entity in list(self.old.values()):
             if entity.kind not in kinds:
                 continue
             homes = [other for other in index.get(_move_key(entity), ()) if other.key in self.new]
-            found = best_home(entity, homes, self.evidence.files, self._same_module)
+            found = best_home(entity, homes, places)
             if found is not None:
                 self.take(found)
 

@@ -16,6 +16,7 @@ from ecm_extract.entities.interfaces import interface_entities
 from ecm_extract.entities.launch import launch_entities
 from ecm_extract.entities.model import Key, PublicEntity
 from ecm_extract.entities.naming import at_their_names
+from ecm_extract.entities.nodes import node_entities
 from ecm_extract.entities.packaging import packaging_entities
 from ecm_extract.entities.python import python_entities
 from ecm_extract.entities.side_texts import SideTexts
@@ -81,6 +82,7 @@ def _of_package(
     yield from packaging_entities(texts, facts)
     yield from interface_entities(facts)
     yield from endpoint_entities(texts, facts, modules)
+    yield from node_entities(facts, modules)
     yield from cpp_entities(facts)
     yield from python_entities(facts)
     yield from bt_entities(facts, ports)

@@ -9,6 +9,7 @@ from ecm_parsers.launch.model import Action, Argument, Group, LaunchFile, Substi
 
 from ecm_extract.discover import is_test_path
 from ecm_extract.entities.model import PublicEntity
+from ecm_extract.entities.nodes import launched_nodes
 from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.system.launch_files import is_launch_file, read_launch
@@ -18,10 +19,11 @@ MAX_BYTES = 1_000_000
 
 
 def launch_entities(texts: SideTexts, facts: PackageFacts) -> Iterator[PublicEntity]:
-    """Yield the launch files of a package and their arguments; a file goes by its name, as for `ros2 launch`."""
+    """Yield the launch files of a package with their arguments and nodes; a file goes by its name, as for `ros2 launch`."""
     for path, file in launch_files(texts, facts):
         name = PurePosixPath(path).name
         yield PublicEntity(kind="launch_file", package=facts.name, owner="", name=name, path=path, line=1)
+        yield from launched_nodes(facts, path, name, file.actions)
         for argument in arguments(file.actions):
             if argument.value is None:
                 yield PublicEntity(

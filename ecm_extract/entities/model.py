@@ -55,11 +55,11 @@ class PublicEntity(msgspec.Struct, frozen=True, kw_only=True):
         type: message type, parameter type, field type, or base class of a plugin.
         default: of a parameter, constant or launch argument, as data.
         forms: of a function or method.
-        bases: of a class, qualified as far as the tree shows.
+        bases: of a class, qualified as far as the tree shows; of a node that a launch file names, what it runs.
         qos: of a topic. ros: 1, 2 or None.
         deprecated: what its own source says about its end; None when it is not deprecated.
         path, line: where it is declared.
-        node: name of the node that has an endpoint; None where no source says it.
+        node: name of the node that has an endpoint, None where no source says it; of a node, the owner of its endpoints.
         sharers: owners beside `owner` that have an endpoint by the same line.
         others: message types that its owner has under that name as well, by a condition.
         chain: the calls from the module to the one that makes it; more than one when a wrapper or library does.
