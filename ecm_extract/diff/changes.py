@@ -26,6 +26,7 @@ _REASONS = {
     "service": "gone; a client waits for ever, or its call fails",
     "action": "gone; a client waits for ever for the server",
     "parameter": "no longer declared; a value set for it is ignored, mostly without an error",
+    "node": "gone; parameters, remaps and policies that are keyed by its name reach nothing",
     "message": "gone; code and bags that use it fail",
     "message_field": "gone; readers and writers of it fail, the layout changes",
     "constant": "gone; code that names it fails",

@@ -18,6 +18,7 @@ from ecm_extract.uses.keywords import keyword_uses
 from ecm_extract.uses.launch import is_kept_alive, launch_uses, remaps_of
 from ecm_extract.uses.layouts import layout_uses
 from ecm_extract.uses.model import Use
+from ecm_extract.uses.nodes import node_uses
 from ecm_extract.uses.overrides import override_uses
 from ecm_extract.uses.parameters import parameter_uses
 from ecm_extract.uses.results import result_uses
@@ -29,6 +30,7 @@ _BUILT = (".cpp", ".cc", ".cxx", ".c", ".h", ".hh", ".hpp", ".hxx", ".ipp", ".tp
 _MATCHERS = (
     endpoint_uses,
     parameter_uses,
+    node_uses,
     launch_uses,
     include_uses,
     frame_uses,
