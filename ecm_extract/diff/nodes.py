@@ -21,7 +21,7 @@ class Successions:
     """What has another name or place now.
 
     Attributes:
-        packages: new name of each package. owners: new name of each class and launch file. files: new path of each file.
+        packages: new name of each package. owners: of each class and launch file. files: new path of each file.
     """
 
     packages: Mapping[str, str] = field(default_factory=dict)
@@ -103,29 +103,3 @@ def _same_file(known: Successions) -> Place:
         return known.files.get(entity.path, entity.path) if is_old else entity.path
 
     return place
-
-
-def module_homes(pairs: Iterable[Pair]) -> dict[tuple[str, str], tuple[str, str]]:
-    """Return package and owner of the endpoints of each node by what they were."""
-    found = {}
-    for pair in pairs:
-        old, new = pair.old, pair.new
-        if old is not None and new is not None and old.kind == "node" and old.node and new.node:
-            found[old.package, old.node] = new.package, new.node
-    return found
-
-
-def names_after(entity: PublicEntity) -> tuple[str, ...]:
-    """The names that an old name can have on the other side.
-
-    A private parameter of ROS 1 (`~/turbo/steps`) is a parameter of the node in ROS 2 (`turbo.steps`).
-    """
-    if entity.kind != "parameter" or entity.ros != 1 or not entity.name.startswith("~/"):
-        return (entity.name,)
-    own = entity.name.removeprefix("~/")
-    return entity.name, own, own.replace("/", ".")
-
-
-def is_ported(old: PublicEntity, new: PublicEntity) -> bool:
-    """Whether a name that differs does so since it is of the other generation of ROS."""
-    return old.name == new.name or (old.ros, new.ros) == (1, 2)

@@ -18,8 +18,9 @@ from ecm_extract.diff.computed import Computed
 from ecm_extract.diff.file_moves import alone_in_moved_files
 from ecm_extract.diff.history import History
 from ecm_extract.diff.model import How, Pair
+from ecm_extract.diff.module_homes import is_ported, likely_homes, module_homes, names_after
 from ecm_extract.diff.moves import Places, best_home, is_reshaped
-from ecm_extract.diff.nodes import Successions, is_ported, module_homes, names_after, node_pairs
+from ecm_extract.diff.nodes import Successions, node_pairs
 from ecm_extract.diff.same_form import given_away, only_ones
 from ecm_extract.diff.same_stem import other_endings
 from ecm_extract.diff.scores import score
@@ -116,8 +117,7 @@ class Pairing:
 
     def _nodes(self) -> None:
         """Nodes under another name, or made by something else; a launch file that starts other ones is no change."""
-        known = Successions(self.packages, self.owners, self.evidence.files)
-        for found in list(node_pairs(self.old.values(), self.new.values(), known)):
+        for found in list(node_pairs(self.old.values(), self.new.values(), self._known())):
             self.take(found)
         for side in (self.old, self.new):
             for entity in list(side.values()):
@@ -126,15 +126,18 @@ class Pairing:
 
     def _with_their_module(self) -> None:
         """What a module offers is what it was when the module or its package has another name."""
-        homes = module_homes(self.pairs)
+        known = self._known()
+        homes = likely_homes(self.all_old.values(), self.all_new.values(), known) | module_homes(self.pairs)
         for entity in list(self.old.values()):
             if entity.kind in _IN_MODULES:
-                package = self.packages.get(entity.package, entity.package)
-                package, owner = homes.get((entity.package, entity.owner), (package, entity.owner))
+                package, owner = homes.get((entity.package, entity.owner), (known.package(entity), entity.owner))
                 keys = ((entity.kind, package, owner, name, entity.facet) for name in names_after(entity))
-                target = next((self.new[key] for key in keys if key in self.new), None)
+                target = next((self.all_new[key] for key in keys if key in self.all_new), None)
                 if target is not None and is_ported(entity, target):
                     self.take(Pair(entity, target))
+
+    def _known(self) -> Successions:
+        return Successions(self.packages, self.owners, self.evidence.files)
 
     def _learn(self, kind: str) -> None:
         for pair in self.pairs:

@@ -19,7 +19,7 @@ MAX_BYTES = 1_000_000
 
 
 def launch_entities(texts: SideTexts, facts: PackageFacts) -> Iterator[PublicEntity]:
-    """Yield the launch files of a package with their arguments and nodes; a file goes by its name, as for `ros2 launch`."""
+    """Yield the launch files of a package, their arguments and nodes; a file goes by its name, as for `ros2 launch`."""
     for path, file in launch_files(texts, facts):
         name = PurePosixPath(path).name
         yield PublicEntity(kind="launch_file", package=facts.name, owner="", name=name, path=path, line=1)

@@ -59,7 +59,7 @@ class PublicEntity(msgspec.Struct, frozen=True, kw_only=True):
         qos: of a topic. ros: 1, 2 or None.
         deprecated: what its own source says about its end; None when it is not deprecated.
         path, line: where it is declared.
-        node: name of the node that has an endpoint, None where no source says it; of a node, the owner of its endpoints.
+        node: name of the node that has an endpoint, None where no source says it; of a node, what owns its endpoints.
         sharers: owners beside `owner` that have an endpoint by the same line.
         others: message types that its owner has under that name as well, by a condition.
         chain: the calls from the module to the one that makes it; more than one when a wrapper or library does.

@@ -86,7 +86,7 @@ USERS = {
     "config/policy.xml": (POLICY, [2]),
     "config/other.yaml": ("leg:\n  ros__parameters:\n    arm_driver: 2\n", []),
     "launch/remap.launch.xml": (
-        '<launch>\n<node pkg="leg" exec="leg" name="leg">\n<remap from="done" to="/arm_driver/done"/>\n</node>\n</launch>\n',
+        '<launch>\n<node pkg="leg" exec="leg" name="leg">\n<remap from="done" to="/arm_driver/done"/></node>\n</launch>\n',
         [3],
     ),
     "launch/keeps.launch.xml": ('<launch>\n<node pkg="arm" exec="arm" name="arm_driver"/>\n</launch>\n', []),
@@ -119,3 +119,38 @@ def test_a_launch_file_that_gives_the_old_name_keeps_it(tmp_path: Path, capsys: 
     files = {path: USERS[path][0] for path in ("config/arm.yaml", "launch/keeps.launch.xml")}
     write(user, {"package.xml": package("user"), **files})
     assert _findings(capsys, repo, user) == []
+
+
+PRIVATE = """#!/usr/bin/env python
+import rospy
+from std_msgs.msg import Bool
+rospy.init_node('arm')
+rate = rospy.get_param('~%s', 10)
+rospy.Publisher('done', Bool, queue_size=1)
+"""
+PORTED = """#!/usr/bin/env python3
+import rclpy
+from std_msgs.msg import Bool
+node = rclpy.create_node('arm')
+rate = node.declare_parameter('%s', 10)
+node.create_publisher(Bool, 'done', 1)
+"""
+
+
+@pytest.mark.parametrize(("old", "new"), [("rate", "rate"), ("turbo/rate", "turbo.rate")])
+def test_a_private_parameter_of_ros_1_is_one_of_the_node_in_ros_2(told, old: str, new: str) -> None:  # type: ignore[no-untyped-def]
+    """A port renames none of them."""
+    make = "project(arm)\ninstall(PROGRAMS scripts/arm.py DESTINATION lib/arm)\n"
+    before = {"arm/package.xml": ROS1, "arm/CMakeLists.txt": make, "arm/scripts/arm.py": PRIVATE % old}
+    found = told(before, {"arm/package.xml": package("arm"), "arm/scripts/arm.py": PORTED % new})
+    assert not [entry for entry in found if entry[0] == "parameter"]
+
+
+def test_a_package_is_renamed_and_what_its_nodes_offer_stays(told) -> None:  # type: ignore[no-untyped-def]
+    """Names in the graph know of no package."""
+    source = arm("arm", 'declare_parameter("rate", 1);', 'create_publisher<std_msgs::msg::Bool>("done", 1);')
+    old = {"arm/CMakeLists.txt": CMAKE, "arm/src/arm.cpp": source, "arm/README.md": "the arm\n"}
+    moved = {path.replace("arm/", "hand/", 1): text for path, text in old.items()}
+    new = {"hand/package.xml": package("hand"), **moved, **dict.fromkeys(old), "arm/package.xml": None}
+    assert ("package", "renamed", "arm", "hand") in (found := told(old, new))
+    assert not [entry for entry in found if entry[0] in {"topic", "parameter", "node"}]
