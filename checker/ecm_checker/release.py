@@ -67,6 +67,7 @@ class Change(msgspec.Struct, frozen=True, kw_only=True):
         reason: why it is breaking or not.
         evidence_old: line before.
         evidence_new: line after.
+        cause: the change that explains this one, as `node arm of robot_driver`; None for a cause of its own.
     """
 
     kind: str
@@ -81,6 +82,7 @@ class Change(msgspec.Struct, frozen=True, kw_only=True):
     reason: str = ""
     evidence_old: Evidence | None = None
     evidence_new: Evidence | None = None
+    cause: str | None = None
 
 
 class Verdict(msgspec.Struct, frozen=True):

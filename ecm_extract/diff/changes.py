@@ -11,6 +11,7 @@ from ecm_checker.release import Change
 from ecm_extract.diff.causes import one_cause
 from ecm_extract.diff.duties import old_duties
 from ecm_extract.diff.effects import EFFECTS, Difference, added_breaks
+from ecm_extract.diff.folding import folded
 from ecm_extract.diff.model import Located, Pair
 from ecm_extract.diff.pair import CONTAINERS
 from ecm_extract.diff.successors import stated_successor
@@ -51,7 +52,7 @@ def changes_of(pairs: Iterable[Pair], old: Side, new: Side) -> list[Located]:
     found = [located for pair in listed for located in _of_pair(pair, gone, fresh, duties)]
     found += [_nested(pair, path) for pair, path in nested_changes(listed, old, new)]
     told = [_with_successor(_with_wire(located, old, new), new) for located in found]
-    return sorted(one_cause(told, new), key=_order)
+    return sorted(folded(one_cause(told, new)), key=_order)
 
 
 def _order(located: Located) -> tuple[str, bool, str, str, str, str]:

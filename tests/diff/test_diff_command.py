@@ -137,7 +137,7 @@ def test_the_document_is_the_wire_format(repo: Path, capsys: pytest.CaptureFixtu
     assert found["old"] == {"ref": "1.0.0", "commit": git(repo, "rev-parse", "1.0.0")}
     assert set(found["changes"][0]) == {
         "kind", "change", "package", "owner", "old", "new", "breaking", "dimension", "confidence", "reason",
-        "evidence_old", "evidence_new",
+        "evidence_old", "evidence_new", "cause",
     }  # fmt: skip
     verdict = {"compatibility_class": "breaking", "required_bump": "major", "declared_bump": "minor"}
     assert found["verdict"] == verdict

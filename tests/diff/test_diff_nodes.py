@@ -86,7 +86,7 @@ USERS = {
     "config/policy.xml": (POLICY, [2]),
     "config/other.yaml": ("leg:\n  ros__parameters:\n    arm_driver: 2\n", []),
     "launch/remap.launch.xml": (
-        '<launch>\n<node pkg="leg" exec="leg" name="leg">\n<remap from="done" to="/arm_driver/done"/></node>\n</launch>\n',
+        '<launch>\n<node pkg="leg" exec="leg" name="leg">\n<remap from="a" to="/arm_driver/a"/></node>\n</launch>\n',
         [3],
     ),
     "launch/keeps.launch.xml": ('<launch>\n<node pkg="arm" exec="arm" name="arm_driver"/>\n</launch>\n', []),
@@ -154,3 +154,28 @@ def test_a_package_is_renamed_and_what_its_nodes_offer_stays(told) -> None:  # t
     new = {"hand/package.xml": package("hand"), **moved, **dict.fromkeys(old), "arm/package.xml": None}
     assert ("package", "renamed", "arm", "hand") in (found := told(old, new))
     assert not [entry for entry in found if entry[0] in {"topic", "parameter", "node"}]
+
+
+def test_what_goes_with_a_node_is_folded_below_it(changes) -> None:  # type: ignore[no-untyped-def]
+    """One row for a program that is gone; its node, topics and parameters name it as their cause."""
+    lines = ('declare_parameter("rate", 1);', 'create_publisher<std_msgs::msg::Bool>("done", 1);')
+    found = changes(
+        {"arm/CMakeLists.txt": CMAKE, "arm/src/arm.cpp": arm("arm", *lines)},
+        {"arm/CMakeLists.txt": "project(arm)\n", "arm/src/arm.cpp": None},
+    )
+    assert {(each["kind"], each["cause"]) for each in found} == {
+        ("executable", None),
+        ("node", "executable arm of arm"),
+        ("topic", "executable arm of arm"),
+        ("parameter", "executable arm of arm"),
+    }
+
+
+def test_a_header_that_is_gone_explains_its_classes(changes) -> None:  # type: ignore[no-untyped-def]
+    """One row for the header."""
+    old = {"arm/include/arm/arm.hpp": "#pragma once\nnamespace arm {\nclass Arm { public: void move(); };\n}\n"}
+    found = changes(old, dict.fromkeys(old))
+    assert {(each["kind"], each["cause"]) for each in found} == {
+        ("file", None),
+        ("class", "file arm/arm.hpp of arm"),
+    }

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ecm_checker.release import Change
+
+from ecm_extract.diff.formats.below import with_it
 from ecm_extract.diff.formats.migration import escape
 from ecm_extract.diff.formats.phrases import by_package, place, subject
 from ecm_extract.diff.model import Comparison
@@ -26,12 +29,14 @@ def _lines(comparison: Comparison) -> Iterator[str]:
         yield f"- **{finding.severity}** `{escape(at.path)}:{at.line}` {escape(finding.message)}"
     if comparison.findings:
         yield ""
-    rows = [change for _, changes in by_package(comparison.changes) for change in changes if change.breaking]
+    rows = [change for _, changes in by_package(comparison.changes) for change in changes if _is_row(change)]
     if rows:
         yield "| package | change | entity | where |"
         yield "|---|---|---|---|"
+    below = with_it(comparison.changes)
     for change in rows[:MAX_ROWS]:
-        cells = (change.package, change.change, subject(change), place(change))
+        what = "; ".join(filter(None, (subject(change), below(change))))
+        cells = (change.package, change.change, what, place(change))
         yield f"| {' | '.join(map(escape, cells))} |"
     if len(rows) > MAX_ROWS:
         yield ""
@@ -39,3 +44,8 @@ def _lines(comparison: Comparison) -> Iterator[str]:
     compatible = sum(not change.breaking for change in comparison.changes)
     yield ""
     yield f"{compatible} compatible changes."
+
+
+def _is_row(change: Change) -> bool:
+    """Whether a change breaks somebody, and nothing else in the table explains it."""
+    return change.breaking and not change.cause

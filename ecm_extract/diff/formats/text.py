@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from ecm_checker.finding import Finding
 from ecm_checker.release import Change
 
+from ecm_extract.diff.formats.below import With, with_it
 from ecm_extract.diff.formats.phrases import by_package, place, subject
 from ecm_extract.diff.model import Comparison
 from ecm_extract.report.terminal import one_line
@@ -24,6 +25,7 @@ def _lines(comparison: Comparison) -> Iterator[str]:
     for finding in comparison.findings:
         yield from _finding(finding)
     versions = {entry.package: entry for entry in comparison.packages}
+    below = with_it(comparison.changes)
     for package, changes in by_package(comparison.changes):
         entry = versions.get(package)
         head = f"{package}"
@@ -32,7 +34,7 @@ def _lines(comparison: Comparison) -> Iterator[str]:
             head += f" {entry.old_version or '?'} -> {entry.new_version or '?'}"
             head += f": {entry.verdict.compatibility_class}, needs {needs}, takes {takes or 'unknown'}"
         yield one_line(head, 300)
-        yield from _changes(changes)
+        yield from _changes(changes, below)
         yield ""
     if not comparison.changes:
         yield "no change of a public entity"
@@ -47,12 +49,14 @@ def _finding(finding: Finding) -> Iterator[str]:
     yield ""
 
 
-def _changes(changes: list[Change]) -> Iterator[str]:
-    breaking = [change for change in changes if change.breaking]
+def _changes(changes: list[Change], below: With) -> Iterator[str]:
+    breaking = [change for change in changes if change.breaking and not change.cause]
     rest = [change for change in changes if not change.breaking]
     for change in breaking:
         yield f"  ! {change.change:<17} {subject(change)}"
         yield one_line(f"      {place(change)}  {change.reason}", 400)
+        if below(change):
+            yield f"      {below(change)}"
     for change in rest[:MAX_COMPATIBLE]:
         yield f"    {change.change:<17} {subject(change)}"
     if len(rest) > MAX_COMPATIBLE:
