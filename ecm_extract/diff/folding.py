@@ -10,7 +10,7 @@ from ecm_checker.release import Change
 
 from ecm_extract.diff.model import Located
 from ecm_extract.diff.module_homes import KINDS as ENDPOINTS
-from ecm_extract.diff.similarity import SEPARATOR
+from ecm_extract.diff.similarity import in_package
 
 _GONE: Final = frozenset({"removed", "renamed", "moved"})
 _DECLARED: Final = frozenset({"class", "function", "constant", "method", "member"})
@@ -76,7 +76,4 @@ def _asked(located: Located) -> Iterator[tuple[str, ...]]:
 
 def _is_same_but_for_package(old: str, new: str, packages: tuple[str, str]) -> bool:
     """Whether two names differ in the part that is the name of their package, if at all."""
-    if packages[0] == packages[1]:
-        return False
-    parts = [packages[1] if part == packages[0] else part for part in SEPARATOR.split(old)]
-    return parts == SEPARATOR.split(new)
+    return packages[0] != packages[1] and in_package(old, *packages) == new

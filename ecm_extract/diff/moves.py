@@ -7,13 +7,15 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from ecm_extract.diff.model import Pair
-from ecm_extract.diff.similarity import name_similarity, shape_equal
+from ecm_extract.diff.similarity import name_similarity, same_language, shape_equal
 from ecm_extract.entities.endpoints import HOLE
 from ecm_extract.entities.model import PublicEntity
 
 _NEVER = frozenset({"member", "method", "package", "library", "bt_port", "launch_argument"})
 _BY_FILE = frozenset({"launch_file", "executable"})
 """Names that say little by themselves: the same one elsewhere is another thing unless its file moved there."""
+_FILES = frozenset({"file", "launch_file"})
+"""What is its file: one that stood there before is no new home of another."""
 _ENDPOINTS = frozenset({"topic", "service", "action", "parameter"})
 
 
@@ -23,12 +25,13 @@ class Places:
 
     Attributes:
         files: new path of each file that moved. packages: new name of each package that has one.
-        same_module: whether the module that had it still exists.
+        same_module: whether the module that had it still exists. before: paths of the old side.
     """
 
     files: Mapping[str, str]
     packages: Mapping[str, str]
     same_module: Callable[[PublicEntity, PublicEntity], bool]
+    before: frozenset[str] = frozenset()
 
     def same_package(self, old: PublicEntity, new: PublicEntity) -> bool:
         """Whether an entity stayed in its package, however that is called now."""
@@ -90,6 +93,8 @@ def is_reshaped(old: PublicEntity, new: PublicEntity) -> bool:
 def _is_likely(old: PublicEntity, new: PublicEntity, places: Places) -> bool:
     if _same_file(old, new, places.files):
         return True
+    if not same_language(old, new) or (old.kind in _FILES and new.path in places.before):
+        return False
     if old.kind in _ENDPOINTS:
         return places.same_package(old, new) and shape_equal(old, new) >= 0.5 and not old.name.startswith(HOLE)
     if old.kind == "file":

@@ -22,9 +22,10 @@ from ecm_extract.diff.module_homes import is_ported, likely_homes, module_homes,
 from ecm_extract.diff.moves import Places, best_home, is_reshaped
 from ecm_extract.diff.nodes import Successions, node_pairs
 from ecm_extract.diff.same_form import given_away, only_ones
+from ecm_extract.diff.same_line import SameLine
 from ecm_extract.diff.same_stem import other_endings
 from ecm_extract.diff.scores import score
-from ecm_extract.diff.similarity import last_part
+from ecm_extract.diff.similarity import in_package, last_part, same_language
 from ecm_extract.diff.successors import stated_successor
 from ecm_extract.diff.texts import Texts
 from ecm_extract.entities.endpoints import HOLE
@@ -34,17 +35,27 @@ from ecm_extract.entities.nodes import LAUNCHED
 CONTAINERS = ("package", "message", "class", "bt_node", "launch_file")
 _FOLLOWING = frozenset({"message_field", "member", "method", "constant", "bt_port", "launch_argument"})
 _GENERATED = "*.yaml"
+_WITH_PACKAGE = 0.95
+_QUALIFIED = frozenset({"message", "class", "function", "plugin"})
+"""What is written with its package or namespace before it: a new place, not another name."""
 _IN_MODULES = frozenset({"topic", "service", "action", "parameter"})
 
 
 @dataclass(slots=True)
 class Evidence:
-    """What helps to decide beside the entities: files that moved, what people wrote, names that Python still binds."""
+    """What helps to decide beside the entities.
+
+    Attributes:
+        files: new path of each file that moved. history: what people wrote. bound: names that Python still binds.
+        texts: sources of the new side. lines: declaring lines of both sides. before: paths of the old side.
+    """
 
     files: Mapping[str, str] = field(default_factory=dict)
     history: History | None = None
     bound: frozenset[str] = frozenset()
     texts: Texts | None = None
+    lines: SameLine | None = None
+    before: frozenset[str] = frozenset()
 
 
 class Pairing:
@@ -68,6 +79,7 @@ class Pairing:
             self._renamed({kind})
             self._by_file(kind)
             self._learn(kind)
+            self._with_their_package(kind)
         self._nodes()
         self._follow()
         self._with_their_module()
@@ -78,6 +90,7 @@ class Pairing:
         self._moved(kinds)
         self._computed()
         self._successors()
+        self._on_their_lines()
         self._renamed(kinds)
         self._by_signature()
         pairs = [msgspec.structs.replace(pair, kept=True) if self._is_bound(pair.old) else pair for pair in self.pairs]
@@ -123,6 +136,18 @@ class Pairing:
             for entity in list(side.values()):
                 if entity.kind == "node" and (entity.facet == LAUNCHED or entity.name == HOLE):
                     side.pop(entity.key)
+
+    def _with_their_package(self, kind: str) -> None:
+        """What a package offers goes with it under its new name."""
+        for entity in list(self.old.values()) if kind == "package" else ():
+            package = self.packages.get(entity.package)
+            if package is None or entity.kind in _IN_MODULES:
+                continue
+            owner, name = (in_package(text, entity.package, package) for text in (entity.owner, entity.name))
+            target = self.new.get((entity.kind, package, owner, name, entity.facet))
+            if target is not None and same_language(entity, target):
+                how: How = "moved" if name == entity.name or entity.kind in _QUALIFIED else "renamed"
+                self.take(Pair(entity, target, how, _WITH_PACKAGE, f"its package is {package} now"))
 
     def _with_their_module(self) -> None:
         """What a module offers is what it was when the module or its package has another name."""
@@ -217,7 +242,7 @@ class Pairing:
         for entity in self.new.values():
             if entity.kind in kinds:
                 index[_move_key(entity)].append(entity)
-        places = Places(self.evidence.files, self.packages, self._same_module)
+        places = Places(self.evidence.files, self.packages, self._same_module, self.evidence.before)
         for entity in list(self.old.values()):
             if entity.kind not in kinds:
                 continue
@@ -239,6 +264,12 @@ class Pairing:
                 self.new.pop(found.key, None)
                 reason = f"its deprecation at the old ref names the successor: {entity.deprecated}"
                 self.pairs.append(Pair(entity, found, "renamed", 0.95, reason[:300]))
+
+    def _on_their_lines(self) -> None:
+        """What stands in the very line of an old name is that, however it is called."""
+        lines = self.evidence.lines
+        for found in list(lines.pairs(self.old.values(), self.new.values())) if lines is not None else ():
+            self.take(found)
 
     def _renamed(self, kinds: set[str]) -> None:
         groups: dict[object, tuple[list[PublicEntity], list[PublicEntity]]] = defaultdict(lambda: ([], []))

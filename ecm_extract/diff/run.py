@@ -13,6 +13,7 @@ from ecm_extract.diff.git_renames import renamed_files
 from ecm_extract.diff.history import History
 from ecm_extract.diff.model import Comparison, Located, RefInfo
 from ecm_extract.diff.pair import Evidence, Pairing
+from ecm_extract.diff.same_line import SameLine
 from ecm_extract.diff.sides import Sides, both_sides
 from ecm_extract.diff.texts import Texts
 from ecm_extract.diff.verdict import package_verdicts, repository_verdict
@@ -89,9 +90,15 @@ def compared(request: Request, sides: Sides, parsed: dict[str, SourceFile]) -> C
 
 def _changes(request: Request, old: Side, new: Side) -> list[Located]:
     files = renamed_files(old, new, request.repo)
-    pairs = Pairing(
-        old.entities, new.entities, Evidence(files, History(old, new, request.repo), new.bound, Texts(new))
-    ).run()
+    evidence = Evidence(
+        files=files,
+        history=History(old, new, request.repo),
+        bound=new.bound,
+        texts=Texts(new),
+        lines=SameLine(old.tree, new.tree, files),
+        before=frozenset(old.blobs),
+    )
+    pairs = Pairing(old.entities, new.entities, evidence).run()
     located = changes_of(pairs, old, new)
     if not request.packages:
         return located
