@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import chain
 
 import msgspec
 
@@ -15,12 +16,13 @@ from ecm_extract.uses.includes import include_uses
 from ecm_extract.uses.index import GONE, ChangeIndex
 from ecm_extract.uses.kept import kept_for
 from ecm_extract.uses.keywords import keyword_uses
-from ecm_extract.uses.launch import is_kept_alive, launch_uses, remaps_of
+from ecm_extract.uses.launch import launch_uses
 from ecm_extract.uses.layouts import layout_uses
 from ecm_extract.uses.model import Use
 from ecm_extract.uses.nodes import node_uses
 from ecm_extract.uses.overrides import override_uses
 from ecm_extract.uses.parameters import parameter_uses
+from ecm_extract.uses.remaps import connections_of, is_kept_alive, remap_uses
 from ecm_extract.uses.results import result_uses
 from ecm_extract.uses.symbols import symbol_uses
 from ecm_extract.uses.trees import tree_uses
@@ -28,7 +30,6 @@ from ecm_extract.uses.unpacked import unpacked_uses
 
 _BUILT = (".cpp", ".cc", ".cxx", ".c", ".h", ".hh", ".hpp", ".hxx", ".ipp", ".tpp", ".cu", ".cuh")
 _MATCHERS = (
-    endpoint_uses,
     parameter_uses,
     node_uses,
     launch_uses,
@@ -56,15 +57,15 @@ def uses_of(workspace: Workspace, index: ChangeIndex, own: bool = False) -> Iter
     """
     if index.is_empty():
         return
-    remaps = remaps_of(workspace)
+    connections = connections_of(workspace)
     paths = frozenset(entry.path for entry in workspace.tree.files())
-    for matcher in _MATCHERS:
-        for use in matcher(workspace, index):
-            if own and not _is_forgotten(use):
-                continue
-            alive = is_kept_alive(use, remaps)
-            kept = kept_for(use.path, paths)
-            yield msgspec.structs.replace(use, commit=workspace.tree.commit, remapped=alive, kept_for=kept)
+    in_graph = (endpoint_uses(workspace, index, connections), remap_uses(connections, index))
+    for use in chain(*in_graph, *(matcher(workspace, index) for matcher in _MATCHERS)):
+        if own and not _is_forgotten(use):
+            continue
+        alive = is_kept_alive(use, connections)
+        kept = kept_for(use.path, paths)
+        yield msgspec.structs.replace(use, commit=workspace.tree.commit, remapped=alive, kept_for=kept)
 
 
 def _is_forgotten(use: Use) -> bool:

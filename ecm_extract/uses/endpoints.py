@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from ecm_checker.contract import Interface
 
@@ -13,6 +13,7 @@ from ecm_extract.entities.side import Workspace
 from ecm_extract.uses.index import GONE, ChangeIndex
 from ecm_extract.uses.model import Place, Use, use_at
 from ecm_extract.uses.names import graph_name_matches
+from ecm_extract.uses.remaps import Connection, is_led_elsewhere
 
 _PEERS = {
     "subscriber": ("topic", "published", "subscribes to"),
@@ -22,12 +23,20 @@ _PEERS = {
 }
 
 
-def endpoint_uses(workspace: Workspace, index: ChangeIndex) -> Iterator[Use]:
-    """Yield the endpoints of a workspace that a change leaves without a peer, each line once."""
+def endpoint_uses(workspace: Workspace, index: ChangeIndex, connections: Sequence[Connection]) -> Iterator[Use]:
+    """Yield the endpoints of a workspace that a change leaves without a peer, each line once.
+
+    Args:
+        workspace: the consumer.
+        index: the changes.
+        connections: remaps of its launch files; a name that they lead elsewhere connects nothing by itself.
+    """
     seen: set[tuple[str, str, int]] = set()
     for module in workspace.linked:
         for entry in module.interfaces:
             if entry.role not in _PEERS or entry.confidence == "pattern":
+                continue
+            if is_led_elsewhere(module.module.package, entry.name, connections):
                 continue
             for use in _of(entry, module.module.package, index):
                 mark = (use.located.change.old or "", use.path, use.line)

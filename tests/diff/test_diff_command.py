@@ -196,12 +196,21 @@ def test_built_sources_of_the_provider_are_quiet(repo: Path, capsys: pytest.Capt
     assert document(capsys, "1.0.0", "1.1.1", "--repo", repo)["findings"] == []
 
 
+REMAPPED_XML = """<launch><node pkg="tool" exec="tool">
+<remap from="/arm/state/joints" to="/arm/joint_state/raw/joints"/></node></launch>
+"""
+REMAPPED_PYTHON = """from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    remaps = [("/arm/state/joints", "/arm/joint_state/raw/joints")]
+    return LaunchDescription([Node(package="tool", executable="tool", remappings=remaps)])
+"""
+
+
 @pytest.mark.parametrize(
     ("path", "text"),
-    [
-        ("user/launch/a.launch", '<launch><remap from="state/joints" to="/arm/joint_state/raw/joints"/></launch>'),
-        ("user/launch/a.launch.py", 'Node(remappings=[("/arm/state/joints", "/arm/joint_state/raw/joints")])'),
-    ],
+    [("user/launch/a.launch", REMAPPED_XML), ("user/launch/a.launch.py", REMAPPED_PYTHON)],
 )
 def test_a_remap_that_keeps_the_old_name_downgrades(
     repo: Path, tmp_path: Path, path: str, text: str, capsys: pytest.CaptureFixture[str]
