@@ -19,6 +19,7 @@ from ecm_extract.entities.model import Form, PublicEntity
 
 _RELIABILITY: Final = ("best_effort", "reliable")
 _DURABILITY: Final = ("volatile", "transient_local")
+_LATCHED: Final = "transient_local"
 _WITH_DEFAULT: Final = frozenset({"parameter", "constant", "message_field", "launch_argument", "bt_port"})
 _ENDPOINTS: Final = frozenset({"topic", "service", "action"})
 _GLOBAL: Final = frozenset({"plugin", "frame", "command_interface"})
@@ -125,6 +126,20 @@ def qos_changed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[Di
         )
 
 
+def latch_changed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[Difference]:
+    """A ROS 1 publisher that no longer keeps its last message leaves out who comes later."""
+    if (old.kind, old.facet, old.ros, new.ros) != ("topic", "published", 1, 1):
+        return
+    before, after = (entity.qos.durability if entity.qos is not None else None for entity in (old, new))
+    if before == after or "unknown" in (before, after):
+        return
+    latched = after == _LATCHED
+    reason = "latched now" if latched else "no longer latched: who subscribes later gets no message until the next one"
+    word = {True: "latch=true", False: "latch=false"}
+    names = f"{old.name} {word[not latched]}", f"{new.name} {word[latched]}"
+    yield Difference("type_changed", not latched, reason, "behavior", "qos", *names)
+
+
 def deprecated(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[Difference]:
     """The old name still works and its end is announced."""
     if new.deprecated and not old.deprecated:
@@ -192,6 +207,7 @@ EFFECTS: Final[tuple[Effect, ...]] = (
     type_changed,
     default_changed,
     qos_changed,
+    latch_changed,
     signature_changed,
     deprecated,
 )

@@ -278,7 +278,10 @@ class Linker:
             return None
         given = [expr for expr in positions(site.form.qos, site.call) if not is_callback(expr)]
         expr = given[0] if given else None
-        return self.qos.depth(expr, site.env) if ros == 1 else self.qos.read(expr, site.env)
+        if ros != 1:
+            return self.qos.read(expr, site.env)
+        flags = [flag for flag in positions(site.form.latch, site.call) if not is_callback(flag)]
+        return self.qos.depth(expr, flags[0] if flags else None, site.env)
 
     def _frame(self, site: Site) -> str | None:
         if not site.form.frame:
