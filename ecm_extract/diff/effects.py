@@ -5,7 +5,7 @@ Each takes a pair and yields the differences that it knows; `changes.py` makes r
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Final
 
 import msgspec
@@ -192,7 +192,14 @@ def accepts(new: Form, old: Form) -> bool:
         return False
     if any(new.types[:count]) or any(old.types):
         return all(takes(after, before) for after, before in zip(new.types, old.types, strict=False))
-    return new.names[:count] == old.names
+    return _takes_names(new.names, old.names)
+
+
+def _takes_names(new: Sequence[str], old: Sequence[str]) -> bool:
+    """Whether names that callers gave are there, in their order; `**kwargs` stands at the end and takes any name."""
+    before, after = ([name for name in names if not name.startswith("**")] for names in (old, new))
+    takes_any = len(after) < len(new)
+    return after[: len(before)] == before and (takes_any or len(before) == len(old))
 
 
 def _returns_otherwise(new: Form, old: Form) -> bool:

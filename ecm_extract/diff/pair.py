@@ -111,7 +111,7 @@ class Pairing:
         if self._is_bound(entity) or texts is None:
             return self._is_bound(entity)
         if entity.kind == "parameter":
-            return texts.reads(entity.package, entity.name)
+            return texts.reads(entity.package, entity.name.lstrip("~/"))
         by_name = entity.kind == "constant" and entity.path.endswith(".py")
         return by_name and texts.quotes(self.evidence.files.get(entity.path, entity.path), entity.name)
 

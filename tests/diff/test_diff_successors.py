@@ -84,3 +84,46 @@ def test_symbols_go_with_their_package(changes) -> None:  # type: ignore[no-unty
     assert told[("message", "arm/msg/Joint", "hand/msg/Joint")] == "package arm"
     assert told[("file", "arm.driver", "hand.driver")] == "package arm"
     assert {cause for key, cause in told.items() if key[0] != "package"} == {"package arm"}
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "breaks"),
+    [
+        ("text, **kwargs", "text, volume=1.0, **kwargs", False),
+        ("text, **kwargs", "text, **kwargs", False),
+        ("text, **kwargs", "text", True),
+        ("text, **kwargs", "volume, text, **kwargs", True),
+        ("text, voice='a'", "text, volume=1.0, voice='a'", True),
+    ],
+)
+def test_arguments_before_those_that_take_any_name(told, before: str, after: str, breaks: bool) -> None:  # type: ignore[no-untyped-def]
+    """`**kwargs` has no place that a new argument could take."""
+    text = "class Voice:\n    def say(self, {}):\n        pass\n"
+    old = {"arm/setup.py": PYTHON, "arm/arm/__init__.py": "", "arm/arm/voice.py": text.format(before)}
+    assert bool(told(old, {"arm/arm/voice.py": text.format(after)})) is breaks
+
+
+def test_a_script_that_catkin_installs_as_python_is_a_program(told) -> None:  # type: ignore[no-untyped-def]
+    """`catkin_install_python` and `install(PROGRAMS)` install the same."""
+    script = "#!/usr/bin/env python\nprint(1)\n"
+    rest = "PROGRAMS scripts/say.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})\n"
+    old = {"arm/CMakeLists.txt": f"project(arm)\ninstall({rest}", "arm/scripts/say.py": script}
+    assert told(old, {"arm/CMakeLists.txt": f"project(arm)\ncatkin_install_python({rest}"}) == set()
+
+
+def test_a_parameter_of_a_handed_handle_that_the_port_still_reads(told) -> None:  # type: ignore[no-untyped-def]
+    """A node that declares what it is given reads it by its bare name."""
+    ros1 = package("arm").replace("ament_cmake", "catkin").replace("rclcpp", "roscpp")
+    source = """#include <ros/ros.h>
+#include <std_msgs/Bool.h>
+int main(int c, char ** v) {
+  ros::init(c, v, "arm");
+  ros::NodeHandle nh;
+  int rate;
+  nh.param<int>("/rate", rate, 1);
+  nh.advertise<std_msgs::Bool>("done", 1);
+}
+"""
+    old = {"arm/package.xml": ros1, "arm/CMakeLists.txt": CMAKE, "arm/src/arm.cpp": source}
+    found = told(old, {"arm/package.xml": package("arm"), "arm/src/arm.cpp": node('get_parameter("rate", rate_);')})
+    assert not [entry for entry in found if entry[0] == "parameter"]
