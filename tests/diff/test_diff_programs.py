@@ -14,6 +14,8 @@ INSTALLS = "install(DIRECTORY include/ DESTINATION include)\n"
     [
         ("add_executable(arm src/arm.cpp)\n", SOURCE, False),
         ("add_executable(arm src/arm.cpp)\nadd_library(armlib src/arm.cpp)\n", SOURCE, True),
+        ("add_executable(arm src/arm.cpp)\nadd_library(other src/other.cpp)\n", SOURCE, False),
+        ("add_executable(arm src/arm.cpp)\nadd_library(other ${SOURCES})\n", SOURCE, True),
         ("add_executable(arm src/arm.cpp)\n", "int main() {}\n", True),
     ],
 )
