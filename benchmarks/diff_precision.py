@@ -25,7 +25,10 @@ COUNT = 100
 
 
 class Judgement(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """One reported change; `verdict` tells whether the sources of both refs bear it out, `reason` why."""
+    """One reported change; `verdict` tells whether the sources of both refs bear it out, `reason` why.
+
+    `private`: they do, and nobody outside of the package could depend on it. It does not count as true.
+    """
 
     project: str
     refs: tuple[str, str]
@@ -35,7 +38,7 @@ class Judgement(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     owner: str
     old: str | None
     new: str | None
-    verdict: Literal["true", "false", ""]
+    verdict: Literal["true", "private", "false", ""]
     reason: str
 
 

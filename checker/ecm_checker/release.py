@@ -70,6 +70,7 @@ class Change(msgspec.Struct, frozen=True, kw_only=True):
         evidence_new: line after.
         old_value: type, default or form before, where that is what changed.
         new_value: the same after.
+        cause: the change that explains this one, as `node arm of robot_driver`; None for a cause of its own.
     """
 
     kind: str
@@ -86,6 +87,7 @@ class Change(msgspec.Struct, frozen=True, kw_only=True):
     evidence_new: Evidence | None = None
     old_value: str | None = None
     new_value: str | None = None
+    cause: str | None = None
 
 
 class Verdict(msgspec.Struct, frozen=True):

@@ -11,6 +11,7 @@ from ecm_checker.release import Change
 from ecm_extract.diff.causes import one_cause
 from ecm_extract.diff.duties import old_duties
 from ecm_extract.diff.effects import EFFECTS, Difference, added_breaks
+from ecm_extract.diff.folding import folded
 from ecm_extract.diff.model import Located, Pair
 from ecm_extract.diff.pair import CONTAINERS
 from ecm_extract.diff.successors import stated_successor
@@ -26,6 +27,7 @@ _REASONS = {
     "service": "gone; a client waits for ever, or its call fails",
     "action": "gone; a client waits for ever for the server",
     "parameter": "no longer declared; a value set for it is ignored, mostly without an error",
+    "node": "gone; parameters, remaps and policies that are keyed by its name reach nothing",
     "message": "gone; code and bags that use it fail",
     "message_field": "gone; readers and writers of it fail, the layout changes",
     "constant": "gone; code that names it fails",
@@ -50,7 +52,7 @@ def changes_of(pairs: Iterable[Pair], old: Side, new: Side) -> list[Located]:
     found = [located for pair in listed for located in _of_pair(pair, gone, fresh, duties)]
     found += [_nested(pair, path) for pair, path in nested_changes(listed, old, new)]
     told = [_with_successor(_with_wire(located, old, new), new) for located in found]
-    return sorted(one_cause(told, new), key=_order)
+    return sorted(folded(one_cause(told, new)), key=_order)
 
 
 def _order(located: Located) -> tuple[str, bool, str, str, str, str]:

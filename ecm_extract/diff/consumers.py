@@ -12,12 +12,14 @@ from ecm_checker.hub.provision import Form
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.match.consumer import Consumer
 from ecm_checker.match.fit import misfit
+from ecm_checker.match.names import is_of_program
 from ecm_checker.match.spelling import graph_name_matches
 
 from ecm_extract.diff.broken_names import GONE, BrokenNames
 from ecm_extract.diff.model import Located
 from ecm_extract.diff.use import Use
 
+_IN_GRAPH: Final = frozenset({"subscribes", "publishes", "calls_service", "calls_action"})
 _ENDPOINTS: Final = frozenset({"topic", "service", "action"})
 _FUTURE: Final = re.compile(r"future", re.IGNORECASE)
 _SHARED: Final = re.compile(r"shared", re.IGNORECASE)
@@ -34,12 +36,17 @@ def uses_of(consumers: Sequence[Consumer], broken: BrokenNames, commit: str | No
     """
     if broken.is_empty():
         return
-    remaps = [entry for consumer in consumers for entry in consumer.requirements if entry.use == "remaps"]
+    remaps = _of_use("remaps", consumers)
+    named = frozenset(entry.name for entry in _of_use("names_node", consumers))
     seen: set[tuple[str, str | None, str, int]] = set()
     for consumer in consumers:
         for requirement in consumer.requirements:
             for located, certainty, what in _broken(requirement, consumer, broken):
                 if (own and not _is_forgotten(requirement, located)) or _is_answered(requirement, located, what):
+                    continue
+                if requirement.kind == "node" and requirement.name in named:
+                    continue  # a launch file gives the name, whatever the program calls itself
+                if _is_led_elsewhere(requirement, consumer.package, remaps):
                     continue
                 alive = _is_kept_alive(located, remaps)
                 for at in requirement.evidence:
@@ -47,6 +54,22 @@ def uses_of(consumers: Sequence[Consumer], broken: BrokenNames, commit: str | No
                     if mark not in seen:
                         seen.add(mark)
                         yield Use(located, consumer.package, requirement, at, commit, what, certainty, alive)
+
+
+def _of_use(use: str, consumers: Sequence[Consumer]) -> list[Requirement]:
+    return [entry for consumer in consumers for entry in consumer.requirements if entry.use == use]
+
+
+def _is_led_elsewhere(requirement: Requirement, package: str, remaps: Sequence[Requirement]) -> bool:
+    """Whether a launch file connects the name that a program uses: then the remap is what breaks, or nothing."""
+    if requirement.use not in _IN_GRAPH:
+        return False
+    own = [each for each in remaps if each.package == package and _bare(each.name) == _bare(requirement.name)]
+    return bool(own) and all(_bare(each.said) != _bare(requirement.name) for each in own)
+
+
+def _bare(name: str) -> str:
+    return name.lstrip("~/")
 
 
 def _broken(
@@ -66,9 +89,16 @@ def _broken(
             continue
         certainty = _breach(requirement, row, located, consumer, broken)
         if certainty is not None:
-            yield located, certainty, requirement.phrase
+            yield located, *_told_of(requirement, entity.package, certainty)
     if "duty" in row.breaches:
         yield from _duties(requirement, broken)
+
+
+def _told_of(requirement: Requirement, package: str, certainty: Certainty) -> tuple[Certainty, str]:
+    """How surely a line breaks, and what it does; a remap of the changed program itself names the changed name."""
+    if requirement.use == "remaps" and is_of_program(requirement, package):
+        return "proved", f"remaps {requirement.name}"
+    return certainty, requirement.phrase
 
 
 def _duties(requirement: Requirement, broken: BrokenNames) -> Iterator[tuple[Located, Certainty, str]]:
@@ -214,4 +244,4 @@ def _joins(names: tuple[str, str], ends: tuple[str, str]) -> bool:
 
 
 def _means(offered: str, used: str) -> bool:
-    return offered.lstrip("~/") == used.lstrip("~/") or graph_name_matches(offered, used)
+    return _bare(offered) == _bare(used) or graph_name_matches(offered, used)

@@ -5,7 +5,7 @@ Each takes a pair and yields the differences that it knows; `changes.py` makes r
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Final
 
 import msgspec
@@ -19,6 +19,7 @@ from ecm_extract.entities.model import Form, PublicEntity
 
 _RELIABILITY: Final = ("best_effort", "reliable")
 _DURABILITY: Final = ("volatile", "transient_local")
+_LATCHED: Final = "transient_local"
 _WITH_DEFAULT: Final = frozenset({"parameter", "constant", "message_field", "launch_argument", "bt_port"})
 _ENDPOINTS: Final = frozenset({"topic", "service", "action"})
 _GLOBAL: Final = frozenset({"plugin", "frame", "command_interface"})
@@ -133,6 +134,20 @@ def qos_changed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[Di
         )
 
 
+def latch_changed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[Difference]:
+    """A ROS 1 publisher that no longer keeps its last message leaves out who comes later."""
+    if (old.kind, old.facet, old.ros, new.ros) != ("topic", "published", 1, 1):
+        return
+    before, after = (entity.qos.durability if entity.qos is not None else None for entity in (old, new))
+    if before == after or "unknown" in (before, after):
+        return
+    latched = after == _LATCHED
+    reason = "latched now" if latched else "no longer latched: who subscribes later gets no message until the next one"
+    word = {True: "latch=true", False: "latch=false"}
+    names = f"{old.name} {word[not latched]}", f"{new.name} {word[latched]}"
+    yield Difference("type_changed", not latched, reason, "behavior", "qos", *names)
+
+
 def deprecated(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[Difference]:
     """The old name still works and its end is announced."""
     if new.deprecated and not old.deprecated:
@@ -186,7 +201,14 @@ def accepts(new: Form, old: Form) -> bool:
         return False
     if any(new.types[:count]) or any(old.types):
         return all(takes(after, before) for after, before in zip(new.types, old.types, strict=False))
-    return new.names[:count] == old.names
+    return _takes_names(new.names, old.names)
+
+
+def _takes_names(new: Sequence[str], old: Sequence[str]) -> bool:
+    """Whether names that callers gave are there, in their order; `**kwargs` stands at the end and takes any name."""
+    before, after = ([name for name in names if not name.startswith("**")] for names in (old, new))
+    takes_any = len(after) < len(new)
+    return after[: len(before)] == before and (takes_any or len(before) == len(old))
 
 
 def _returns_otherwise(new: Form, old: Form) -> bool:
@@ -201,6 +223,7 @@ EFFECTS: Final[tuple[Effect, ...]] = (
     type_changed,
     default_changed,
     qos_changed,
+    latch_changed,
     signature_changed,
     deprecated,
 )

@@ -4,40 +4,57 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 
 from ecm_checker.hub.provision import HOLE
 
 from ecm_extract.diff.model import Pair
-from ecm_extract.diff.similarity import name_similarity, shape_equal
+from ecm_extract.diff.similarity import name_similarity, same_language, shape_equal
 from ecm_extract.entities.model import PublicEntity
 
 _NEVER = frozenset({"member", "method", "package", "library", "bt_port", "launch_argument"})
 _BY_FILE = frozenset({"launch_file", "executable"})
 """Names that say little by themselves: the same one elsewhere is another thing unless its file moved there."""
+_FILES = frozenset({"file", "launch_file"})
+"""What is its file: one that stood there before is no new home of another."""
 _ENDPOINTS = frozenset({"topic", "service", "action", "parameter"})
 
 
-def best_home(
-    entity: PublicEntity,
-    homes: Sequence[PublicEntity],
-    files: Mapping[str, str],
-    same_module: Callable[[PublicEntity, PublicEntity], bool],
-) -> Pair | None:
+@dataclass(frozen=True, slots=True)
+class Places:
+    """What tells whether two places are one.
+
+    Attributes:
+        files: new path of each file that moved. packages: new name of each package that has one.
+        same_module: whether the module that had it still exists. before: paths of the old side.
+    """
+
+    files: Mapping[str, str]
+    packages: Mapping[str, str]
+    same_module: Callable[[PublicEntity, PublicEntity], bool]
+    before: frozenset[str] = frozenset()
+
+    def same_package(self, old: PublicEntity, new: PublicEntity) -> bool:
+        """Whether an entity stayed in its package, however that is called now."""
+        return self.packages.get(old.package, old.package) == new.package
+
+
+def best_home(entity: PublicEntity, homes: Sequence[PublicEntity], places: Places) -> Pair | None:
     """Return the pair with the likeliest new home of an entity; None when no home is likely.
 
     Args:
         entity: gone under its key.
         homes: new entities of its kind and name.
-        files: new path of each file that moved.
-        same_module: whether the module that had it still exists.
+        places: what tells whether two places are one.
     """
+    files = places.files
     if entity.kind in _NEVER:
         return None
-    likely = [home for home in homes if _is_likely(entity, home, files)]
+    likely = [home for home in homes if _is_likely(entity, home, places)]
     if not likely:
         return None
     best = max(likely, key=lambda home: _nearness(entity, home, files))
-    if _is_unmoved(entity, best, files, same_module):
+    if _is_unmoved(entity, best, places):
         return Pair(entity, best)
     if entity.kind == "file" and entity.name == best.name and entity.package == best.package:
         return Pair(entity, best)
@@ -45,22 +62,18 @@ def best_home(
     return Pair(entity, best, "moved", confidence, _reason(entity, best, files))
 
 
-def _is_unmoved(
-    old: PublicEntity,
-    new: PublicEntity,
-    files: Mapping[str, str],
-    same_module: Callable[[PublicEntity, PublicEntity], bool],
-) -> bool:
+def _is_unmoved(old: PublicEntity, new: PublicEntity, places: Places) -> bool:
     """Whether only our view of the owner changed: the declaration stands where it stood."""
+    files = places.files
     if old.kind == "parameter" and old.path.endswith((".yaml", ".yml")) and _same_file(old, new, files):
         return True  # generated for whoever uses the library
-    if old.kind not in _ENDPOINTS or old.package != new.package:
+    if old.kind not in _ENDPOINTS or not places.same_package(old, new):
         return False
     if None in (old.node, new.node) or new.owner in old.sharers or old.owner in new.sharers or old.node == new.node:
         return True  # an owner without a node goes by the name of a class or file, which no user writes
     if not _same_file(old, new, files):
         return False
-    return same_module(old, new) or old.name.startswith(HOLE) or old.kind != "parameter"
+    return places.same_module(old, new) or old.name.startswith(HOLE) or old.kind != "parameter"
 
 
 def is_reshaped(old: PublicEntity, new: PublicEntity) -> bool:
@@ -78,11 +91,13 @@ def is_reshaped(old: PublicEntity, new: PublicEntity) -> bool:
     return HOLE in old.name and len(tail) > 0 and new.name.rsplit(HOLE, 1)[-1].strip("./_") == tail
 
 
-def _is_likely(old: PublicEntity, new: PublicEntity, files: Mapping[str, str]) -> bool:
-    if _same_file(old, new, files):
+def _is_likely(old: PublicEntity, new: PublicEntity, places: Places) -> bool:
+    if _same_file(old, new, places.files):
         return True
+    if not same_language(old, new) or (old.kind in _FILES and new.path in places.before):
+        return False
     if old.kind in _ENDPOINTS:
-        return old.package == new.package and shape_equal(old, new) >= 0.5 and not old.name.startswith(HOLE)
+        return places.same_package(old, new) and shape_equal(old, new) >= 0.5 and not old.name.startswith(HOLE)
     if old.kind == "file":
         return old.package == new.package or old.name == new.name
     if old.kind in _BY_FILE and old.package != new.package:

@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import msgspec
+from ecm_checker.hub.provision import HOLE
 from ecm_checker.match.hierarchy import Bases
 
 from ecm_extract.diff.assignment import assign
@@ -18,17 +19,24 @@ from ecm_extract.diff.computed import Computed
 from ecm_extract.diff.file_moves import alone_in_moved_files
 from ecm_extract.diff.history import History
 from ecm_extract.diff.model import How, Pair
-from ecm_extract.diff.moves import best_home, is_reshaped
+from ecm_extract.diff.module_homes import is_ported, likely_homes, module_homes, names_after
+from ecm_extract.diff.moves import Places, best_home, is_reshaped
+from ecm_extract.diff.nodes import Successions, node_pairs
 from ecm_extract.diff.same_form import given_away, only_ones
+from ecm_extract.diff.same_line import same_lines
 from ecm_extract.diff.same_stem import other_endings
 from ecm_extract.diff.scores import score
-from ecm_extract.diff.similarity import last_part
+from ecm_extract.diff.similarity import in_package, last_part, same_language
 from ecm_extract.diff.successors import stated_successor
 from ecm_extract.entities.model import Key, PublicEntity
+from ecm_extract.entities.nodes import LAUNCHED
 
 CONTAINERS = ("package", "message", "class", "bt_node", "launch_file")
 _FOLLOWING = frozenset({"message_field", "member", "method", "constant", "bt_port", "launch_argument"})
 _GENERATED = "*.yaml"
+_WITH_PACKAGE = 0.95
+_QUALIFIED = frozenset({"message", "class", "function", "plugin"})
+"""What is written with its package or namespace before it: a new place, not another name."""
 _IN_MODULES = frozenset({"topic", "service", "action", "parameter"})
 
 
@@ -38,7 +46,7 @@ class Evidence:
 
     Attributes:
         files: new path of each file that moved, by its old one. history: what people wrote.
-        bound, quoted, reads: of the new side; see `Side`.
+        bound, quoted, reads: of the new side; see `Side`. before: paths of the old side.
     """
 
     files: Mapping[str, str] = field(default_factory=dict)
@@ -46,6 +54,7 @@ class Evidence:
     bound: frozenset[str] = frozenset()
     quoted: frozenset[str] = frozenset()
     reads: frozenset[tuple[str, str]] = frozenset()
+    before: frozenset[str] = frozenset()
 
 
 class Pairing:
@@ -69,14 +78,18 @@ class Pairing:
             self._renamed({kind})
             self._by_file(kind)
             self._learn(kind)
+            self._with_their_package(kind)
+        self._nodes()
         self._follow()
-        kinds = {key[0] for key in self.old} - set(CONTAINERS)
+        self._with_their_module()
+        kinds = {key[0] for key in self.old} - {*CONTAINERS, "node"}
         self._inherited()
         self._reshaped()
         self._endings()
         self._moved(kinds)
         self._computed()
         self._successors()
+        self._on_their_lines()
         self._renamed(kinds)
         self._by_signature()
         pairs = [msgspec.structs.replace(pair, kept=True) if self._is_bound(pair.old) else pair for pair in self.pairs]
@@ -96,14 +109,11 @@ class Pairing:
         if self._is_bound(entity):
             return True
         if entity.kind == "parameter":
-            return (entity.package, entity.name) in self.evidence.reads
+            return (entity.package, entity.name.lstrip("~/")) in self.evidence.reads
         if entity.kind != "constant" or not entity.is_python:
             return False
-        module = entity.owner
-        return (
-            f"{module}.{entity.name}" in self.evidence.quoted
-            or f"{module.rpartition('.')[0]}.{entity.name}" in self.evidence.quoted
-        )
+        modules = (entity.owner, entity.owner.rpartition(".")[0])
+        return any(f"{module}.{entity.name}" in self.evidence.quoted for module in modules)
 
     def take(self, pair: Pair) -> None:
         """Decide on a pair."""
@@ -117,6 +127,42 @@ class Pairing:
         """What its file alone declared of a kind has moved with the file, however it is called now."""
         for found in list(alone_in_moved_files(kind, self.old.values(), self.new.values(), self.evidence.files)):
             self.take(found)
+
+    def _nodes(self) -> None:
+        """Nodes under another name, or made by something else; a launch file that starts other ones is no change."""
+        for found in list(node_pairs(self.old.values(), self.new.values(), self._known())):
+            self.take(found)
+        for side in (self.old, self.new):
+            for entity in list(side.values()):
+                if entity.kind == "node" and (entity.facet == LAUNCHED or entity.name == HOLE):
+                    side.pop(entity.key)
+
+    def _with_their_package(self, kind: str) -> None:
+        """What a package offers goes with it under its new name."""
+        for entity in list(self.old.values()) if kind == "package" else ():
+            package = self.packages.get(entity.package)
+            if package is None or entity.kind in _IN_MODULES:
+                continue
+            owner, name = (in_package(text, entity.package, package) for text in (entity.owner, entity.name))
+            target = self.new.get((entity.kind, package, owner, name, entity.facet))
+            if target is not None and same_language(entity, target):
+                how: How = "moved" if name == entity.name or entity.kind in _QUALIFIED else "renamed"
+                self.take(Pair(entity, target, how, _WITH_PACKAGE, f"its package is {package} now"))
+
+    def _with_their_module(self) -> None:
+        """What a module offers is what it was when the module or its package has another name."""
+        known = self._known()
+        homes = likely_homes(self.all_old.values(), self.all_new.values(), known) | module_homes(self.pairs)
+        for entity in list(self.old.values()):
+            if entity.kind in _IN_MODULES:
+                package, owner = homes.get((entity.package, entity.owner), (known.package(entity), entity.owner))
+                keys = ((entity.kind, package, owner, name, entity.facet) for name in names_after(entity))
+                target = next((self.all_new[key] for key in keys if key in self.all_new), None)
+                if target is not None and is_ported(entity, target):
+                    self.take(Pair(entity, target))
+
+    def _known(self) -> Successions:
+        return Successions(self.packages, self.owners, self.evidence.files)
 
     def _learn(self, kind: str) -> None:
         for pair in self.pairs:
@@ -196,11 +242,12 @@ class Pairing:
         for entity in self.new.values():
             if entity.kind in kinds:
                 index[_move_key(entity)].append(entity)
+        places = Places(self.evidence.files, self.packages, self._same_module, self.evidence.before)
         for entity in list(self.old.values()):
             if entity.kind not in kinds:
                 continue
             homes = [other for other in index.get(_move_key(entity), ()) if other.key in self.new]
-            found = best_home(entity, homes, self.evidence.files, self._same_module)
+            found = best_home(entity, homes, places)
             if found is not None:
                 self.take(found)
 
@@ -217,6 +264,11 @@ class Pairing:
                 self.new.pop(found.key, None)
                 reason = f"its deprecation at the old ref names the successor: {entity.deprecated}"
                 self.pairs.append(Pair(entity, found, "renamed", 0.95, reason[:300]))
+
+    def _on_their_lines(self) -> None:
+        """What stands in the very line of an old name is that, however it is called."""
+        for found in list(same_lines(self.old.values(), self.new.values(), self.evidence.files)):
+            self.take(found)
 
     def _renamed(self, kinds: set[str]) -> None:
         groups: dict[object, tuple[list[PublicEntity], list[PublicEntity]]] = defaultdict(lambda: ([], []))

@@ -132,7 +132,9 @@ def _read_of(origin: Tree | Stored) -> SideRead:
 
 def _changes(request: Request, old: Side, new: Side) -> list[Located]:
     files = renamed_files(old, new, request.repo)
-    evidence = Evidence(files, History(old, new, request.repo), new.bound, new.quoted, new.reads)
+    evidence = Evidence(
+        files, History(old, new, request.repo), new.bound, new.quoted, new.reads, before=frozenset(old.blobs)
+    )
     pairs = Pairing(old.entities, new.entities, evidence).run()
     located = changes_of(pairs, old, new)
     if not request.packages:

@@ -11,6 +11,7 @@ from ecm_extract.diff.similarity import (
     last_part,
     may_be_alike,
     name_similarity,
+    same_language,
     shape_equal,
     stem,
     words,
@@ -53,7 +54,7 @@ def score(
     place, where = _place(old, new, files)
     if not may_be_alike(old, new) and place < 1:
         return None
-    if _is_another(old, new, place):
+    if _is_another(old, new, place) or not same_language(old, new):
         return None
     name = name_similarity(stem(old), stem(new))
     shape = shape_equal(old, new)

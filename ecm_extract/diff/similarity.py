@@ -11,6 +11,7 @@ _WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
 SEPARATOR = re.compile(r"::|[/.]")
 _ENDING = re.compile(r"(?<=.)\.(?:h|hh|hpp|hxx|ipp|tpp)$")
 _LAST_EQUAL = 0.6
+_SYMBOLS = frozenset({"class", "method", "member", "function", "constant", "file"})
 _PARTS = frozenset({"request.", "response.", "goal.", "result.", "feedback."})
 """Of an interface file: what stands before a field there is no place that people name."""
 
@@ -64,3 +65,14 @@ def shape_equal(old: PublicEntity, new: PublicEntity) -> float:
     if old.kind == "class" or (old.type is None and new.type is None):
         return 0.5
     return float(old.type == new.type)
+
+
+def in_package(name: str, old: str, new: str) -> str:
+    """A name whose part that is the name of a package is that of another one: `arm/msg/Joint` -> `hand/msg/Joint`."""
+    pieces = re.split(rf"({SEPARATOR.pattern})", name)
+    return "".join(new if piece == old else piece for piece in pieces)
+
+
+def same_language(old: PublicEntity, new: PublicEntity) -> bool:
+    """Whether two symbols or files can stand for each other: nobody imports a header, or includes a module."""
+    return old.kind not in _SYMBOLS or old.path.endswith(".py") == new.path.endswith(".py")

@@ -16,9 +16,11 @@ from ecm_extract.entities.interfaces import interface_entities
 from ecm_extract.entities.launch import launch_entities
 from ecm_extract.entities.model import Key, PublicEntity
 from ecm_extract.entities.naming import at_their_names
+from ecm_extract.entities.nodes import node_entities
 from ecm_extract.entities.packaging import packaging_entities
 from ecm_extract.entities.python import python_entities
 from ecm_extract.entities.side_texts import SideTexts
+from ecm_extract.entities.written_lines import with_lines
 from ecm_extract.link.linker import LinkedModule
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.tree import Tree
@@ -38,7 +40,7 @@ def public_entities(
     every = [entity for facts in packages for entity in _of_package(texts, facts, modules[facts.name], ports)]
     found: dict[Key, PublicEntity] = {}
     placed = announced(texts, packages, at_their_names(every))
-    for entity in sorted(placed, key=lambda e: (e.package, e.path, e.line)):
+    for entity in sorted(with_lines(tree, placed), key=lambda e: (e.package, e.path, e.line)):
         known = found.get(entity.key)
         found[entity.key] = entity if known is None else _joined(known, entity)
     return _at_home(found, packages)
@@ -81,6 +83,7 @@ def _of_package(
     yield from packaging_entities(texts, facts)
     yield from interface_entities(facts)
     yield from endpoint_entities(texts, facts, modules)
+    yield from node_entities(facts, modules)
     yield from cpp_entities(facts)
     yield from python_entities(facts)
     yield from bt_entities(facts, ports)

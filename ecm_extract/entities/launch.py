@@ -11,6 +11,7 @@ from ecm_parsers.launch.model import Action, Argument, Group, LaunchFile, Substi
 from ecm_extract.discover import is_test_path
 from ecm_extract.entities.launch_reads import is_open, reads
 from ecm_extract.entities.model import PublicEntity
+from ecm_extract.entities.nodes import launched_nodes
 from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.system.launch_files import is_launch_file, read_launch
@@ -20,11 +21,12 @@ MAX_BYTES = 1_000_000
 
 
 def launch_entities(texts: SideTexts, facts: PackageFacts) -> Iterator[PublicEntity]:
-    """Yield the launch files of a package and their arguments; a file goes by its name, as for `ros2 launch`."""
+    """Yield the launch files of a package, their arguments and nodes; a file goes by its name, as for `ros2 launch`."""
     for path, file in launch_files(texts, facts):
         name = PurePosixPath(path).name
         base = PublicEntity(kind="launch_argument", package=facts.name, owner=name, name="", path=path, line=1)
         yield msgspec.structs.replace(base, kind="launch_file", owner="", name=name, open=is_open(file))
+        yield from launched_nodes(facts, path, name, file.actions)
         declared = [each for each in arguments(file.actions) if each.value is None]
         for argument in declared:
             yield msgspec.structs.replace(

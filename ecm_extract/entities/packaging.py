@@ -88,7 +88,7 @@ def _scripts(facts: PackageFacts) -> Iterator[PublicEntity]:
 def _cmake_programs(facts: PackageFacts) -> Iterator[tuple[str, str, int]]:
     for path, file in facts.cmake.items():
         for entry in file.installs:
-            if entry.kind == "programs":
+            if entry.kind in {"programs", "python"}:
                 yield from ((item, path, entry.line) for item in entry.items)
 
 

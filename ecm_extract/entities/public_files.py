@@ -7,6 +7,7 @@ from pathlib import PurePosixPath
 
 from ecm_parsers.cmake_facts import FileReference
 
+from ecm_extract.entities.program_files import of_programs, script_modules
 from ecm_extract.read.facts import PackageFacts
 
 _HEADERS = frozenset({".h", ".hh", ".hpp", ".hxx", ".ipp", ".tpp"})
@@ -18,7 +19,7 @@ def public_headers(facts: PackageFacts) -> dict[str, str]:
     """Return the path of each public header with what a consumer writes in its `#include`.
 
     Public is what lies below the package's `include/`, or what the build files install; nothing below `include/`
-    is when they install much else and never that.
+    is when they install much else and never that. What only programs have the code of is not: nobody can link it.
     """
     installed = _installed_headers(facts)
     kept_back = _keeps_headers(facts)
@@ -33,7 +34,8 @@ def public_headers(facts: PackageFacts) -> dict[str, str]:
             found[entry.path] = include
         elif entry.path in installed:
             found[entry.path] = f"{facts.name}/{parts[-1]}"
-    return found
+    unlinked = of_programs(facts)
+    return {path: include for path, include in found.items() if path not in unlinked}
 
 
 def _keeps_headers(facts: PackageFacts) -> bool:
@@ -84,7 +86,8 @@ def python_modules(facts: PackageFacts) -> dict[str, str]:
         dotted = below.removeprefix(root).removesuffix(".py").replace("/", ".").removesuffix(".__init__")
         if not any(part.startswith("_") for part in dotted.split(".")):
             found[path] = dotted
-    return found
+    programs = script_modules(facts)
+    return {path: dotted for path, dotted in found.items() if dotted not in programs}
 
 
 def stub_modules(facts: PackageFacts) -> Iterator[str]:

@@ -39,6 +39,7 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         items: position of a list of (name, default) pairs, for calls that declare many.
         min_args: fewer positional arguments are another function.
         frame: positions of frames, for transforms.
+        latch: position of the flag that keeps the last message for who comes later (ROS 1).
     """
 
     callee: str
@@ -57,10 +58,22 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     items: str = ""
     min_args: int = 0
     frame: str = ""
+    latch: str = ""
 
     def __post_init__(self) -> None:
         """Refuse positions that mean nothing, so that a misspelt one is an error and not a form without effect."""
-        for column in (self.name, self.type, self.qos, self.default, self.out, self.items, self.node, self.frame):
+        columns = (
+            self.name,
+            self.type,
+            self.qos,
+            self.default,
+            self.out,
+            self.items,
+            self.node,
+            self.frame,
+            self.latch,
+        )
+        for column in columns:
             if column and not _is_position(column):
                 message = f"'{column}' is no position: write arg:N, kw:NAME, text:N, template:N or callback:N"
                 raise ValueError(message)

@@ -34,7 +34,7 @@ from ecm_extract.link.names import (
     of_node,
     parameter_name,
 )
-from ecm_extract.link.node_names import NodeNames
+from ecm_extract.link.node_names import NodeName, NodeNames
 from ecm_extract.link.observe import Observation, observation_forms, observations
 from ecm_extract.link.parameters import Parameters
 from ecm_extract.link.program import Program
@@ -63,7 +63,7 @@ class LinkedModule:
     `local` holds, by role, name and type of an endpoint, its names for any namespace and node (`names.local_name`):
     several where parameters tell endpoints apart. `claims` are hardware interfaces, None for no controller.
     `lifecycle`: it works when active only. `lines`: endpoints one by one where several lines make one, with their QoS.
-    `diagnoses`: failures that it reports.
+    `diagnoses`: failures that it reports. `named_at`: the line that names its node.
     """
 
     module: Module
@@ -76,6 +76,7 @@ class LinkedModule:
     stamps: tuple[Stamp, ...] = ()
     lines: tuple[Interface, ...] = ()
     diagnoses: tuple[Diagnosis, ...] = ()
+    named_at: Evidence | None = None
 
 
 class Linker:
@@ -113,7 +114,7 @@ class Linker:
         self._declare_defaults(declared)
         self.folder.forget()
         nodes = self._class_nodes()
-        self.modules.find(nodes)
+        self.modules.find({unit: name.text for unit, name in nodes.items()})
         found: dict[int, list[Interface]] = defaultdict(list)
         others = self.sites.find(parameters=False)
         for site in [*others, *declared]:
@@ -138,8 +139,8 @@ class Linker:
             for module in self.modules.owners(unit):
                 by_module[id(module)].append(entry)
 
-    def _class_nodes(self) -> dict[int, str]:
-        nodes: dict[int, str] = {}
+    def _class_nodes(self) -> dict[int, NodeName]:
+        nodes: dict[int, NodeName] = {}
         for group in self.program.classes.values():
             for cls in group:
                 name = self.names.of_class(cls) if self.modules.is_module(cls) else None
@@ -163,7 +164,9 @@ class Linker:
                 for value in self.sites.names(site):
                     self.parameters.declare(value.text, site.root.file.package, (default, site.env))
 
-    def _linked(self, module: Module, found: Mapping[int, list[Interface]], nodes: Mapping[int, str]) -> LinkedModule:
+    def _linked(
+        self, module: Module, found: Mapping[int, list[Interface]], nodes: Mapping[int, NodeName]
+    ) -> LinkedModule:
         local = self._local.get(id(module), {})
         claims = claims_of(module.cls, self.folder) if module.cls is not None else None
         seen = tuple(dict.fromkeys(self._observed.get(id(module), ())))
@@ -173,20 +176,22 @@ class Linker:
         stamped = tuple(dict.fromkeys(self._stamped.get(id(module), ())))
         told = tuple(dict.fromkeys(self._diagnosed.get(id(module), ())))
         node = self._node(module, nodes)
-        return LinkedModule(module, node, interfaces, local, claims, seen, managed, stamped, lines, told)
+        text, at = (node.text, node.at) if node is not None else (None, None)
+        return LinkedModule(module, text, interfaces, local, claims, seen, managed, stamped, lines, told, at)
 
-    def _node(self, module: Module, nodes: Mapping[int, str]) -> str | None:
+    def _node(self, module: Module, nodes: Mapping[int, NodeName]) -> NodeName | None:
         if module.cls is not None:
             return nodes.get(id(module.cls))
         return self.names.of_program(module.main) if module.main is not None else None
 
     # --- endpoints ---------------------------------------------------------------------------------------
 
-    def _attribute(self, site: Site, found: dict[int, list[Interface]], nodes: Mapping[int, str]) -> None:
+    def _attribute(self, site: Site, found: dict[int, list[Interface]], nodes: Mapping[int, NodeName]) -> None:
         offered = self._only_offered(site)
         for unit in units_of(site, self.sites, self.modules):
             for module in (self.modules.library(unit),) if offered else self.modules.owners(unit):
-                self._give(site, unit, module, found[id(module)], self._node(module, nodes))
+                node = self._node(module, nodes)
+                self._give(site, unit, module, found[id(module)], node.text if node is not None else None)
 
     def _give(self, site: Site, unit: Unit, module: Module, found: list[Interface], node: str | None) -> None:
         origin = None if unit is module.cls or unit is module.main or module.kind == "library" else unit.fact.name
@@ -283,7 +288,10 @@ class Linker:
             return None
         given = [expr for expr in positions(site.form.qos, site.call) if not is_callback(expr)]
         expr = given[0] if given else None
-        return self.qos.depth(expr, site.env) if ros == 1 else self.qos.read(expr, site.env)
+        if ros != 1:
+            return self.qos.read(expr, site.env)
+        flags = [flag for flag in positions(site.form.latch, site.call) if not is_callback(flag)]
+        return self.qos.depth(expr, flags[0] if flags else None, site.env)
 
     def _frame(self, site: Site) -> str | None:
         if not site.form.frame:

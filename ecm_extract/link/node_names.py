@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Sequence
+from dataclasses import dataclass
 
+from ecm_checker.contract import Evidence
 from ecm_parsers.source.expr import Call, Expr, Member, Name
 
 from ecm_extract.link.calls import Invocation
@@ -20,6 +22,14 @@ _INITS = {"ros::init": 2, "rospy.init_node": 0, "rclpy.create_node": 0}
 _NAMING = ("init", "init_node", "create_node", "Node", "LifecycleNode", "make_shared")
 
 
+@dataclass(frozen=True, slots=True)
+class NodeName:
+    """The name that a node gives itself, and the line that says it."""
+
+    text: str
+    at: Evidence
+
+
 class NodeNames:
     """Finds the name that a class or program gives its node."""
 
@@ -28,7 +38,7 @@ class NodeNames:
         self.sites = sites
         self._free: dict[int, list[Invocation]] | None = None
 
-    def of_class(self, cls: Cls) -> str | None:
+    def of_class(self, cls: Cls) -> NodeName | None:
         """Return the name that the class passes to its node base, None when it is not fixed."""
         made = Instance(cls, {}, {})
         for owner in self.folder.program.ancestry(cls):
@@ -47,16 +57,17 @@ class NodeNames:
         program = self.folder.program
         return any(is_node_base(program.canonical(base, cls.file, cls.qualified)) for base in cls.fact.bases)
 
-    def _passed(self, func: Func, env: Env) -> str | None:
+    def _passed(self, func: Func, env: Env) -> NodeName | None:
         for at, statement in enumerate(func.fact.body):
             arg = _base_argument(func, statement.value, statement.target, statement.kind)
             if arg is not None:
-                return _known(self.folder.fold(arg, env.before(at)))
+                place = Evidence(func.file.path, statement.line)
+                return _known(self.folder.fold(arg, env.before(at)), place)
         return None
 
-    def _made_with(self, cls: Cls) -> str | None:
+    def _made_with(self, cls: Cls) -> NodeName | None:
         """The name that the places that make the class agree on."""
-        names = set()
+        found: list[NodeName | None] = []
         for call in self.sites.calls.get(cls.fact.name, ()):
             if self.sites.makes(call, cls) and call.func.cls is not cls:
                 constructor = self.folder.objects.constructor(cls, len(call.args))
@@ -68,10 +79,11 @@ class NodeNames:
                 ):
                     return None
                 env = self.sites.root_env(call.func, self.sites.position(call))
-                names.add(_known(self.folder.fold(call.args[0], env)))
-        return names.pop() if len(names) == 1 else None
+                found.append(_known(self.folder.fold(call.args[0], env), _place(call)))
+        texts = {name.text if name is not None else None for name in found}
+        return found[0] if len(texts) == 1 else None
 
-    def of_program(self, main: Func) -> str | None:
+    def of_program(self, main: Func) -> NodeName | None:
         """Return the name that a program gives its node, by a call in the file of its main function."""
         for call in self._free_calls(main.file):
             found = self._initialised(call)
@@ -88,14 +100,14 @@ class NodeNames:
                     self._free[id(call.func.file)].append(call)
         return self._free.get(id(file), ())
 
-    def _initialised(self, call: Invocation) -> str | None:
+    def _initialised(self, call: Invocation) -> NodeName | None:
         index = next((at for path, at in _INITS.items() if call.path == path or call.path.endswith("::" + path)), None)
         if index is None and (is_node_base(call.path) and call.receiver is None):
             index = 0
         if index is None or index >= len(call.args):
             return None
         env = self.sites.root_env(call.func, self.sites.position(call))
-        return _known(self.folder.fold(call.args[index], env))
+        return _known(self.folder.fold(call.args[index], env), _place(call))
 
 
 def _base_argument(func: Func, value: Expr | None, target: Expr | None, kind: str) -> Expr | None:
@@ -110,6 +122,11 @@ def _base_argument(func: Func, value: Expr | None, target: Expr | None, kind: st
     return None
 
 
-def _known(values: tuple[Value, ...]) -> str | None:
+def _place(call: Invocation) -> Evidence:
+    return Evidence(call.func.file.path, call.line)
+
+
+def _known(values: tuple[Value, ...], at: Evidence) -> NodeName | None:
     value = values[0]
-    return value.text if len(values) == 1 and value.confidence != "pattern" and value.text else None
+    is_fixed = len(values) == 1 and value.confidence != "pattern" and bool(value.text)
+    return NodeName(value.text, at) if is_fixed else None

@@ -81,10 +81,20 @@ class QosReader:
         rest = {key: value for key, value in known.items() if key not in _BASIC}
         return Qos(**filled, **rest, defaulted=missing)
 
-    def depth(self, expr: Expr | None, env: Env) -> Qos | None:
-        """Return the profile of a ROS 1 endpoint: its queue size, nothing else exists there."""
+    def depth(self, expr: Expr | None, latch: Expr | None, env: Env) -> Qos | None:
+        """Return the profile of a ROS 1 endpoint: its queue size and, of a publisher, whether it is latched.
+
+        A latched publisher gives its last message to whoever comes later, as one that is transient local does.
+        """
         number = self._number(expr, env) if expr is not None else None
-        return Qos(depth=number) if number is not None else None
+        durability = self._latched(latch, env) if latch is not None else None
+        return Qos(depth=number, durability=durability) if number is not None or durability is not None else None
+
+    def _latched(self, expr: Expr, env: Env) -> str | None:
+        words = {value.text.lower() if value.confidence != "pattern" else "" for value in self.folder.fold(expr, env)}
+        if words <= {"false", "0"}:
+            return None
+        return "transient_local" if words <= {"true", "1"} else "unknown"
 
     def _policies(self, expr: Expr, env: Env, level: int) -> dict[str, Any]:
         if level > MAX_DEPTH or not self.folder.steps.take(env):
@@ -240,8 +250,26 @@ class QosReader:
         for parameter in env.func.fact.params:
             if parameter.name == name and parameter.default is not None:
                 return self._policies(parameter.default, env, level + 1)
+        field = self._field(name, expr, env, level)
+        if field is not None:
+            return field
         constant = self.folder.scope.constant(name, env)
         return self._policies(constant[0], env, level + 1) if constant is not None else self._unseen(expr, env)
+
+    def _field(self, name: str, expr: Name | Member, env: Env, level: int) -> dict[str, Any] | None:
+        """What a data member, its own or of a base, is declared with, and what methods set on it; None for no such."""
+        cls = env.this or env.func.cls
+        if cls is None or (isinstance(expr, Member) and expr.base != Name("this")):
+            return None
+        ancestry = self.folder.program.ancestry(cls)
+        default = next((own.fields[name].default for own in ancestry if name in own.fields), None)
+        if default is None:
+            return None
+        policies = self._policies(default, Env(env.func, depth=env.depth + 1, this=cls), level + 1)
+        for method in (method for own in ancestry for method in own.methods):
+            inner = Env(method, this=cls, depth=env.depth + 1)
+            policies |= self._mutations(name, method.fact.body, inner)
+        return policies
 
     def _mutations(self, name: str, statements: tuple[Any, ...], env: Env) -> dict[str, Any]:
         """`qos.reliable();` and `qos.depth = 5` after the profile was made."""

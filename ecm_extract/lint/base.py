@@ -29,7 +29,7 @@ def change_findings(comparison: Comparison, old: Tree, new: Tree) -> Iterator[Fi
     """Yield the findings of a comparison, and each breaking change on the line that makes it."""
     yield from comparison.findings
     for change in comparison.changes:
-        if change.breaking:
+        if change.breaking and not change.cause:
             yield where_made(change, old, new)
     for package in comparison.packages:
         yield from _bumped(package, new)

@@ -29,6 +29,7 @@ from ecm_extract.requires.kept import kept_for
 from ecm_extract.requires.launch_files import launch_requirements
 from ecm_extract.requires.parameter_files import parameter_file_requirements
 from ecm_extract.requires.parameter_reads import parameter_read_requirements
+from ecm_extract.requires.policies import policy_requirements
 from ecm_extract.requires.python_fields import field_requirements
 from ecm_extract.requires.python_sources import python_requirements
 from ecm_extract.system.launch_files import is_launch_file
@@ -74,6 +75,7 @@ def _of_package(
     yield from launch_requirements(texts, facts)
     yield from description_requirements(texts, facts)
     yield from behavior_tree_requirements(facts)
+    yield from policy_requirements(facts)
     for file in _python_launch_files(texts, facts):
         yield from python_requirements(file)
 

@@ -24,6 +24,9 @@ from ecm_extract.tree import Tree
 _FOUND: Final = re.compile(r"\$\((?:find|find_prefix) ([^\s$()]+)\)(.*?)([^/$()]+)$", re.DOTALL)
 """A file of a package: the package, the folders, the name."""
 HOLE: Final = "{}"
+MANAGED: Final = "node_names"
+"""Parameter by which a lifecycle manager is told its nodes (nav2_lifecycle_manager, nav2_util)."""
+_BELOW_NODE: Final = 2
 
 
 class _Scope(msgspec.Struct, frozen=True):
@@ -65,7 +68,7 @@ def _of_action(action: Action, scope: _Scope) -> Iterator[Requirement]:
         case Remap():
             yield _remap(action, scope, None)
         case ParameterValue():
-            yield from _of_parameter(action, scope, None)
+            yield from _of_parameter(action, scope.place(action.line), None)
         case ParameterFile():
             yield from _of_file(action.path, scope.place(action.line))
 
@@ -88,14 +91,35 @@ def _of_node(action: Node, scope: _Scope) -> Iterator[Requirement]:
     plugin = plain(action.plugin)
     if plugin:
         yield required("loads_plugin", plugin, place)
+    yield from _names(action, place)
     for remap in action.remaps:
-        yield _remap(remap, scope, package)
+        yield _remap(remap, scope, package or plugin.replace("::", "/").partition("/")[0])
+        yield from _reached(remap, scope.place(remap.line))
     for source in action.parameters:
+        at = scope.place(source.line or action.line)
         if isinstance(source, ParameterFile):
-            yield from _of_file(source.path, scope.place(source.line))
+            yield from _of_file(source.path, at)
         else:
-            yield from _of_parameter(source, scope, package)
+            yield from _of_parameter(source, at, package)
     yield from _of_actions(action.components, scope)
+
+
+def _names(action: Node, place: Place) -> Iterator[Requirement]:
+    """The name that a node is given, and the container that it is loaded into."""
+    name = plain(action.name or ())
+    if name:
+        yield required("names_node", name, place)
+    target = plain(action.target or ()).rpartition("/")[2]
+    if target:
+        yield required("loads_into", target, place, "likely")
+
+
+def _reached(remap: Remap, place: Place) -> Iterator[Requirement]:
+    """The nodes that absolute private names hang below: `/ns/arm/state` -> `arm`."""
+    for name in (plain(remap.source), plain(remap.target)):
+        parts = name.split("/")
+        if len(parts) > _BELOW_NODE and not parts[0]:
+            yield required("reaches_node", parts[-2], place, "likely", said=name)
 
 
 def _remap(action: Remap, scope: _Scope, package: str | None) -> Requirement:
@@ -103,10 +127,20 @@ def _remap(action: Remap, scope: _Scope, package: str | None) -> Requirement:
     return required("remaps", source, scope.place(action.line), "likely", said=target, package=package or None)
 
 
-def _of_parameter(action: ParameterValue, scope: _Scope, package: str | None) -> Iterator[Requirement]:
+def _of_parameter(action: ParameterValue, place: Place, package: str | None) -> Iterator[Requirement]:
     name = plain(action.name)
     if name:
-        yield required("gives_parameter", name, scope.place(action.line), "likely", package=package or None)
+        yield required("gives_parameter", name, place, "likely", package=package or None)
+    for managed in _listed(action.value) if name == MANAGED else ():
+        yield required("manages", managed, place, "likely")
+
+
+def _listed(value: object) -> Iterator[str]:
+    """Texts of a list of a launch file; each is a template."""
+    for item in value if isinstance(value, list) else ():
+        text = plain(item) if isinstance(item, tuple) else ""
+        if text:
+            yield text.strip("/")
 
 
 def _of_file(path: Template, place: Place) -> Iterator[Requirement]:

@@ -8,14 +8,16 @@ from typing import Any, Final
 
 from ecm_checker.finding import Certainty
 from ecm_checker.hub.requirement import Requirement
-from ecm_parsers.parameter_yaml import ParameterSet, parse_parameter_yaml
+from ecm_parsers.parameter_yaml import ParameterSet, node_keys, parse_parameter_yaml
 
 from ecm_extract.discover import is_test_path
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.requires.launch_files import MANAGED
 from ecm_extract.requires.place import Place, required
 from ecm_extract.tree import Tree
 
 MAX_BYTES: Final = 1_000_000
+ROS2: Final = 2
 _YAML: Final = (".yaml", ".yml")
 _TYPES: Final = {"int": "integer", "int_array": "integer_array"}
 _ANY_NODE: Final = frozenset({None, "/**", "/*"})
@@ -34,10 +36,13 @@ def parameter_file_requirements(tree: Tree, facts: PackageFacts) -> Iterator[Req
         if entry.path.endswith(_YAML) and not is_test_path(entry.path, facts.root.path)
     ]
     for path, data in tree.read_many(sorted(paths)):
-        if len(data) <= MAX_BYTES:
-            file = parse_parameter_yaml(data).facts
-            for entry in file.sets:
-                yield from _of_set(entry, file.ros, path)
+        if len(data) > MAX_BYTES:
+            continue
+        file = parse_parameter_yaml(data).facts
+        for key in node_keys(data) if file.ros == ROS2 else ():
+            yield required("keys_parameters", key.name, Place(path, key.line, f"file {path}"), ros=ROS2)
+        for entry in file.sets:
+            yield from _of_set(entry, file.ros, path)
 
 
 def _of_set(entry: ParameterSet, ros: int, path: str) -> Iterator[Requirement]:
@@ -53,6 +58,8 @@ def _of_set(entry: ParameterSet, ros: int, path: str) -> Iterator[Requirement]:
         value=_short(entry.value),
         ros=ros,
     )
+    for text in _texts(entry.value) if entry.name.endswith(MANAGED) and isinstance(entry.value, list) else ():
+        yield required("manages", text.strip("/"), place)
     for text in _texts(entry.value):
         if _CLASS.fullmatch(text):
             yield required("loads_plugin", text, place)

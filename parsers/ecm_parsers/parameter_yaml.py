@@ -5,6 +5,7 @@ Source: ROS 1 Parameter Server naming; ROS 2 `rcl_yaml_param_parser` (`node: ros
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any, Literal
 
 import msgspec
@@ -44,6 +45,29 @@ class ParameterFile(msgspec.Struct, frozen=True):
 
     ros: Literal[1, 2]
     sets: tuple[ParameterSet, ...] = ()
+
+
+class NodeKey(msgspec.Struct, frozen=True):
+    """The key of a file that names a node; `line` is 1-based."""
+
+    name: str
+    line: int
+
+
+def node_keys(data: bytes) -> tuple[NodeKey, ...]:
+    """Return the names of nodes that a parameter file of ROS 2 is keyed by, without their namespaces and patterns."""
+    maps = (document for document in parse_yaml(data).facts if isinstance(document, Mapping))
+    return tuple(key for document in maps for key in _node_keys(document))
+
+
+def _node_keys(namespace: Mapping) -> Iterator[NodeKey]:
+    for entry in namespace.entries:
+        if not isinstance(entry.value, Mapping) or not _has_marker(entry.value):
+            continue
+        name = entry.key.strip("/").rpartition("/")[2]
+        if entry.value.get(MARKER) is not None and "*" not in name:
+            yield NodeKey(name, entry.line)
+        yield from _node_keys(entry.value)
 
 
 def parse_parameter_yaml(data: bytes) -> Parsed[ParameterFile]:

@@ -10,8 +10,8 @@ import time
 from pathlib import Path
 
 import pytest
-from ecm_extract.diff.background import Background
 
+from ecm_extract.parallel_work import Background
 from ecm_extract.processes import end_forks, forked
 
 ROOT = Path(__file__).parent.parent.parent

@@ -137,7 +137,7 @@ def test_the_document_is_the_wire_format(repo: Path, capsys: pytest.CaptureFixtu
     assert found["old"] == {"ref": "1.0.0", "commit": git(repo, "rev-parse", "1.0.0")}
     assert set(found["changes"][0]) == {
         "kind", "change", "package", "owner", "old", "new", "breaking", "dimension", "confidence", "reason",
-        "evidence_old", "evidence_new", "old_value", "new_value", "fingerprint", "accepted",
+        "evidence_old", "evidence_new", "old_value", "new_value", "fingerprint", "accepted", "cause",
     }  # fmt: skip
     verdict = {"compatibility_class": "breaking", "required_bump": "major", "declared_bump": "minor", "complete": True}
     assert found["verdict"] == verdict
@@ -195,25 +195,21 @@ def test_built_sources_of_the_provider_are_quiet(repo: Path, capsys: pytest.Capt
     assert document(capsys, "1.0.0", "1.1.1", "--repo", repo)["findings"] == []
 
 
-XML_LAUNCH = """<launch><node pkg="user" exec="user">
-<remap from="state/joints" to="/arm/joint_state/raw/joints"/></node></launch>
+REMAPPED_XML = """<launch><node pkg="tool" exec="tool">
+<remap from="/arm/state/joints" to="/arm/joint_state/raw/joints"/></node></launch>
 """
-PYTHON_LAUNCH = """from launch import LaunchDescription
+REMAPPED_PYTHON = """from launch import LaunchDescription
 from launch_ros.actions import Node
 
-
 def generate_launch_description():
-    remappings = [("/arm/state/joints", "/arm/joint_state/raw/joints")]
-    return LaunchDescription([Node(package="user", executable="user", remappings=remappings)])
+    remaps = [("/arm/state/joints", "/arm/joint_state/raw/joints")]
+    return LaunchDescription([Node(package="tool", executable="tool", remappings=remaps)])
 """
 
 
 @pytest.mark.parametrize(
     ("path", "text"),
-    [
-        ("user/launch/a.launch.xml", XML_LAUNCH),
-        ("user/launch/a.launch.py", PYTHON_LAUNCH),
-    ],
+    [("user/launch/a.launch", REMAPPED_XML), ("user/launch/a.launch.py", REMAPPED_PYTHON)],
 )
 def test_a_remap_that_keeps_the_old_name_downgrades(
     repo: Path, tmp_path: Path, path: str, text: str, capsys: pytest.CaptureFixture[str]

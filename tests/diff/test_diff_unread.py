@@ -92,7 +92,7 @@ def test_what_mends_a_partial_clone(full: Path, diff: Diff, capsys: pytest.Captu
     ("form", "start"),
     [
         ("text", "unknown: not everything could be read: 4 file(s) not in this clone: "),
-        ("markdown", "**Interface changes: unknown.** Needs unknown, declared unknown. Not everything could be read: "),
+        ("markdown", "**Interface changes: unknown.** Needs unknown, declares unknown. Not everything could be read: "),
     ],
 )
 def test_the_first_line_says_it(full: Path, capsys: pytest.CaptureFixture[str], form: str, start: str) -> None:

@@ -44,6 +44,7 @@ class Provided(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
     qos: Qos | None = None
     ros: int | None = None
     open: bool = False
+    written: str = ""
 
 
 class Hub(msgspec.Struct, frozen=True, kw_only=True):
@@ -135,6 +136,7 @@ def provided(provision: Provision) -> Provided:
         qos=provision.qos,
         ros=provision.ros,
         open=provision.open,
+        written=provision.written,
     )
 
 
@@ -163,6 +165,7 @@ def provision(package: str, row: Provided) -> Provision:
         deprecated=row.deprecated,
         confidence=row.confidence,
         open=row.open,
+        written=row.written,
     )
 
 

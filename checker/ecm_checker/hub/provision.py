@@ -60,15 +60,16 @@ class Provision(msgspec.Struct, frozen=True, kw_only=True):
         type: message type, parameter type, field type, or base class of a plugin.
         default: of a parameter, constant or launch argument, as data.
         forms: of a function or method.
-        bases: of a class, qualified as far as the tree shows.
+        bases: of a class, qualified as far as the tree shows; of a node that a launch file names, what it runs.
         qos: of a topic. ros: 1, 2 or None.
         deprecated: what its own source says about its end; None when it is not deprecated.
         path, line: where it is declared.
-        node: name of the node that has an endpoint; None where no source says it.
+        node: name of the node that has an endpoint, None where no source says it; of a node, what owns its endpoints.
         sharers: owners beside `owner` that have an endpoint by the same line.
         others: message types that its owner has under that name as well, by a condition.
         confidence: how surely the name is known.
         open: whether it may have names below it that are not told, as a launch file that could not be read whole.
+        written: hash of the line that declares it, without its name; empty where that says nothing.
         chain: the calls from the module to the one that makes it; more than one when a wrapper or library does.
     """
 
@@ -92,6 +93,7 @@ class Provision(msgspec.Struct, frozen=True, kw_only=True):
     deprecated: str | None = None
     confidence: Confidence = "literal"
     open: bool = False
+    written: str = ""
 
     @property
     def key(self) -> Key:

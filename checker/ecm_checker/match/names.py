@@ -88,6 +88,25 @@ def _graph(site: Site, entity: Provision) -> bool:
     return graph_name_matches(entity.name, site.requirement.name)
 
 
+def _remap_keys(requirement: Requirement) -> Iterator[str]:
+    for name in (requirement.name, requirement.said):
+        yield name.rstrip("/").rpartition("/")[2]
+
+
+def is_of_program(requirement: Requirement, package: str) -> bool:
+    """Whether a remap is of a program of a package: then the name before it is that of the package."""
+    return requirement.package == package
+
+
+def _remap(site: Site, entity: Provision) -> bool:
+    """A remap of the providing program gives its name another one; that of another program leads to its name."""
+    wanted = site.requirement
+    if wanted.package is None:
+        return False
+    name = wanted.name if is_of_program(wanted, entity.package) else wanted.said
+    return bool(name) and (name.lstrip("~/") == entity.name.lstrip("~/") or graph_name_matches(entity.name, name))
+
+
 def _parameter(site: Site, entity: Provision) -> bool:
     wanted = site.requirement
     if wanted.package is not None and wanted.package != entity.package:
@@ -208,6 +227,7 @@ def _field(site: Site, entity: Provision) -> bool:
 NAMES: Final[Mapping[str, Names]] = {
     "exact": Names(_whole, _exact),
     "graph": Names(_last, _graph),
+    "remap": Names(_remap_keys, _remap),
     "parameter": Names(_last, _parameter),
     "plugin": Names(_plugin_name, _plugin),
     "launch": Names(_launch_keys, _launch),

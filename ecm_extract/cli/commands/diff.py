@@ -254,8 +254,11 @@ def _say_verdict(comparison: Comparison) -> None:
 
 
 def _status(comparison: Comparison, short: Sequence[ShortStep], asked: Asked) -> int:
-    """A finding is true whatever else was read; without one, what was not read leaves the answer open."""
-    if _is_failure(comparison, short, asked):
+    """A finding is true whatever else was read; without one, what was not read leaves the answer open.
+
+    What a version step must be is not known either then.
+    """
+    if _is_failure(comparison, short if comparison.verdict.complete else (), asked):
         return 1
     return 0 if comparison.verdict.complete else INCOMPLETE
 

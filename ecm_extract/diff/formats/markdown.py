@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from ecm_checker.release import Change, fingerprint_of
 
+from ecm_extract.diff.formats.below import with_it
 from ecm_extract.diff.formats.migration import escape
 from ecm_extract.diff.formats.phrases import by_package, incomplete, left_out, place, step_lines, subject, values
 from ecm_extract.diff.model import Comparison
@@ -37,18 +38,14 @@ def _lines(comparison: Comparison) -> Iterator[str]:
         yield f"- **{finding.severity}** `{escape(at.path)}:{at.line}` {escape(finding.message)}"
     if comparison.findings:
         yield ""
-    rows = [change for _, changes in by_package(comparison.changes) for change in changes if change.breaking]
+    rows = [change for _, changes in by_package(comparison.changes) for change in changes if _is_row(change)]
     if rows:
         yield "| package | change | entity | where | accept |"
         yield "|---|---|---|---|---|"
+    below = with_it(comparison.changes)
     for change in rows[:MAX_ROWS]:
-        cells = (
-            change.package,
-            change.change,
-            f"{subject(change)}{values(change)}",
-            place(change),
-            _answer(change, comparison),
-        )
+        what = "; ".join(filter(None, (f"{subject(change)}{values(change)}", below(change))))
+        cells = (change.package, change.change, what, place(change), _answer(change, comparison))
         yield f"| {' | '.join(map(escape, cells))} |"
     if len(rows) > MAX_ROWS:
         yield ""
@@ -75,3 +72,8 @@ def _compatible(changes: list[Change]) -> Iterator[str]:
         yield f"- default of {escape(subject(change))}{escape(values(change))}"
     if len(defaults) > MAX_ROWS:
         yield f"- and {len(defaults) - MAX_ROWS} more defaults"
+
+
+def _is_row(change: Change) -> bool:
+    """Whether a change breaks somebody, and nothing else in the table explains it."""
+    return change.breaking and not change.cause

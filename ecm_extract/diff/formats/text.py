@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Container, Iterator
+from typing import NamedTuple
 
 import click
 from ecm_checker.release import Change, fingerprint_of
 
+from ecm_extract.diff.formats.below import With, with_it
 from ecm_extract.diff.formats.phrases import by_package, incomplete, left_out, place, subject, values
 from ecm_extract.diff.model import Comparison
 from ecm_extract.diff.verdict import needed
@@ -36,6 +38,7 @@ def _lines(comparison: Comparison, places: Places) -> Iterator[str]:
     if comparison.findings:
         yield styled_findings(comparison.findings, places)
     versions = {entry.package: entry for entry in comparison.packages}
+    below = with_it(comparison.changes)
     for package, changes in by_package(comparison.changes):
         entry = versions.get(package)
         head = f"{package}"
@@ -44,22 +47,31 @@ def _lines(comparison: Comparison, places: Places) -> Iterator[str]:
             head += f" {entry.old_version or '?'} -> {entry.new_version or '?'}"
             head += f": {entry.verdict.compatibility_class}, needs {needs}, declares {declares or 'unknown'}"
         yield one_line(head, 300)
-        yield from _changes(changes, comparison.accepted, places)
+        yield from _changes(changes, comparison.accepted, Shown(places, below))
         yield ""
     if not comparison.changes:
         yield "no change of a public entity" + (" in what could be read" if gap else "")
     yield from (f"not read: {line}" for line in left_out(comparison))
 
 
-def _changes(changes: list[Change], accepted: Container[str], places: Places) -> Iterator[str]:
-    breaking = [change for change in changes if change.breaking]
+class Shown(NamedTuple):
+    """How a change is written: its paths, and what goes with it."""
+
+    places: Places
+    below: With
+
+
+def _changes(changes: list[Change], accepted: Container[str], shown: Shown) -> Iterator[str]:
+    breaking = [change for change in changes if change.breaking and not change.cause]
     rest = [change for change in changes if not change.breaking]
     for change in breaking:
         fingerprint = fingerprint_of(change)
         answer = "accepted" if fingerprint in accepted else fingerprint
         mark = click.style("!", fg="red", bold=True) if answer == fingerprint else " "
         yield f"  {mark} {change.change:<17} {subject(change)} [{answer}]"
-        yield one_line(f"      {place(change, places.from_here)}  {change.reason}", 400)
+        yield one_line(f"      {place(change, shown.places.from_here)}  {change.reason}", 400)
+        if shown.below(change):
+            yield f"      {shown.below(change)}"
     for change in rest[:MAX_COMPATIBLE]:
         yield f"    {change.change:<17} {subject(change)}{values(change)}"
     if len(rest) > MAX_COMPATIBLE:

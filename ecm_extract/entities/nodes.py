@@ -1,0 +1,74 @@
+"""Names of nodes: those that programs give themselves, and those that launch files give them.
+
+Whoever keys a parameter file, a remap, a policy or a list of managed nodes by such a name depends on it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Final
+
+from ecm_checker.hub.provision import HOLE
+from ecm_parsers.launch.model import Action, Group, Node, Template
+
+from ecm_extract.entities.model import PublicEntity
+from ecm_extract.link.linker import LinkedModule
+from ecm_extract.read.facts import PackageFacts
+
+LAUNCHED: Final = "launched"
+"""Facet of a name that a launch file gives."""
+
+
+def node_entities(facts: PackageFacts, modules: Sequence[LinkedModule]) -> Iterator[PublicEntity]:
+    """Yield the node of each class and program; its owner is what makes it, one whose name is computed is `<*>`."""
+    for entry in modules:
+        module = entry.module
+        if module.cls is None and module.main is None:
+            continue
+        at = entry.named_at
+        yield PublicEntity(
+            kind="node",
+            package=facts.name,
+            owner=module.cls.qualified if module.cls is not None else module.name,
+            name=entry.node or HOLE,
+            node=module.name,
+            ros=facts.ros,
+            path=at.path if at is not None else module.path,
+            line=at.line if at is not None else module.line,
+        )
+
+
+def launched_nodes(facts: PackageFacts, path: str, owner: str, actions: Iterable[Action]) -> Iterator[PublicEntity]:
+    """Yield the names that a launch file gives to nodes, as far as they stand there; `bases` is what each runs."""
+    for node in all_nodes(actions):
+        name = plain_text(node.name)
+        if name:
+            parts = (node.package, node.executable, node.plugin)
+            yield PublicEntity(
+                kind="node",
+                facet=LAUNCHED,
+                package=facts.name,
+                owner=owner,
+                name=name,
+                bases=tuple(plain_text(part) or HOLE for part in parts if part),
+                ros=facts.ros,
+                path=path,
+                line=node.line,
+            )
+
+
+def all_nodes(actions: Iterable[Action]) -> Iterator[Node]:
+    """Yield the nodes of a launch file, those of groups and containers included."""
+    for action in actions:
+        if isinstance(action, Node):
+            yield action
+            yield from all_nodes(action.components)
+        elif isinstance(action, Group):
+            yield from all_nodes(action.actions)
+
+
+def plain_text(template: Template | None) -> str | None:
+    """Return a template that holds no substitution as text, None for any other."""
+    if template is None or not all(isinstance(part, str) for part in template):
+        return None
+    return "".join(str(part) for part in template)

@@ -1,0 +1,58 @@
+"""What the line that declares a name says beside the name, so that it is known again under another one."""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Final
+
+import msgspec
+from ecm_checker.hub.provision import HOLE
+
+from ecm_extract.entities.model import PublicEntity
+from ecm_extract.tree import Tree
+
+_KINDS: Final = frozenset({"topic", "service", "action", "parameter", "launch_argument"})
+_MAX_LINES: Final = 4
+"""A call may go over several lines; its name stands in one of the first."""
+_QUOTED: Final = r"(?<=[\"'/~]){}(?=[\"'])"
+_PARTS: Final = re.compile(r"[/.:~]+")
+_TELLING: Final = re.compile(r"[\w\]>)]\s*=[^=]|[&:]\w+::\w+|self\.\w+|\bbind\b|\[[&=\w, ]*\]\s*\(|\bthis->\w+")
+"""What a line assigns, or hands on, tells it from its like; a bare call does not."""
+
+
+def with_lines(tree: Tree, entities: Sequence[PublicEntity]) -> Iterator[PublicEntity]:
+    """Yield the entities, those that a telling line declares by a literal name with the hash of that line."""
+    wanted: dict[str, list[PublicEntity]] = defaultdict(list)
+    for entity in entities:
+        if entity.kind in _KINDS and HOLE not in entity.name:
+            wanted[entity.path].append(entity)
+        else:
+            yield entity
+    for path, data in _contents(tree, wanted):
+        lines = [text.strip() for text in data.decode("utf-8", "replace").splitlines()]
+        for entity in wanted[path]:
+            yield msgspec.structs.replace(entity, written=_written(entity, lines))
+
+
+def _contents(tree: Tree, paths: Iterable[str]) -> Iterator[tuple[str, bytes]]:
+    """Each path once, with nothing where the file cannot be read."""
+    missing = dict.fromkeys(sorted(paths))
+    for path, data in tree.read_many(list(missing)):
+        missing.pop(path, None)
+        yield path, data
+    yield from ((path, b"") for path in missing)
+
+
+def _written(entity: PublicEntity, lines: Sequence[str]) -> str:
+    name = re.compile(_QUOTED.format(re.escape(_PARTS.split(entity.name)[-1])))
+    start = max(0, entity.line - 1)
+    text = ""
+    for line in lines[start : start + _MAX_LINES]:
+        text = f"{text} {line}" if text else line
+        holed = name.sub(HOLE, text)
+        if holed != text:
+            return hashlib.sha256(holed.encode()).hexdigest()[:16] if _TELLING.search(holed) else ""
+    return ""

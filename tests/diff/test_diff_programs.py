@@ -1,0 +1,43 @@
+"""What programs are made of is nobody else's."""
+
+from __future__ import annotations
+
+import pytest
+
+HEADER = "#pragma once\nnamespace arm {\nclass Arm { public: void move(); };\n}\n"
+SOURCE = '#include "arm/arm.hpp"\nvoid arm::Arm::move() {}\nint main() {}\n'
+INSTALLS = "install(DIRECTORY include/ DESTINATION include)\n"
+
+
+@pytest.mark.parametrize(
+    ("build", "source", "is_public"),
+    [
+        ("add_executable(arm src/arm.cpp)\n", SOURCE, False),
+        ("add_executable(arm src/arm.cpp)\nadd_library(armlib src/arm.cpp)\n", SOURCE, True),
+        ("add_executable(arm src/arm.cpp)\nadd_library(other src/other.cpp)\n", SOURCE, False),
+        ("add_executable(arm src/arm.cpp)\nadd_library(other ${SOURCES})\n", SOURCE, True),
+        ("add_executable(arm src/arm.cpp)\n", "int main() {}\n", True),
+    ],
+)
+def test_headers_whose_code_only_a_program_has(told, build: str, source: str, is_public: bool) -> None:  # type: ignore[no-untyped-def]
+    """Nobody can link it; what stands in the header whole can be used."""
+    make = f"project(arm)\n{build}install(TARGETS arm DESTINATION lib/arm)\n{INSTALLS}"
+    old = {"arm/CMakeLists.txt": make, "arm/include/arm/arm.hpp": HEADER, "arm/src/arm.cpp": source}
+    new = {"arm/include/arm/arm.hpp": HEADER.replace("move", "go"), "arm/src/arm.cpp": source.replace("move", "go")}
+    assert any(entry[0] == "method" for entry in told(old, new)) is is_public
+
+
+SETUP = "from setuptools import setup\nsetup(name='arm', packages=['arm'], entry_points={entry})\n"
+ENTRY = "{'console_scripts': ['arm = arm.driver:main']}"
+DRIVER = "class Driver:\n    def move(self):\n        pass\ndef main():\n    Driver().move()\n"
+
+
+@pytest.mark.parametrize(
+    ("entry", "init", "is_public"),
+    [("{}", "", True), (ENTRY, "", False), (ENTRY, "from .driver import Driver\n", True)],
+)
+def test_modules_that_a_console_script_starts(told, entry: str, init: str, is_public: bool) -> None:  # type: ignore[no-untyped-def]
+    """A script's class is its own, unless another module offers it."""
+    old = {"arm/setup.py": SETUP.replace("{entry}", entry), "arm/arm/__init__.py": init, "arm/arm/driver.py": DRIVER}
+    found = told(old, {"arm/arm/driver.py": DRIVER.replace("move", "stop_all")})
+    assert any(entry[0] == "method" for entry in found) is is_public
