@@ -15,7 +15,11 @@ from ecm_extract.tree import FileDiagnostic
 
 
 def findings_of(
-    workspace: Workspace, selected: Collection[str] = (), levels: Mapping[str, Level] | None = None
+    workspace: Workspace,
+    selected: Collection[str] = (),
+    levels: Mapping[str, Level] | None = None,
+    *,
+    preview: bool = True,
 ) -> list[Finding]:
     """Return what the rules find.
 
@@ -23,9 +27,12 @@ def findings_of(
         workspace: the tree under lint.
         selected: ids of the rules to run; empty for all.
         levels: severity by rule id, `off` to silence it.
+        preview: run the preview rules too.
     """
     found: dict[tuple[str, str, int], Finding] = {}
     for entry in catalogue():
+        if entry.rule.tier == "preview" and not preview:
+            continue
         level = (levels or {}).get(entry.rule.id)
         if level == "off" or (selected and entry.rule.id not in selected):
             continue

@@ -42,6 +42,7 @@ class Request(msgspec.Struct, frozen=True):
     base: str | None
     patch: str | None
     select: tuple[str, ...]
+    preview: bool
     format: str
     output: tuple[str, ...]
     fail_on: Literal["error", "warning", "info", "never"]
@@ -58,6 +59,7 @@ class Request(msgspec.Struct, frozen=True):
 @click.option("--base", metavar="REF", help="Only what the change from REF brings in, with its interface changes.")
 @click.option("--patch", metavar="FILE|-", help="Only lines that a patch touches.")
 @click.option("--select", multiple=True, metavar="RULE", help="Only this rule. May be repeated.")
+@click.option("--preview", is_flag=True, help="Also rules whose precision was not yet shown.")
 @click.option("--format", type=click.Choice(FORMATS), default="text", show_default=True, help="On standard output.")
 @click.option("--output", multiple=True, metavar="FORMAT=FILE", help="Also into a file. May be repeated.")
 @click.option(
@@ -86,7 +88,7 @@ def command(**options: Any) -> int:
     if request.fix:
         _fix(answered.findings, workspace, request)
     _print(answered.findings, request)
-    _say(answered)
+    _say(answered, request)
     return int(_is_failure(answered.findings, request.fail_on))
 
 
@@ -135,13 +137,17 @@ def _run(workspace: Workspace, request: Request) -> list[Finding]:
     from ecm_extract.lint.catalogue import catalogue
     from ecm_extract.lint.run import findings_of
 
-    known = {entry.rule.id for entry in catalogue()}
-    unknown = [rule for rule in request.select if rule not in known]
+    tiers = {entry.rule.id: entry.rule.tier for entry in catalogue()}
+    unknown = [rule for rule in request.select if rule not in tiers]
     if unknown:
         message = f"there is no rule {unknown[0]}"
         raise InputError(message, "`ecm-extract rules` lists them")
+    held = [rule for rule in request.select if tiers[rule] == "preview" and not request.preview]
+    if held:
+        message = f"{held[0]} is a preview rule, which does not run by itself"
+        raise InputError(message, "add --preview")
     config = workspace.config
-    found = findings_of(workspace, request.select, config.severity)
+    found = findings_of(workspace, request.select, config.severity, preview=request.preview)
     return [each for each in found if not config.promise or each.who in config.promise]
 
 
@@ -257,15 +263,25 @@ def _rendered(findings: tuple[Finding, ...], form: str) -> str:
     return findings_as(form, findings)
 
 
-def _say(answered: Answered) -> None:
+def _say(answered: Answered, request: Request) -> None:
     counts = {
         level: sum(each.severity == level for each in answered.findings) for level in ("error", "warning", "info")
     }
     shown = ", ".join(f"{count} {level}" for level, count in counts.items() if count) or "nothing found"
     suppressed = f", {answered.suppressed} answered" if answered.suppressed else ""
     click.echo(f"{shown}{suppressed}", err=True)
+    _say_held(request)
     for line in answered.unused:
         click.echo(f"unused: {line}", err=True)
+
+
+def _say_held(request: Request) -> None:
+    """What did not run is said, so that nothing found is never taken for nothing there."""
+    from ecm_extract.lint.catalogue import catalogue
+
+    held = sum(entry.rule.tier == "preview" for entry in catalogue())
+    if held and not request.preview and not request.select:
+        click.echo(f"{held} preview rules did not run; --preview runs them too", err=True)
 
 
 def _is_failure(findings: tuple[Finding, ...], fail_on: str) -> bool:
