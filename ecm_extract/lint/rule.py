@@ -15,7 +15,7 @@ from ecm_extract.lint.workspace import Workspace
 _WORST_WITHOUT_PROOF: Final[Severity] = "warning"
 
 Tier = Literal["stable", "preview"]
-"""Whether what a rule says was judged, and found true and wanted, in enough repositories: benchmarks/lint_precision.py."""
+"""Whether enough of what a rule says was judged, and found true and wanted: benchmarks/lint_precision.py."""
 
 
 class LintRule(msgspec.Struct, frozen=True, kw_only=True):

@@ -55,7 +55,7 @@ def bad(tmp_path: Path) -> Path:
 
 
 def lint(*arguments: str | Path) -> int:
-    return run(["lint", *map(str, arguments)])
+    return run(["lint", "--preview", *map(str, arguments)])
 
 
 @pytest.mark.parametrize(("fail_on", "status"), [("error", 1), ("never", 0)])
@@ -76,7 +76,7 @@ def test_text(bad: Path, capsys: pytest.CaptureFixture[str]) -> None:
 def test_info_takes_one_line(bad: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """What may be known already does not push aside what breaks somebody; its fingerprint is there to accept it."""
     (bad / "ecm.toml").write_text('[severity]\nLNT003 = "info"\n')
-    assert run(["lint", str(bad)]) == 0
+    assert run(["lint", "--preview", str(bad)]) == 0
     lines = capsys.readouterr().out.splitlines()
     assert len(lines) == 1
     assert re.match(rf"{LAUNCH}:\d+: info LNT003 .* \[[0-9a-f]{{16}}\]$", lines[0])
