@@ -125,3 +125,8 @@ def _below(destination: str, package: str) -> str:
     for name, value in _FOLDERS:
         destination = destination.replace(f"${{{name}}}", value.format(package=package))
     return destination.replace("//", "/").strip("/")
+
+
+def lives_in_devel_space(package: PackageFacts, workspace: Workspace) -> bool:
+    """Tell whether a package of ROS 1 installs nothing at all: it runs from where it was built."""
+    return package.ros == 1 and next(install_rules(package, workspace), None) is None

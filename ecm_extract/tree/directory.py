@@ -33,13 +33,13 @@ class DirectoryTree(ListedTree):
 
     def __init__(self, root: Path, *, label: str, commit: str | None, repository: str | None) -> None:
         super().__init__(label, commit, repository)
-        self._root = root
+        self.root = root
 
     def read(self, path: str) -> bytes:
         """Content of one file."""
         entry = self._entry(path)
         try:
-            return _read(self._root / (entry.target or entry.path), path)
+            return _read(self.root / (entry.target or entry.path), path)
         except OSError as error:
             shown = printable(path)
             message = f"{shown} cannot be read: {error.strerror}."
@@ -47,10 +47,10 @@ class DirectoryTree(ListedTree):
 
     def _list(self) -> Listing:
         walk = _Walk(self.label)
-        walk.folder(self._root, "")
+        walk.folder(self.root, "")
         while walk.todo:
             path = walk.todo.pop()
-            walk.folder(self._root / path, path)
+            walk.folder(self.root / path, path)
         return Listing(tuple(walk.entries), walk.links, tuple(walk.diagnostics))
 
 

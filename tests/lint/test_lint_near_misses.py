@@ -101,7 +101,7 @@ ROWS = [
         None,
     ),
     ("two meet there", "LNT045", 1, files_of.meeting("/arm/limb/left"), files_of.meeting("/elsewhere"), None),
-    ("one angle, one way", "LNT016", 1, files_of.limited("0"), files_of.limited("-3.1416"), "info"),
+    ("one angle, one way", "LNT016", 1, files_of.limited("0"), files_of.limited("-3.142"), "info"),
     ("a namespace of several", "LNT046", 1, files_of.read_below("/robot"), files_of.read_below("/monitor"), "info"),
     ("no namespace", "LNT046", 1, files_of.read_below(""), files_of.read_below("/monitor"), "info"),
     ("a metapackage names all", "LNT036", 1, files_of.deprecated("<metapackage/>"), files_of.deprecated(""), None),

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from difflib import get_close_matches
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
@@ -13,6 +12,7 @@ from ecm_parsers.launch.model import Node
 from ecm_extract.lint.cmake_makers import asks, brings_targets, makers
 from ecm_extract.lint.install_rules import install_rules
 from ecm_extract.lint.lines import line_of_name
+from ecm_extract.lint.near import nearest
 from ecm_extract.lint.refused import is_refused
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace, all_actions, plain_text
@@ -44,25 +44,29 @@ def check(workspace: Workspace) -> Iterator[Finding]:
         if _is_understood(package, workspace) and not asks(package, commands, workspace)
     }
     for path, facts in workspace.launches.items():
+        missing: dict[tuple[str, str], list[Evidence]] = {}
         for action in all_actions(facts.actions):
             if not isinstance(action, Node) or action.kind == "component":
                 continue
             package, name = plain_text(action.package), plain_text(action.executable)
             target = workspace.by_name.get(package or "")
             if name and target is not None and target.name in closed and not _is_program(name, target, workspace):
-                line = line_of_name(path, action.line, name, workspace)
-                yield _finding(name, target, Evidence(path, line), workspace)
+                place = Evidence(path, line_of_name(path, action.line, name, workspace))
+                missing.setdefault((target.name, name), []).append(place)
+        for (owner, name), places in missing.items():
+            yield _finding(name, workspace.by_name[owner], places, workspace)
 
 
-def _finding(name: str, package: PackageFacts, place: Evidence, workspace: Workspace) -> Finding:
-    near = next(iter(get_close_matches(name, _built(package, workspace), 1)), "")
+def _finding(name: str, package: PackageFacts, places: list[Evidence], workspace: Workspace) -> Finding:
+    """One finding for a launch file that names the program several times."""
+    near = nearest(name, _built(package, workspace)) or ""
     text = f"{package.name} builds no program {name}" + (f"; it builds {near}" if near else "")
     return RULE.finding(
         text,
         Entity("executable", name, near),
-        workspace.package_of(place.path),
-        [place],
-        consequence=_GOES_ON if workspace.files.ros_of(place.path) == 1 else "",
+        workspace.package_of(places[0].path),
+        places,
+        consequence=_GOES_ON if workspace.files.ros_of(places[0].path) == 1 else "",
         resolution=f"write {near}" if near else "",
     )
 

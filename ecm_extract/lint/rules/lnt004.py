@@ -28,6 +28,7 @@ _USED = re.compile(
     rb"""|(?:FindPackageShare|get_package_share_directory|get_package_share_path)\(\s*['"](\w+)['"]"""
     rb"""|\bpkg\s*=\s*"(\w+)"|\bpackage\s*=\s*['"](\w+)['"]|\bargs\s*=\s*"\s*(?:load|standalone)\s+(\w+)/\w"""
 )
+_COMMENT = re.compile(rb"<!--.*?-->|^[ \t]*#[^\n]*", re.DOTALL | re.MULTILINE)
 _FILES = (".launch", ".launch.xml", ".launch.py", "_launch.py", ".xacro", ".urdf", ".launch.yaml")
 
 
@@ -70,7 +71,7 @@ def _used(workspace: Workspace, package: PackageFacts) -> dict[str, list[Evidenc
     for entry in package.root.files:
         if not _is_read(entry.path, package):
             continue
-        data = workspace.files.read(entry.path) or b""
+        data = _COMMENT.sub(_blank, workspace.files.read(entry.path) or b"")
         for match in _USED.finditer(data):
             name = next(part for part in match.groups() if part).decode()
             line = data.count(b"\n", 0, match.start()) + 1
@@ -78,6 +79,14 @@ def _used(workspace: Workspace, package: PackageFacts) -> dict[str, list[Evidenc
     return found
 
 
+def _blank(match: re.Match[bytes]) -> bytes:
+    """Lines keep their numbers when a comment goes."""
+    return b"\n" * match[0].count(b"\n")
+
+
 def _is_read(path: str, package: PackageFacts) -> bool:
     """Launch files and descriptions that are installed as they are: no test, no template."""
-    return path.endswith(_FILES) and "/templates/" not in path and not is_test_path(path, package.root.path)
+    hidden = "/." in f"/{path}"  # editors keep copies there
+    return (
+        path.endswith(_FILES) and "/templates/" not in path and not hidden and not is_test_path(path, package.root.path)
+    )
