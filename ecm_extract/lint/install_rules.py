@@ -128,5 +128,5 @@ def _below(destination: str, package: str) -> str:
 
 
 def lives_in_devel_space(package: PackageFacts, workspace: Workspace) -> bool:
-    """Tell whether a package of ROS 1 installs nothing at all: it runs from where it was built."""
-    return package.ros == 1 and next(install_rules(package, workspace), None) is None
+    """Tell whether a package that is not of ROS 2 installs nothing at all: it runs from where it was built."""
+    return package.ros != 2 and next(install_rules(package, workspace), None) is None

@@ -253,3 +253,31 @@ def test_fix_leaves_the_rest_alone(tmp_path: Path) -> None:
     path.write_bytes(path.read_bytes().replace(b"\n", b"\r\n"))
     lint(folder, "--fix")
     assert path.read_bytes() == b'<launch>\r\n  <node pkg="demo" exec="base"/>\r\n</launch>\r\n'
+
+
+def test_preview_rules_wait_for_their_option(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """What did not run is said: nothing found is not nothing there."""
+    shutil.copytree(FIXTURES / "LNT016" / "bad", tmp_path / "ws")
+    assert run(["lint", str(tmp_path / "ws"), "--fail-on", "info"]) == 0
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert "preview rules did not run" in captured.err
+    assert run(["lint", str(tmp_path / "ws"), "--fail-on", "info", "--preview"]) == 1
+    captured = capsys.readouterr()
+    assert "LNT016" in captured.out
+    assert "preview" not in captured.err
+
+
+def test_a_preview_rule_by_name(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Neither run by chance nor left out in silence."""
+    shutil.copytree(FIXTURES / "LNT016" / "bad", tmp_path / "ws")
+    assert run(["lint", str(tmp_path / "ws"), "--select", "LNT016"]) == 2
+    assert "add --preview" in capsys.readouterr().err
+
+
+def test_rules_are_listed_with_their_tier(capsys: pytest.CaptureFixture[str]) -> None:
+    """A stable rule has no mark."""
+    assert run(["rules"]) == 0
+    lines = {line[:6]: line for line in capsys.readouterr().out.splitlines()}
+    assert lines["LNT016"].endswith("(preview)")
+    assert not lines["LNT004"].endswith("(preview)")

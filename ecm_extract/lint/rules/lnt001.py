@@ -20,6 +20,7 @@ RULE = LintRule(
     who="config",
     consequence="the launch stops there with an error",
     resolution="correct the path, or add the file",
+    tier="stable",
 )
 _AT_START = "the node that it is given to stops when it starts"
 _NOT_OPENED = "whoever opens it finds nothing"

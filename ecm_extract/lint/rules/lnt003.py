@@ -26,10 +26,13 @@ RULE = LintRule(
     who="config",
     consequence="launch_ros finds no such program and stops the whole launch",
     resolution="correct the name, or install the program",
+    tier="stable",
 )
 RENAME = re.compile(r"builds no program (?P<old>\S+); it builds (?P<new>[^\s:]+)")
 
 _GOES_ON = "roslaunch reports it and goes on without the node"
+_OPEN = frozenset("${*?")
+"""In a name that CMake computes, such as of each file that a pattern finds."""
 _OUTPUT = re.compile(rb"\bOUTPUT\s+\"?(?:[^\s\"()]*/)?([\w.-]+)")
 """The last part of what a custom command makes."""
 _OUTPUT_NAME = re.compile(rb"OUTPUT_NAME\s+\"?([\w.${}-]+)")
@@ -119,6 +122,4 @@ def _is_understood(package: PackageFacts, workspace: Workspace) -> bool:
     if any(is_refused(path, workspace) for path in package.cmake) or brings_targets(package, workspace):
         return False
     targets = [target for file in package.cmake.values() for target in file.targets]
-    return bool(package.cmake or package.setups) and not any(
-        "$" in target.name or "{" in target.name for target in targets
-    )
+    return bool(package.cmake or package.setups) and not any(_OPEN & set(target.name) for target in targets)

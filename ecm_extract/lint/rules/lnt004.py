@@ -22,6 +22,7 @@ RULE = LintRule(
     who="config",
     consequence="on a machine that has only what package.xml asks for, the launch stops with 'package not found'",
     resolution="add an <exec_depend> (<run_depend> in format 1) to package.xml",
+    tier="stable",
 )
 _USED = re.compile(
     rb"""\$\(find(?:-pkg-share|-pkg-prefix)?\s+(\w+)\s*\)|package://(\w+)/"""

@@ -24,6 +24,7 @@ RULE = LintRule(
     who="config",
     consequence="it is there where it was built and missing where the package is installed",
     resolution="add install(TARGETS ...), install(PROGRAMS ...) or install(DIRECTORY ...) to CMakeLists.txt",
+    tier="stable",
 )
 _MAKES_PACKAGE = re.compile(rb"^\s*(?:catkin|ament)_package\s*\(", re.MULTILINE | re.IGNORECASE)
 _SHOWN = 5
@@ -161,9 +162,14 @@ def _scripts(package: PackageFacts, started: set[str]) -> set[str]:
 
 
 def _launch_files(package: PackageFacts, workspace: Workspace) -> set[str]:
-    own = [path for path in workspace.launches if workspace.package_of(path) == package.name and ".test." not in path]
+    own = [path for path in workspace.launches if workspace.package_of(path) == package.name and not _is_trial(path)]
     root = f"{package.root.path}/" if package.root.path else ""
     return {path.removeprefix(root) for path in own if not _is_covered(path, package)}
+
+
+def _is_trial(path: str) -> bool:
+    """Tell whether a launch file is for a trial beside the sources: by its name, or that of its folder."""
+    return ".test." in path or any(part.startswith("test") for part in path.split("/"))
 
 
 def _is_covered(path: str, package: PackageFacts) -> bool:

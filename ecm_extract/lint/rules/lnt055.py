@@ -57,6 +57,8 @@ def _of(entry: Dependency, package: PackageFacts, own: frozenset[str]) -> Iterat
     if where is not None:
         if any(entry.name == each.name for file in package.cmake.values() for each in file.dependencies):
             level = "info"  # its build finds it: somebody has it from source
+        if package.ros == 1:
+            level = "info"  # what is released for ROS 2 now may have been there before, unreleased
         text = f"{package.name} asks for {entry.name}, which was released for ROS {where} only"
     else:
         near = _meant(entry.name, package, own)
