@@ -195,7 +195,8 @@ def deprecated(extra: str) -> Files:
 
 def fetched(name: str) -> Files:
     listed = f"- git:\n    local-name: {name}\n    uri: https://example.org/{name}.git\n"
-    return {"package.xml": manifest("kortex_driver"), "deps.rosinstall": listed}
+    own = manifest("nodelet", extra="<build_type>ament_cmake</build_type>").replace("catkin", "ament_cmake")
+    return {"package.xml": own, "deps.rosinstall": listed}
 
 
 def given(target: str) -> Files:
