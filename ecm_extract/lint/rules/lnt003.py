@@ -46,6 +46,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
         for package in workspace.packages
         if _is_understood(package, workspace) and not asks(package, commands, workspace)
     }
+    known: dict[str, frozenset[str]] = {}
     for path, facts in workspace.launches.items():
         missing: dict[tuple[str, str], list[Evidence]] = {}
         for action in all_actions(facts.actions):
@@ -53,7 +54,11 @@ def check(workspace: Workspace) -> Iterator[Finding]:
                 continue
             package, name = plain_text(action.package), plain_text(action.executable)
             target = workspace.by_name.get(package or "")
-            if name and target is not None and target.name in closed and not _is_program(name, target, workspace):
+            if not name or target is None or target.name not in closed:
+                continue
+            if target.name not in known:
+                known[target.name] = frozenset(_programs(target, workspace))
+            if known[target.name].isdisjoint({name, name.removesuffix(".py"), f"{name}.py"}):
                 place = Evidence(path, line_of_name(path, action.line, name, workspace))
                 missing.setdefault((target.name, name), []).append(place)
         for (owner, name), places in missing.items():
@@ -74,9 +79,9 @@ def _finding(name: str, package: PackageFacts, places: list[Evidence], workspace
     )
 
 
-def _is_program(name: str, package: PackageFacts, workspace: Workspace) -> bool:
-    known = executables(workspace, package) | _files(package) | _possible(package)
-    return not known.isdisjoint({name, name.removesuffix(".py"), f"{name}.py"})
+def _programs(package: PackageFacts, workspace: Workspace) -> set[str]:
+    """Every name that may be a program of a package."""
+    return executables(workspace, package) | _files(package) | _possible(package)
 
 
 def executables(workspace: Workspace, package: PackageFacts) -> set[str]:
