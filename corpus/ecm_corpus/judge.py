@@ -55,7 +55,7 @@ def _composition(state: Composition, clones: Path, options: Options) -> Judged:
         started = read_system(tree, [_inside(path, state) for path in state.launch], Given(), options)
         contracts[LAUNCHED] = {"nodes": instance_contracts(started)}
     workspace = Workspace(tree, options)
-    lint = [finding for finding in findings_of(workspace) if _is_within(finding, workspace, packages)]
+    lint = [finding for finding in findings_of(workspace, preview=True) if _is_within(finding, workspace, packages)]
     return _judged("composition", _commits(sources_of(state), clones), contracts, {"lint": ordered(lint)})
 
 

@@ -10,6 +10,7 @@ import msgspec
 
 from ecm_extract.answers.scope import Scope
 from ecm_extract.errors import ConfigError, InputError
+from ecm_extract.own_files import own_file
 from ecm_extract.tree import printable
 from ecm_extract.tree.git_repo import find_repo
 
@@ -37,19 +38,23 @@ def accepted_file(folder: Path) -> Path:
     """Return the file that is right for a folder: the nearest one above, else one in the root of the repository.
 
     It is in the folder itself where that is in no repository.
+
+    Raises:
+        InputError: its place is taken by a link that leads out of the repository.
     """
     start = folder.resolve()
     repo = find_repo(start) if start.is_dir() else None
     root = repo.work_tree if repo is not None and repo.work_tree is not None else start
     inside = [start, *(each for each in start.parents if each.is_relative_to(root))]
-    return next((each / FILE_NAME for each in inside if (each / FILE_NAME).exists()), root / FILE_NAME)
+    place = next((each for each in inside if (each / FILE_NAME).is_file() or (each / FILE_NAME).is_symlink()), root)
+    return own_file(place, FILE_NAME)
 
 
 def accepted_in(file: Path) -> tuple[Accepted, ...]:
     """Read the rows of a file; none where there is no file.
 
     Raises:
-        ConfigError: it is not TOML, or a row is wrong. InputError: it is a symbolic link.
+        ConfigError: it is not TOML, or a row is wrong.
     """
     return parse_accepted(accepted_bytes(file), printable(str(file)))
 
@@ -58,16 +63,12 @@ def accepted_bytes(file: Path) -> bytes:
     """Read the file; empty where there is none.
 
     Raises:
-        InputError: it is a symbolic link, which may lead out of the repository, or cannot be read.
+        InputError: it cannot be read.
     """
-    shown = printable(str(file))
-    if file.is_symlink():
-        message = f"{shown} is a symbolic link"
-        raise InputError(message, "put the file itself there")
     try:
         return file.read_bytes() if file.is_file() else b""
     except OSError as error:
-        message = f"{shown} cannot be read: {error.strerror}"
+        message = f"{printable(str(file))} cannot be read: {error.strerror}"
         raise InputError(message, "make it readable") from None
 
 

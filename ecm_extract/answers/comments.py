@@ -13,12 +13,13 @@ import msgspec
 from ecm_checker.finding import Finding
 
 from ecm_extract.answers.scope import CHANGE_RULES
+from ecm_extract.rule_ids import rule_id
 
 Read = Callable[[str], bytes | None]
 """Content of a file of the tree by its path, None when it cannot be read."""
 
 _COMMENT: Final = re.compile(
-    r"ecm:\s*ignore\[(?P<rules>[A-Z0-9, ]+?)(?:\s+(?P<key>\w+)=(?P<value>[^\]\s]+))?\](?P<reason>.*)"
+    r"ecm:\s*ignore\[(?P<rules>[A-Za-z0-9, ]+?)(?:\s+(?P<key>\w+)=(?P<value>[^\]\s]+))?\](?P<reason>.*)"
 )
 
 
@@ -52,5 +53,5 @@ def comments_in(paths: Iterable[str], read: Read) -> Iterator[Comment]:
         for number, line in enumerate(data.decode("utf-8", "replace").splitlines(), 1):
             match = _COMMENT.search(line)
             if match is not None:
-                rules = tuple(rule.strip() for rule in match["rules"].split(",") if rule.strip())
+                rules = tuple(rule_id(rule) for rule in match["rules"].split(",") if rule.strip())
                 yield Comment(path, number, rules, match["value"] or "", match["reason"].strip(" -*/>"))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 import msgspec
@@ -27,7 +27,7 @@ from ecm_extract.entities.side import Side, read_workspace
 from ecm_extract.extraction_model import Options
 from ecm_extract.requires.collect import consumers
 from ecm_extract.stored import Stored, stored_consumers
-from ecm_extract.tree import Tree, unread_of
+from ecm_extract.tree import Tree, Unread, unread_of
 
 
 class Request(msgspec.Struct, frozen=True):
@@ -114,7 +114,7 @@ def _both_labels(request: Request) -> str:
 def _unread(request: Request, old: Side, new: Side) -> tuple[UnreadPart, ...]:
     """What was not read until now: the trees tell it once all that is wanted of them was read."""
     consumers = [unread for each in request.consumers for unread in _read_of(each).unread]
-    parts = unread_parts(_read_of(request.old), _read_of(request.new), consumers)
+    parts = unread_parts(_read_of(request.old, old.unread), _read_of(request.new, new.unread), consumers)
     folders = [side.packages[name].path for side in (old, new) for name in request.packages if name in side.packages]
     return tuple(part if _concerns(part, folders) else replace(part, limits=False) for part in parts)
 
@@ -124,10 +124,11 @@ def _concerns(part: UnreadPart, folders: Sequence[str]) -> bool:
     return not folders or part.side == "consumer" or any(f"{part.path}/".startswith(f"{each}/") for each in folders)
 
 
-def _read_of(origin: Tree | Stored) -> SideRead:
+def _read_of(origin: Tree | Stored, told: Iterable[Unread] = ()) -> SideRead:
     if isinstance(origin, Stored):
         return SideRead(origin.unread, origin.paths)
-    return SideRead(unread_of(origin.diagnostics), frozenset(entry.path for entry in origin.files()))
+    unread = dict.fromkeys((*told, *unread_of(origin.diagnostics)))
+    return SideRead(tuple(unread), frozenset(entry.path for entry in origin.files()))
 
 
 def _changes(request: Request, old: Side, new: Side) -> list[Located]:

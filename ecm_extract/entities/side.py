@@ -24,7 +24,7 @@ from ecm_extract.link.program import Program
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.parameter_reads import parameter_read_requirements
 from ecm_extract.settings import config_of
-from ecm_extract.tree import Tree
+from ecm_extract.tree import Tree, Unread, unread_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,6 +54,7 @@ class Side:
         quoted: dotted names that they give by text; see `quoted_names`.
         reads: package and name of each parameter that is read by name.
         notes: what people wrote in changelogs, read when it is asked for.
+        unread: what was not read until then; a tree that is read in another process tells it here only.
     """
 
     commit: str | None
@@ -65,6 +66,7 @@ class Side:
     quoted: frozenset[str] = frozenset()
     reads: frozenset[tuple[str, str]] = frozenset()
     notes: Notes = no_notes
+    unread: tuple[Unread, ...] = ()
 
 
 @dataclass(slots=True)
@@ -130,6 +132,7 @@ def side_of(workspace: Workspace) -> Side:
         quoted=frozenset(name for facts in packages for name in quoted_names(facts)),
         reads=frozenset((package, each.name) for package, each in parameter_read_requirements(workspace.program)),
         notes=partial(read_notes, tree),
+        unread=tuple(unread_of(tree.diagnostics)),
     )
 
 

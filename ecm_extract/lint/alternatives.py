@@ -6,11 +6,16 @@ import re
 
 _CPP = tuple(re.compile(rb"\s*#\s*" + word) for word in (rb"if", rb"el", rb"endif"))
 _CMAKE = tuple(re.compile(rb"\s*" + word + rb"\s*\(", re.IGNORECASE) for word in (rb"if", rb"else(?:if)?", rb"endif"))
+_CHOOSES = re.compile(rb"ROS_DISTRO|ROS_VERSION|ROS_PYTHON_VERSION|rosdistro|rosversion|version_info", re.IGNORECASE)
+"""What tells a distribution, or a version of Python, from another."""
 _INDENT = re.compile(rb"[ \t]*")
 
 
 def has_alternative(path: str, data: bytes, line: int) -> bool:
-    """Tell whether a line is in a condition of the preprocessor or of CMake with a second branch, or in a `try`.
+    """Tell whether a line is in one branch of several.
+
+    Branches are conditions of the preprocessor and of CMake with a second one, and in Python a `try`, and what the
+    distribution chooses.
 
     Args:
         path: of the file, whose ending tells the language.
@@ -35,15 +40,25 @@ def has_alternative(path: str, data: bytes, line: int) -> bool:
 
 
 def _is_tried(lines: list[bytes], line: int) -> bool:
-    """Tell whether the line that begins the block around a line is `try:`; a statement may go over several lines."""
+    """Tell whether a block around a line is a `try`, or a branch that the version or distribution chooses."""
     own = _indent(lines[line - 1]) if 0 < line <= len(lines) else 0
-    for text in reversed(lines[: line - 1]):
+    for at in range(min(line - 1, len(lines)) - 1, -1, -1):
+        text = lines[at]
         if not text.strip() or _indent(text) >= own:
             continue
         own = _indent(text)
-        if text.strip().endswith(b":"):
-            return text.strip().startswith(b"try")
+        if text.strip().startswith(b"try") or _CHOOSES.search(_condition(lines, at)):
+            return True
     return False
+
+
+def _condition(lines: list[bytes], at: int) -> bytes:
+    """The `if` or `elif` at a line; of an `else` the branch before it."""
+    own = _indent(lines[at])
+    if not lines[at].strip().startswith(b"else"):
+        return lines[at] if lines[at].strip().startswith((b"if", b"elif")) else b""
+    before = (text for text in reversed(lines[:at]) if text.strip() and _indent(text) == own)
+    return next((text for text in before if text.strip().startswith((b"if", b"elif"))), b"")
 
 
 def _indent(text: bytes) -> int:

@@ -1,9 +1,11 @@
-"""CMake commands of the workspace that build programs whose names they find themselves."""
+"""Builds whose programs and libraries no target of their CMake files names."""
 
 from __future__ import annotations
 
 import re
 from typing import Final
+
+from ecm_parsers.cmake_tokens import parse_commands
 
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
@@ -31,4 +33,17 @@ def asks(package: PackageFacts, commands: frozenset[bytes], workspace: Workspace
         name.lower() in commands
         for path in package.cmake
         for name in _CALLED.findall(workspace.files.read(path) or b"")
+    )
+
+
+_BRING: Final = frozenset({"externalproject_add", "fetchcontent_makeavailable", "fetchcontent_populate"})
+
+
+def brings_targets(package: PackageFacts, workspace: Workspace) -> bool:
+    """Tell whether what CMake downloads, or files that it includes by a pattern, may make targets of a package."""
+    included = (entry.path for file in package.cmake.values() for entry in file.subdirectories)
+    return any("*" in path for path in included) or any(
+        command.name in _BRING
+        for path in package.cmake
+        for command in parse_commands(workspace.files.read(path) or b"").facts
     )

@@ -12,6 +12,7 @@ import msgspec
 
 from ecm_extract.discover import is_test_path
 from ecm_extract.lint.alternatives import has_alternative
+from ecm_extract.lint.distributions import is_for_older, named_distributions
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
 
@@ -72,11 +73,13 @@ def deprecations() -> Deprecations:
 
 def deprecated_in(package: PackageFacts, workspace: Workspace) -> Iterator[Deprecated]:
     """Yield the uses of a package, tests left out."""
+    named = named_distributions(workspace.tree)
+    possible = [row for row in deprecations().text if not _is_needed(row, package, named)]
     rows = {
         entry.path: concerned
         for entry in package.root.files
         if not is_test_path(entry.path, package.root.path)
-        and (concerned := [row for row in deprecations().text if _concerns(row, entry.path, package.ros)])
+        and (concerned := [row for row in possible if _concerns(row, entry.path, package.ros)])
     }
     for path, data in workspace.tree.read_many(list(rows)):
         yield from _lines(path, _BLOCK.sub(_blank, data), rows[path])
@@ -89,6 +92,11 @@ def deprecated_in(package: PackageFacts, workspace: Workspace) -> Iterator[Depre
                     continue
                 if not has_alternative(path, workspace.files.read(path) or b"", found.line):
                     yield Deprecated(path, found.line, f"{row.module}.{found.name}", row.new, row.since)
+
+
+def _is_needed(row: DeprecatedText, package: PackageFacts, named: frozenset[str]) -> bool:
+    """Tell whether a distribution that the repository is for lacks what replaces something."""
+    return is_for_older(row.since, named) or (package.root.rosbuild and row.since.startswith("ROS"))
 
 
 def _is_other(holds: tuple[str, str], workspace: Workspace) -> bool:

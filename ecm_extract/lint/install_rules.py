@@ -63,6 +63,7 @@ class InstallRule(msgspec.Struct, frozen=True):
         items: as written, evaluated, from the folder of the file; a folder that ends in `/` gives its content only.
         destination: below the folder of installation; what is not known stays a reference.
         words: keywords of the rule.
+        renamed: what `RENAME` calls the only item; empty without it.
     """
 
     kind: str
@@ -71,6 +72,7 @@ class InstallRule(msgspec.Struct, frozen=True):
     words: frozenset[str]
     path: str
     line: int
+    renamed: str = ""
 
     @property
     def folder(self) -> str:
@@ -101,7 +103,7 @@ def place_of(path: str, rule: InstallRule) -> str | None:
     for item in rule.items:
         full = f"{rule.folder}{item}"
         if rule.kind == "FILES" and path == full:
-            return f"{rule.destination}/{path.rpartition('/')[2]}"
+            return f"{rule.destination}/{rule.renamed or path.rpartition('/')[2]}"
         if rule.kind == "DIRECTORY" and path.startswith(full.rstrip("/") + "/"):
             start = full if full.endswith("/") else full.rpartition("/")[0]
             return f"{rule.destination}/{path.removeprefix(start).lstrip('/')}"
@@ -110,12 +112,21 @@ def place_of(path: str, rule: InstallRule) -> str | None:
 
 def _rule(kind: str, args: tuple[str, ...], path: str, line: int, package: str) -> InstallRule:
     end = next((at for at, arg in enumerate(args) if arg in _WORDS), len(args))
-    to = next((args[at + 1] for at, arg in enumerate(args[:-1]) if arg == "DESTINATION"), "")
     items = tuple(item.removeprefix("./") for item in args[:end])
-    return InstallRule(kind, items, _below(to, package), frozenset(_WORDS & set(args)), path, line)
+    place, renamed = _below(_after("DESTINATION", args), package), _after("RENAME", args)
+    return InstallRule(kind, items, place, frozenset(_WORDS & set(args)), path, line, renamed)
+
+
+def _after(word: str, args: tuple[str, ...]) -> str:
+    return next((args[at + 1] for at, arg in enumerate(args[:-1]) if arg == word), "")
 
 
 def _below(destination: str, package: str) -> str:
     for name, value in _FOLDERS:
         destination = destination.replace(f"${{{name}}}", value.format(package=package))
     return destination.replace("//", "/").strip("/")
+
+
+def lives_in_devel_space(package: PackageFacts, workspace: Workspace) -> bool:
+    """Tell whether a package that is not of ROS 2 installs nothing at all: it runs from where it was built."""
+    return package.ros != 2 and next(install_rules(package, workspace), None) is None

@@ -28,12 +28,19 @@ _EVALUATED = frozenset({"include", "rosparam"})
 
 
 class NamedFile(msgspec.Struct, frozen=True):
-    """A file that is named and is not there; `near` is the one of that name elsewhere in its package, or empty."""
+    """A file that is named and is not there.
+
+    Attributes:
+        package, path: as it is named. place: the line that names it.
+        near: the one of that name elsewhere in its package, or empty.
+        is_url: it is named as `file://`, as calibrations of cameras are.
+    """
 
     package: str
     path: str
     near: str
     place: Evidence
+    is_url: bool
 
 
 def absent_files(workspace: Workspace) -> Iterator[NamedFile]:
@@ -44,23 +51,25 @@ def absent_files(workspace: Workspace) -> Iterator[NamedFile]:
         for entry in owner.root.files:
             is_read = entry.path.endswith(_FILES) and "template" not in entry.path
             if is_read and not is_test_path(entry.path, owner.root.path):
-                for name, path, place in _named(entry.path, workspace):
+                for name, path, place, is_url in _named(entry.path, workspace):
                     package = workspace.by_name.get(name)
                     if package is None or not closed.setdefault(name, _is_closed(package, workspace)):
                         continue
                     near = _elsewhere(path, package, workspace)
                     if near is not None and not f"{package.root.path}/{path}".lstrip("/").startswith(outside):
-                        yield NamedFile(name, path, near, place)
+                        yield NamedFile(name, path, near, place, is_url)
 
 
-def _named(path: str, workspace: Workspace) -> Iterator[tuple[str, str, Evidence]]:
+def _named(path: str, workspace: Workspace) -> Iterator[tuple[str, str, Evidence, bool]]:
     data = workspace.files.read(path) or b""
     for root in parse_xml(data).roots if b"$(find" in data else ():
         for element in root.iter():
             if isinstance(element.tag, str) and local_name(element) not in _EVALUATED:
                 for attribute in ("value", "default", "args"):
-                    for match in _IN_SHARE.finditer(element.get(attribute) or ""):
-                        yield match[1], match[2].replace("//", "/"), Evidence(path, line_of(element))
+                    text = element.get(attribute) or ""
+                    for match in _IN_SHARE.finditer(text):
+                        is_url = text[: match.start()].endswith("file://")
+                        yield match[1], match[2].replace("//", "/"), Evidence(path, line_of(element)), is_url
 
 
 def _is_closed(package: PackageFacts, workspace: Workspace) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator
-from typing import Final
+from typing import Final, Literal
 
 import msgspec
 from ecm_checker.contract import Evidence
@@ -13,6 +13,9 @@ from ecm_checker.finding import Certainty, Dimension, Entity, Finding, Severity,
 from ecm_extract.lint.workspace import Workspace
 
 _WORST_WITHOUT_PROOF: Final[Severity] = "warning"
+
+Tier = Literal["stable", "preview"]
+"""Whether enough of what a rule says was judged, and found true and wanted: benchmarks/lint_precision.py."""
 
 
 class LintRule(msgspec.Struct, frozen=True, kw_only=True):
@@ -24,6 +27,7 @@ class LintRule(msgspec.Struct, frozen=True, kw_only=True):
         dimension: of the contract. severity: of a finding that is proved. who: what breaks.
         consequence: what the robot does when it is ignored.
         resolution: what to do.
+        tier: a preview rule runs with `--preview` only.
     """
 
     id: str
@@ -33,6 +37,7 @@ class LintRule(msgspec.Struct, frozen=True, kw_only=True):
     who: Who
     consequence: str
     resolution: str
+    tier: Tier = "preview"
 
     def finding(
         self,
@@ -43,8 +48,8 @@ class LintRule(msgspec.Struct, frozen=True, kw_only=True):
         *,
         certainty: Certainty = "proved",
         severity: Severity | None = None,
-        resolution: str = "",
         consequence: str = "",
+        resolution: str = "",
     ) -> Finding:
         """A finding of this rule.
 
@@ -55,8 +60,8 @@ class LintRule(msgspec.Struct, frozen=True, kw_only=True):
             evidence: the causing line first.
             certainty: what is not proved is at most a warning.
             severity: where it differs from that of the rule.
-            resolution: where it is more exact than that of the rule.
             consequence: where it differs from that of the rule, such as by what starts the launch file.
+            resolution: where it is more exact than that of the rule.
         """
         level = severity or self.severity
         what = " ".join(text.split())  # a parser's own words may go over several lines

@@ -3,19 +3,25 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 
 import msgspec
 from ecm_checker.finding import SEVERITIES, Finding
 
 from ecm_extract.config import Level
 from ecm_extract.lint.catalogue import catalogue
+from ecm_extract.lint.refused import is_refused
+from ecm_extract.lint.rules.lnt061 import RULE as REFUSAL
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.tree import FileDiagnostic
 
 
 def findings_of(
-    workspace: Workspace, selected: Collection[str] = (), levels: Mapping[str, Level] | None = None
+    workspace: Workspace,
+    selected: Collection[str] = (),
+    levels: Mapping[str, Level] | None = None,
+    *,
+    preview: bool = True,
 ) -> list[Finding]:
     """Return what the rules find.
 
@@ -23,9 +29,12 @@ def findings_of(
         workspace: the tree under lint.
         selected: ids of the rules to run; empty for all.
         levels: severity by rule id, `off` to silence it.
+        preview: run the preview rules too.
     """
     found: dict[tuple[str, str, int], Finding] = {}
     for entry in catalogue():
+        if entry.rule.tier == "preview" and not preview:
+            continue
         level = (levels or {}).get(entry.rule.id)
         if level == "off" or (selected and entry.rule.id not in selected):
             continue
@@ -39,7 +48,18 @@ def findings_of(
                 raise
             message = f"{entry.rule.id} could not finish ({type(error).__name__}). The other rules are not affected."
             workspace.tree.report(FileDiagnostic("warning", "rule-stopped", "", 0, message))
-    return sorted(found.values(), key=_order)
+    return sorted(_understood(found.values(), workspace), key=_order)
+
+
+def _understood(findings: Iterable[Finding], workspace: Workspace) -> Iterator[Finding]:
+    """Leave out what is said of lines of a file that its reader refuses, apart from just that."""
+    refused: dict[str, bool] = {}
+    for finding in findings:
+        path = finding.evidence[0].path if finding.evidence else ""
+        if path not in refused:
+            refused[path] = bool(path) and is_refused(path, workspace)
+        if finding.rule == REFUSAL.id or not refused[path]:
+            yield finding
 
 
 def _order(finding: Finding) -> tuple[int, str, int, str]:

@@ -81,8 +81,11 @@ class Workspace:
         found = {}
         for package in self.packages:
             for entry in package.root.files:
-                buried = not _BURIED.isdisjoint(entry.path.split("/")[:-1])
-                if is_launch_file(entry.path) and not buried and not is_test_path(entry.path, package.root.path):
+                if (
+                    is_launch_file(entry.path)
+                    and not _is_buried(entry.path)
+                    and not is_test_path(entry.path, package.root.path)
+                ):
                     data = self.files.read(entry.path)
                     parsed = read_launch(entry.path, data, package.ros) if data is not None else None
                     if parsed is not None and parsed.facts is not None:
@@ -102,6 +105,11 @@ class Workspace:
             return [
                 evaluated_system(self.tree, self.files, self.index, [path], Given()) for path in roots[:MAX_SYSTEMS]
             ]
+
+    @cached_property
+    def starts_foreign(self) -> bool:
+        """Whether launch files start nodes whose sources are elsewhere, which may offer what nobody here does."""
+        return any(not node.modules for system in self.systems for node in system.nodes)
 
     @cached_property
     def service_calls(self) -> Sequence[ServiceCall]:
@@ -143,6 +151,12 @@ class Workspace:
     def package_of(self, path: str) -> str:
         """Return the name of the package that a file belongs to; empty for none."""
         return self.files.package_of(path) or ""
+
+
+def _is_buried(path: str) -> bool:
+    """Tell whether a file lies where its authors put what is over, or in a hidden folder, where editors keep copies."""
+    folders = path.split("/")[:-1]
+    return not _BURIED.isdisjoint(folders) or any(folder.startswith(".") for folder in folders)
 
 
 def evidence_of(place: Place) -> Evidence:

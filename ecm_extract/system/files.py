@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from fnmatch import fnmatchcase
+from functools import cached_property
 from pathlib import PurePosixPath
 from typing import cast
 
 from ecm_parsers.result import Facts, Parsed
 
 from ecm_extract.read.facts import PackageFacts
-from ecm_extract.tree import Tree
+from ecm_extract.tree import Tree, left_out
 
 TREE = "tree:"
 """Prefix of a path that is in the tree, so that a path of the machine is never taken for one."""
@@ -61,8 +62,21 @@ class Files:
         return beside[0] if len(beside) == 1 else None
 
     def is_elsewhere(self, text: str) -> bool:
-        """Tell whether a path that was not found may exist all the same: on the machine, or made by the build."""
-        return text.startswith("/") or any(self.find(text + ending) is not None for ending in _TEMPLATES)
+        """Tell whether a path that was not found may exist all the same.
+
+        It may be on the machine, be made by the build, or be a file that a partial checkout has left out.
+        """
+        if text.startswith(("/", "~")) or any(self.find(text + ending) is not None for ending in _TEMPLATES):
+            return True
+        return text.startswith(TREE) and self.is_left_out(_normal(text[len(TREE) :]))
+
+    def is_left_out(self, path: str) -> bool:
+        """Tell whether git tracks a file, or files below a folder, that the checkout lacks."""
+        return path in self._left_out or any(name.startswith(f"{path}/") for name in self._left_out)
+
+    @cached_property
+    def _left_out(self) -> frozenset[str]:
+        return left_out(self._tree)
 
     def is_beside(self, path: str, text: str) -> bool:
         """Tell whether a path that is written without a folder to start from is there beside the file that names it."""

@@ -59,7 +59,8 @@ def _of_words(words: Sequence[str], instance: Instance) -> Iterator[Spawned]:
         if not word.startswith("-") and ":=" not in word and word not in _VERBS:
             names.append(word)
         at += 1
-    active = not _INACTIVE & set(words) and values.get("--set-state", ["active"]) != ["inactive"]
+    is_loaded = bool(words) and words[0] == "load" and instance.executable == "controller_manager"
+    active = not is_loaded and not _INACTIVE & set(words) and values.get("--set-state", ["active"]) != ["inactive"]
     kind = next(iter(values.get("-t", values.get("--controller-type", []))), "")
     files = (*values.get("-p", ()), *values.get("--param-file", ()))
     for name in names:

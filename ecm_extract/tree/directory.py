@@ -45,14 +45,14 @@ class DirectoryTree(ListedTree):
         submodules: Mapping[str, str] | None = None,
     ) -> None:
         super().__init__(label, commit, repository)
-        self._root = root
+        self.root = root
         self._submodules = submodules or {}
 
     def read(self, path: str) -> bytes:
         """Content of one file."""
         entry = self._entry(path)
         try:
-            return _read(self._root / (entry.target or entry.path), path)
+            return _read(self.root / (entry.target or entry.path), path)
         except OSError as error:
             shown = printable(path)
             message = f"{shown} cannot be read: {error.strerror}."
@@ -60,10 +60,10 @@ class DirectoryTree(ListedTree):
 
     def _list(self) -> Listing:
         walk = _Walk(self.label)
-        walk.folder(self._root, "")
+        walk.folder(self.root, "")
         while walk.todo:
             path = walk.todo.pop()
-            walk.folder(self._root / path, path)
+            walk.folder(self.root / path, path)
         diagnostics = (*walk.diagnostics, *self._not_checked_out(walk.entries))
         return Listing(tuple(walk.entries), walk.links, diagnostics)
 

@@ -173,12 +173,13 @@ def pose(name: str) -> Files:
 
 
 def limited(lower: str) -> Files:
-    return {"urdf/a.urdf": WHEELS.format(JOINT.format(ns="", lower=lower, upper="3.1416"))}
+    return {"urdf/a.urdf": WHEELS.format(JOINT.format(ns="", lower=lower, upper="3.142"))}
 
 
 def read_below(space: str) -> Files:
     reads = [f"rospy.get_param('{space}/{leaf}', 1)" for leaf in ("low", "high")]
-    return {"scripts/monitor.py": script("battery_monitor", *reads)}
+    started = '<node pkg="pkg" type="monitor.py" name="watch"/>'
+    return {"scripts/monitor.py": script("battery_monitor", *reads), "launch/a.launch": f"<launch>{started}</launch>"}
 
 
 def manifest(*asked: str, extra: str = "") -> str:
@@ -194,7 +195,8 @@ def deprecated(extra: str) -> Files:
 
 def fetched(name: str) -> Files:
     listed = f"- git:\n    local-name: {name}\n    uri: https://example.org/{name}.git\n"
-    return {"package.xml": manifest("kortex_driver"), "deps.rosinstall": listed}
+    own = manifest("nodelet", extra="<build_type>ament_cmake</build_type>").replace("catkin", "ament_cmake")
+    return {"package.xml": own, "deps.rosinstall": listed}
 
 
 def given(target: str) -> Files:

@@ -34,7 +34,7 @@ def commit(folder: Path) -> None:
 
 
 def lint(folder: Path, capsys: pytest.CaptureFixture[str]) -> list[tuple[str, str, int]]:
-    assert run(["lint", str(folder), "--base", "HEAD", "--format", "json", "--fail-on", "never"]) == 0
+    assert run(["lint", str(folder), "--preview", "--base", "HEAD", "--format", "json", "--fail-on", "never"]) == 0
     found = json.loads(capsys.readouterr().out)["findings"]
     return [(each["rule"], each["evidence"][0]["path"], each["evidence"][0]["line"]) for each in found]
 

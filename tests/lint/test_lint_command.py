@@ -62,7 +62,7 @@ def git(folder: Path, *arguments: str) -> None:
 
 
 def lint(*arguments: str | Path) -> int:
-    return run(["lint", *map(str, arguments)])
+    return run(["lint", "--preview", *map(str, arguments)])
 
 
 @pytest.mark.parametrize(("fail_on", "status"), [("error", 1), ("never", 0)])
@@ -88,7 +88,7 @@ def test_text(
 def test_info_takes_one_line(bad: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """What may be known already does not push aside what breaks somebody; its fingerprint is there to accept it."""
     (bad / "ecm.toml").write_text('[severity]\nLNT003 = "info"\n')
-    assert run(["lint", str(bad)]) == 0
+    assert run(["lint", "--preview", str(bad)]) == 0
     lines = capsys.readouterr().out.splitlines()
     assert len(lines) == 1
     assert re.match(rf"{bad}/{LAUNCH}:\d+: info LNT003 .* \[[0-9a-f]{{16}}\]$", lines[0])
@@ -330,3 +330,31 @@ def test_a_comment_names_its_rule_in_any_case(bad: Path) -> None:
     path = bad / LAUNCH
     path.write_text(path.read_text().replace("<node", "<!-- ecm: ignore[lnt003] on purpose -->\n<node"))
     assert lint(bad, "--select", "lnt003") == 0
+
+
+def test_preview_rules_wait_for_their_option(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """What did not run is said: nothing found is not nothing there."""
+    shutil.copytree(FIXTURES / "LNT016" / "bad", tmp_path / "ws")
+    assert run(["lint", str(tmp_path / "ws"), "--fail-on", "info"]) == 0
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert "preview rules did not run" in captured.err
+    assert run(["lint", str(tmp_path / "ws"), "--fail-on", "info", "--preview"]) == 1
+    captured = capsys.readouterr()
+    assert "LNT016" in captured.out
+    assert "preview" not in captured.err
+
+
+def test_a_preview_rule_by_name(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Neither run by chance nor left out in silence."""
+    shutil.copytree(FIXTURES / "LNT016" / "bad", tmp_path / "ws")
+    assert run(["lint", str(tmp_path / "ws"), "--select", "LNT016"]) == 2
+    assert "add --preview" in capsys.readouterr().err
+
+
+def test_rules_are_listed_with_their_tier(capsys: pytest.CaptureFixture[str]) -> None:
+    """A stable rule has no mark."""
+    assert run(["rules"]) == 0
+    lines = {line[:6]: line for line in capsys.readouterr().out.splitlines()}
+    assert lines["LNT016"].endswith("(preview)")
+    assert not lines["LNT004"].endswith("(preview)")

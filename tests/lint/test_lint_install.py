@@ -72,7 +72,8 @@ def test_install_rules(workspace: Workspace, ros: int, text: str, expected: list
 
 def test_a_header_that_another_package_includes(workspace: Workspace) -> None:
     """Nobody misses a header that stays private."""
-    build = {"CMakeLists.txt": HEAD[1], "include/pkg/core.h": "#pragma once\n", "a.cpp": "int a;\n"}
+    installs = HEAD[1] + "install(FILES a.txt DESTINATION share/pkg)\n"
+    build = {"CMakeLists.txt": installs, "include/pkg/core.h": "#pragma once\n", "a.cpp": "int a;\n"}
     workspace.package(build, ros=1)
     assert "LNT058" not in [finding.rule for finding in lint(workspace.root)]
     workspace.package({"b.cpp": "#include <pkg/core.h>\n", "CMakeLists.txt": "project(user)\n"}, ros=1, name="user")

@@ -72,7 +72,9 @@ def test_action(fail_on: str, status: int, workspace: Path) -> None:
     launch = workspace / "src" / "demo" / "launch" / "a.launch.xml"
     launch.write_text(launch.read_text().replace("base", "bass"))
     script = action["runs"]["steps"][1]["run"]
-    done = shell(script, workspace, ECM_PATH="src", ECM_BASE="", ECM_FAIL_ON=fail_on, ECM_SARIF="out.sarif")
+    done = shell(
+        script, workspace, ECM_PATH="src", ECM_BASE="", ECM_FAIL_ON=fail_on, ECM_SARIF="out.sarif", ECM_PREVIEW="1"
+    )
     assert done.returncode == status
     assert "::error file=src/demo/launch/a.launch.xml" in done.stdout
     assert (workspace / "out.sarif").is_file()

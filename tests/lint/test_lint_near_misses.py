@@ -101,11 +101,11 @@ ROWS = [
         None,
     ),
     ("two meet there", "LNT045", 1, files_of.meeting("/arm/limb/left"), files_of.meeting("/elsewhere"), None),
-    ("one angle, one way", "LNT016", 1, files_of.limited("0"), files_of.limited("-3.1416"), "info"),
+    ("one angle, one way", "LNT016", 1, files_of.limited("0"), files_of.limited("-3.142"), "info"),
     ("a namespace of several", "LNT046", 1, files_of.read_below("/robot"), files_of.read_below("/monitor"), "info"),
     ("no namespace", "LNT046", 1, files_of.read_below(""), files_of.read_below("/monitor"), "info"),
     ("a metapackage names all", "LNT036", 1, files_of.deprecated("<metapackage/>"), files_of.deprecated(""), None),
-    ("fetched from source", "LNT055", 1, files_of.fetched("kortex_driver"), files_of.fetched("other"), None),
+    ("fetched from source", "LNT055", 1, files_of.fetched("nodelet"), files_of.fetched("other"), None),
     (
         "given by who includes it",
         "LNT042",

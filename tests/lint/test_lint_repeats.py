@@ -15,7 +15,7 @@ def test_findings_do_not_depend_on_the_seed_of_hashes() -> None:
     program = [sys.executable, "-c", "from ecm_extract.cli import main; main()"]
     outputs = set()
     for seed in ("1", "2", "3"):
-        arguments = ["lint", str(ROOT / "fixtures" / "lint"), "--format", "json", "--fail-on", "never"]
+        arguments = ["lint", "--preview", str(ROOT / "fixtures" / "lint"), "--format", "json", "--fail-on", "never"]
         environment = {**os.environ, "PYTHONHASHSEED": seed}
         done = subprocess.run([*program, *arguments], capture_output=True, check=True, env=environment)
         outputs.add(done.stdout)

@@ -51,11 +51,15 @@ def command(fingerprint: str, reason: str, until: str | None, path: str | None, 
 
 def _target(path: str | None, shown: Shown | None) -> Path:
     from ecm_extract.answers.accepted_file import accepted_file
+    from ecm_extract.own_files import own_file
 
     if path is not None and not Path(path).is_dir():
         message = f"there is no folder {path}"
         raise InputError(message, "name the folder of the workspace")
-    return Path(shown.file) if path is None and shown is not None else accepted_file(Path(path or "."))
+    if path is None and shown is not None:
+        known = Path(shown.file)  # what lies there may be a link by now
+        return own_file(known.parent, known.name)
+    return accepted_file(Path(path or "."))
 
 
 def _add(target: Path, fingerprint: str, reason: str, until: date | None, shown: Shown | None) -> None:

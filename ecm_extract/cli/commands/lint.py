@@ -56,6 +56,7 @@ class Request(msgspec.Struct, frozen=True):
     base_tip: bool
     patch: str | None
     select: frozenset[str]
+    preview: bool
     statistics: bool
     format: str
     output: tuple[str, ...]
@@ -85,6 +86,7 @@ class Request(msgspec.Struct, frozen=True):
     shell_complete=lint_rules,
     help="Only this rule, or all that begin so: LNT0. May be repeated.",
 )
+@click.option("--preview", is_flag=True, help="Also rules whose precision was not yet shown.")
 @click.option("--statistics", is_flag=True, help="Show how many findings each rule has, and how many --fix mends.")
 @click.option("--format", type=click.Choice(FORMATS), default="text", show_default=True, help="On standard output.")
 @click.option("--output", multiple=True, metavar="FORMAT=FILE", help="Also into a file. May be repeated.")
@@ -125,7 +127,7 @@ def command(**options: Any) -> int:
         _print_statistics(answered.findings, workspace, request, output)
     else:
         _print(answered.findings, request, output)
-    _say(answered, read)
+    _say(answered, request, read)
     return _status(answered.findings, request.fail_on, read)
 
 
@@ -204,8 +206,11 @@ def _options(request: Request, progress: Progress | None) -> Options:
 def _run(workspace: Workspace, request: Request) -> list[Finding]:
     from ecm_extract.lint.run import findings_of
 
+    if request.select and _held(request) == request.select:
+        message = f"{min(request.select)} is a preview rule, which does not run by itself"
+        raise InputError(message, "add --preview")
     config = workspace.config
-    found = findings_of(workspace, request.select, config.severity)
+    found = findings_of(workspace, request.select, config.severity, preview=request.preview)
     return [each for each in found if not config.promise or each.who in config.promise]
 
 
@@ -343,7 +348,7 @@ def _rendered(findings: tuple[Finding, ...], form: str, output: Output, color: b
     return findings_as(form, findings, output.places, color)
 
 
-def _say(answered: Answered, read: Completeness) -> None:
+def _say(answered: Answered, request: Request, read: Completeness) -> None:
     from ecm_extract.report.unread_text import unread_lines
 
     counts = {
@@ -353,6 +358,7 @@ def _say(answered: Answered, read: Completeness) -> None:
     shown += "" if read.complete else " in what could be read"
     suppressed = f", {answered.suppressed} answered" if answered.suppressed else ""
     click.echo(f"{shown}{suppressed}", err=True)
+    _say_held(request)
     for line in answered.unused:
         click.echo(f"unused: {line}", err=True)
     for line in unread_lines(each for each in read.unread if each.carries):
@@ -364,6 +370,22 @@ def _status(findings: tuple[Finding, ...], fail_on: str, read: Completeness) -> 
     if _is_failure(findings, fail_on):
         return 1
     return 0 if read.complete else INCOMPLETE
+
+
+def _held(request: Request) -> frozenset[str]:
+    """Preview rules that were asked for, by name or with all others, and did not run."""
+    from ecm_extract.lint.catalogue import catalogue
+
+    preview = frozenset(entry.rule.id for entry in catalogue() if entry.rule.tier == "preview")
+    wanted = preview & request.select if request.select else preview
+    return frozenset() if request.preview else wanted
+
+
+def _say_held(request: Request) -> None:
+    """What did not run is said, so that nothing found is never taken for nothing there."""
+    held = len(_held(request))
+    if held:
+        click.echo(f"{held} preview rules did not run; --preview runs them too", err=True)
 
 
 def _is_failure(findings: tuple[Finding, ...], fail_on: str) -> bool:

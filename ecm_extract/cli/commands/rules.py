@@ -11,4 +11,5 @@ def command() -> None:
     from ecm_extract.rule_pages import every_rule
 
     for rule in every_rule():
-        click.echo(f"{rule.id}  {rule.severity:<7}  {rule.dimension:<11}  {rule.name}")
+        mark = "  (preview)" if getattr(rule, "tier", "stable") == "preview" else ""
+        click.echo(f"{rule.id}  {rule.severity:<7}  {rule.dimension:<11}  {rule.name}{mark}")

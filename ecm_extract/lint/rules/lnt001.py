@@ -18,9 +18,13 @@ RULE = LintRule(
     dimension="versioning",
     severity="error",
     who="config",
-    consequence="the launch, or the node that opens it, stops there with an error",
+    consequence="the launch stops there with an error",
     resolution="correct the path, or add the file",
+    tier="stable",
 )
+_AT_START = "the node that it is given to stops when it starts"
+_NOT_OPENED = "whoever opens it finds nothing"
+_UNCALIBRATED = "camera_info_manager warns and goes on without a calibration"
 _OPEN = frozenset("{}[]<>$!")
 """In a name that somebody fills in: of a template, or the default of a variable that has to be set."""
 _NAMED = re.compile(r"`([^`]*)`")
@@ -29,17 +33,19 @@ _NAMED = re.compile(r"`([^`]*)`")
 def check(workspace: Workspace) -> Iterator[Finding]:
     """Report includes and parameter files of launch files that are not in their package, or found by chance only."""
     _ = workspace.systems  # evaluating launch files reports what is missing
-    found: dict[tuple[str, str], list[int]] = {}
+    found: dict[tuple[str, str, bool], list[int]] = {}
     for entry in workspace.diagnostics("launch-include-missing", "launch-file-missing"):
         match = _NAMED.search(entry.message)
         name = match[1] if match else entry.message
         if _OPEN & set(name) or name.endswith("/"):
             continue  # the last part is for somebody to give
-        found.setdefault((entry.path, name), []).append(entry.line)
-    for (path, name), lines in found.items():
+        late = entry.code == "launch-file-missing" and workspace.files.ros_of(entry.path) == 2
+        found.setdefault((entry.path, name, late), []).append(entry.line)
+    for (path, name, late), lines in found.items():
         evidence = [Evidence(path, line) for line in lines]
         text = f"{path} names {name}, which is not there"
-        yield RULE.finding(text, Entity("file", name), workspace.package_of(path), evidence)
+        package = workspace.package_of(path)
+        yield RULE.finding(text, Entity("file", name), package, evidence, consequence=_AT_START if late else "")
     yield from _relative(workspace)
     yield from _absent(workspace)
 
@@ -51,7 +57,15 @@ def _absent(workspace: Workspace) -> Iterator[Finding]:
         text += f"; there is {found.near}" if found.near else ""
         entity = Entity("file", f"{found.package}/{found.path}", found.near)
         package = workspace.package_of(found.place.path)
-        yield RULE.finding(text, entity, package, [found.place], certainty="likely")
+        yield RULE.finding(
+            text,
+            entity,
+            package,
+            [found.place],
+            certainty="likely",
+            severity="info" if found.is_url else "warning",
+            consequence=_UNCALIBRATED if found.is_url else _NOT_OPENED,
+        )
 
 
 def _relative(workspace: Workspace) -> Iterator[Finding]:

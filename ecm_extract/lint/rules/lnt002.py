@@ -63,5 +63,7 @@ def _is_elsewhere(name: str, path: str, workspace: Workspace) -> bool:
 
 def _defines_all(description: Description) -> bool:
     """Tell whether every macro must be defined here: a robot without a name is a part that another file includes."""
-    outside = any(each in message for _, _, message in description.problems for each in _ELSEWHERE)
-    return bool(description.name) and not outside
+    messages = [message for _, _, message in description.problems]
+    outside = any(each in message for message in messages for each in _ELSEWHERE)
+    on_machine = any((match := _FILE.search(message)) and match[1].startswith(("/", "~")) for message in messages)
+    return bool(description.name) and not outside and not on_machine

@@ -23,12 +23,14 @@ RULE = LintRule(
     who="config",
     consequence="on a machine that has only what package.xml asks for, the launch stops with 'package not found'",
     resolution="add an <exec_depend> (<run_depend> in format 1) to package.xml",
+    tier="stable",
 )
 _USED = re.compile(
     rb"""\$\(find(?:-pkg-share|-pkg-prefix)?\s+(\w+)\s*\)|package://(\w+)/"""
     rb"""|(?:FindPackageShare|get_package_share_directory|get_package_share_path)\(\s*['"](\w+)['"]"""
     rb"""|\bpkg\s*=\s*"(\w+)"|\bpackage\s*=\s*['"](\w+)['"]|\bargs\s*=\s*"\s*(?:load|standalone)\s+(\w+)/\w"""
 )
+_COMMENT = re.compile(rb"<!--.*?-->|^[ \t]*#[^\n]*", re.DOTALL | re.MULTILINE)
 _FILES = (".launch", ".launch.xml", ".launch.py", "_launch.py", ".xacro", ".urdf", ".launch.yaml")
 
 
@@ -71,7 +73,7 @@ def _used(workspace: Workspace, package: PackageFacts) -> dict[str, list[Evidenc
     for entry in package.root.files:
         if not _is_read(entry.path, package):
             continue
-        data = without_comments(workspace.files.read(entry.path) or b"")
+        data = _COMMENT.sub(_blank, without_comments(workspace.files.read(entry.path) or b""))
         for match in _USED.finditer(data):
             name = next(part for part in match.groups() if part).decode()
             line = data.count(b"\n", 0, match.start()) + 1
@@ -79,6 +81,14 @@ def _used(workspace: Workspace, package: PackageFacts) -> dict[str, list[Evidenc
     return found
 
 
+def _blank(match: re.Match[bytes]) -> bytes:
+    """Lines keep their numbers when a comment goes."""
+    return b"\n" * match[0].count(b"\n")
+
+
 def _is_read(path: str, package: PackageFacts) -> bool:
     """Launch files and descriptions that are installed as they are: no test, no template."""
-    return path.endswith(_FILES) and "/templates/" not in path and not is_test_path(path, package.root.path)
+    hidden = "/." in f"/{path}"  # editors keep copies there
+    return (
+        path.endswith(_FILES) and "/templates/" not in path and not hidden and not is_test_path(path, package.root.path)
+    )

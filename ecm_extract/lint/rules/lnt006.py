@@ -5,11 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
+from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 
 from ecm_extract.link.spelling import last_name
+from ecm_extract.lint.lines import line_of_name
 from ecm_extract.lint.rule import LintRule
-from ecm_extract.lint.workspace import Workspace, evidence_of
+from ecm_extract.lint.workspace import Workspace
 from ecm_extract.lint.written_names import WrittenNames
 from ecm_extract.system.model import Remapping
 from ecm_extract.system.names import absolute
@@ -135,7 +137,8 @@ def _finding(remap: Remapping, node: SystemNode, workspace: Workspace) -> Findin
     text = f"{node.name} has nothing called {remap.source}, so {target} has no effect"
     package = workspace.package_of(remap.place.path)
     entity = Entity("remap", remap.source, remap.target)
-    return RULE.finding(text, entity, package, [evidence_of(remap.place)], certainty="likely")
+    line = line_of_name(remap.place.path, remap.place.line, remap.source, workspace)
+    return RULE.finding(text, entity, package, [Evidence(remap.place.path, line)], certainty="likely")
 
 
 def _is_dead(remap: Remapping, node: SystemNode) -> bool:

@@ -22,10 +22,13 @@ RULE = LintRule(
     dimension="versioning",
     severity="error",
     who="source",
-    consequence="Python stops with ImportError, NameError or AttributeError when it gets there",
+    consequence="Python stops with ModuleNotFoundError when it gets there",
     resolution="use the name that is bound, import it, or restore it",
 )
 MAX_DEPTH = 30
+_SHOWN = 5
+_AT_USE = "Python stops with ImportError or AttributeError at each of these lines"
+_NO_NAME = "Python stops with NameError when it gets there"
 _GENERATED = frozenset({"msg", "srv", "action", "cfg"})
 _BUILDS_MODULES = re.compile(
     rb"pybind|python_add_module|swig|sip_|boost_python|MODULE\b|generate_parameter", re.IGNORECASE
@@ -38,19 +41,29 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     names = _names(workspace)
     modules = _modules(workspace, names)
     yield from _missing_modules(workspace, modules, names)
-    seen = set()
+    users: dict[tuple[str, str], list[Evidence]] = {}
+    owners: dict[tuple[str, str], str] = {}
     for file in workspace.linker.program.files:
         if file.language != "python":
             continue
         for module, name, line in _used(file, modules):
-            bound = modules[module]
-            key = (file.path, module, name)
-            if name not in bound and key not in seen:
-                seen.add(key)
-                near = nearest(name, bound)
-                text = f"module {module} binds no {name}" + (f"; it binds {near}" if near else "")
-                entity = Entity("function", f"{module}.{name}", near or "")
-                yield RULE.finding(text, entity, file.package, [Evidence(file.path, line)], certainty="proved")
+            if name not in modules[module]:
+                users.setdefault((module, name), []).append(Evidence(file.path, line))
+                owners.setdefault((module, name), file.package)
+    for module in sorted({module for module, _ in users}):
+        lost = {name: places for (owner, name), places in users.items() if owner == module}
+        yield _unbound(module, lost, modules[module], owners[module, next(iter(lost))])
+
+
+def _unbound(module: str, lost: dict[str, list[Evidence]], bound: set[str], package: str) -> Finding:
+    """One finding for all that is asked of a module in vain: the module is the cause, its users are listed."""
+    first = next(iter(lost))
+    near = nearest(first, bound) if len(lost) == 1 else None
+    places = list(dict.fromkeys(place for each in lost.values() for place in each))
+    shown = ", ".join(list(lost)[:_SHOWN]) + (f" and {len(lost) - _SHOWN} more" if len(lost) > _SHOWN else "")
+    text = f"module {module} binds no {shown}" + (f"; it binds {near}" if near else "")
+    entity = Entity("function", f"{module}.{first}", near or "")
+    return RULE.finding(text, entity, package, places, certainty="proved", consequence=_AT_USE)
 
 
 def _loose(workspace: Workspace) -> Iterator[Finding]:
@@ -61,7 +74,8 @@ def _loose(workspace: Workspace) -> Iterator[Finding]:
         for name, line in loose_names(workspace.files.read(file.path) or b""):
             text = f"{file.path} uses {name}, which nothing in it defines or imports"
             entity = Entity("function", name)
-            yield RULE.finding(text, entity, file.package, [Evidence(file.path, line)], certainty="likely")
+            place = [Evidence(file.path, line)]
+            yield RULE.finding(text, entity, file.package, place, certainty="likely", consequence=_NO_NAME)
 
 
 def _names(workspace: Workspace) -> set[str]:
@@ -91,17 +105,20 @@ def _modules(workspace: Workspace, names: set[str]) -> dict[str, set[str]]:
 
 def _missing_modules(workspace: Workspace, modules: dict[str, set[str]], names: set[str]) -> Iterator[Finding]:
     """Imports of modules that a Python package of the workspace does not hold; what a build makes is left out."""
+    users: dict[str, list[tuple[File, int]]] = {}
     for file in workspace.linker.program.files:
         for entry in file.facts.imports if file.language == "python" else ():
             parent, _, last = entry.module.rpartition(".")
             if parent not in modules or last in modules[parent] | _GENERATED or entry.module in names:
                 continue
-            if _is_compiled(parent.partition(".")[0], workspace):
-                continue
-            near = next((name for name in sorted(names) if name.rpartition(".")[2] == last), None)
-            text = f"there is no module {entry.module}" + (f"; there is {near}" if near else "")
-            entity = Entity("function", entry.module, near or "")
-            yield RULE.finding(text, entity, file.package, [Evidence(file.path, entry.line)])
+            if not _is_compiled(parent.partition(".")[0], workspace):
+                users.setdefault(entry.module, []).append((file, entry.line))
+    for module, found in users.items():
+        last = module.rpartition(".")[2]
+        near = next((name for name in sorted(names) if name.rpartition(".")[2] == last), None)
+        text = f"there is no module {module}" + (f"; there is {near}" if near else "")
+        places = list(dict.fromkeys(Evidence(file.path, line) for file, line in found))
+        yield RULE.finding(text, Entity("function", module, near or ""), found[0][0].package, places)
 
 
 def _compiled(package: PackageFacts) -> set[str]:

@@ -67,7 +67,7 @@ def _of(
         return None  # a node that uses `in` and offers `out` means both
     near = beside[near]
     provider = providers[near]
-    text = f"{entry.node} uses {entry.name}, which nothing offers; {provider.node} offers {near} of the same type"
+    text = f"{entry.node} uses {entry.name}, which nothing here offers; {provider.node} offers {near} of the same type"
     evidence = [evidence_of(entry.place), evidence_of(provider.place)]
     package = workspace.package_of(entry.place.path)
     return RULE.finding(text, Entity("topic", near, entry.name), package, evidence, certainty="likely")

@@ -18,6 +18,7 @@ RULE = LintRule(
     who="safety",
     consequence="whoever decides by the contract decides by something that is no longer so",
     resolution="correct the overlay, or the source",
+    tier="stable",
 )
 
 

@@ -21,7 +21,7 @@ RULE = LintRule(
     dimension="versioning",
     severity="error",
     who="source",
-    consequence="the build tool finds no order in which to build the workspace, or refuses to release it",
+    consequence="the build tool finds no order in which to build the workspace",
     resolution="remove one of the dependencies, or depend on the packages that are meant (REP 127)",
 )
 _BUILDS = frozenset({"build", "build_export", "buildtool", "buildtool_export", "depend", "exec", "run"})
@@ -37,6 +37,7 @@ def known_metapackages() -> frozenset[str]:
 def check(workspace: Workspace) -> Iterator[Finding]:
     """Report circles once, and each dependency on a metapackage."""
     graph: nx.DiGraph[str] = nx.DiGraph()
+    asked: dict[tuple[str, str], list[int]] = {}
     meta = {package.name for package in workspace.packages if is_meta(package)}
     known = known_metapackages() - workspace.by_name.keys()
     for package in workspace.packages:
@@ -47,7 +48,9 @@ def check(workspace: Workspace) -> Iterator[Finding]:
                 graph.add_edge(package.name, entry.name)
             on_known = package.ros == 1 and entry.name in known
             if (entry.name in meta or on_known) and package.name not in meta and not package.root.rosbuild:
-                yield _on_meta(package, entry.name, entry.line)
+                asked.setdefault((package.name, entry.name), []).append(entry.line)
+    for (name, other), lines in asked.items():
+        yield _on_meta(workspace.by_name[name], other, lines)
     for circle in nx.strongly_connected_components(graph):
         if len(circle) > 1:
             yield _circle(sorted(circle), workspace)
@@ -61,10 +64,12 @@ def is_meta(package: PackageFacts) -> bool:
     return manifest is not None and any(entry.tag == "metapackage" for entry in manifest.exports)
 
 
-def _on_meta(package: PackageFacts, name: str, line: int) -> Finding:
+def _on_meta(package: PackageFacts, name: str, lines: list[int]) -> Finding:
     text = f"{package.name} depends on the metapackage {name}"
-    evidence = [Evidence(package.root.manifest or "", line)]
-    return RULE.finding(text, Entity("package", package.name, name), package.name, evidence, severity="warning")
+    evidence = [Evidence(package.root.manifest or "", line) for line in lines]
+    entity = Entity("package", package.name, name)
+    consequence = "catkin warns each time that the workspace is configured, and more is installed than is used"
+    return RULE.finding(text, entity, package.name, evidence, severity="info", consequence=consequence)
 
 
 def _circle(names: list[str], workspace: Workspace) -> Finding:

@@ -20,9 +20,11 @@ RULE = LintRule(
     dimension="resources",
     severity="warning",
     who="config",
-    consequence="the second wins or is refused, and the thing that was meant has neither",
+    consequence="both are of that one, and the one that was meant has none",
     resolution="name the link or joint that is meant",
 )
+_SYSTEMATIC = 4
+"""So many of one file are no slip: a program wrote each of them twice."""
 _NAMES = {"gazebo": "reference", "link": "name", "joint": "name"}
 
 
@@ -32,13 +34,19 @@ def check(workspace: Workspace) -> Iterator[Finding]:
         for entry in package.root.files:
             if entry.path.endswith((".urdf", ".xacro")) and not is_test_path(entry.path, package.root.path):
                 root = parse_xml(workspace.files.read(entry.path) or b"").root
-                for element in root.iter(etree.Element) if root is not None else ():
-                    yield from _of(element, entry.path, package.name)
+                found = [each for element in _elements(root) for each in _of(element, entry.path, package.name)]
+                yield from found if len(found) < _SYSTEMATIC else ()
+
+
+def _elements(root: etree._Element | None) -> Iterator[etree._Element]:
+    yield from root.iter(etree.Element) if root is not None else ()
 
 
 def _of(parent: etree._Element, path: str, package: str) -> Iterator[Finding]:
     seen: dict[tuple[str, str, str, str], etree._Element] = {}
     for tag, element in children(parent):
+        if tag == "property":
+            seen = {key: first for key, first in seen.items() if "${" not in key[1]}  # a name may mean another now
         if tag not in _NAMES or str(element.tag).startswith("{"):
             continue
         name = element.get(_NAMES[tag], "")
@@ -51,7 +59,8 @@ def _of(parent: etree._Element, path: str, package: str) -> Iterator[Finding]:
                 text = f"<{tag}> {name} stands twice{what}"
                 evidence = [Evidence(path, line_of(element)), Evidence(path, line_of(first))]
                 entity = Entity(tag, str(name), said, robot_of(element))
-                yield RULE.finding(text, entity, package, evidence, certainty="likely")
+                refused = "" if tag == "gazebo" else "the reader of URDF refuses the whole description"
+                yield RULE.finding(text, entity, package, evidence, certainty="likely", consequence=refused)
                 break
 
 

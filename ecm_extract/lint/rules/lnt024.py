@@ -24,10 +24,11 @@ RULE = LintRule(
     consequence="time and frame are zero and empty: transforms fail and filters drop the message",
     resolution="set header.stamp and header.frame_id before it is published",
 )
-_STAMPED = frozenset(
+_SENSORS = frozenset(
     {"LaserScan", "Imu", "PointCloud2", "Image", "CameraInfo", "JointState", "NavSatFix", "Range", "MagneticField"}
-    | {"Odometry", "Path", "OccupancyGrid", "FluidPressure", "Temperature", "BatteryState", "TimeReference"}
+    | {"FluidPressure", "Temperature", "BatteryState", "TimeReference"}
 )
+_STAMPED = {"sensor_msgs": _SENSORS, "nav_msgs": frozenset({"Odometry", "Path", "OccupancyGrid"})}
 _STAMPS = frozenset({"header", "stamp"})
 """Some stamped messages hold a bare stamp."""
 _SENDERS = frozenset({"publish", "sendTransform", "send_transform"})
@@ -38,14 +39,14 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     for functions in workspace.linker.program.functions.values():
         for func in functions:
             if func.file.language == "cpp" and func.file.package in workspace.by_name:
-                yield from _of(func)
+                yield from _of(func, frozenset(workspace.by_name))
 
 
-def _of(func: Func) -> Iterator[Finding]:
+def _of(func: Func, own: frozenset[str]) -> Iterator[Finding]:
     for at, statement in enumerate(func.fact.body):
         made = statement.value
         kind = _made_type(statement.type, made)
-        if statement.kind != "let" or not isinstance(statement.target, Name) or not _is_stamped(kind):
+        if statement.kind != "let" or not isinstance(statement.target, Name) or not _is_stamped(kind, own):
             continue
         name = statement.target.id
         if made is not None and not _is_fresh(made):
@@ -76,9 +77,12 @@ def _made_type(written: str, made: Expr | None) -> str:
     return bare
 
 
-def _is_stamped(kind: str) -> bool:
+def _is_stamped(kind: str, own: frozenset[str]) -> bool:
+    """Tell whether a type is known to have a header: of the packages of ROS, or called so elsewhere."""
     parts = [part for part in kind.split("::") if part]
-    return len(parts) > 1 and (parts[-1].endswith("Stamped") or parts[-1] in _STAMPED)
+    if parts[:1] and parts[0] in own and parts[0] not in {"geometry_msgs", *_STAMPED}:
+        return False
+    return len(parts) > 1 and (parts[-1].endswith("Stamped") or parts[-1] in _STAMPED.get(parts[0], ()))
 
 
 def _sends(expr: Expr, name: str) -> bool:

@@ -79,4 +79,5 @@ def _is_missing(owner: str, name: str, workspace: Workspace) -> bool:
     root = f"{package.root.path}/" if package.root.path else ""
     listed = {entry.path for entry in package.root.files}
     suffix = name.rpartition(".")[2].lower()
-    return f"{root}{name}" not in listed and any(path.lower().endswith(f".{suffix}") for path in listed)
+    gone = f"{root}{name}" not in listed and not workspace.files.is_left_out(f"{root}{name}")
+    return gone and any(path.lower().endswith(f".{suffix}") for path in listed)

@@ -41,15 +41,20 @@ def check(workspace: Workspace) -> Iterator[Finding]:
 
 
 def _compared(made: Description, written: Description, package: str) -> Iterator[Finding]:
+    """One stale file is one finding, with the lines of each joint that differs."""
     joints = {joint.name: joint for joint in made.joints}
-    for joint in written.joints:
-        source = joints.get(joint.name)
-        what = _difference(source, joint) if source is not None else None
-        if source is not None and what is not None:
-            text = f"{joint.name} of {written.path} has {what}"
-            evidence = [Evidence(*joint.where), Evidence(*source.where)]
-            entity = Entity("joint", joint.name, what.partition(",")[0].rpartition(" ")[0], written.name)
-            yield RULE.finding(text, entity, package, evidence, certainty="likely")
+    found = [
+        (joint, source, what)
+        for joint in written.joints
+        if (source := joints.get(joint.name)) is not None and (what := _difference(source, joint)) is not None
+    ]
+    if found:
+        joint, source, what = found[0]
+        more = f" and {len(found) - 1} more joints differ" if len(found) > 1 else ""
+        text = f"{joint.name} of {written.path} has {what}{more}"
+        evidence = [Evidence(*place) for other, origin, _ in found for place in (other.where, origin.where)]
+        entity = Entity("joint", joint.name, what.partition(",")[0].rpartition(" ")[0], written.name)
+        yield RULE.finding(text, entity, package, evidence, certainty="likely")
 
 
 def _difference(source: Joint, joint: Joint) -> str | None:

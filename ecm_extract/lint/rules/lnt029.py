@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ecm_checker.contract import Evidence, Interface
-from ecm_checker.finding import Entity, Finding
+from ecm_checker.finding import Entity, Finding, Severity
 
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
@@ -44,7 +44,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
         pairs = [(names[0], near)] if near is not None else _lost(names, providers)
         for name, other in pairs:
             if _is_related(user, workspace.package_of(other.evidence[0].path), workspace):
-                yield _finding(name, other, user)
+                yield _finding(name, other, user, "info" if workspace.starts_foreign else "warning")
 
 
 def _is_related(user: str, provider: str, workspace: Workspace) -> bool:
@@ -93,7 +93,8 @@ def _last(name: str) -> str:
     return name.rsplit("/", 1)[-1]
 
 
-def _finding(interface: Interface, near: Interface, package: str) -> Finding:
-    text = f"{interface.name} is used and nothing offers it; {near.name} has the same type"
+def _finding(interface: Interface, near: Interface, package: str, level: Severity) -> Finding:
+    text = f"{interface.name} is used and nothing here offers it; {near.name} has the same type"
     entity = Entity("topic", near.name, interface.name)
-    return RULE.finding(text, entity, package, [interface.evidence[0], near.evidence[0]], certainty="likely")
+    places = [interface.evidence[0], near.evidence[0]]
+    return RULE.finding(text, entity, package, places, certainty="likely", severity=level)

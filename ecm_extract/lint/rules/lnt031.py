@@ -31,17 +31,21 @@ RENAME = re.compile(r"has no field (?P<old>\w+); it has (?P<new>\w+)")
 def check(workspace: Workspace) -> Iterator[Finding]:
     """Report keywords of proxy calls, and members of request and response objects, that the definition lacks."""
     for call in workspace.service_calls:
-        for name, _ in call.call.keywords:
-            if name and name not in call.fields:
-                yield _of_call(call, name)
+        unknown = [name for name, _ in call.call.keywords if name and name not in call.fields]
+        if unknown:
+            yield _of_call(call, unknown)
     for touched in touched_fields(workspace.linker.program.files, workspace.packages):
         if touched.field not in touched.known:
             yield _of_member(touched, workspace)
 
 
-def _of_call(call: ServiceCall, name: str) -> Finding:
+def _of_call(call: ServiceCall, names: list[str]) -> Finding:
+    """A call with several wrong fields is one finding; the near name is that of the first."""
     place = Evidence(call.file.path, call.line)
-    return _finding(call.service, name, call.fields, call.file.package, place)
+    if len(names) == 1:
+        return _finding(call.service, names[0], call.fields, call.file.package, place)
+    text = f"{call.service} has no fields {', '.join(names)}"
+    return RULE.finding(text, Entity("message_field", f"{call.service}.{names[0]}"), call.file.package, [place])
 
 
 def _of_member(touched: Touched, workspace: Workspace) -> Finding:

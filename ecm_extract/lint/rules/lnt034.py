@@ -32,8 +32,13 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     """Report publishers without queue_size, whether or not their topic can be told."""
     if workspace.provides("rospy", f"<{_SINCE}"):
         return
+    old = {package.name for package in workspace.packages if package.root.rosbuild}  # their rospy has no queue_size
     for file in workspace.linker.program.files:
-        if file.language == "python" and any(name.startswith("rospy") for name in file.imported.values()):
+        if (
+            file.package not in old
+            and file.language == "python"
+            and any(name.startswith("rospy") for name in file.imported.values())
+        ):
             yield from _of(file)
 
 

@@ -29,11 +29,13 @@ _PRIVATE = "_"
 def check(workspace: Workspace) -> Iterator[Finding]:
     """Report lines that the table of deprecations knows, and what the workspace itself has marked."""
     for package in workspace.packages:
+        uses: dict[tuple[str, str, str], list[Evidence]] = {}
         for found in deprecated_in(package, workspace):
-            text = f"{found.old} is deprecated since {found.since}; {found.new} replaces it"
-            entity = Entity("function", found.old, found.new)
-            place = [Evidence(found.path, found.line)]
-            yield RULE.finding(text, entity, package.name, place, resolution=f"use {found.new}")
+            uses.setdefault((found.old, found.new, found.since), []).append(Evidence(found.path, found.line))
+        for (old, new, since), places in uses.items():
+            text = f"{old} is deprecated since {since}; {new} replaces it"
+            entity = Entity("function", old, new)
+            yield RULE.finding(text, entity, package.name, places, resolution=f"use {new}")
     yield from _packages(workspace)
     yield from _functions(workspace)
 

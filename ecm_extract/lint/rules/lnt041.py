@@ -48,9 +48,14 @@ def _used(
     found: dict[str, str] = {}
     for source in target.sources:
         for header in included(workspace, package, f"{folder}/{source}" if folder else source):
-            if header in headers:
+            if header in headers and not _is_checked_in(header, package):
                 found.setdefault(headers[header], header)
     return found
+
+
+def _is_checked_in(header: str, package: PackageFacts) -> bool:
+    """Tell whether the package holds the header itself, so that it is there before anything is made."""
+    return any(f"/{path}".endswith(f"/include/{header}") for path in package.sources)
 
 
 def _of(

@@ -7,11 +7,12 @@ from collections.abc import Iterator
 from fnmatch import fnmatchcase
 
 from ecm_checker.contract import Evidence
-from ecm_checker.finding import Entity, Finding, Severity
+from ecm_checker.finding import Certainty, Entity, Finding, Severity
 from ecm_parsers.launch.model import Node
 from ecm_parsers.xml_tree import without_comments
 
 from ecm_extract.discover import is_test_path
+from ecm_extract.lint.install_rules import lives_in_devel_space
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace, all_actions, plain_text
 from ecm_extract.read.facts import PackageFacts
@@ -24,9 +25,12 @@ RULE = LintRule(
     who="config",
     consequence="it is there where it was built and missing where the package is installed",
     resolution="add install(TARGETS ...), install(PROGRAMS ...) or install(DIRECTORY ...) to CMakeLists.txt",
+    tier="stable",
 )
 _MAKES_PACKAGE = re.compile(rb"^\s*(?:catkin|ament)_package\s*\(", re.MULTILINE | re.IGNORECASE)
 _SHOWN = 5
+_DEVEL = "they run from the devel space of the machine that built them, and from nowhere else"
+_NEVER_STARTS = "launch_ros finds no such program and stops the whole launch"
 _NAMING = (".launch", ".launch.xml", ".xacro", ".urdf")
 _IN_SHARE = re.compile(rb"(?:\$\(find(?:-pkg-share)?\s+(\w+)\s*\)|package://(\w+))/([\w./-]+\.\w+)")
 _BUILD = frozenset({"setup.py", "conf.py"})
@@ -34,29 +38,54 @@ _SCRIPTS = (".py", ".sh", ".bash")
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
-    """Report what a CMake package leaves out of its install rules, once for programs, launch files and other files."""
+    """Report what a CMake package leaves out of its install rules, once for programs, launch files and other files.
+
+    Packages of ROS 1 that install nothing at all are meant to run from the devel space: they are one finding.
+    """
     launched = _launched(workspace)
     named = _named(workspace)
+    devel: list[Finding] = []
     for package in workspace.packages:
         path = f"{package.root.path}/CMakeLists.txt".lstrip("/")
         is_python = bool(package.setups) and package.ros == 2
         if path not in package.cmake or package.root.rosbuild or is_python or is_open(package, workspace):
             continue
-        started = launched.get(package.name, set())
-        scripts = _scripts(package, started) if not package.setups else set()  # setup.py may install some
-        missing = sorted(_programs(package) - installed_targets(package) | scripts)
-        if missing:
-            used = sorted(set(missing) & started)
-            yield _finding(package, path, "program", used or missing, "warning" if used else "info")
-        files = sorted(_launch_files(package, workspace))
-        described = sorted(_missing(_described(package), package))
-        if described:
-            yield _finding(package, path, "plugin description", described, "warning")
-        others = sorted(_missing(named.get(package.name, set()), package))
-        if files:
-            yield _finding(package, path, "launch file", files, "warning")
-        elif others:
-            yield _finding(package, path, "file", others, "warning")
+        found = list(_left_out(package, path, launched.get(package.name, set()), named, workspace))
+        if lives_in_devel_space(package, workspace):
+            devel += found[:1]
+        else:
+            yield from found
+    if devel:
+        yield _never_installed(devel)
+
+
+def _left_out(
+    package: PackageFacts, path: str, started: set[str], named: dict[str, set[str]], workspace: Workspace
+) -> Iterator[Finding]:
+    scripts = _scripts(package, started) if not package.setups else set()  # setup.py may install some
+    missing = sorted(_programs(package) - installed_targets(package) | scripts)
+    if missing:
+        used = sorted(set(missing) & started)
+        level: Severity = "error" if used and package.ros == 2 else "warning" if used else "info"
+        yield _finding(package, path, "program", used or missing, level)
+    files = sorted(_launch_files(package, workspace))
+    described = sorted(_missing(_described(package), package))
+    if described:
+        yield _finding(package, path, "plugin description", described, "warning")
+    others = sorted(_missing(named.get(package.name, set()), package))
+    if files:
+        yield _finding(package, path, "launch file", files, "warning")
+    elif others:
+        yield _finding(package, path, "file", others, "warning")
+
+
+def _never_installed(found: list[Finding]) -> Finding:
+    """One finding for all packages that live in the devel space."""
+    names = [finding.subjects[0] for finding in found]
+    shown = ", ".join(names[:_SHOWN]) + (f" and {len(names) - _SHOWN} more" if len(names) > _SHOWN else "")
+    text = f"{shown} install{'s' if len(names) == 1 else ''} nothing at all"
+    places = [finding.evidence[0] for finding in found]
+    return RULE.finding(text, Entity("package", "devel space"), names[0], places, severity="info", consequence=_DEVEL)
 
 
 def _launched(workspace: Workspace) -> dict[str, set[str]]:
@@ -134,9 +163,14 @@ def _scripts(package: PackageFacts, started: set[str]) -> set[str]:
 
 
 def _launch_files(package: PackageFacts, workspace: Workspace) -> set[str]:
-    own = [path for path in workspace.launches if workspace.package_of(path) == package.name and ".test." not in path]
+    own = [path for path in workspace.launches if workspace.package_of(path) == package.name and not _is_trial(path)]
     root = f"{package.root.path}/" if package.root.path else ""
     return {path.removeprefix(root) for path in own if not _is_covered(path, package)}
+
+
+def _is_trial(path: str) -> bool:
+    """Tell whether a launch file is for a trial beside the sources: by its name, or that of its folder."""
+    return ".test." in path or any(part.startswith("test") for part in path.split("/"))
 
 
 def _is_covered(path: str, package: PackageFacts) -> bool:
@@ -145,14 +179,17 @@ def _is_covered(path: str, package: PackageFacts) -> bool:
         for install in facts.installs:
             for item in install.items if install.kind != "targets" else ():
                 full = f"{folder}/{item}".strip("/").removesuffix("/.").removesuffix("/")
-                if (
-                    path == full
-                    or (fnmatchcase(path, full) and path.count("/") == full.count("/"))
-                    or path.startswith(f"{full}/")
-                    or item in {".", "./", ""}
-                ):
+                if path == full or _is_matched(path, full) or path.startswith(f"{full}/") or item in {".", "./", ""}:
                     return True
     return False
+
+
+def _is_matched(path: str, pattern: str) -> bool:
+    """Tell whether a pattern of `file(GLOB ...)` gives a path; `**` stands for any number of folders, also none."""
+    folder, recursive, name = pattern.rpartition("**/")
+    if recursive:
+        return path.startswith(folder) and fnmatchcase(path.rpartition("/")[2], name)
+    return fnmatchcase(path, pattern) and path.count("/") == pattern.count("/")
 
 
 def _finding(package: PackageFacts, path: str, what: str, names: list[str], severity: Severity) -> Finding:
@@ -161,4 +198,8 @@ def _finding(package: PackageFacts, path: str, what: str, names: list[str], seve
     line = next((target.line for target in package.cmake[path].targets if target.name in names), 1)
     entity = Entity("file", what, " ".join(names))
     evidence = [Evidence(path, line)]
-    return RULE.finding(text, entity, package.name, evidence, certainty="likely", severity=severity)
+    certainty: Certainty = "proved" if severity == "error" else "likely"
+    consequence = _NEVER_STARTS if severity == "error" else ""
+    return RULE.finding(
+        text, entity, package.name, evidence, certainty=certainty, severity=severity, consequence=consequence
+    )

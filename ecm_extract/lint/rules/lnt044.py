@@ -10,6 +10,8 @@ from ecm_parsers.cmake_facts import CmakeFile
 from ecm_parsers.cmake_tokens import Command, parse_commands
 
 from ecm_extract.lint.catkin_targets import folded
+from ecm_extract.lint.cmake_makers import brings_targets
+from ecm_extract.lint.install_rules import lives_in_devel_space
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.rules.lnt043 import installed_targets, is_open
 from ecm_extract.lint.workspace import Workspace
@@ -33,9 +35,10 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     everywhere = {name for package in workspace.packages for name in _built(package)}
     for package in workspace.packages:
         built = _built(package)
-        if package.root.rosbuild or any("$" in name for name in built):
+        if package.root.rosbuild or any("$" in name for name in built) or brings_targets(package, workspace):
             continue
-        installed = None if is_open(package, workspace) else _installed(package)
+        is_unknown = is_open(package, workspace) or lives_in_devel_space(package, workspace)
+        installed = None if is_unknown else _installed(package)
         for path, file in package.cmake.items():
             for command in parse_commands(workspace.files.read(path) or b"").facts or ():
                 for name in _exported(command, file, package):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterator
 
 from ecm_checker.contract import Interface
@@ -26,26 +25,43 @@ _SHARED_PREFIXES = ("/robot_description", "/run_id", "/roslaunch")
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
-    """Report parameters of ROS 1 programs that are written with a leading slash, each line once.
+    """Report parameters of ROS 1 programs that are written with a leading slash, once for a program and namespace.
 
-    It is a warning where a program reads several below one namespace: those are its own, under the name of a node that
-    it takes itself to be.
+    It is a warning where a program reads several below the name of a node that it takes itself to be, and a launch
+    file starts it by another name.
     """
-    seen = set()
+    names = _started(workspace)
     for entry in workspace.linked:
         package = workspace.by_name.get(entry.module.package)
         absolute = [item for item in entry.interfaces if _is_absolute(item)] if package and package.ros == 1 else []
-        spaces = Counter(space for item in absolute for space in {_space(item.raw_name)})
-        for interface in absolute:
-            if interface.evidence[0] in seen:
-                continue
-            seen.add(interface.evidence[0])
-            name = interface.raw_name
-            level: Severity = "warning" if spaces[_space(name)] > 1 and _is_own(_space(name), entry) else "info"
-            text = f"{entry.module.name} reads {name}, which is absolute"
-            evidence = interface.evidence[:2]
-            entity = Entity("parameter", name, owner=entry.module.name)
-            yield RULE.finding(text, entity, entry.module.package, evidence, severity=level)
+        spaces: dict[str, list[Interface]] = {}
+        for item in absolute:
+            spaces.setdefault(_space(item.raw_name), []).append(item)
+        for space, items in spaces.items():
+            started = names.get((entry.module.package, entry.module.name), {space})
+            missed = len(items) > 1 and _is_own(space, entry) and space not in started
+            yield _finding(entry, items, "warning" if missed else "info")
+
+
+def _finding(entry: LinkedModule, items: list[Interface], level: Severity) -> Finding:
+    name = items[0].raw_name
+    more = f" and {len(items) - 1} more" if len(items) > 1 else ""
+    text = f"{entry.module.name} reads {name}{more}, which is absolute"
+    evidence = [item.evidence[0] for item in items]
+    return RULE.finding(
+        text, Entity("parameter", name, owner=entry.module.name), entry.module.package, evidence, severity=level
+    )
+
+
+def _started(workspace: Workspace) -> dict[tuple[str, str], set[str]]:
+    """Names by which launch files start each module."""
+    found: dict[tuple[str, str], set[str]] = {}
+    for system in workspace.systems:
+        for node in system.nodes:
+            for linked in node.modules:
+                key = (linked.module.package, linked.module.name)
+                found.setdefault(key, set()).add(node.name.rpartition("/")[2])
+    return found
 
 
 def _is_absolute(interface: Interface) -> bool:

@@ -61,8 +61,15 @@ def _readers(workspace: Workspace) -> Iterator[Reader]:
     for entry in workspace.linked:
         for interface in entry.interfaces:
             generic = interface.type is None and _ANY.fullmatch(interface.name) is not None
-            if interface.role == "subscriber" and generic and _asks(interface) and _takes_any(interface, workspace):
+            wide = generic and not _reads_lists(entry.module.package, workspace)
+            if interface.role == "subscriber" and wide and _asks(interface) and _takes_any(interface, workspace):
                 yield Reader(entry.module.package, entry.module.name, interface)
+
+
+def _reads_lists(package: str, workspace: Workspace) -> bool:
+    """Tell whether Python of a package reads YAML or JSON: the topics may be those that a file of its own lists."""
+    files = [file for file in workspace.linker.program.files if file.package == package]
+    return any(entry.module in {"yaml", "json"} for file in files for entry in file.facts.imports)
 
 
 def _asks(interface: Interface) -> bool:

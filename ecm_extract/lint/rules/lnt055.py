@@ -28,7 +28,7 @@ RULE = LintRule(
 )
 _NEAR: Final = 0.93
 _LONG: Final = 9
-"""Shorter names are like some other by chance."""
+"""Shorter names are alike by chance."""
 
 _NO_PACKAGE: Final = frozenset({"group_depend", "member_of_group", "conflict", "replace"})
 """Elements that do not ask for a package."""
@@ -46,7 +46,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
         first = {entry.name: entry for entry in reversed(asked) if entry.kind not in _NO_PACKAGE}
         for name, entry in sorted(first.items()):
             if name not in own and entry.condition is None and _VENDOR.fullmatch(name) is None:
-                yield from _of(entry, package, own)
+                yield from _of(entry, package, frozenset(workspace.by_name))
 
 
 def _of(entry: Dependency, package: PackageFacts, own: frozenset[str]) -> Iterator[Finding]:
@@ -55,20 +55,40 @@ def _of(entry: Dependency, package: PackageFacts, own: frozenset[str]) -> Iterat
         return
     level: Severity = "warning"
     if where is not None:
+        if any(entry.name == each.name for file in package.cmake.values() for each in file.dependencies):
+            level = "info"  # its build finds it: somebody has it from source
+        if package.ros == 1:
+            level = "info"  # what is released for ROS 2 now may have been there before, unreleased
         text = f"{package.name} asks for {entry.name}, which was released for ROS {where} only"
     else:
-        near = _meant(entry.name, own)
+        near = _meant(entry.name, package, own)
         text = f"{package.name} asks for {entry.name}, which no distribution and no key of rosdep has"
-        text += f"; there is {near}" if near else ""
-        level = "warning" if near else "info"
+        text += f"; {near[1]} {near[0]}" if near else ""
+        level = "error" if near else "info"
+        alike = None if near else nearest(entry.name, _alike(entry.name), _NEAR)
+        text += f"; released is {alike}" if alike else ""
     evidence = [Evidence(package.root.manifest or "", entry.line)]
     yield RULE.finding(text, Entity("package", entry.name), package.name, evidence, severity=level)
 
 
-def _meant(name: str, own: frozenset[str]) -> str | None:
-    """The name that a typing error made this one of."""
-    alike = (other for other in (*known_packages(), *own) if other[:1] == name[:1])
-    return nearest(name, alike, _NEAR) if len(name) >= _LONG else None
+def _alike(name: str) -> list[str]:
+    return [other for other in known_packages() if other[:1] == name[:1]] if len(name) >= _LONG else []
+
+
+def _meant(name: str, package: PackageFacts, own: frozenset[str]) -> tuple[str, str] | None:
+    """The name that a typing error made this one of, and who has it.
+
+    Only what the build of the package finds, or the workspace holds, is meant: among ten thousand names of released
+    packages some are alike by chance.
+    """
+    found = {entry.name for file in package.cmake.values() for entry in file.dependencies}
+    if len(name) < _LONG or name in found:
+        return None
+    for names, words in ((found & known_packages().keys(), "its CMakeLists.txt finds"), (own, "the workspace has")):
+        near = nearest(name, names - {package.name}, _NEAR)
+        if near is not None:
+            return near, words
+    return None
 
 
 def _is_of_other_ros(where: str, package: PackageFacts) -> bool:

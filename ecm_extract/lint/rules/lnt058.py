@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding, Severity
 
-from ecm_extract.lint.install_rules import InstallRule, install_rules, place_of
+from ecm_extract.lint.install_rules import InstallRule, install_rules, lives_in_devel_space, place_of
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.rules.lnt043 import is_open
 from ecm_extract.lint.workspace import Workspace
@@ -30,6 +30,8 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     included = _included(workspace)
     for package in workspace.packages:
         if package.root.rosbuild or not package.cmake or is_open(package, workspace):
+            continue
+        if lives_in_devel_space(package, workspace):
             continue
         headers = _headers(package)
         rules = [rule for rule in install_rules(package, workspace) if rule.kind in {"DIRECTORY", "FILES"}]

@@ -22,7 +22,7 @@ RULE = LintRule(
     dimension="versioning",
     severity="error",
     who="config",
-    consequence="the build or the installation stops there, or goes on without what was meant",
+    consequence="CMake stops there when the package is installed",
     resolution="correct the name",
 )
 _VARIABLE = re.compile(r"\$\{(\w+)\}")
@@ -37,6 +37,8 @@ _KNOWN = (
     *("PROJECT_NAME", "PROJECT_SOURCE_DIR", "PROJECT_BINARY_DIR", "CMAKE_CURRENT_SOURCE_DIR", "CMAKE_INSTALL_PREFIX"),
 )
 _SLIP = 0.9
+_EMPTY = "CMake puts nothing in its place and goes on"
+_NO_CONFIGURE = "catkin_package refuses it, and the package is not configured"
 _BUILDERS = frozenset({"configure_file", "add_custom_command", "execute_process", "file", "externalproject_add"})
 
 
@@ -55,7 +57,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
         for rule in rules:
             yield from _unset(rule, words, package)
             if rule.kind != "TARGETS" and "OPTIONAL" not in rule.words and words is not None and "EXISTS" not in words:
-                yield from _absent(rule, paths | folders, words | outside, package)
+                yield from _absent(rule, paths | folders, words | outside, package, workspace)
 
 
 def _words(package: PackageFacts, workspace: Workspace) -> frozenset[str] | None:
@@ -82,7 +84,7 @@ def _slips(package: PackageFacts, words: frozenset[str] | None, workspace: Works
                 if near and words is not None and name not in words:
                     seen.add(name)
                     text = f"{path} uses ${{{name}}}, which nothing sets; there is ${{{near}}}"
-                    yield _finding(text, name, Evidence(path, command.line), package, near)
+                    yield _finding(text, name, Evidence(path, command.line), package, near, _EMPTY)
 
 
 def _no_headers(package: PackageFacts, folders: frozenset[str], workspace: Workspace) -> Iterator[Finding]:
@@ -93,20 +95,21 @@ def _no_headers(package: PackageFacts, folders: frozenset[str], workspace: Works
             exports = call.name == "catkin_package" and call.args[:2] == ("INCLUDE_DIRS", "include")
             if exports and f"{folder}/include".lstrip("/") not in folders:
                 text = f"{package.name} exports the folder include, which is not there"
-                yield _finding(text, "include", Evidence(path, call.line), package, None)
+                yield _finding(text, "include", Evidence(path, call.line), package, None, _NO_CONFIGURE)
 
 
 def _unset(rule: InstallRule, words: frozenset[str] | None, package: PackageFacts) -> Iterator[Finding]:
     for name in sorted({name for text in (*rule.items, rule.destination) for name in _VARIABLE.findall(text)}):
         if words is not None and name.islower() and "_" not in name and name not in words:
             text = f"an install rule of {package.name} uses ${{{name}}}, which nothing sets"
-            yield _finding(text, name, Evidence(rule.path, rule.line), package, None)
+            yield _finding(text, name, Evidence(rule.path, rule.line), package, None, _EMPTY)
 
 
 def _absent(
-    rule: InstallRule, there: frozenset[str], elsewhere: frozenset[str], package: PackageFacts
+    rule: InstallRule, there: frozenset[str], elsewhere: frozenset[str], package: PackageFacts, workspace: Workspace
 ) -> Iterator[Finding]:
     missing = [item for item in rule.items if not _is_given(item, rule, there, elsewhere)]
+    missing = [item for item in missing if not workspace.files.is_left_out(f"{rule.folder}{item}".rstrip("/"))]
     if not missing:
         return
     paths = [f"{rule.folder}{item}".rstrip("/") for item in missing]
@@ -127,6 +130,8 @@ def _is_given(item: str, rule: InstallRule, there: frozenset[str], elsewhere: fr
     return path in there or bool({item, path, path.rpartition("/")[2]} & elsewhere)
 
 
-def _finding(text: str, name: str, place: Evidence, package: PackageFacts, near: str | None) -> Finding:
+def _finding(
+    text: str, name: str, place: Evidence, package: PackageFacts, near: str | None, consequence: str = ""
+) -> Finding:
     entity = Entity("file", name, near or "")
-    return RULE.finding(text, entity, package.name, [place], certainty="likely")
+    return RULE.finding(text, entity, package.name, [place], certainty="likely", consequence=consequence)

@@ -18,6 +18,7 @@ RULE = LintRule(
     who="safety",
     consequence="nothing of it is used, and no check knows what was meant",
     resolution="correct the line",
+    tier="stable",
 )
 _CODES = (
     "overlay-schema",
