@@ -67,10 +67,8 @@ def run(arguments: Sequence[str]) -> int:
         return _USAGE
     except Exception as error:
         end = _end_of(error)
-    except TerminatedError:
-        end = _End(_TERMINATED, "asked to stop")
-    except KeyboardInterrupt:
-        end = _End(_INTERRUPTED, "interrupted")
+    except KeyboardInterrupt as stop:
+        end = _stopped(stop)
     else:
         return status if isinstance(status, int) else 0
     _clean_up()
@@ -90,7 +88,7 @@ def _end_of(error: Exception) -> _End:
     if isinstance(error, EcmError):
         return _End(error.exit_status, error.message, error.hint)
     if isinstance(error, click.exceptions.Abort):
-        return _End(_INTERRUPTED, "interrupted")
+        return _stopped(error.__cause__)
     if isinstance(error, click.ClickException):
         context = getattr(error, "ctx", None)
         return _End(_USAGE, error.format_message(), f"{context.command_path} --help" if context else "")
@@ -105,6 +103,12 @@ def _end_of(error: Exception) -> _End:
         f"ecm-extract failed: {type(error).__name__}: {error}",
         f"this is a bug: please run again with {DEBUG_VARIABLE}=1 and report the output to {ISSUES}",
     )
+
+
+def _stopped(cause: BaseException | None) -> _End:
+    """By Ctrl-C or by SIGTERM; click makes an error of its own of either."""
+    asked = isinstance(cause, TerminatedError)
+    return _End(_TERMINATED, "asked to stop") if asked else _End(_INTERRUPTED, "interrupted")
 
 
 def _told(end: _End) -> int:

@@ -45,6 +45,8 @@ class System:
     frames: list[FrameEdge]
 
 
+_CUT = "launch-too-long"
+"""A launch file that was not read to its end is one all the same."""
 _LOOKED_FOR = "looked for: a root <launch>, a list `launch:` in YAML, a Python function generate_launch_description"
 
 
@@ -123,10 +125,12 @@ def evaluated_system(tree: Tree, files: Files, index: ModuleIndex, paths: Sequen
 
 
 def _refuse_unread(system: System, paths: Sequence[str]) -> None:
-    """Who names a file that starts nothing must not be told that nothing is wrong."""
+    """Who names files that start nothing must not be told that nothing is wrong; one that was read shows itself."""
+    if any(path in system.launched.files for path in paths):
+        return
     for path in paths:
-        if path not in system.launched.files:
-            why = next((entry for entry in system.tree.diagnostics if entry.path == printable(path)), None)
+        why = next((entry for entry in system.tree.diagnostics if entry.path == printable(path)), None)
+        if why is None or why.code != _CUT:
             message = f"{printable(path)} cannot be read as a launch file"
             raise LaunchError(message, why.message if why is not None else _LOOKED_FOR)
 

@@ -54,7 +54,8 @@ def test_nobody_to_tell(line: str, status: int) -> None:
 
 def test_closed_standard_input_is_an_empty_patch() -> None:
     """What is not there cannot be read."""
-    assert shell(f"{PROGRAM} lint {DEMO} --patch - <&-") == (0, "nothing found\n")
+    status, said = shell(f"{PROGRAM} lint {DEMO} --patch - --preview <&-")
+    assert (status, said) == (0, "nothing found\n")
 
 
 def test_an_error_in_a_fork_is_told_once_by_the_parent(capfd: pytest.CaptureFixture[str]) -> None:
@@ -97,18 +98,22 @@ def test_forks_end_with_their_parent() -> None:
     assert process.exitcode is not None
 
 
-@pytest.mark.parametrize("number", ["SIGINT", "SIGTERM"])
-def test_an_interrupted_run_says_one_sentence(number: str) -> None:
-    """Status 130, no traceback, whatever was under way."""
+@pytest.mark.parametrize(
+    ("number", "status", "said"), [("SIGINT", 130, "interrupted"), ("SIGTERM", 143, "asked to stop")]
+)
+def test_an_interrupted_run_says_one_sentence(number: str, status: int, said: str) -> None:
+    """No traceback, whatever was under way."""
     code = (
-        "import os, signal, threading\n"
-        f"threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.{number})).start()\n"
-        "import ecm_extract.tree, time\n"
-        "ecm_extract.tree.open_tree = lambda *_: time.sleep(60)\n"
-        "from ecm_extract.cli import main\nimport sys\n"
+        "import os, signal, sys, time\n"
+        "import ecm_extract.tree\n"
+        "from ecm_extract.cli import main\n"
+        "def stopped(*_):\n"
+        f"    os.kill(os.getpid(), signal.{number})\n"
+        "    time.sleep(60)\n"
+        "ecm_extract.tree.open_tree = stopped\n"
         f"sys.argv = ['ecm-extract', 'lint', {DEMO!r}]\n"
         "main()\n"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
-    assert (done.returncode, done.stdout) == (130, "")
-    assert done.stderr.strip() == "error: interrupted"
+    assert (done.returncode, done.stdout) == (status, "")
+    assert done.stderr.strip() == f"error: {said}"
