@@ -41,8 +41,8 @@ class UseKind(msgspec.Struct, frozen=True, kw_only=True):
         breaches: what a provider can do to it: `gone`, another `type`, `signature` or `layout`; a new `duty`
             (an argument that must be given); another `default`.
         warned: whether a deprecation of the name concerns the line.
-        stated: whether a name that its package does not tell is missing: a method that may override may also be new, and
-            packages do not tell all their files.
+        stated: whether a name that its package does not tell is missing: a method that may override may also be new,
+            and packages do not tell all their files.
         built: whether the line is compiled or interpreted together with what it uses, in its own package.
     """
 
