@@ -1,0 +1,183 @@
+"""Requirements against provisions: met, dangling, incompatible, unknown."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from ecm_checker.contract import Evidence
+from ecm_checker.hub.kinds import uses
+from ecm_checker.hub.package import Package, provided
+from ecm_checker.hub.provision import Form, Provision
+from ecm_checker.hub.requirement import Given, Requirement
+from ecm_checker.match.consumer import Consumer
+from ecm_checker.match.engine import match
+from ecm_checker.match.packages import Packages, broken
+from ecm_checker.match.provisions import Provisions
+
+
+def provision(kind: str, name: str, owner: str = "", path: str = "a.hpp", **more: Any) -> Provision:
+    return Provision(**{"package": "arm", **more}, kind=kind, owner=owner, name=name, path=path, line=1)
+
+
+def requirement(use: str, name: str, owner: str = "", path: str = "b.cpp", **more: Any) -> Requirement:
+    fields: dict[str, Any] = {"package": None, "type": None, "certainty": "proved", **more}
+    kind = uses()[use].of[0]
+    return Requirement(
+        use=use, kind=kind, owner=owner, name=name, conditions=(), by="", evidence=(Evidence(path, 1),), **fields
+    )
+
+
+INCLUDE = requirement("includes", "arm/arm.hpp")
+HEADER = provision("file", "arm/arm.hpp")
+ARM = provision("class", "arm::Arm")
+JOINT = provision("class", "arm::Joint", bases=("Arm",))
+MOVE = provision("method", "move", "arm::Arm", forms=(Form(("int",), 1, "void", ("to",), virtual=True),))
+ARM_LAUNCH = provision("launch_file", "arm.launch", path="arm.launch")
+SIDE = provision("launch_argument", "side", "arm.launch", path="arm.launch", default="left")
+STATES: dict[str, tuple[list[Provision], Requirement, str]] = {
+    "a program that is there": (
+        [provision("executable", "arm_node")],
+        requirement("starts", "arm_node", package="arm"),
+        "met",
+    ),
+    "a program that its package does not have": (
+        [provision("executable", "arm_node")],
+        requirement("starts", "arm_driver", package="arm"),
+        "dangling",
+    ),
+    "a program of a package that nobody has shown": (
+        [provision("executable", "arm_node")],
+        requirement("starts", "leg_node", package="leg"),
+        "unknown",
+    ),
+    "a topic that anybody in the world may publish": (
+        [provision("topic", "/joints", facet="published")],
+        requirement("subscribes", "/other"),
+        "unknown",
+    ),
+    "a topic below the namespace of a node": (
+        [provision("topic", "~/joints", facet="published")],
+        requirement("subscribes", "/robot/arm/joints"),
+        "met",
+    ),
+    "a topic that is only subscribed": (
+        [provision("topic", "/joints", facet="subscribed")],
+        requirement("subscribes", "/joints"),
+        "unknown",
+    ),
+    "a topic of another type": (
+        [provision("topic", "/joints", facet="published", type="a/msg/A")],
+        requirement("subscribes", "/joints", type="a/msg/B"),
+        "incompatible",
+    ),
+    "a computed name of another type is another name": (
+        [provision("service", "/get_<*>", type="a/srv/A")],
+        requirement("calls_service", "/get_state", type="a/srv/B"),
+        "unknown",
+    ),
+    "a name that is computed": (
+        [provision("topic", "/joints", facet="published")],
+        requirement("subscribes", "/{name}", certainty="unknown"),
+        "unknown",
+    ),
+    "an argument that a launch file has": (
+        [ARM_LAUNCH, SIDE],
+        requirement("gives_argument", "side", "arm.launch", package="arm"),
+        "met",
+    ),
+    "an argument that it does not have": (
+        [ARM_LAUNCH, SIDE],
+        requirement("gives_argument", "hand", "arm.launch", package="arm"),
+        "dangling",
+    ),
+    "an argument of a launch file that does not tell all of them": (
+        [provision("launch_file", "arm.launch", path="arm.launch", open=True), SIDE],
+        requirement("gives_argument", "hand", "arm.launch", package="arm"),
+        "unknown",
+    ),
+    "a parameter of a node pattern": (
+        [provision("parameter", "rate", "arm_node", type="integer", ros=2)],
+        requirement("sets_parameter", "rate", "/**", ros=2, type="integer"),
+        "met",
+    ),
+    "a parameter of another node": (
+        [provision("parameter", "rate", "arm_node", type="integer", ros=2)],
+        requirement("sets_parameter", "rate", "/leg_node", ros=2, type="integer"),
+        "unknown",
+    ),
+    "a generated header": (
+        [provision("message", "arm_msgs/msg/JointForce")],
+        requirement("includes", "arm_msgs/msg/joint_force.hpp"),
+        "met",
+    ),
+    "a part of an action in Python": (
+        [provision("message", "arm_msgs/action/Grip")],
+        requirement("imports", "arm_msgs.action.Grip", path="b.py"),
+        "met",
+    ),
+    "a field by a type as C++ writes it": (
+        [provision("message_field", "goal.force", "arm_msgs/action/Grip", facet="goal")],
+        requirement("reads_member", "force", "arm_msgs::action::Grip::Goal"),
+        "met",
+    ),
+    "a method of a base class": ([ARM, JOINT, MOVE], requirement("calls_method", "move", "arm::Joint"), "met"),
+    "a method that is called with too many arguments": (
+        [ARM, MOVE],
+        requirement("calls_method", "move", "arm::Arm", given=Given(count=2)),
+        "incompatible",
+    ),
+    "an override of another form": (
+        [ARM, MOVE],
+        requirement("overrides", "move", "Arm", scope="arm::Mine", given=Given(types=("double",), returns="void")),
+        "incompatible",
+    ),
+    "a plugin by either writing": (
+        [provision("plugin", "arm/Simple")],
+        requirement("loads_plugin", "arm::Simple"),
+        "met",
+    ),
+}
+
+
+@pytest.mark.parametrize(("provisions", "wanted", "state"), STATES.values(), ids=STATES)
+def test_a_requirement_has_one_state(provisions: list[Provision], wanted: Requirement, state: str) -> None:
+    """Unknown is never missing, and what does not fit is not met."""
+    found = match(wanted, Consumer("user", [wanted]), Provisions(provisions), {"arm"})
+    assert found.state == state
+
+
+@pytest.mark.parametrize(("included", "state"), [((INCLUDE,), "met"), ((), "unknown")])
+def test_a_name_of_another_package_needs_its_header(included: tuple[Requirement, ...], state: str) -> None:
+    """Two packages may have one namespace: the include tells which is meant."""
+    wanted = requirement("names_symbol", "arm::Arm")
+    consumer = Consumer("user", [*included, wanted])
+    assert match(wanted, consumer, Provisions([HEADER, ARM]), {"arm"}).state == state
+
+
+def package(name: str, provides: list[Provision], requires: list[Requirement]) -> Package:
+    return Package(
+        name=name,
+        version=None,
+        path=name,
+        ros=2,
+        provides=tuple(map(provided, provides)),
+        requires=tuple(requires),
+    )
+
+
+def test_what_was_met_and_is_no_longer_is_broken() -> None:
+    """What was never met, and what nobody asks for, is no break."""
+    wanted = [requirement("starts", name, package="arm") for name in ("arm_node", "never", "stays")]
+    user = Packages([package("user", [], wanted)])
+    before = Packages([package("arm", [provision("executable", name) for name in ("arm_node", "stays", "other")], [])])
+    after = Packages([package("arm", [provision("executable", "stays")], [])])
+    assert [each.requirement.name for each in broken(user, before, after)] == ["arm_node"]
+    assert not list(broken(user, before, before))
+
+
+def test_packages_ask_each_other() -> None:
+    """A program that the other one does not have is told; a plugin may come from anywhere."""
+    wanted = [requirement("starts", "gone", package="arm"), requirement("loads_plugin", "else::Where")]
+    found = Packages([package("user", [], wanted), package("arm", [provision("executable", "arm_node")], [])])
+    assert [each.requirement.name for each in found.unmet()] == ["gone"]
