@@ -1,4 +1,4 @@
-"""The pages of the rules, of lint and of check alike."""
+"""The pages of the rules, of check, lint and observe alike."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from ecm_checker.rule import Rule
 from ecm_extract.errors import InputError
 from ecm_extract.lint.catalogue import catalogue as lint_rules
 from ecm_extract.lint.rule import LintRule
+from ecm_extract.observe.catalogue import catalogue as observe_rules
 from ecm_extract.uses.findings import RULE as BREAK
 
 _INSTALLED = Path(sys.prefix) / "share" / "ecm-extract" / "rules"
@@ -21,6 +22,7 @@ def every_rule() -> list[Rule | LintRule]:
     """Return every rule, by id."""
     found: list[Rule | LintRule] = [entry.rule for entry in checker_rules()]
     found += [entry.rule for entry in lint_rules()]
+    found += [entry.rule for entry in observe_rules()]
     return sorted(found, key=lambda rule: rule.id)
 
 
