@@ -53,9 +53,15 @@ class Listener(msgspec.Struct):
     stamps: Stamps
     broken: int = 0
 
-    def message(self, raw: bytes | memoryview, time_ns: int) -> None:
-        """Take a serialised message and the time of its receipt in nanoseconds."""
-        self.arrivals.add(time_ns, len(raw))
+    def message(self, raw: bytes | memoryview, time_ns: int, size: int | None = None) -> None:
+        """Take a serialised message.
+
+        Args:
+            raw: its bytes, or the first of them.
+            time_ns: of its receipt, in nanoseconds.
+            size: of the whole message, where `raw` is not all of it.
+        """
+        self.arrivals.add(time_ns, len(raw) if size is None else size)
         channel = self.channel
         if channel.headed:
             header = ros1_header(raw) if channel.encoding == "ros1" else cdr_header(raw)
