@@ -53,15 +53,18 @@ class Listener(msgspec.Struct):
     stamps: Stamps
     broken: int = 0
 
-    def message(self, raw: bytes | memoryview, time_ns: int, size: int | None = None) -> None:
+    def message(
+        self, raw: bytes | memoryview, time_ns: int, *, size: int | None = None, sent_ns: int | None = None
+    ) -> None:
         """Take a serialised message.
 
         Args:
             raw: its bytes, or the first of them.
             time_ns: of its receipt, in nanoseconds.
             size: of the whole message, where `raw` is not all of it.
+            sent_ns: when it was sent, where the transport tells: gaps are then free of our own delays.
         """
-        self.arrivals.add(time_ns, len(raw) if size is None else size)
+        self.arrivals.add(sent_ns or time_ns, len(raw) if size is None else size)
         channel = self.channel
         if channel.headed:
             header = ros1_header(raw) if channel.encoding == "ros1" else cdr_header(raw)

@@ -31,7 +31,7 @@ class Listening:
         listener = self._heard.listener(channel)
 
         def receive(kept: bytes, size: int) -> None:
-            listener.message(kept, time.time_ns(), size)
+            listener.message(kept, time.time_ns(), size=size)
 
         keep = _DECODED_BYTES if channel.type in DECODED else _HEADER_BYTES
         connection.setblocking(False)

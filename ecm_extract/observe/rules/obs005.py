@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from types import MappingProxyType
+from collections.abc import Iterator
 
 from ecm_checker.finding import Entity, Finding
-from ecm_checker.qos import Fits, Setting, duration_fits, level_fits
 
 from ecm_extract.observe.model import Endpoint, Incident
+from ecm_extract.observe.qos_match import misfits
 from ecm_extract.observe.rule import ObserveRule
 from ecm_extract.observe.watch import Link, Watch
 
@@ -20,15 +19,6 @@ RULE = ObserveRule(
     who="qos",
     consequence="the two never connect; not one message arrives, and neither side fails",
     resolution="offer at least what is asked for, or ask for less",
-)
-_POLICIES: Mapping[str, Fits] = MappingProxyType(
-    {
-        "reliability": level_fits,
-        "durability": level_fits,
-        "deadline_ms": duration_fits,
-        "liveliness": level_fits,
-        "lease_ms": duration_fits,
-    }
 )
 
 
@@ -45,14 +35,10 @@ def check(watch: Watch) -> Iterator[Finding]:
 
 
 def _misfits(link: Link) -> Iterator[str]:
-    giver, taker = link.giver.qos, link.taker.qos
-    if giver is None or taker is None:
-        return
-    for policy, fits in _POLICIES.items():
-        if policy in link.giver.unseen or policy in link.taker.unseen:
-            continue
-        if not fits(Setting(getattr(giver, policy), True), Setting(getattr(taker, policy), True)):
-            yield policy
+    giver, taker = link.giver, link.taker
+    if giver.qos is not None and taker.qos is not None:
+        unseen = {*giver.unseen, *taker.unseen}
+        yield from (policy for policy in misfits(giver.qos, taker.qos) if policy not in unseen)
 
 
 def _finding(link: Link, policy: str) -> Finding:
