@@ -17,6 +17,7 @@ _DIALECT: Final = "https://json-schema.org/draft/2020-12/schema"
 _DOCUMENTS: Final[dict[str, tuple[type[msgspec.Struct], str, str]]] = {
     "manifest": (wire.Manifest, wire.MANIFEST_SCHEMA, "ECM contract of one module"),
     "extract": (wire.Extract, wire.EXTRACT_SCHEMA, "What ecm-extract read off one source tree"),
+    "evidence": (wire.EvidenceRecord, wire.EVIDENCE_SCHEMA, "What was observed of one module of a release"),
     "embodiment": (profiles.Embodiment, "ecm-extract/embodiment/1", "What a robot has"),
     "policy": (profiles.Policy, "ecm-extract/policy/1", "What governance allows"),
     "runtime": (profiles.Runtime, "ecm-extract/runtime/1", "What is installed and holds"),

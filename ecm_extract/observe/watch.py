@@ -117,6 +117,23 @@ class Watch:
         }
 
     @cached_property
+    def present(self) -> tuple[Running, ...]:
+        """Running modules; where a source knows no nodes, modules of which an endpoint was seen, by their own name."""
+        named = {each.module.id for each in self.running}
+        heard = {pair.expected.module.id: pair.expected.module for pair in self.pairs}
+        return (*self.running, *(Running(name, module) for name, module in heard.items() if name not in named))
+
+    @cached_property
+    def visible_roles(self) -> frozenset[str]:
+        """Roles that the source sees; of a bag, publishers, though one that is missing means nothing there."""
+        roles = {"publisher"} if self.seen.source == "bag" else set[str]()
+        return frozenset({*roles, *self.seen.senses})
+
+    def promises_of(self, module: View, nodes: Sequence[str]) -> tuple[Expected, ...]:
+        """What a module promises on its nodes; without any, in the root namespace."""
+        return tuple(each for node in (nodes or (None,)) for each in on_node(module, node))
+
+    @cached_property
     def pairs(self) -> tuple[Pair, ...]:
         """Endpoints with what contracts say of them: of their node where it is known, else of anybody."""
         return tuple(self._pairs())

@@ -29,8 +29,8 @@ public:
 """
 
 
-def extraction(workspace: Workspace, overlay: str) -> Extraction:
-    workspace.package({"src/n.cpp": NODE, "ecm.yaml": overlay})
+def extraction(workspace: Workspace, overlay: str, source: str = NODE) -> Extraction:
+    workspace.package({"src/n.cpp": source, "ecm.yaml": overlay})
     return extract(open_tree(workspace.root), Options(jobs=1))
 
 
@@ -144,3 +144,45 @@ def test_never_raises(text: str) -> None:
     """No text breaks the parser."""
     parse_overlay(text.encode())
     parse_overlay(f"modules: {text}".encode())
+
+
+OPEN = """
+#include <rclcpp/rclcpp.hpp>
+class N : public rclcpp::Node {
+public:
+  N() : Node("n") { create_publisher<std_msgs::msg::String>(std::string("/") + getenv("ROBOT") + "/state", 10); }
+};
+"""
+
+
+def test_what_was_seen_fills_what_is_open(workspace: Workspace) -> None:
+    """One endpoint for each name that was seen, as sure as a default; what the contract knows stays."""
+    before = extraction(workspace, "", OPEN)
+    (open_end,) = [each for each in module(before).signature.interfaces if each.role == "publisher"]
+    assert "{" in open_end.name
+    seen = "".join(
+        f"    - {{role: publisher, was: '{open_end.name}', name: {name}, type: wrong/msg/Type}}\n"
+        for name in ("/r1/state", "/r2/state")
+    )
+    text = f"origin: observed\nmodules:\n  n:\n    endpoints:\n{seen}    behavior: {{rates: {{/r1/state: 20.0}}}}\n"
+    found = module(extraction(workspace, text, OPEN))
+    ends = [each for each in found.signature.interfaces if each.role == "publisher"]
+    assert [(each.name, each.type, each.confidence) for each in ends] == [
+        ("/r1/state", "std_msgs/msg/String", "default"),
+        ("/r2/state", "std_msgs/msg/String", "default"),
+    ]
+    assert found.behavior.rates is not None
+    assert found.behavior.rates.origin == "observed"
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        ("origin: guessed\n", "overlay-unknown-origin"),
+        ("modules: {n: {endpoints: [{role: publisher}]}}\n", "overlay-endpoint"),
+        ("modules: {n: {endpoints: [7]}}\n", "overlay-endpoint"),
+    ],
+)
+def test_what_is_no_observation(text: str, code: str) -> None:
+    """A key that means nothing is a diagnostic, and costs nothing else."""
+    assert [each.code for each in parse_overlay(text.encode()).diagnostics] == [code]

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ecm_checker import frames
 from ecm_checker.finding import Entity, Finding
 
-from ecm_extract.observe.expected import is_exact
+from ecm_extract.observe.expected import is_exact, on_node
 from ecm_extract.observe.rule import ObserveRule, line_of
 from ecm_extract.observe.watch import Watch
 
@@ -23,19 +23,20 @@ RULE = ObserveRule(
 
 
 def check(watch: Watch) -> Iterator[Finding]:
-    """Lookups of the modules of running nodes against the frames that were seen connected."""
+    """Lookups of the modules that run against the frames that were seen connected."""
     if not watch.senses("transform"):
         return
     trees = frames.groups((each.parent, each.child) for each in watch.seen.transforms)
-    for node, promises in watch.expected_on.items():
-        for each in promises:
+    for running in watch.present:
+        node = running.node
+        for each in on_node(running.module, None):
             ends = frames.ends(each.interface.frame) if each.interface.role == "tf_lookup" else None
             if ends is None or _connected(trees, *ends):
                 continue
             text = f"{node} looks up {ends[0]} <- {ends[1]}: {_reason(trees, *ends)}"
             certainty = "proved" if is_exact(each) else "likely"
             entity = Entity("transform", *ends)
-            yield RULE.seen(text, entity, (each.module.id, node), line_of(each), certainty=certainty)  # type: ignore[arg-type]
+            yield RULE.seen(text, entity, (running.module.id, node), line_of(each), certainty=certainty)  # type: ignore[arg-type]
 
 
 def _connected(trees: dict[str, str], one: str, two: str) -> bool:
