@@ -38,7 +38,7 @@ def _repetition(writer: str, broken: bool) -> Observed:
     said = str(json.loads(text.strip().splitlines()[-1])["said"])
     refused = "md5sum" in said
     as_predicted = (got == 0 and refused) if broken else (got >= _LEAST and not refused)
-    words = f"rospy: {said}" if said else "rospy says nothing"
+    words = f"rospy: {said.partition('{')[0]}" if said else "rospy says nothing"
     return Observed(f"{got} of {MESSAGES}; {words}", as_predicted)
 
 

@@ -1,10 +1,15 @@
 #!/usr/bin/env python3
-"""Print how far a base drives: drive_recorder.py SECONDS, from the moment at which it moves or WARMUP has passed."""
+"""Print how far a base drives, and how often its commands turn round: drive_recorder.py SECONDS.
+
+It begins when the base moves, or after ten seconds.
+"""
 
 import json
 import sys
+from itertools import pairwise
 
 import rospy
+from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 
 WARMUP = 10.0
@@ -12,16 +17,17 @@ WARMUP = 10.0
 
 def main():
     rospy.init_node("drive_recorder")
-    ways = []
-    rospy.Subscriber(
-        "odom", Odometry, lambda message: ways.append((message.pose.pose.position.x, message.twist.twist.linear.x))
-    )
+    ways, commands = [], []
+    rospy.Subscriber("odom", Odometry, ways.append)
+    rospy.Subscriber("cmd_vel", Twist, lambda message: commands.append(message.linear.x))
     end = rospy.get_time() + WARMUP
-    while rospy.get_time() < end and not any(speed for _, speed in ways):
+    while rospy.get_time() < end and not any(message.twist.twist.linear.x for message in ways):
         rospy.sleep(0.02)
-    start = ways[-1][0] if ways else 0.0
+    start, first = ways[-1].pose.pose.position.x, len(commands)
     rospy.sleep(float(sys.argv[1]))
-    print(json.dumps({"way": ways[-1][0] - start if ways else 0.0, "messages": len(ways)}))
+    told = commands[first:]
+    turns = sum(one * two < 0 for one, two in pairwise(told))
+    print(json.dumps({"way": ways[-1].pose.pose.position.x - start, "commands": len(told), "turns": turns}))
 
 
 main()
