@@ -51,12 +51,19 @@ class Master:
         self._start(["rosmaster", "--core", "-p", str(port)])
         self._wait(port)
 
-    def start(self, script: Path, *arguments: str) -> subprocess.Popen[str]:
-        return self._start([PYTHON, str(script), *arguments])
+    def set(self, **variables: str) -> None:
+        """Set variables of what is started from now on."""
+        self._environment.update(variables)
+
+    def start(
+        self, script: Path, *arguments: str, cwd: str | None = None, heard: bool = False
+    ) -> subprocess.Popen[str]:
+        """Run a script; only what is `heard` keeps its output, as a full pipe would stop it."""
+        return self._start([PYTHON, str(script), *arguments], cwd, heard)
 
     def output(self, script: Path, *arguments: str) -> dict[str, float | int | str]:
         """Run a program of ours to its end, and return the JSON that it prints last."""
-        process = self.start(script, *arguments)
+        process = self.start(script, *arguments, heard=True)
         text, _ = process.communicate(timeout=60)
         found: dict[str, float | int | str] = json.loads(text.strip().splitlines()[-1])
         return found
@@ -70,11 +77,12 @@ class Master:
             if process.poll() is None:
                 self.stop(process)
 
-    def _start(self, line: list[str]) -> subprocess.Popen[str]:
+    def _start(self, line: list[str], cwd: str | None = None, heard: bool = False) -> subprocess.Popen[str]:
         process = subprocess.Popen(
             line,
             env=self._environment,
-            stdout=subprocess.PIPE,
+            cwd=cwd,
+            stdout=subprocess.PIPE if heard else subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
             text=True,
             start_new_session=True,

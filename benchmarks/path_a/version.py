@@ -32,7 +32,7 @@ def _case(name: str, writer: str, told: str, broken: bool, repetitions: int) -> 
 def _repetition(writer: str, broken: bool) -> Observed:
     with master() as core:
         program = PROGRAMS / "renamed_field.py"
-        sender = core.start(program, "write", _definition(writer), "limits/Limit", str(MESSAGES))
+        sender = core.start(program, "write", _definition(writer), "limits/Limit", str(MESSAGES), heard=True)
         got = int(core.output(program, "read", _definition("limits_1"), "limits/Limit", str(MESSAGES))["got"])
         text, _ = sender.communicate(timeout=60)
     said = str(json.loads(text.strip().splitlines()[-1])["said"])

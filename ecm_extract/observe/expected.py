@@ -27,13 +27,13 @@ class Expected(msgspec.Struct, frozen=True):
 
 
 def is_node_of(node: str, module: View) -> bool:
-    """Whether a node has the name that a contract gives its module: whole, or its last part.
+    """Whether a node has the name that a contract gives its module: whole, or below a namespace.
 
     Contracts of a launch carry the whole name with dots for slashes; others the name that the program gives itself.
     """
     own = module.id.removeprefix(f"ecm.{module.package}.")
     dotted = _ANONYMOUS.sub("", node.strip("/")).replace("/", ".")
-    return dotted == own or dotted.rpartition(".")[2] == own
+    return dotted == own or dotted.endswith(f".{own}")
 
 
 def on_node(module: View, node: str | None) -> Iterator[Expected]:

@@ -48,7 +48,7 @@ def _exchanged(host: str, port: int, fields: Header) -> tuple[socket.socket, Hea
             if size > _MOST_BYTES:
                 message = f"it sends a header of {size} bytes"
                 raise PeerError(message)
-            header = _unpacked(read_exactly(connection, size))
+            header = unpacked(read_exactly(connection, size))
     except OSError as error:
         connection.close()
         message = f"it does not answer ({type(error).__name__})"
@@ -68,7 +68,7 @@ def _packed(fields: Header) -> bytes:
     return _LENGTH.pack(len(body)) + body
 
 
-def _unpacked(data: bytes) -> dict[str, str]:
+def unpacked(data: bytes) -> dict[str, str]:
     """Fields of a header; what does not fit into it is left out."""
     found, at = {}, 0
     while at + _LENGTH.size <= len(data):
