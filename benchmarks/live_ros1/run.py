@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import subprocess
 import sys
 import tempfile
 import time
@@ -92,8 +93,8 @@ def _run(candidate: Candidate) -> Ran | None:
                     PYTHONPATH=":".join([str(HOOK), str(candidate.script.parent), *sorted(map(str, sources))]),
                     PYTHONDONTWRITEBYTECODE="1",
                 )
-                core.start(candidate.script, cwd=folder)
-                seen = _settled(core.uri)
+                process = core.start(candidate.script, cwd=folder)
+                seen = _settled(core.uri, process)
                 nodes = [node.name for node in seen.nodes if not is_tool(node.name)]
                 asked = set(master.asked)
         finally:
@@ -106,8 +107,8 @@ def _run(candidate: Candidate) -> Ran | None:
     return result
 
 
-def _settled(uri: str) -> Observation:
-    """Look until a node has registered and nothing more comes."""
+def _settled(uri: str, process: subprocess.Popen[str]) -> Observation:
+    """Look until a node has registered and nothing more comes, or until the script is over."""
     start = last = time.monotonic()
     known: Sequence[object] = ()
     while True:
@@ -116,7 +117,8 @@ def _settled(uri: str) -> Observation:
         if seen.endpoints != known:
             known, last = seen.endpoints, now
         registered = any(not is_tool(node.name) for node in seen.nodes)
-        if (registered and now - last > SETTLE_S) or now - start > LIMIT_S:
+        over = process.poll() is not None or now - start > LIMIT_S
+        if over or (registered and now - last > SETTLE_S):
             return seen
         time.sleep(0.3)
 

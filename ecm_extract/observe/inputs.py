@@ -82,8 +82,12 @@ def promised_contracts(given: Promised) -> tuple[Contract, ...]:
 
 
 def _launched(given: Promised, read: Sequence[Contract]) -> Iterator[Contract]:
+    """Nodes of the launch, each as of the release of its package, and interface packages."""
     assert given.workspace is not None
-    yield from launched_contracts(given.workspace, given.launch, given.cache)
+    versions = {each.ecm.package: each.ecm.version for each in read}
+    for each in launched_contracts(given.workspace, given.launch, given.cache):
+        identity = msgspec.structs.replace(each.ecm, version=versions.get(each.ecm.package))
+        yield msgspec.structs.replace(each, ecm=identity)
     yield from (each for each in read if each.ecm.kind == "interface")
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from ecm_checker.finding import Finding
 from ecm_checker.freeze import verify
@@ -27,7 +27,12 @@ def report_json(report: Report) -> str:
 
 def report_text(report: Report) -> str:
     """Findings, one paragraph each; empty when there are none."""
-    return "".join(f"{line}\n" for finding in report.findings for line in _finding(finding))
+    return findings_text(report.findings)
+
+
+def findings_text(findings: Iterable[Finding]) -> str:
+    """Findings of contracts, one paragraph each: nothing of a source can answer them, so none says how to accept it."""
+    return "".join(f"{line}\n" for finding in findings for line in _finding(finding))
 
 
 def summary_text(report: Report) -> str:

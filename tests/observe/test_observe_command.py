@@ -89,6 +89,22 @@ def test_a_graph_as_promised(tmp_path: Path, capsys: pytest.CaptureFixture[str])
     assert json.loads(evidence.read_text())["result"] == "confirmed"
 
 
+def test_a_launch_says_what_must_run(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A node that the launch starts and that is not there is an error; evidence names the release of its package."""
+    evidence = tmp_path / "evidence.jsonl"
+    robot = str(ROOT / "fixtures" / "path_a" / "cmd_vel_robot")
+    drive = FakeNode("/diff_drive", [Publisher("/odom", "nav_msgs/Odometry", "*")], {"/cmd_vel": TWIST})
+    with running(drive) as graph:
+        command = ["observe", "--ros1", graph.uri, "--once", "--workspace", robot, "--evidence", str(evidence)]
+        assert run([*command, "--launch", "cmd_vel_robot/launch/one_writer.launch"]) == 1
+    told = capsys.readouterr().out
+    assert "OBS019 node_not_running: the launch starts ecm.cmd_vel_robot.teleop" in told
+    assert "accept" not in told
+    results = {r["subject"]["module_id"]: r for r in map(json.loads, evidence.read_text().splitlines())}
+    assert results["ecm.cmd_vel_robot.diff_drive"]["result"] == "confirmed"
+    assert results["ecm.cmd_vel_robot.diff_drive"]["subject"]["version"] == "1.0.0"
+
+
 def test_nothing_that_was_promised_is_no_all_clear(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Contracts of which nothing runs were not confirmed."""
     other = tmp_path / "other.ecm.yaml"

@@ -130,6 +130,10 @@ def _rendered(watch: Watch, findings: Sequence[Finding], form: str) -> str:
         from ecm_extract.observe.report import report_json
 
         return report_json(watch, findings)
+    if form == "text":
+        from ecm_extract.report.check_text import findings_text
+
+        return findings_text(findings)
     return findings_as(form, findings)
 
 
