@@ -3,37 +3,48 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable
-from typing import Final
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, Final
 
 from ecm_extract.observe.model import Observation
 from ecm_extract.observe.report import counted
 from ecm_extract.report.terminal import one_line
 
+if TYPE_CHECKING:
+    from rich.table import Table
+
 _ROWS: Final = 12
 
 
 def last_shown(observations: Iterable[Observation]) -> Observation:
-    """Follow observations to the last one and return it; on a terminal each is shown as it comes."""
+    """Follow observations to the last one and return it; on a terminal each is shown as it comes.
+
+    A person who interrupts has seen enough: then the last one so far is the whole.
+    """
+    seen: list[Observation] = []
+    try:
+        for each in _shown(observations):
+            seen[:] = [each]
+    except KeyboardInterrupt:
+        if not seen:
+            raise
+    return seen[0]
+
+
+def _shown(observations: Iterable[Observation]) -> Iterator[Observation]:
     if not sys.stderr.isatty():
-        return _last(observations)
+        yield from observations
+        return
     from rich.console import Console
     from rich.live import Live
 
     with Live(console=Console(stderr=True), transient=True) as live:
-        seen = None
-        for seen in observations:
-            live.update(_table(seen))
-    assert seen is not None
-    return seen
+        for each in observations:
+            live.update(_table(each))
+            yield each
 
 
-def _last(observations: Iterable[Observation]) -> Observation:
-    *_, seen = observations
-    return seen
-
-
-def _table(seen: Observation):  # type: ignore[no-untyped-def]
+def _table(seen: Observation) -> Table:
     from rich.table import Table
 
     table = Table(title=f"{seen.seconds:.0f} s: {counted(seen)}", title_justify="left")

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from functools import cache
 from importlib import resources
+from typing import Final
 
 import msgspec
+
+_NUMBER: Final = re.compile(r"(?:_\d+)+$")
 
 
 class TopicsOfRole(msgspec.Struct, frozen=True):
@@ -22,12 +26,19 @@ class Tools(msgspec.Struct, frozen=True):
     nodes: tuple[str, ...]
 
 
+class Helpers(msgspec.Struct, frozen=True):
+    """How the names of nodes begin that a library makes for others."""
+
+    prefixes: tuple[str, ...]
+
+
 class Standard(msgspec.Struct, frozen=True):
     """The table `standard.toml`."""
 
     every_node: dict[str, tuple[str, ...]]
     by_role: dict[str, TopicsOfRole]
     tools: Tools
+    helpers: Helpers
 
 
 @cache
@@ -45,4 +56,9 @@ def is_standard(role: str, name: str, node: str | None) -> bool:
 
 def is_tool(node: str) -> bool:
     """Whether a node belongs to a tool: the hidden ones begin with an underscore."""
-    return node in standard().tools.nodes or node.rpartition("/")[2].startswith("_")
+    return _NUMBER.sub("", node) in standard().tools.nodes or node.rpartition("/")[2].startswith("_")
+
+
+def is_helper(node: str) -> bool:
+    """Whether a library made a node for another one, which has its endpoints in truth."""
+    return node.rpartition("/")[2].startswith(standard().helpers.prefixes)

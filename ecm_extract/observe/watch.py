@@ -15,7 +15,7 @@ from ecm_checker.view import View, view
 
 from ecm_extract.observe.expected import Expected, is_node_of, on_node
 from ecm_extract.observe.model import Endpoint, Observation, Sense
-from ecm_extract.observe.standard import is_tool, standard
+from ecm_extract.observe.standard import is_helper, is_tool, standard
 
 _Key = tuple[str, str]
 
@@ -65,10 +65,15 @@ class Watch:
 
     @cached_property
     def node_names(self) -> tuple[str, ...]:
-        """Nodes that were seen, by name, without those of the tools."""
+        """Nodes that were seen, by name, without those of tools and libraries."""
         found = {node.name for node in self.seen.nodes}
         found |= {end.node for end in self.seen.endpoints if end.node is not None}
-        return tuple(sorted(name for name in found if not is_tool(name)))
+        return tuple(sorted(name for name in found if not is_tool(name) and not is_helper(name)))
+
+    @cached_property
+    def helped(self) -> frozenset[_Key]:
+        """Endpoints that libraries made on nodes of their own, for a node that is not told."""
+        return frozenset((end.role, end.name) for end in self.seen.endpoints if end.node and is_helper(end.node))
 
     @cached_property
     def running(self) -> tuple[Running, ...]:

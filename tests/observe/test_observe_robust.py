@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import struct
+from collections.abc import Iterator
 
 import pytest
 from hypothesis import given, settings
@@ -18,6 +19,8 @@ from ecm_extract.observe.hearing.contents import DECODED, decoded
 from ecm_extract.observe.hearing.headers import cdr_header, ros1_header
 from ecm_extract.observe.hearing.heard import Channel, Heard
 from ecm_extract.observe.hearing.layouts import begins_with_header
+from ecm_extract.observe.live_view import last_shown
+from ecm_extract.observe.model import Observation
 from ecm_extract.observe.ros1.frames import Frames
 from ecm_extract.observe.ros1.handshake import unpacked
 from ecm_extract.observe.watch import Watch
@@ -139,6 +142,26 @@ def test_what_cannot_be_seen_is_not_missing() -> None:
     found = compare(Watch(seen, contracts([{"id": "ecm.base.driver", "interfaces": interfaces}])))
     told = {(each.rule, each.severity) for each in found}
     assert told == {("OBS001", "info"), ("OBS002", "warning")}
+
+
+def test_a_node_that_a_library_made_is_nobody_new() -> None:
+    """A listener of tf2 subscribes on a node of its own: the lookup of the contract is there, and no stranger is."""
+    helper = {"role": "subscriber", "name": "/tf", "type": "tf2_msgs/msg/TFMessage"}
+    ends = [{**helper, "node": "/transform_listener_impl_55d0c1"}]
+    seen = observation(endpoints=ends, nodes=[{"name": "/picker"}], senses=["node", "subscriber"])
+    lookup = {"role": "tf_lookup", "name": "tf", "type": None, "frame": "a <- b"}
+    assert compare(Watch(seen, contracts([{"id": "ecm.arm.picker", "interfaces": [lookup]}]))) == ()
+
+
+def test_an_interrupted_watch_ends_with_what_was_seen() -> None:
+    """Who stops it early gets the findings so far."""
+
+    def observations() -> Iterator[Observation]:
+        yield observation(seconds=1.0)
+        yield observation(seconds=2.0)
+        raise KeyboardInterrupt
+
+    assert last_shown(observations()).seconds == 2.0
 
 
 def test_a_listener_counts_what_it_cannot_read() -> None:

@@ -26,7 +26,7 @@ def check(watch: Watch) -> Iterator[Finding]:
     """Promises of the modules of each running node. Contracts carry no conditions, so this is never proved."""
     for node, promises in watch.expected_on.items():
         ends = watch.by_node.get(node, ())
-        present = {(end.role, end.name) for end in ends}
+        present = {*((end.role, end.name) for end in ends), *watch.helped}
         promised = {key for each in promises for key in graph_keys(each)}
         spare = [end for end in ends if (end.role, end.name) not in promised]
         for each in promises:

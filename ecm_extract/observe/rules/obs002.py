@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ecm_checker.finding import Entity, Finding
+from ecm_checker.finding import Entity, Finding, Severity
 from ecm_checker.view import View
 
 from ecm_extract.observe.model import Endpoint
@@ -48,9 +48,8 @@ def _unnamed(watch: Watch, node: str, modules: tuple[View, ...], ends: list[Endp
             text = f"{node} has the {end.role.replace('_', ' ')} {end.name} [{end.type or 'type not told'}], which its "
             text += f"contract does not name{maybe}"
             subjects = (*(module.id for module in modules), node)
-            severity = "info" if maybe else None
-            entity = Entity(end.role, end.name)
-            yield RULE.seen(text, entity, subjects, certainty="likely", severity=severity)  # type: ignore[arg-type]
+            severity: Severity | None = "info" if maybe else None
+            yield RULE.seen(text, Entity(end.role, end.name), subjects, certainty="likely", severity=severity)
 
 
 def _stranger(node: str, ends: list[Endpoint]) -> Finding:

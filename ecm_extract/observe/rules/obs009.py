@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ecm_checker.finding import Entity, Finding
+from ecm_checker.finding import Certainty, Entity, Finding
 
 from ecm_extract.observe.actuation import moves
 from ecm_extract.observe.model import Endpoint
@@ -38,5 +38,5 @@ def _finding(watch: Watch, name: str, writers: list[str], readers: tuple[Endpoin
     who = f", read by {', '.join(sorted({end.node or 'a node' for end in readers}))}" if readers else ""
     told = f"; messages of {', '.join(active)} were seen" if len(active) > 1 else ""
     text = f"{name} is published by {', '.join(writers)}{who}{told}"
-    certainty = "proved" if len(active) > 1 else "likely"
-    return RULE.seen(text, Entity("topic", name), writers, certainty=certainty)  # type: ignore[arg-type]
+    certainty: Certainty = "proved" if len(active) > 1 else "likely"
+    return RULE.seen(text, Entity("topic", name), writers, certainty=certainty)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ecm_checker import frames
-from ecm_checker.finding import Entity, Finding
+from ecm_checker.finding import Certainty, Entity, Finding
 
 from ecm_extract.observe.expected import is_exact, on_node
 from ecm_extract.observe.rule import ObserveRule, line_of
@@ -34,9 +34,9 @@ def check(watch: Watch) -> Iterator[Finding]:
             if ends is None or _connected(trees, *ends):
                 continue
             text = f"{node} looks up {ends[0]} <- {ends[1]}: {_reason(trees, *ends)}"
-            certainty = "proved" if is_exact(each) else "likely"
+            certainty: Certainty = "proved" if is_exact(each) else "likely"
             entity = Entity("transform", *ends)
-            yield RULE.seen(text, entity, (running.module.id, node), line_of(each), certainty=certainty)  # type: ignore[arg-type]
+            yield RULE.seen(text, entity, (running.module.id, node), line_of(each), certainty=certainty)
 
 
 def _connected(trees: dict[str, str], one: str, two: str) -> bool:
