@@ -5,7 +5,9 @@ from __future__ import annotations
 import struct
 from collections.abc import Iterator
 
+import msgspec
 import pytest
+from ecm_checker.contract import Value
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from observe_fixtures import contracts, observation
@@ -162,6 +164,22 @@ def test_an_interrupted_watch_ends_with_what_was_seen() -> None:
         raise KeyboardInterrupt
 
     assert last_shown(observations()).seconds == 2.0
+
+
+@pytest.mark.parametrize(
+    ("frame", "confidence", "told"),
+    [("map", "literal", ("error", "proved")), ("map", "default", ("warning", "likely")), ("odom", "literal", None)],
+)
+def test_the_one_frame_of_a_module(frame: str, confidence: str, told: tuple[str, str] | None) -> None:
+    """A module that gives all its data in one frame promises it of each topic; a default is only likely."""
+    end = {"role": "publisher", "name": "/odom", "type": "nav_msgs/msg/Odometry", "node": "/driver"}
+    stream = {"topic": "/odom", "node": "/driver", "count": 9, "frames": ["odom"]}
+    seen = observation(endpoints=[end], streams=[stream], senses=["node", "publisher"])
+    (plain,) = contracts([{"id": "ecm.base.driver", "interfaces": [{k: end[k] for k in ("role", "name", "type")}]}])
+    value = Value(frame, "inferred", confidence)  # type: ignore[arg-type]
+    signature = msgspec.structs.replace(plain.signature, coordinate_frame=value)
+    found = compare(Watch(seen, [msgspec.structs.replace(plain, signature=signature)]))
+    assert [(each.rule, each.severity, each.certainty) for each in found] == ([("OBS018", *told)] if told else [])
 
 
 def test_a_listener_counts_what_it_cannot_read() -> None:
