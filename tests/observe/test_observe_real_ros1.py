@@ -95,7 +95,9 @@ def test_two_writers_of_rospy(environment: dict[str, str]) -> None:
         ("/move_base", "9f195f881246fdfa2798d1d3eebca84a"),
     }
     assert {(each.name, each.value) for each in seen.parameters} >= {("/teleop/max_vel", 0.5)}
-    assert [round(each.hz or 0) for each in seen.streams if each.topic == "/cmd_vel"] == [20, 20]
+    rates = [each.hz or 0 for each in seen.streams if each.topic == "/cmd_vel"]
+    assert len(rates) == 2
+    assert all(10 < rate < 25 for rate in rates)
     assert seen.gaps == ()
 
 

@@ -30,9 +30,9 @@ _TEXTS: Mapping[IncidentKind, str] = MappingProxyType(
 
 
 def check(watch: Watch) -> Iterator[Finding]:
-    """Incidents of the kinds above, one finding for each topic."""
+    """Incidents of the kinds above. We listen best effort, so a message may have been lost on its way to us alone."""
     for incident in watch.seen.incidents:
         if incident.kind in _TEXTS:
             text = f"{incident.name} {_TEXTS[incident.kind]} {incident.count} time(s)"
             subjects = (incident.node or incident.name,)
-            yield RULE.seen(text, Entity(incident.kind, incident.name), subjects)
+            yield RULE.seen(text, Entity(incident.kind, incident.name), subjects, certainty="likely")
