@@ -131,8 +131,8 @@ class Watch:
     @cached_property
     def visible_roles(self) -> frozenset[str]:
         """Roles that the source sees; of a bag, publishers, though one that is missing means nothing there."""
-        roles = {"publisher"} if self.seen.source == "bag" else set[str]()
-        return frozenset({*roles, *self.seen.senses})
+        recorded = ("publisher",) if self.seen.source == "bag" else ()
+        return frozenset((*recorded, *self.seen.senses))
 
     def promises_of(self, module: View, nodes: Sequence[str]) -> tuple[Expected, ...]:
         """What a module promises on its nodes; without any, in the root namespace."""

@@ -155,6 +155,16 @@ def test_garbage_about_nodes(peer: Peer, body: bytes) -> None:
     assert seen.gaps
 
 
+@pytest.mark.parametrize("data", [b"\xff\xfe;typehash;=;", b"typehash=" + b"x" * 5000, b";" * 3000, b"\0"])
+def test_user_data_of_anybody(peer: Peer, data: bytes) -> None:
+    """What is no hash is none, and what is none of ROS is passed over; the endpoint is there."""
+    peer.publisher("/driver", "/odom", "nav_msgs/msg/Odometry", RELIABLE, Policy.Userdata(data))
+    peer._raw("not_of_ros", "Whatever", 8, (), writes=True)
+    (end,) = last(once=True).endpoints
+    assert end.name == "/odom"
+    assert end.hash in (None, "x" * 5000)
+
+
 def test_a_contract_and_what_runs(peer: Peer) -> None:
     """From the domain to findings: a missing endpoint, another policy, a surplus one."""
     peer.publisher("/driver", "/odom", "nav_msgs/msg/Odometry", BEST_EFFORT)
