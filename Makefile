@@ -10,10 +10,10 @@ PYTHON ?= $(shell for each in python3 python3.14 python3.13 python3.12 python3.1
 PIP := $(BIN)/python -m pip --disable-pip-version-check install --quiet
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test check format schemas corpus clean
+.PHONY: help demo test check format schemas corpus path-a clean
 
 help: ## Show this list.
-	@sed -n 's/^\([a-z]*\):.*## \(.*\)/  make \1\t\2/p' Makefile
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1\t\2/p' Makefile
 
 demo: $(VENV)/.run ## Read the demo robot, print the summary and one manifest.
 	@$(BIN)/ecm-extract fixtures/demo_robot -o $(DEMO)
@@ -39,6 +39,9 @@ schemas: $(VENV)/.dev ## Write golden files and JSON Schemas anew.
 corpus: $(VENV)/.run ## Judge the documented bugs anew: make corpus CLONES=DIR
 	@test -n "$(CLONES)" || { echo "Name the folder of the clones: make corpus CLONES=DIR" >&2; exit 2; }
 	@$(BIN)/ecm-extract blind --all --clones "$(CLONES)" -o corpus
+
+path-a: $(VENV)/.dev ## Predictions of contracts beside what the middleware does.
+	@$(BIN)/python benchmarks/path_a/run.py
 
 clean: ## Remove the environment and what was built.
 	rm -rf $(VENV) build

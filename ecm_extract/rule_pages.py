@@ -1,4 +1,4 @@
-"""The pages of the rules, of lint and of check alike."""
+"""The pages of the rules, of check, lint and observe alike."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from ecm_extract.diff.break_findings import RULE as BREAK
 from ecm_extract.errors import InputError
 from ecm_extract.lint.catalogue import catalogue as lint_rules
 from ecm_extract.lint.rule import LintRule
+from ecm_extract.observe.catalogue import catalogue as observe_rules
 from ecm_extract.rule_ids import rule_named
 
 _INSTALLED = Path(sys.prefix) / "share" / "ecm-extract" / "rules"
@@ -24,6 +25,7 @@ def every_rule() -> list[Rule | LintRule]:
     """Return every rule of check and of lint, by id."""
     found: list[Rule | LintRule] = [entry.rule for entry in checker_rules()]
     found += [entry.rule for entry in lint_rules()]
+    found += [entry.rule for entry in observe_rules()]
     return sorted(found, key=lambda rule: rule.id)
 
 

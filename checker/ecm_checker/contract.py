@@ -11,7 +11,7 @@ from typing import Any, Literal
 import msgspec
 
 Confidence = Literal["literal", "folded", "default", "pattern"]
-Origin = Literal["declared", "inferred", "default"]
+Origin = Literal["declared", "observed", "inferred", "default"]
 Role = Literal[
     "publisher",
     "subscriber",

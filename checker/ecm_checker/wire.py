@@ -1,4 +1,4 @@
-"""The two documents that other programs read: the manifest of a module and the extract of a tree.
+"""The documents that other programs read: the manifest of a module, the extract of a tree, a record of evidence.
 
 Keys are never changed without a new schema number. They differ from the contract model in one place only:
 `missing` stands inside section `ecm`, so that a reader sees at the top what is not known.
@@ -22,6 +22,7 @@ from ecm_checker.contract import (
 
 MANIFEST_SCHEMA: Final = "ecm-extract/manifest/1"
 EXTRACT_SCHEMA: Final = "ecm-extract/extract/1"
+EVIDENCE_SCHEMA: Final = "ecm-extract/evidence/1"
 
 
 class Ecm(msgspec.Struct, frozen=True, kw_only=True):
@@ -80,3 +81,71 @@ class Origin(msgspec.Struct, frozen=True):
 
     path: str
     commit: str | None
+
+
+class Witness(msgspec.Struct, frozen=True):
+    """Who says so: a person or a robot by name, and the tool with its version."""
+
+    name: str
+    tool: str
+    version: str
+
+
+class LookedAt(msgspec.Struct, frozen=True):
+    """What was looked at.
+
+    Attributes:
+        source: `ros1`, `dds` or `bag`. target: URI, domain or files, as given.
+        senses: what this source can see; about anything else the record says nothing.
+        digest: `sha256:` over it.
+    """
+
+    source: str
+    target: str
+    senses: tuple[str, ...]
+    digest: str
+
+
+class EvidenceSubject(msgspec.Struct, frozen=True):
+    """The module of a release that it is about; `contract` is `sha256:` over its contract as canonical JSON."""
+
+    package: str
+    version: str | None
+    module_id: str
+    contract: str
+
+
+class EvidenceFinding(msgspec.Struct, frozen=True):
+    """What spoke against the contract."""
+
+    rule: str
+    severity: Literal["error", "warning", "info"]
+    certainty: Literal["proved", "likely", "unknown"]
+    fingerprint: str
+    message: str
+
+
+class EvidenceRecord(msgspec.Struct, frozen=True, kw_only=True):
+    """What was observed of one module of a release: who, when, on what, with which result.
+
+    Attributes:
+        result: `confirmed`: it ran as its contract says, as far as the source can see; `contradicted`: something that
+            it did is proved against its contract; `doubtful`: a warning, or a part that could not be read;
+            `not_seen`: it did not run.
+        begun: ISO 8601 in UTC. seconds: how long it was looked at.
+        nodes: that it ran as.
+        promised, seen: endpoints of the contract that the source can see at all, and those that it saw.
+    """
+
+    schema: Literal["ecm-extract/evidence/1"]
+    kind: Literal["observation"]
+    subject: EvidenceSubject
+    result: Literal["confirmed", "contradicted", "doubtful", "not_seen"]
+    by: Witness
+    begun: str
+    seconds: float
+    on: LookedAt
+    nodes: tuple[str, ...]
+    promised: int
+    seen: int
+    findings: tuple[EvidenceFinding, ...]

@@ -14,6 +14,7 @@ from ecm_checker.overlay import is_declarable
 from ecm_parsers.overlay_yaml import Declared, Overlay
 
 from ecm_extract.overlay.drift import contradiction
+from ecm_extract.overlay.seen import with_seen
 from ecm_extract.overlay.template import examples
 from ecm_extract.read.reader import OVERLAY
 from ecm_extract.tree import FileDiagnostic, Tree
@@ -50,6 +51,7 @@ class _Merger:
         for module in self.overlay.modules:
             if _means(module.module, contract.ecm.module_id):
                 fields += module.fields
+                contract = with_seen(contract, module.endpoints, self.path)
         for declared in fields:
             contract = self._laid(contract, declared)
         for declared in self.overlay.defaults:
@@ -63,7 +65,7 @@ class _Merger:
         inferred = _read(contract, declared)
         if inferred is not None and inferred.origin == "inferred":
             self._compare(contract, declared, inferred)
-        return _with(contract, declared, self._value(declared, "declared"))
+        return _with(contract, declared, self._value(declared, self.overlay.origin))
 
     def _compare(self, contract: Contract, declared: Declared, inferred: Value) -> None:
         differs = None if inferred.confidence == "pattern" else contradiction(declared.value, inferred.value)

@@ -5,6 +5,9 @@ defaults: {name: lab, recovery: {escalation: [failure -> operator]}}
 all: {permissions: {audit: standard}}
 modules:
   base_driver: {behavior: {preconditions: [battery_charged]}}
+
+`origin: observed` says that nobody declares this: it was seen, and `endpoints` of a module then give names and policies
+that its contract leaves open.
 """
 
 from __future__ import annotations
@@ -15,11 +18,13 @@ from typing import Any, Final
 import msgspec
 
 from ecm_parsers.result import Diagnostic, Parsed
-from ecm_parsers.yaml_tree import Entry, Mapping, Node, Scalar, parse_yaml, plain
+from ecm_parsers.yaml_tree import Entry, Mapping, Node, Scalar, Sequence, parse_yaml, plain
 
 SCHEMA: Final = "ecm-extract/overlay/1"
 SECTIONS: Final = ("signature", "behavior", "resources", "permissions", "recovery", "versioning")
-_KEYS: Final = ("schema", "defaults", "all", "modules")
+ORIGINS: Final = ("declared", "observed")
+ENDPOINTS: Final = "endpoints"
+_KEYS: Final = ("schema", "origin", "defaults", "all", "modules")
 
 
 class Declared(msgspec.Struct, frozen=True):
@@ -31,12 +36,29 @@ class Declared(msgspec.Struct, frozen=True):
     line: int
 
 
+class SeenEndpoint(msgspec.Struct, frozen=True):
+    """An endpoint as it was seen, with its 1-based line.
+
+    Attributes:
+        role: as in a contract. was: name in the contract, with its holes. name: as seen.
+        type: as seen; None when nobody told it. qos: policies as seen, by their names in a contract.
+    """
+
+    role: str
+    was: str
+    name: str
+    type: str | None
+    qos: dict[str, Any]
+    line: int
+
+
 class ModuleOverlay(msgspec.Struct, frozen=True):
     """What is declared of one module, named as in `module_id` or by its last part."""
 
     module: str
     fields: tuple[Declared, ...]
     line: int
+    endpoints: tuple[SeenEndpoint, ...] = ()
 
 
 class Overlay(msgspec.Struct, frozen=True):
@@ -45,12 +67,14 @@ class Overlay(msgspec.Struct, frozen=True):
     Attributes:
         default_name: name of the defaults; empty without. defaults: for fields that nothing else fills.
         everywhere: declared of every module of the package. modules: of single ones.
+        origin: `declared` by a person, or `observed`.
     """
 
     default_name: str = ""
     defaults: tuple[Declared, ...] = ()
     everywhere: tuple[Declared, ...] = ()
     modules: tuple[ModuleOverlay, ...] = ()
+    origin: str = "declared"
 
 
 def parse_overlay(data: bytes) -> Parsed[Overlay]:
@@ -76,6 +100,7 @@ def parse_overlay(data: bytes) -> Parsed[Overlay]:
             defaults=tuple(_fields(defaults, "defaults", problems, skipped="name")),
             everywhere=tuple(_fields(root.get("all"), "all", problems)),
             modules=tuple(_modules(root.get("modules"), problems)),
+            origin=_origin(root.get("origin"), problems),
         ),
         tuple(problems),
     )
@@ -106,7 +131,37 @@ def _entries(node: Node | None, what: str, problems: list[Diagnostic]) -> Iterat
 
 def _modules(node: Node | None, problems: list[Diagnostic]) -> Iterator[ModuleOverlay]:
     for entry in _entries(node, "`modules`", problems):
-        yield ModuleOverlay(entry.key, tuple(_fields(entry.value, entry.key, problems)), entry.line)
+        fields = tuple(_fields(entry.value, entry.key, problems, skipped=ENDPOINTS))
+        yield ModuleOverlay(entry.key, fields, entry.line, tuple(_endpoints(entry.value, problems)))
+
+
+def _endpoints(node: Node, problems: list[Diagnostic]) -> Iterator[SeenEndpoint]:
+    seen = node.get(ENDPOINTS) if isinstance(node, Mapping) else None
+    for item in seen.items if isinstance(seen, Sequence) else ():
+        data = plain(item)
+        found = data if isinstance(data, dict) else {}
+        if not all(isinstance(found.get(key), str) for key in ("role", "was", "name")):
+            message = "An endpoint needs `role`, `was` and `name`. `ecm-extract observe --complete` writes them."
+            problems.append(_problem("overlay-endpoint", item.line, message))
+            continue
+        kind, qos = found.get("type"), found.get("qos")
+        yield SeenEndpoint(
+            found["role"],
+            found["was"],
+            found["name"],
+            kind if isinstance(kind, str) else None,
+            qos if isinstance(qos, dict) else {},
+            item.line,
+        )
+
+
+def _origin(node: Node | None, problems: list[Diagnostic]) -> str:
+    text = node.text if isinstance(node, Scalar) else ORIGINS[0]
+    if text in ORIGINS:
+        return text
+    message = f"`origin: {text}` means nothing. Write one of {', '.join(ORIGINS)}."
+    problems.append(_problem("overlay-unknown-origin", node.line if node is not None else 1, message))
+    return ORIGINS[0]
 
 
 def _fields(node: Node | None, what: str, problems: list[Diagnostic], skipped: str = "") -> Iterator[Declared]:

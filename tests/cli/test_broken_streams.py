@@ -105,6 +105,7 @@ def test_an_interrupted_run_says_one_sentence(number: str, status: int, said: st
     """No traceback, whatever was under way."""
     code = (
         "import os, signal, sys, time\n"
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # a shell lets its background jobs ignore it
         "import ecm_extract.tree\n"
         "from ecm_extract.cli import main\n"
         "def stopped(*_):\n"

@@ -38,10 +38,10 @@ public:
 SCHEMA = "schema: ecm-extract/overlay/1\n"
 
 
-def extraction(workspace: Workspace, overlay: str) -> Extraction:
+def extraction(workspace: Workspace, overlay: str, source: str = NODE) -> Extraction:
     """With the line that says what the file is at its end, so that lines count as they are written."""
     text = overlay if "schema" in overlay or overlay.startswith("[") else f"{overlay.rstrip()}\n{SCHEMA}"
-    workspace.package({"src/n.cpp": NODE, "ecm.yaml": text})
+    workspace.package({"src/n.cpp": source, "ecm.yaml": text})
     return extract(open_tree(workspace.root), Options(jobs=1))
 
 
@@ -213,3 +213,45 @@ def test_a_contradiction_alone_is_no_wrong_input(workspace: Workspace, capsys: p
     workspace.package({"src/n.cpp": NODE, "ecm.yaml": f"{SCHEMA}all: {{resources: {{sensors: [imu]}}}}\n"})
     assert run(["check", str(workspace.root)]) == 0
     assert "pkg/ecm.yaml:2: warning: " in capsys.readouterr().err
+
+
+OPEN = """
+#include <rclcpp/rclcpp.hpp>
+class N : public rclcpp::Node {
+public:
+  N() : Node("n") { create_publisher<std_msgs::msg::String>(std::string("/") + getenv("ROBOT") + "/state", 10); }
+};
+"""
+
+
+def test_what_was_seen_fills_what_is_open(workspace: Workspace) -> None:
+    """One endpoint for each name that was seen, as sure as a default; what the contract knows stays."""
+    before = extraction(workspace, "", OPEN)
+    (open_end,) = [each for each in module(before).signature.interfaces if each.role == "publisher"]
+    assert "{" in open_end.name
+    seen = "".join(
+        f"    - {{role: publisher, was: '{open_end.name}', name: {name}, type: wrong/msg/Type}}\n"
+        for name in ("/r1/state", "/r2/state")
+    )
+    text = f"origin: observed\nmodules:\n  n:\n    endpoints:\n{seen}    behavior: {{rates: {{/r1/state: 20.0}}}}\n"
+    found = module(extraction(workspace, text, OPEN))
+    ends = [each for each in found.signature.interfaces if each.role == "publisher"]
+    assert [(each.name, each.type, each.confidence) for each in ends] == [
+        ("/r1/state", "std_msgs/msg/String", "default"),
+        ("/r2/state", "std_msgs/msg/String", "default"),
+    ]
+    assert found.behavior.rates is not None
+    assert found.behavior.rates.origin == "observed"
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        ("origin: guessed\n", "overlay-unknown-origin"),
+        ("modules: {n: {endpoints: [{role: publisher}]}}\n", "overlay-endpoint"),
+        ("modules: {n: {endpoints: [7]}}\n", "overlay-endpoint"),
+    ],
+)
+def test_what_is_no_observation(text: str, code: str) -> None:
+    """A key that means nothing is a diagnostic, and costs nothing else."""
+    assert [each.code for each in parse_overlay(f"{text}{SCHEMA}".encode()).diagnostics] == [code]

@@ -7,7 +7,7 @@ import click
 
 @click.command(short_help="List every rule.")
 def command() -> None:
-    """List the rules of lint and of check: id, severity, dimension, name."""
+    """List the rules of check, lint and observe: id, severity, dimension, name."""
     from ecm_extract.rule_pages import every_rule
 
     for rule in every_rule():

@@ -20,18 +20,24 @@ _COLORS: Final[Mapping[Severity, str]] = MappingProxyType({"error": "red", "warn
 _AS_READ: Final = Places()
 
 
-def render(findings: Sequence[Finding], places: Places = _AS_READ) -> str:
-    """Return the text; empty when there are no findings."""
-    return click.unstyle(styled(findings, places))
+def render(findings: Sequence[Finding], places: Places = _AS_READ, answerable: bool = True) -> str:
+    """Return the text; empty when there are no findings.
+
+    Args:
+        findings: to show.
+        places: how paths are written.
+        answerable: whether a person can accept them; of what was seen of a running robot nobody can.
+    """
+    return click.unstyle(styled(findings, places, answerable))
 
 
-def styled(findings: Sequence[Finding], places: Places = _AS_READ) -> str:
-    """Return the text with colors for a terminal, and paths as they are opened from here."""
-    return "".join(f"{line}\n" for finding in findings for line in _lines(finding, places))
+def styled(findings: Sequence[Finding], places: Places = _AS_READ, answerable: bool = True) -> str:
+    """Return the text with colors for a terminal, and paths as they are opened from here; see `render`."""
+    return "".join(f"{line}\n" for finding in findings for line in _lines(finding, places, answerable))
 
 
-def _lines(finding: Finding, places: Places) -> Iterator[str]:
-    if finding.severity == "info":
+def _lines(finding: Finding, places: Places, answerable: bool) -> Iterator[str]:
+    if finding.severity == "info" and answerable:
         yield f"{_head(finding, places)} [{finding.fingerprint}]"
         return
     yield _head(finding, places)
@@ -42,7 +48,8 @@ def _lines(finding: Finding, places: Places) -> Iterator[str]:
         yield one_line(f"    see {_position(other, places)}", _WIDEST)
     if len(finding.evidence) > _MOST_LINES:
         yield f"    and {len(finding.evidence) - _MOST_LINES} more lines"
-    yield f"    accept: ecm-extract accept {finding.fingerprint} --reason ..."
+    if answerable:
+        yield f"    accept: ecm-extract accept {finding.fingerprint} --reason ..."
 
 
 def _head(finding: Finding, places: Places) -> str:

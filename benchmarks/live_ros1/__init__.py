@@ -1,0 +1,1 @@
+"""Real ROS 1 nodes under a real master, beside their contracts."""

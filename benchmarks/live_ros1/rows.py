@@ -1,0 +1,69 @@
+"""What a node registered and read, beside what its contract says."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from ecm_checker.contract import Contract
+from ecm_checker.view import view
+
+from ecm_extract.observe.expected import Expected, is_exact, on_node
+from ecm_extract.observe.model import Observation
+from ecm_extract.observe.standard import is_standard
+from ecm_extract.observe.watch import graph_keys
+
+Key = tuple[str, str]
+_ROLES = frozenset({"publisher", "subscriber", "service_server", "action_server", "action_client", "parameter"})
+_HOLE = re.compile(r"\\\{[^{}]*\\\}")
+# What rospy itself asks for, whatever a node does: rospy/impl/init.py, simtime.py, impl/tcpros_service.py, names.py.
+_OF_ROSPY = re.compile(r"/(use_sim_time|tcp_keepalive|statistics_\w+|enable_statistics|rosout_disable_\w+|run_id)")
+
+
+@dataclass(frozen=True)
+class Compared:
+    """Rows of one node.
+
+    Attributes:
+        registered: what the node has. known: those of them that its contract has.
+        promised: rows of the contract with a fixed name. kept: those of them that were registered.
+    """
+
+    registered: frozenset[Key]
+    known: frozenset[Key]
+    promised: frozenset[Key]
+    kept: frozenset[Key]
+
+
+def compared(contract: Contract, node: str, seen: Observation, asked: Iterable[Key]) -> Compared:
+    """Rows of a node and of its contract on that node."""
+    promises = list(on_node(view(contract), node))
+    registered = _registered(node, seen) | {("parameter", key) for caller, key in asked if caller == node}
+    registered = frozenset(key for key in registered if not _OF_ROSPY.fullmatch(key[1]))
+    exact = [each for each in promises if is_exact(each) and _roles(each) <= _ROLES]
+    fixed = [frozenset(graph_keys(each)) for each in exact]
+    return Compared(
+        registered,
+        frozenset(key for key in registered if any(_means(each, key) for each in promises)),
+        frozenset(min(keys) for keys in fixed),
+        frozenset(min(keys) for keys in fixed if keys & registered),
+    )
+
+
+def _registered(node: str, seen: Observation) -> frozenset[Key]:
+    return frozenset(
+        (end.role, end.name) for end in seen.endpoints if end.node == node and not is_standard(end.role, end.name, node)
+    )
+
+
+def _roles(each: Expected) -> frozenset[str]:
+    return frozenset(role for role, _ in graph_keys(each))
+
+
+def _means(each: Expected, key: Key) -> bool:
+    """Whether a promise is this row; an open name is every name that it can become."""
+    for role, name in graph_keys(each):
+        if role == key[0] and re.fullmatch(_HOLE.sub(".+", re.escape(name)), key[1]):
+            return True
+    return False

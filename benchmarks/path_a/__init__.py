@@ -1,0 +1,1 @@
+"""Path A: what contracts predict, confirmed or refuted by the middleware itself."""

@@ -1,0 +1,68 @@
+"""Predictions: findings of `ecm-extract check` (or `diff`) on contracts that are extracted from the fixtures."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from tempfile import mkdtemp
+
+from ecm_checker.contract import Contract
+
+from ecm_extract.check_inputs import contracts
+from path_a.row import FIXTURES
+
+_PROGRAM = [sys.executable, "-c", "from ecm_extract.cli import main; main()"]
+
+
+@dataclass(frozen=True)
+class Predicted:
+    """A finding: its rule and what it says."""
+
+    rule: str
+    message: str
+
+
+def check(*arguments: str) -> tuple[Predicted, ...]:
+    """Findings of `ecm-extract check`, without those about what nobody declared."""
+    found = _run("check", *arguments)
+    return tuple(Predicted(each["rule"], each["message"]) for each in found if each["rule"] != "VER005")
+
+
+def diff(*arguments: str) -> tuple[Predicted, ...]:
+    """Findings of `ecm-extract diff`."""
+    return tuple(Predicted(each["rule"], each["message"]) for each in _run("diff", *arguments))
+
+
+def rules(found: tuple[Predicted, ...]) -> str:
+    return ", ".join(sorted({each.rule for each in found})) or "nothing against it"
+
+
+@cache
+def manifests(package: str) -> Path:
+    """The folder with the manifests of a fixture package."""
+    folder = Path(mkdtemp(prefix="path_a_"))
+    line = [*_PROGRAM, str(FIXTURES / package), "-o", str(folder), "-q", "--no-cache"]
+    subprocess.run(line, check=True, stdout=subprocess.DEVNULL)
+    return folder
+
+
+def manifest(package: str, module: str) -> str:
+    """The manifest of a module of a fixture package."""
+    return str(next(manifests(package).rglob(f"*.{module}.ecm.yaml")))
+
+
+def contract(package: str, module: str) -> Contract:
+    """The contract of a module of a fixture package."""
+    (found,) = contracts(manifest(package, module))
+    return found
+
+
+def _run(command: str, *arguments: str) -> list[dict[str, str]]:
+    line = [*_PROGRAM, command, *arguments, "--format", "json", "--fail-on", "never", "--no-cache"]
+    done = subprocess.run(line, capture_output=True, text=True, check=True)
+    found: list[dict[str, str]] = json.loads(done.stdout)["findings"]
+    return found

@@ -1,0 +1,18 @@
+"""All rules of observation, found by looking into the folder of their files."""
+
+from __future__ import annotations
+
+from functools import cache
+from importlib import import_module
+from pkgutil import iter_modules
+
+from ecm_extract.observe import rules
+from ecm_extract.observe.rule import Entry
+
+
+@cache
+def catalogue() -> tuple[Entry, ...]:
+    """Return every rule, by id."""
+    names = sorted(module.name for module in iter_modules(rules.__path__))
+    modules = [import_module(f"{rules.__name__}.{name}") for name in names]
+    return tuple(Entry(module.RULE, module.check) for module in modules)

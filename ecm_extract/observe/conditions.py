@@ -1,0 +1,78 @@
+"""Whether a precondition of a contract holds in what was seen."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from types import MappingProxyType
+
+import msgspec
+from ecm_checker.predicates import Predicate, fact, settle
+
+from ecm_extract.observe.model import Parameter
+from ecm_extract.observe.watch import Watch
+
+
+class Verdict(msgspec.Struct, frozen=True):
+    """Whether it holds, and what was seen of it."""
+
+    true: bool
+    reason: str
+
+
+def holds(watch: Watch, node: str, wanted: Predicate) -> Verdict | None:
+    """Return whether a precondition of a node holds; None when what was seen does not settle it.
+
+    A lookup of a transform is a promise of its own and is judged there.
+    """
+    word, _, name = wanted.text.partition(" ")
+    decide = _BY_WORD.get(word)
+    if decide is not None:
+        return decide(watch, name.strip()) if name.strip() else None
+    known = settle(_facts(watch, node), wanted)
+    if known == "unknown":
+        return None
+    return Verdict(known == "implied", f"{wanted.subject} is otherwise")
+
+
+def _service(watch: Watch, name: str) -> Verdict | None:
+    return _server(watch, "service_server", name)
+
+
+def _action(watch: Watch, name: str) -> Verdict | None:
+    return _server(watch, "action_server", name)
+
+
+def _server(watch: Watch, role: str, name: str) -> Verdict | None:
+    if role not in watch.seen.senses or "{" in name:
+        return None
+    found = watch.by_name.get((role, name))
+    return Verdict(bool(found), f"no {role.replace('_', ' ')} of that name was seen")
+
+
+def _message(watch: Watch, name: str) -> Verdict | None:
+    """A topic without any publisher can give no message."""
+    if "publisher" not in watch.seen.senses or "{" in name:
+        return None
+    return Verdict(bool(watch.by_name.get(("publisher", name))), "nobody publishes it")
+
+
+_BY_WORD: Mapping[str, Callable[[Watch, str], Verdict | None]] = MappingProxyType(
+    {"service_available": _service, "action_server_available": _action, "message_received": _message}
+)
+
+
+def _facts(watch: Watch, node: str) -> Iterator[Predicate]:
+    """Parameters of the node and the state of its life cycle."""
+    for parameter in watch.seen.parameters:
+        if _is_read_by(parameter, node) and isinstance(parameter.value, bool | int | float | str):
+            yield fact(parameter.name.rpartition("/")[2], parameter.value)
+    for state in watch.seen.states:
+        if state.node == node:
+            yield fact("lifecycle_state", state.name)
+
+
+def _is_read_by(parameter: Parameter, node: str) -> bool:
+    """A parameter of the node, or one in the root, which ROS 1 shares between all."""
+    if parameter.node is not None:
+        return parameter.node == node
+    return parameter.name.startswith(f"{node}/") or parameter.name.count("/") == 1

@@ -1,0 +1,101 @@
+"""Records of what was observed of each module: who saw it, when, on what, with which result."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterable, Sequence
+from importlib.metadata import version
+from typing import Literal
+
+import msgspec
+from ecm_checker.contract import Contract
+from ecm_checker.encode import encode
+from ecm_checker.finding import Finding
+from ecm_checker.view import View
+from ecm_checker.wire import EvidenceFinding, EvidenceRecord, EvidenceSubject, LookedAt, Witness
+
+from ecm_extract.observe.expected import is_exact
+from ecm_extract.observe.model import Observation
+from ecm_extract.observe.watch import Watch, graph_keys
+
+_TOOL = "ecm-extract"
+Result = Literal["confirmed", "contradicted", "doubtful", "not_seen"]
+
+
+class _Count(msgspec.Struct, frozen=True):
+    promised: int
+    seen: int
+
+
+def records(watch: Watch, findings: Sequence[Finding], witness: str) -> tuple[EvidenceRecord, ...]:
+    """Return a record for each module that can run.
+
+    Args:
+        watch: what was seen, beside contracts.
+        findings: what `compare` said of it.
+        witness: name of who looked.
+    """
+    looked = LookedAt(watch.seen.source, watch.seen.target, watch.seen.senses, digest(watch.seen))
+    by = Witness(witness, _TOOL, version(_TOOL))
+    return tuple(_record(watch, module, findings, looked, by) for module in watch.modules)
+
+
+def document(found: Iterable[EvidenceRecord]) -> str:
+    """Records as JSON, one a line."""
+    return "".join(f"{msgspec.json.encode(record, order='deterministic').decode()}\n" for record in found)
+
+
+def digest(seen: Observation) -> str:
+    """What the source gives, else SHA-256 over everything that was seen."""
+    return seen.digest or _hashed(msgspec.json.encode(seen, order="deterministic"))
+
+
+def contract_digest(contract: Contract) -> str:
+    """SHA-256 over the canonical JSON of a contract."""
+    return _hashed(msgspec.json.encode(encode(contract), order="sorted"))
+
+
+def _record(watch: Watch, module: View, findings: Sequence[Finding], looked: LookedAt, by: Witness) -> EvidenceRecord:
+    nodes = tuple(each.node for each in watch.running if each.module is module)
+    against = [each for each in findings if module.id in each.subjects or not set(nodes).isdisjoint(each.subjects)]
+    count = _counted(watch, module, nodes)
+    identity = module.contract.ecm
+    return EvidenceRecord(
+        schema="ecm-extract/evidence/1",
+        kind="observation",
+        subject=EvidenceSubject(module.package, identity.version, module.id, contract_digest(module.contract)),
+        result=_result(watch, bool(nodes or count.seen), against),
+        by=by,
+        begun=watch.seen.begun,
+        seconds=watch.seen.seconds,
+        on=looked,
+        nodes=nodes,
+        promised=count.promised,
+        seen=count.seen,
+        findings=tuple(_finding(each) for each in against),
+    )
+
+
+def _result(watch: Watch, present: bool, against: Sequence[Finding]) -> Result:
+    if not present:
+        return "not_seen"
+    severities = {each.severity for each in against}
+    if "error" in severities:
+        return "contradicted"
+    return "doubtful" if "warning" in severities or watch.seen.gaps else "confirmed"
+
+
+def _counted(watch: Watch, module: View, nodes: Sequence[str]) -> _Count:
+    """Endpoints with a fixed name and a role that the source can see, on its nodes or, without nodes, anywhere."""
+    promises = [each for each in watch.promises_of(module, nodes) if is_exact(each)]
+    keys = [graph_keys(each) for each in promises]
+    visible = [each for each in keys if any(role in watch.visible_roles for role, _ in each)]
+    return _Count(len(visible), sum(any(key in watch.by_name for key in each) for each in visible))
+
+
+def _finding(each: Finding) -> EvidenceFinding:
+    return EvidenceFinding(each.rule, each.severity, each.certainty, each.fingerprint, each.message)
+
+
+def _hashed(data: bytes) -> str:
+    return f"sha256:{hashlib.sha256(data).hexdigest()}"

@@ -1,0 +1,58 @@
+"""What the contract of a module promises under the name that its node really has."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import Final
+
+import msgspec
+from ecm_checker.contract import Interface
+from ecm_checker.view import View
+
+# rospy adds process and milliseconds, roscpp nanoseconds: source, `anonymous=True` and `init_options::AnonymousName`.
+_ANONYMOUS: Final = re.compile(r"(?:_\d{3,})+$")
+
+
+class Expected(msgspec.Struct, frozen=True):
+    """An endpoint or parameter that a contract promises, under its name in the graph.
+
+    Attributes:
+        module: whose contract. interface: as the contract has it. name: on this node.
+    """
+
+    module: View
+    interface: Interface
+    name: str
+
+
+def is_node_of(node: str, module: View) -> bool:
+    """Whether a node has the name that a contract gives its module: whole, or below a namespace.
+
+    Contracts of a launch carry the whole name with dots for slashes; others the name that the program gives itself.
+    """
+    own = module.id.removeprefix(f"ecm.{module.package}.")
+    dotted = _ANONYMOUS.sub("", node.strip("/")).replace("/", ".")
+    return dotted == own or dotted.endswith(f".{own}")
+
+
+def on_node(module: View, node: str | None) -> Iterator[Expected]:
+    """Yield what a contract promises, with the names that they have on a node; None is the root namespace."""
+    for interface in module.contract.signature.interfaces:
+        yield Expected(module, interface, _name_on(interface, node))
+
+
+def is_exact(expected: Expected) -> bool:
+    """Whether the contract fixes the name, so that it is no pattern and no mere default."""
+    return "{" not in expected.name and expected.interface.confidence in {"literal", "folded"}
+
+
+def _name_on(interface: Interface, node: str | None) -> str:
+    raw = interface.raw_name
+    if node is None or interface.role in {"tf_broadcast", "tf_lookup"}:
+        return interface.name
+    if raw.startswith("~"):
+        return f"{node}/{raw[1:].lstrip('/')}"
+    if interface.role == "parameter" or raw.startswith("/") or interface.name != f"/{raw}":
+        return interface.name
+    return f"{node.rpartition('/')[0]}/{raw}"

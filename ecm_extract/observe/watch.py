@@ -1,0 +1,185 @@
+"""An observation beside the contracts of what should run: what rules look at.
+
+Matching goes through indexes by role and name. Everything derived is made when a rule first asks for it.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Sequence
+from functools import cached_property
+
+import msgspec
+from ecm_checker.contract import Contract
+from ecm_checker.view import View, view
+
+from ecm_extract.observe.expected import Expected, is_node_of, on_node
+from ecm_extract.observe.model import Endpoint, Observation, Sense
+from ecm_extract.observe.standard import is_helper, is_tool, standard
+
+_Key = tuple[str, str]
+
+
+class Running(msgspec.Struct, frozen=True):
+    """A node that runs and the module that it is an instance of."""
+
+    node: str
+    module: View
+
+
+class Pair(msgspec.Struct, frozen=True):
+    """An endpoint that was seen and what a contract says of it."""
+
+    seen: Endpoint
+    expected: Expected
+
+
+class Link(msgspec.Struct, frozen=True):
+    """Two endpoints that were seen on one name, the offering side first."""
+
+    giver: Endpoint
+    taker: Endpoint
+
+
+class Watch:
+    """One observation beside contracts.
+
+    Attributes:
+        seen: what was observed. contracts: made ready for rules.
+        launched: whether the contracts are those of a launch, so that each of them must run.
+    """
+
+    def __init__(self, seen: Observation, contracts: Iterable[Contract] = (), *, launched: bool = False) -> None:
+        self.seen = seen
+        self.contracts = tuple(map(view, contracts))
+        self.launched = launched
+
+    @cached_property
+    def modules(self) -> tuple[View, ...]:
+        """Contracts of what runs; interface packages and libraries are none."""
+        return tuple(each for each in self.contracts if each.runs)
+
+    def senses(self, *wanted: Sense) -> bool:
+        """Whether the source can see all of this, so that its absence means something."""
+        return set(wanted) <= set(self.seen.senses)
+
+    @cached_property
+    def node_names(self) -> tuple[str, ...]:
+        """Nodes that were seen, by name, without those of tools and libraries."""
+        found = {node.name for node in self.seen.nodes}
+        found |= {end.node for end in self.seen.endpoints if end.node is not None}
+        return tuple(sorted(name for name in found if not is_tool(name) and not is_helper(name)))
+
+    @cached_property
+    def helped(self) -> frozenset[_Key]:
+        """Endpoints that libraries made on nodes of their own, for a node that is not told."""
+        return frozenset((end.role, end.name) for end in self.seen.endpoints if end.node and is_helper(end.node))
+
+    @cached_property
+    def running(self) -> tuple[Running, ...]:
+        """Nodes with the modules that they are instances of."""
+        return tuple(
+            Running(node, module) for node in self.node_names for module in self.modules if is_node_of(node, module)
+        )
+
+    @cached_property
+    def modules_of(self) -> dict[str, tuple[View, ...]]:
+        """Node -> modules that it is an instance of."""
+        found: defaultdict[str, list[View]] = defaultdict(list)
+        for each in self.running:
+            found[each.node].append(each.module)
+        return {node: tuple(modules) for node, modules in found.items()}
+
+    @cached_property
+    def absent(self) -> tuple[View, ...]:
+        """Modules of which no node was seen."""
+        present = {each.module.id for each in self.running}
+        return tuple(each for each in self.modules if each.id not in present)
+
+    @cached_property
+    def by_name(self) -> dict[_Key, tuple[Endpoint, ...]]:
+        """Role and name -> endpoints that were seen."""
+        found: defaultdict[_Key, list[Endpoint]] = defaultdict(list)
+        for end in self.seen.endpoints:
+            found[end.role, end.name].append(end)
+        return {key: tuple(ends) for key, ends in found.items()}
+
+    @cached_property
+    def by_node(self) -> dict[str, tuple[Endpoint, ...]]:
+        """Node -> its endpoints that were seen."""
+        found: defaultdict[str, list[Endpoint]] = defaultdict(list)
+        for end in self.seen.endpoints:
+            if end.node is not None:
+                found[end.node].append(end)
+        return {node: tuple(ends) for node, ends in found.items()}
+
+    @cached_property
+    def expected_on(self) -> dict[str, tuple[Expected, ...]]:
+        """Node -> what the contracts of its modules promise."""
+        return {
+            node: tuple(each for module in modules for each in on_node(module, node))
+            for node, modules in self.modules_of.items()
+        }
+
+    @cached_property
+    def present(self) -> tuple[Running, ...]:
+        """Running modules; where a source knows no nodes, modules of which an endpoint was seen, by their own name."""
+        named = {each.module.id for each in self.running}
+        heard = {pair.expected.module.id: pair.expected.module for pair in self.pairs}
+        return (*self.running, *(Running(name, module) for name, module in heard.items() if name not in named))
+
+    @cached_property
+    def visible_roles(self) -> frozenset[str]:
+        """Roles that the source sees; of a bag, publishers, though one that is missing means nothing there."""
+        recorded = ("publisher",) if self.seen.source == "bag" else ()
+        return frozenset((*recorded, *self.seen.senses))
+
+    def promises_of(self, module: View, nodes: Sequence[str]) -> tuple[Expected, ...]:
+        """What a module promises on its nodes; without any, in the root namespace."""
+        return tuple(each for node in (nodes or (None,)) for each in on_node(module, node))
+
+    @cached_property
+    def pairs(self) -> tuple[Pair, ...]:
+        """Endpoints with what contracts say of them: of their node where it is known, else of anybody."""
+        return tuple(self._pairs())
+
+    @cached_property
+    def topics(self) -> tuple[Link, ...]:
+        """Every publisher with every subscriber of its topic."""
+        return tuple(self._links("publisher", "subscriber"))
+
+    @cached_property
+    def hashes(self) -> dict[str, str]:
+        """Message type -> hash by the contracts of interface packages."""
+        entities = (each for module in self.contracts for each in module.contract.versioning.entities)
+        return {each.name: each.signature for each in entities if each.kind == "message" and each.signature}
+
+    def _pairs(self) -> Iterator[Pair]:
+        anybody = _by_key(each for module in self.modules for each in on_node(module, None))
+        own = {node: _by_key(expected) for node, expected in self.expected_on.items()}
+        for end in self.seen.endpoints:
+            known = own.get(end.node) if end.node is not None else anybody
+            for each in (known or {}).get((end.role, end.name), ()):
+                yield Pair(end, each)
+
+    def _links(self, giver: str, taker: str) -> Iterator[Link]:
+        for (role, name), givers in self.by_name.items():
+            if role == giver:
+                for one in givers:
+                    for two in self.by_name.get((taker, name), ()):
+                        yield Link(one, two)
+
+
+def graph_keys(expected: Expected) -> Sequence[_Key]:
+    """Return roles and names under which a promise is seen in the graph; a transform is a topic there."""
+    table = standard().by_role.get(expected.interface.role)
+    if table is not None:
+        return tuple((table.role, topic) for topic in table.topics)
+    return ((expected.interface.role, expected.name),)
+
+
+def _by_key(expected: Iterable[Expected]) -> dict[_Key, list[Expected]]:
+    found: defaultdict[_Key, list[Expected]] = defaultdict(list)
+    for each in expected:
+        found[each.interface.role, each.name].append(each)
+    return found
