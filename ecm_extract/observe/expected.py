@@ -27,12 +27,16 @@ class Expected(msgspec.Struct, frozen=True):
 
 
 def is_node_of(node: str, module: View) -> bool:
-    """Whether a node has the name that a contract gives its module: whole, or below a namespace.
+    """Whether a node has the name that a contract gives its module.
 
-    Contracts of a launch carry the whole name with dots for slashes; others the name that the program gives itself.
+    The contract of a launched node is called like the node itself; others have the name that the program gives itself,
+    which may stand below a namespace.
     """
+    named = _ANONYMOUS.sub("", node)
+    if module.id.startswith("/"):
+        return named == module.id
     own = module.id.removeprefix(f"ecm.{module.package}.")
-    dotted = _ANONYMOUS.sub("", node.strip("/")).replace("/", ".")
+    dotted = named.strip("/").replace("/", ".")
     return dotted == own or dotted.endswith(f".{own}")
 
 
