@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 import msgspec
@@ -113,22 +113,28 @@ def _both_labels(request: Request) -> str:
 
 def _unread(request: Request, old: Side, new: Side) -> tuple[UnreadPart, ...]:
     """What was not read until now: the trees tell it once all that is wanted of them was read."""
-    consumers = [unread for each in request.consumers for unread in _read_of(each).unread]
-    parts = unread_parts(_read_of(request.old, old.unread), _read_of(request.new, new.unread), consumers)
+    consumers = [unread for each in request.consumers for unread in _unread_of(each)]
+    before, after = (
+        SideRead(tuple(dict.fromkeys((*side.unread, *_unread_of(origin)))), side.paths)
+        for side, origin in ((old, request.old), (new, request.new))
+    )
+    parts = unread_parts(before, after, consumers)
     folders = [side.packages[name].path for side in (old, new) for name in request.packages if name in side.packages]
     return tuple(part if _concerns(part, folders) else replace(part, limits=False) for part in parts)
 
 
 def _concerns(part: UnreadPart, folders: Sequence[str]) -> bool:
     """Whether something lies in a package that was asked for; all packages were where none is named."""
-    return not folders or part.side == "consumer" or any(f"{part.path}/".startswith(f"{each}/") for each in folders)
+    return not folders or part.side == "consumer" or any(_is_below(part.path, each) for each in folders)
 
 
-def _read_of(origin: Tree | Stored, told: Iterable[Unread] = ()) -> SideRead:
-    if isinstance(origin, Stored):
-        return SideRead(origin.unread, origin.paths)
-    unread = dict.fromkeys((*told, *unread_of(origin.diagnostics)))
-    return SideRead(tuple(unread), frozenset(entry.path for entry in origin.files()))
+def _is_below(path: str, folder: str) -> bool:
+    """Whether a file or folder lies in a folder; empty stands for the root."""
+    return not folder or f"{path}/".startswith(f"{folder}/")
+
+
+def _unread_of(origin: Tree | Stored) -> Sequence[Unread]:
+    return origin.unread if isinstance(origin, Stored) else unread_of(origin.diagnostics)
 
 
 def _changes(request: Request, old: Side, new: Side) -> list[Located]:

@@ -12,6 +12,7 @@ from ecm_parsers.source.facts import SourceFile
 from ecm_extract.collector import without_collector
 from ecm_extract.entities.collect import public_entities
 from ecm_extract.entities.interfaces import interface_name
+from ecm_extract.entities.listed import listed
 from ecm_extract.entities.model import Key, PublicEntity
 from ecm_extract.entities.notes import no_notes, read_notes
 from ecm_extract.entities.python import bound_names, quoted_names
@@ -49,7 +50,7 @@ class Side:
     Attributes:
         commit: that it was read at; None of a work tree.
         packages: by name. entities: by key. interfaces: definition by `package/msg|srv|action/Name`.
-        blobs: blob id of each file by path, where known.
+        paths: of the files of packages, and of what outside of them concerns all. blobs: their ids, where known.
         bound: dotted names that Python modules offer without declaring them; see `bound_names`.
         quoted: dotted names that they give by text; see `quoted_names`.
         reads: package and name of each parameter that is read by name.
@@ -61,6 +62,7 @@ class Side:
     packages: dict[str, PackageInfo] = field(default_factory=dict)
     entities: dict[Key, PublicEntity] = field(default_factory=dict)
     interfaces: dict[str, Definition] = field(default_factory=dict)
+    paths: frozenset[str] = frozenset()
     blobs: dict[str, str] = field(default_factory=dict)
     bound: frozenset[str] = frozenset()
     quoted: frozenset[str] = frozenset()
@@ -122,12 +124,14 @@ def link_packages(read: PackagesRead) -> Workspace:
 def side_of(workspace: Workspace) -> Side:
     """Return the public entities of a linked tree."""
     tree, packages = workspace.tree, workspace.packages
+    entries = listed(tree, packages)
     return Side(
         commit=tree.commit,
         packages={facts.name: _info(facts) for facts in packages},
         entities=public_entities(tree, packages, workspace.linked),
         interfaces=_interfaces(packages),
-        blobs={entry.path: entry.identity for entry in tree.files() if entry.identity},
+        paths=frozenset(entry.path for entry in entries),
+        blobs={entry.path: entry.identity for entry in entries if entry.identity},
         bound=frozenset(name for facts in packages for name in bound_names(facts)),
         quoted=frozenset(name for facts in packages for name in quoted_names(facts)),
         reads=frozenset((package, each.name) for package, each in parameter_read_requirements(workspace.program)),
