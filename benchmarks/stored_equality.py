@@ -17,6 +17,7 @@ import tempfile
 import time
 import zlib
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 from pathlib import Path
 from typing import Any, Final
 
@@ -123,7 +124,7 @@ def _releases(repo: Path) -> list[str]:
 
 
 def _adjacent(tags: Sequence[str]) -> Iterator[tuple[str, str]]:
-    yield from zip(tags, tags[1:], strict=False)
+    yield from pairwise(tags)
 
 
 def _shuffled(pairs: list[tuple[str, str]], chance: random.Random) -> list[tuple[str, str]]:

@@ -13,6 +13,7 @@ from ecm_checker.hub.provision import Key, Provision
 from ecm_checker.match.consumer import Consumer
 from ecm_parsers.interface_facts import Definition
 
+from ecm_extract.collector import without_collector
 from ecm_extract.entities.side import PackageInfo, Side
 from ecm_extract.errors import InputError
 from ecm_extract.extraction_model import PackageContracts
@@ -89,7 +90,8 @@ def _read(path: Path) -> Stored:
         if path.stat().st_size > MAX_BYTES:
             message = f"{path} is larger than {MAX_BYTES} bytes"
             raise InputError(message)
-        document = decode_documents(path.read_bytes())
+        with without_collector():
+            document = decode_documents(path.read_bytes())
     except OSError as error:
         message = f"cannot read {path}: {error.strerror}"
         raise InputError(message) from error

@@ -16,7 +16,7 @@ from ecm_extract.entities.interfaces import interface_name
 from ecm_extract.entities.listed import listed, shared_files
 from ecm_extract.entities.notes import read_notes
 from ecm_extract.entities.python import bound_names, quoted_names
-from ecm_extract.entities.side import Workspace
+from ecm_extract.entities.workspace import Workspace
 from ecm_extract.parallel_work import meanwhile
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.collect import requirements

@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import msgspec
-from ecm_checker.match.consumer import Consumer
 from ecm_parsers.source.facts import SourceFile
 from msgspec.structs import replace
 
-from ecm_extract.asked import refuse_empty, refuse_unknown_packages
+from ecm_extract.asked import refuse_unknown_packages
+from ecm_extract.collector import without_collector
 from ecm_extract.diff.break_findings import findings_of, line_of
 from ecm_extract.diff.broken_names import BrokenNames
 from ecm_extract.diff.changes import changes_of
@@ -19,14 +19,13 @@ from ecm_extract.diff.git_renames import renamed_files
 from ecm_extract.diff.history import History
 from ecm_extract.diff.model import Comparison, Located, RefInfo
 from ecm_extract.diff.pair import Evidence, Pairing
-from ecm_extract.diff.sides import Sides, both_sides
+from ecm_extract.diff.sides import Sides, both_sides, consumers_of
 from ecm_extract.diff.unread import SideRead, UnreadPart, unread_parts
 from ecm_extract.diff.use import Use
 from ecm_extract.diff.verdict import package_verdicts, repository_verdict
-from ecm_extract.entities.side import Side, read_workspace
+from ecm_extract.entities.side import Side
 from ecm_extract.extraction_model import Options
-from ecm_extract.requires.collect import consumers
-from ecm_extract.stored import Stored, stored_consumers
+from ecm_extract.stored import Stored
 from ecm_extract.tree import Tree, Unread, unread_of
 
 
@@ -61,8 +60,9 @@ def compare(request: Request) -> Comparison:
         NothingThereError: a side holds no package, or not one that was asked for.
     """
     parsed: dict[str, SourceFile] = {}
-    sides = both_sides(request.old, request.new, request.options, parsed)
-    return compared(request, sides, parsed)
+    with without_collector():
+        sides = both_sides(request.old, request.new, request.options, parsed)
+        return compared(request, sides, parsed)
 
 
 def compared(request: Request, sides: Sides, parsed: dict[str, SourceFile]) -> Comparison:
@@ -96,15 +96,7 @@ def compared(request: Request, sides: Sides, parsed: dict[str, SourceFile]) -> C
 
 
 def _uses(other: Tree | Stored, request: Request, parsed: dict[str, SourceFile], broken: BrokenNames) -> list[Use]:
-    return list(uses_of(_consumers(other, request.options, parsed), broken, other.commit))
-
-
-def _consumers(other: Tree | Stored, options: Options, parsed: dict[str, SourceFile]) -> list[Consumer]:
-    if isinstance(other, Stored):
-        return stored_consumers(other)
-    workspace = read_workspace(other, options, parsed)
-    refuse_empty(other, [package.root for package in workspace.packages])
-    return consumers(workspace)
+    return list(uses_of(consumers_of(other, request.options, parsed), broken, other.commit))
 
 
 def _both_labels(request: Request) -> str:
