@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
@@ -25,7 +26,9 @@ from ecm_extract.tree.git_repo import GitRepo
 
 MAX_BYTES: Final = 500_000_000
 _JSON: Final = ".json"
-_MANIFESTS: Final = ("package.xml", "manifest.xml")
+_MANIFESTS: Final = frozenset({"package.xml", "manifest.xml"})
+_KEPT: Final = (SUFFIX, DOCUMENT_NAME, MANIFEST)
+"""How files end of which a folder of documents holds some."""
 
 
 class Stored(msgspec.Struct, frozen=True, dict=True):
@@ -55,9 +58,12 @@ def is_stored(spec: str) -> bool:
         return place.suffix == _JSON
     if not place.is_dir():
         return False
-    if any(next(place.rglob(name), None) for name in _MANIFESTS):
-        return False
-    return any(next(place.rglob(pattern), None) for pattern in (f"*{SUFFIX}", DOCUMENT_NAME, f"*{MANIFEST}"))
+    kept = False
+    for _, _, names in os.walk(place):
+        if not _MANIFESTS.isdisjoint(names):
+            return False
+        kept = kept or any(name.endswith(_KEPT) for name in names)
+    return kept
 
 
 def read_stored(spec: str) -> Stored:
