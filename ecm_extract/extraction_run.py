@@ -11,7 +11,7 @@ from ecm_extract.assemble.contracts import assemble
 from ecm_extract.assemble.hub import hubs
 from ecm_extract.collector import without_collector
 from ecm_extract.config import Config
-from ecm_extract.entities.side import Workspace
+from ecm_extract.entities.workspace import Workspace
 from ecm_extract.extraction_model import Counts, Extraction, LocatedDiagnostic, Options, PackageContracts
 from ecm_extract.link.forms import form_table
 from ecm_extract.link.linker import Linker

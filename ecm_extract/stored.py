@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
 from pathlib import Path
 from typing import Final
 
@@ -12,23 +14,29 @@ from ecm_checker.hub.provision import Key, Provision
 from ecm_checker.match.consumer import Consumer
 from ecm_parsers.interface_facts import Definition
 
+from ecm_extract.collector import without_collector
 from ecm_extract.entities.side import PackageInfo, Side
 from ecm_extract.errors import InputError
 from ecm_extract.extraction_model import PackageContracts
+from ecm_extract.report.json_document import DOCUMENT_NAME
 from ecm_extract.report.manifest_yaml import SUFFIX as MANIFEST
-from ecm_extract.tree.unread import Unread
+from ecm_extract.tree import Tree, Unread
+from ecm_extract.tree.blobs import BlobTree
+from ecm_extract.tree.git_repo import GitRepo
 
 MAX_BYTES: Final = 500_000_000
 _JSON: Final = ".json"
-_MANIFESTS: Final = ("package.xml", "manifest.xml")
+_MANIFESTS: Final = frozenset({"package.xml", "manifest.xml"})
+_KEPT: Final = (SUFFIX, DOCUMENT_NAME, MANIFEST)
+"""How files end of which a folder of documents holds some."""
 
 
-class Stored(msgspec.Struct, frozen=True):
+class Stored(msgspec.Struct, frozen=True, dict=True):
     """Packages of one tree as documents hold them.
 
     Attributes:
         label: how the user named them. commit: that they were read at; None of a work tree.
-        packages: in the order of the documents. unread: what was not read of the tree.
+        packages: sorted by path. unread: what was not read of the tree.
     """
 
     label: str
@@ -36,10 +44,11 @@ class Stored(msgspec.Struct, frozen=True):
     packages: tuple[Package, ...]
     unread: tuple[Unread, ...] = ()
 
-    @property
-    def paths(self) -> frozenset[str]:
-        """Of the files of its packages."""
-        return frozenset(path for package in self.packages for path in package.files)
+    @cached_property
+    def files(self) -> Mapping[str, str]:
+        """Blob id of each file of its packages, sorted by path; empty where it is not known."""
+        found = {path: blob for package in self.packages for path, blob in package.files.items()}
+        return {path: found[path] for path in sorted(found)}
 
 
 def is_stored(spec: str) -> bool:
@@ -49,8 +58,12 @@ def is_stored(spec: str) -> bool:
         return place.suffix == _JSON
     if not place.is_dir():
         return False
-    kept = next(place.rglob(f"*{SUFFIX}"), None) or next(place.rglob(f"*{MANIFEST}"), None)
-    return kept is not None and not any(next(place.rglob(name), None) for name in _MANIFESTS)
+    kept = False
+    for _, _, names in os.walk(place):
+        if not _MANIFESTS.isdisjoint(names):
+            return False
+        kept = kept or any(name.endswith(_KEPT) for name in names)
+    return kept
 
 
 def read_stored(spec: str) -> Stored:
@@ -63,15 +76,19 @@ def read_stored(spec: str) -> Stored:
         InputError: one is none, or of another schema number; the message names it and what to do.
     """
     place = Path(spec)
-    files = [place] if place.is_file() else sorted(path for path in place.rglob(f"*{SUFFIX}") if path.is_file())
+    files = [place] if place.is_file() else _files(place, f"*{SUFFIX}") or _files(place, DOCUMENT_NAME)
     if not files:
-        message = f"{spec} holds manifests and no document of a package (*{SUFFIX})"
+        message = f"{spec} holds manifests and no document of a package (*{SUFFIX} or {DOCUMENT_NAME})"
         raise InputError(message, "an older version wrote them; extract the package once more")
     read = [_read(path) for path in files]
     commits = {found.commit for found in read}
-    packages = tuple(package for found in read for package in found.packages)
+    packages = tuple(sorted((each for found in read for each in found.packages), key=lambda each: each.path))
     unread = dict.fromkeys(each for found in read for each in found.unread)
     return Stored(spec, commits.pop() if len(commits) == 1 else None, packages, tuple(unread))
+
+
+def _files(folder: Path, pattern: str) -> list[Path]:
+    return sorted(path for path in folder.rglob(pattern) if path.is_file())
 
 
 def _read(path: Path) -> Stored:
@@ -79,7 +96,8 @@ def _read(path: Path) -> Stored:
         if path.stat().st_size > MAX_BYTES:
             message = f"{path} is larger than {MAX_BYTES} bytes"
             raise InputError(message)
-        document = decode_documents(path.read_bytes())
+        with without_collector():
+            document = decode_documents(path.read_bytes())
     except OSError as error:
         message = f"cannot read {path}: {error.strerror}"
         raise InputError(message) from error
@@ -101,7 +119,7 @@ def package_of(extracted: PackageContracts) -> Package:
 def stored_side(stored: Stored) -> Side:
     """Return what stored packages offer, as a comparison reads it."""
     entities: dict[Key, Provision] = {}
-    for package in stored.packages:
+    for package in sorted(stored.packages, key=lambda each: each.name):  # as sources give them
         entities |= provisions(package.name, package)
     notes = {path: lines for package in stored.packages for path, lines in package.notes.items()}
     return Side(
@@ -109,12 +127,18 @@ def stored_side(stored: Stored) -> Side:
         packages={each.name: _info(each) for each in stored.packages},
         entities=entities,
         interfaces=dict(_interfaces(stored.packages)),
-        blobs={path: blob for each in stored.packages for path, blob in each.files.items() if blob},
+        paths=frozenset(stored.files),
+        blobs={path: blob for path, blob in stored.files.items() if blob},
         bound=frozenset(name for each in stored.packages for name in each.bound),
         quoted=frozenset(name for each in stored.packages for name in each.quoted),
         reads=frozenset(_reads(stored.packages)),
         notes=lambda paths: {path: notes[path] for path in paths if path in notes},
     )
+
+
+def contents_of(stored: Stored, repo: GitRepo) -> Tree:
+    """Return the files of stored packages as far as a repository holds their content."""
+    return BlobTree(repo, stored.files, label=stored.label, commit=stored.commit)
 
 
 def stored_consumers(stored: Stored) -> list[Consumer]:
@@ -123,7 +147,8 @@ def stored_consumers(stored: Stored) -> list[Consumer]:
 
 
 def _info(package: Package) -> PackageInfo:
-    return PackageInfo(package.name, package.version, package.path, package.manifest, package.ros)
+    path = "" if package.path == "." else package.path
+    return PackageInfo(package.name, package.version, path, package.manifest, package.ros)
 
 
 def _interfaces(packages: Sequence[Package]) -> Iterator[tuple[str, Definition]]:

@@ -13,9 +13,10 @@ from ecm_checker.json_data import json_data
 
 from ecm_extract.entities.collect import public_entities
 from ecm_extract.entities.interfaces import interface_name
+from ecm_extract.entities.listed import listed, shared_files
 from ecm_extract.entities.notes import read_notes
 from ecm_extract.entities.python import bound_names, quoted_names
-from ecm_extract.entities.side import Workspace
+from ecm_extract.entities.workspace import Workspace
 from ecm_extract.parallel_work import meanwhile
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.collect import requirements
@@ -32,24 +33,37 @@ def hubs(workspace: Workspace, jobs: int | None) -> Mapping[str, Hub]:
     provisions: dict[str, list[Provision]] = defaultdict(list)
     for entity in public_entities(workspace.tree, workspace.packages, workspace.linked).values():
         provisions[entity.package].append(entity)
-    blobs = {entry.path: entry.identity for entry in workspace.tree.files() if entry.identity}
-    notes = read_notes(workspace.tree, [entry.path for entry in workspace.tree.files()])
+    kept = _kept(workspace)
     found = required()
     return {
-        facts.name: _hub(facts, provisions[facts.name], found.get(facts.name, ()), _Kept(blobs, notes))
-        for facts in workspace.packages
+        facts.name: _hub(facts, provisions[facts.name], found.get(facts.name, ()), kept) for facts in workspace.packages
     }
 
 
 class _Kept(msgspec.Struct, frozen=True):
-    """What a later comparison asks of files: their blob ids, and sentences of changelogs; by path."""
+    """What a later comparison asks of files.
+
+    Attributes:
+        blobs: their ids by path. notes: sentences of changelogs by path. shared: paths of what concerns all packages.
+    """
 
     blobs: Mapping[str, str]
     notes: Mapping[str, Sequence[str]]
+    shared: tuple[str, ...]
+
+
+def _kept(workspace: Workspace) -> _Kept:
+    entries = listed(workspace.tree, workspace.packages)
+    owned = {entry.path for facts in workspace.packages for entry in facts.root.files}
+    return _Kept(
+        blobs={entry.path: entry.identity for entry in entries if entry.identity},
+        notes=read_notes(workspace.tree, [entry.path for entry in entries]),
+        shared=tuple(entry.path for entry in shared_files(workspace.tree, owned)),
+    )
 
 
 def _hub(facts: PackageFacts, entities: Sequence[Provision], required: Sequence[Requirement], kept: _Kept) -> Hub:
-    paths = sorted(entry.path for entry in facts.root.files)
+    paths = sorted({*(entry.path for entry in facts.root.files), *kept.shared})
     return Hub(
         manifest=facts.root.manifest,
         provides=tuple(provided(entity) for entity in entities),

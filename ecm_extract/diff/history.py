@@ -7,12 +7,13 @@ from functools import cached_property
 from pathlib import Path
 
 from ecm_extract.diff.similarity import last_part
-from ecm_extract.entities.notes import MAX_BYTES, MAX_FILES, is_note, sentences
+from ecm_extract.entities.notes import MAX_BYTES, is_note, sentences
 from ecm_extract.entities.side import Side
 from ecm_extract.errors import EcmError
 from ecm_extract.tree.git_repo import find_repo
 
 _WORD = re.compile(r"[A-Za-z_]\w{3,}")
+_MAX_FILES = 200
 
 
 class History:
@@ -55,7 +56,7 @@ class History:
 
     def _changelogs(self) -> list[str]:
         paths = [path for path in self._new.blobs if is_note(path)]
-        changed = [path for path in paths if self._new.blobs[path] != self._old.blobs.get(path)][:MAX_FILES]
+        changed = [path for path in paths if self._new.blobs[path] != self._old.blobs.get(path)][:_MAX_FILES]
         before = self._old.notes([path for path in changed if path in self._old.blobs])
         found = []
         for path, lines in self._new.notes(changed).items():

@@ -10,8 +10,7 @@ from typing import Final
 from ecm_checker.hub.provision import HOLE
 
 from ecm_extract.diff.model import Pair
-from ecm_extract.entities.model import PublicEntity
-from ecm_extract.entities.nodes import LAUNCHED
+from ecm_extract.entities.model import LAUNCHED, PublicEntity
 
 _SURE: Final = 0.95
 _ALONE: Final = 0.85

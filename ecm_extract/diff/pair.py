@@ -28,8 +28,7 @@ from ecm_extract.diff.same_stem import other_endings
 from ecm_extract.diff.scores import score
 from ecm_extract.diff.similarity import in_package, last_part, same_language
 from ecm_extract.diff.successors import stated_successor
-from ecm_extract.entities.model import Key, PublicEntity
-from ecm_extract.entities.nodes import LAUNCHED
+from ecm_extract.entities.model import LAUNCHED, Key, PublicEntity
 
 CONTAINERS = ("package", "message", "class", "bt_node", "launch_file")
 _FOLLOWING = frozenset({"message_field", "member", "method", "constant", "bt_port", "launch_argument"})

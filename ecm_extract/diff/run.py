@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 import msgspec
-from ecm_checker.match.consumer import Consumer
 from ecm_parsers.source.facts import SourceFile
 from msgspec.structs import replace
 
-from ecm_extract.asked import refuse_empty, refuse_unknown_packages
+from ecm_extract.asked import refuse_unknown_packages
+from ecm_extract.collector import without_collector
 from ecm_extract.diff.break_findings import findings_of, line_of
 from ecm_extract.diff.broken_names import BrokenNames
 from ecm_extract.diff.changes import changes_of
@@ -19,14 +19,13 @@ from ecm_extract.diff.git_renames import renamed_files
 from ecm_extract.diff.history import History
 from ecm_extract.diff.model import Comparison, Located, RefInfo
 from ecm_extract.diff.pair import Evidence, Pairing
-from ecm_extract.diff.sides import Sides, both_sides
+from ecm_extract.diff.sides import Sides, both_sides, consumers_of
 from ecm_extract.diff.unread import SideRead, UnreadPart, unread_parts
 from ecm_extract.diff.use import Use
 from ecm_extract.diff.verdict import package_verdicts, repository_verdict
-from ecm_extract.entities.side import Side, read_workspace
+from ecm_extract.entities.side import Side
 from ecm_extract.extraction_model import Options
-from ecm_extract.requires.collect import consumers
-from ecm_extract.stored import Stored, stored_consumers
+from ecm_extract.stored import Stored
 from ecm_extract.tree import Tree, Unread, unread_of
 
 
@@ -61,8 +60,9 @@ def compare(request: Request) -> Comparison:
         NothingThereError: a side holds no package, or not one that was asked for.
     """
     parsed: dict[str, SourceFile] = {}
-    sides = both_sides(request.old, request.new, request.options, parsed)
-    return compared(request, sides, parsed)
+    with without_collector():
+        sides = both_sides(request.old, request.new, request.options, parsed)
+        return compared(request, sides, parsed)
 
 
 def compared(request: Request, sides: Sides, parsed: dict[str, SourceFile]) -> Comparison:
@@ -96,15 +96,7 @@ def compared(request: Request, sides: Sides, parsed: dict[str, SourceFile]) -> C
 
 
 def _uses(other: Tree | Stored, request: Request, parsed: dict[str, SourceFile], broken: BrokenNames) -> list[Use]:
-    return list(uses_of(_consumers(other, request.options, parsed), broken, other.commit))
-
-
-def _consumers(other: Tree | Stored, options: Options, parsed: dict[str, SourceFile]) -> list[Consumer]:
-    if isinstance(other, Stored):
-        return stored_consumers(other)
-    workspace = read_workspace(other, options, parsed)
-    refuse_empty(other, [package.root for package in workspace.packages])
-    return consumers(workspace)
+    return list(uses_of(consumers_of(other, request.options, parsed), broken, other.commit))
 
 
 def _both_labels(request: Request) -> str:
@@ -113,22 +105,28 @@ def _both_labels(request: Request) -> str:
 
 def _unread(request: Request, old: Side, new: Side) -> tuple[UnreadPart, ...]:
     """What was not read until now: the trees tell it once all that is wanted of them was read."""
-    consumers = [unread for each in request.consumers for unread in _read_of(each).unread]
-    parts = unread_parts(_read_of(request.old, old.unread), _read_of(request.new, new.unread), consumers)
+    consumers = [unread for each in request.consumers for unread in _unread_of(each)]
+    before, after = (
+        SideRead(tuple(dict.fromkeys((*side.unread, *_unread_of(origin)))), side.paths)
+        for side, origin in ((old, request.old), (new, request.new))
+    )
+    parts = unread_parts(before, after, consumers)
     folders = [side.packages[name].path for side in (old, new) for name in request.packages if name in side.packages]
     return tuple(part if _concerns(part, folders) else replace(part, limits=False) for part in parts)
 
 
 def _concerns(part: UnreadPart, folders: Sequence[str]) -> bool:
     """Whether something lies in a package that was asked for; all packages were where none is named."""
-    return not folders or part.side == "consumer" or any(f"{part.path}/".startswith(f"{each}/") for each in folders)
+    return not folders or part.side == "consumer" or any(_is_below(part.path, each) for each in folders)
 
 
-def _read_of(origin: Tree | Stored, told: Iterable[Unread] = ()) -> SideRead:
-    if isinstance(origin, Stored):
-        return SideRead(origin.unread, origin.paths)
-    unread = dict.fromkeys((*told, *unread_of(origin.diagnostics)))
-    return SideRead(tuple(unread), frozenset(entry.path for entry in origin.files()))
+def _is_below(path: str, folder: str) -> bool:
+    """Whether a file or folder lies in a folder; empty stands for the root."""
+    return not folder or f"{path}/".startswith(f"{folder}/")
+
+
+def _unread_of(origin: Tree | Stored) -> Sequence[Unread]:
+    return origin.unread if isinstance(origin, Stored) else unread_of(origin.diagnostics)
 
 
 def _changes(request: Request, old: Side, new: Side) -> list[Located]:

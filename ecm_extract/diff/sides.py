@@ -2,21 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from functools import partial
+from collections.abc import Callable
 
 import msgspec
 from ecm_checker.match.consumer import Consumer
 from ecm_parsers.source.facts import SourceFile
 
-from ecm_extract.asked import refuse_empty
-from ecm_extract.entities.notes import no_notes, read_notes
-from ecm_extract.entities.side import PackagesRead, Side, link_packages, read_packages, side_of
+from ecm_extract.entities.side import Side
 from ecm_extract.extraction_model import Options
-from ecm_extract.parallel_work import meanwhile
-from ecm_extract.requires.collect import consumers
 from ecm_extract.stored import Stored, stored_consumers, stored_side
-from ecm_extract.tree import FileDiagnostic, Tree
+from ecm_extract.tree import Tree
 
 
 class Sides(msgspec.Struct, frozen=True):
@@ -28,6 +23,13 @@ class Sides(msgspec.Struct, frozen=True):
 
     old: Side
     new: Side
+    own: Callable[[], list[Consumer]]
+
+
+class NewSide(msgspec.Struct, frozen=True):
+    """The new side, and what gives its packages as consumers."""
+
+    side: Side
     own: Callable[[], list[Consumer]]
 
 
@@ -43,40 +45,36 @@ def both_sides(old: Tree | Stored, new: Tree | Stored, options: Options, parsed:
     Raises:
         NothingThereError: a side holds no package.
     """
-    before = _side_before(old, options, parsed)
-    if isinstance(new, Stored):
-        return Sides(before(), stored_side(new), lambda: stored_consumers(new))
-    workspace = link_packages(_read(new, options, parsed))
-    after = side_of(workspace)
-    return Sides(before(), after, lambda: consumers(workspace))
+    before = _before(old, options, parsed)
+    after = _after(new, options, parsed)
+    return Sides(before(), after.side, after.own)
 
 
-def _side_before(old: Tree | Stored, options: Options, parsed: dict[str, SourceFile]) -> Callable[[], Side]:
-    """Begin to link the old side in another process, and return the function that waits for it."""
+def consumers_of(other: Tree | Stored, options: Options, parsed: dict[str, SourceFile]) -> list[Consumer]:
+    """Return the packages of a tree or of documents as consumers.
+
+    Raises:
+        NothingThereError: a tree holds no package.
+    """
+    if isinstance(other, Stored):
+        return stored_consumers(other)
+    from ecm_extract.diff.source_sides import source_consumers
+
+    return source_consumers(other, options, parsed)
+
+
+def _before(old: Tree | Stored, options: Options, parsed: dict[str, SourceFile]) -> Callable[[], Side]:
     if isinstance(old, Stored):
         return lambda: stored_side(old)
-    read = _read(old, options, parsed)
-    told = frozenset(old.diagnostics)
-    linked = meanwhile(lambda: _linked(read, told), options.jobs)
-    return lambda: _reported(linked(), old)
+    # Reading sources takes parsers and the linker, whose import takes longer than comparing two documents.
+    from ecm_extract.diff.source_sides import source_side_before
+
+    return source_side_before(old, options, parsed)
 
 
-def _read(tree: Tree, options: Options, parsed: dict[str, SourceFile]) -> PackagesRead:
-    read = read_packages(tree, options, parsed)
-    refuse_empty(tree, [package.root for package in read.packages])
-    return read
+def _after(new: Tree | Stored, options: Options, parsed: dict[str, SourceFile]) -> NewSide:
+    if isinstance(new, Stored):
+        return NewSide(stored_side(new), lambda: stored_consumers(new))
+    from ecm_extract.diff.source_sides import source_side_after
 
-
-def _linked(before: PackagesRead, told: frozenset[FileDiagnostic]) -> tuple[Side, Sequence[FileDiagnostic]]:
-    """In a fork what linking reports would be lost with it."""
-    side = side_of(link_packages(before))
-    side.notes = no_notes  # a tree, which reads them, does not leave its process
-    return side, [entry for entry in before.tree.diagnostics if entry not in told]
-
-
-def _reported(result: tuple[Side, Sequence[FileDiagnostic]], tree: Tree) -> Side:
-    side, diagnostics = result
-    for diagnostic in diagnostics:
-        tree.report(diagnostic)
-    side.notes = partial(read_notes, tree)
-    return side
+    return source_side_after(new, options, parsed)

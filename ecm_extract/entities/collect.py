@@ -6,6 +6,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 
 import msgspec
+from ecm_checker.json_data import json_data
 
 from ecm_extract.entities.announced import announced
 from ecm_extract.entities.bt_nodes import Port, base_ports, bt_entities
@@ -42,8 +43,15 @@ def public_entities(
     placed = announced(texts, packages, at_their_names(every))
     for entity in sorted(with_lines(tree, placed), key=lambda e: (e.package, e.path, e.line)):
         known = found.get(entity.key)
-        found[entity.key] = entity if known is None else _joined(known, entity)
+        found[entity.key] = _plain(entity) if known is None else _joined(known, entity)
     return _at_home(found, packages)
+
+
+def _plain(entity: PublicEntity) -> PublicEntity:
+    """With the default as documents hold it, so that one that is read off sources equals one that was stored."""
+    if entity.default is None or type(entity.default) is str:
+        return entity
+    return msgspec.structs.replace(entity, default=json_data(entity.default))
 
 
 def _joined(first: PublicEntity, other: PublicEntity) -> PublicEntity:

@@ -10,7 +10,7 @@ from ecm_checker.contract import Interface
 from ecm_checker.hub.provision import HOLE
 
 from ecm_extract.entities.deprecations import deprecated_names
-from ecm_extract.entities.model import PublicEntity
+from ecm_extract.entities.model import Line, PublicEntity
 from ecm_extract.entities.reconfigure import server_namespaces
 from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.link.linker import LinkedModule
@@ -75,8 +75,14 @@ def entity_of(entry: Interface, package: str, owner: str, ros: int | None) -> Pu
         confidence=entry.confidence,
         path=at.path,
         line=at.line,
-        chain=tuple(dict.fromkeys((place.path, place.line) for place in entry.evidence)),
+        chain=_calls(entry),
     )
+
+
+def _calls(entry: Interface) -> tuple[Line, ...]:
+    """The calls that lead to an endpoint, its own first; none where it is made by its own module."""
+    lines = tuple(dict.fromkeys((place.path, place.line) for place in entry.evidence))
+    return lines if len(lines) > 1 else ()
 
 
 def _below(entity: PublicEntity, namespace: str) -> PublicEntity:

@@ -6,17 +6,13 @@ Whoever keys a parameter file, a remap, a policy or a list of managed nodes by s
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import Final
 
 from ecm_checker.hub.provision import HOLE
 from ecm_parsers.launch.model import Action, Group, Node, Template
 
-from ecm_extract.entities.model import PublicEntity
+from ecm_extract.entities.model import LAUNCHED, PublicEntity
 from ecm_extract.link.linker import LinkedModule
 from ecm_extract.read.facts import PackageFacts
-
-LAUNCHED: Final = "launched"
-"""Facet of a name that a launch file gives."""
 
 
 def node_entities(facts: PackageFacts, modules: Sequence[LinkedModule]) -> Iterator[PublicEntity]:

@@ -11,7 +11,6 @@ from ecm_extract.tree import Tree
 _CHANGELOG: Final = re.compile(r"(?:^|/)(?:CHANGELOG|changelog|migration)[\w.-]*\.(?:rst|md)$")
 _SHORTEST: Final = 9
 MAX_BYTES: Final = 4_000_000
-MAX_FILES: Final = 200
 
 
 def is_note(path: str) -> bool:
@@ -21,8 +20,7 @@ def is_note(path: str) -> bool:
 
 def read_notes(tree: Tree, paths: Iterable[str]) -> Mapping[str, Sequence[str]]:
     """Return the sentences of the notes among some files of a tree, by path."""
-    wanted = [path for path in paths if is_note(path)][:MAX_FILES]
-    return {path: sentences(data) for path, data in tree.read_many(wanted)}
+    return {path: sentences(data) for path, data in tree.read_many([path for path in paths if is_note(path)])}
 
 
 def sentences(data: bytes) -> list[str]:

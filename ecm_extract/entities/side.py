@@ -1,30 +1,15 @@
-"""One side of a comparison: a tree read down to its public entities."""
+"""One side of a comparison: what its packages offer, and what helps to find it again on the other side."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import partial
 
 from ecm_parsers.interface_facts import Definition
-from ecm_parsers.source.facts import SourceFile
 
-from ecm_extract.collector import without_collector
-from ecm_extract.entities.collect import public_entities
-from ecm_extract.entities.interfaces import interface_name
 from ecm_extract.entities.model import Key, PublicEntity
-from ecm_extract.entities.notes import no_notes, read_notes
-from ecm_extract.entities.python import bound_names, quoted_names
-from ecm_extract.entities.shared_reader import SharedReader
-from ecm_extract.extraction_model import Options
-from ecm_extract.link.forms import FormTable, form_table
-from ecm_extract.link.linker import LinkedModule, Linker
-from ecm_extract.link.objects import Objects
-from ecm_extract.link.program import Program
-from ecm_extract.read.facts import PackageFacts
-from ecm_extract.requires.parameter_reads import parameter_read_requirements
-from ecm_extract.settings import config_of
-from ecm_extract.tree import Tree, Unread, unread_of
+from ecm_extract.entities.notes import no_notes
+from ecm_extract.tree.unread import Unread
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +34,7 @@ class Side:
     Attributes:
         commit: that it was read at; None of a work tree.
         packages: by name. entities: by key. interfaces: definition by `package/msg|srv|action/Name`.
-        blobs: blob id of each file by path, where known.
+        paths: of the files of packages, and of what outside of them concerns all. blobs: their ids, where known.
         bound: dotted names that Python modules offer without declaring them; see `bound_names`.
         quoted: dotted names that they give by text; see `quoted_names`.
         reads: package and name of each parameter that is read by name.
@@ -61,89 +46,10 @@ class Side:
     packages: dict[str, PackageInfo] = field(default_factory=dict)
     entities: dict[Key, PublicEntity] = field(default_factory=dict)
     interfaces: dict[str, Definition] = field(default_factory=dict)
+    paths: frozenset[str] = frozenset()
     blobs: dict[str, str] = field(default_factory=dict)
     bound: frozenset[str] = frozenset()
     quoted: frozenset[str] = frozenset()
     reads: frozenset[tuple[str, str]] = frozenset()
     notes: Notes = no_notes
     unread: tuple[Unread, ...] = ()
-
-
-@dataclass(slots=True)
-class Workspace:
-    """A tree linked: what uses are read off, dropped as soon as they are."""
-
-    tree: Tree
-    packages: list[PackageFacts]
-    linked: list[LinkedModule]
-    program: Program
-    objects: Objects
-
-
-@dataclass(slots=True)
-class PackagesRead:
-    """A tree read and not yet linked, with the rows of forms that it adds."""
-
-    tree: Tree
-    packages: list[PackageFacts]
-    forms: FormTable
-
-
-def read_workspace(tree: Tree, options: Options, parsed: dict[str, SourceFile]) -> Workspace:
-    """Read and link a tree; see `read_packages`."""
-    return link_packages(read_packages(tree, options, parsed))
-
-
-def read_packages(tree: Tree, options: Options, parsed: dict[str, SourceFile]) -> PackagesRead:
-    """Read a tree.
-
-    Args:
-        tree: to read.
-        options: of the extraction.
-        parsed: facts by blob id; what is in it is not parsed again, what is parsed is added.
-    """
-    config = config_of(tree, options)
-    with without_collector():
-        include_tests = options.include_tests or config.extract.include_tests
-        reader = SharedReader(tree, include_tests, config.extract.exclude, options.cache)
-        reader.parsed = parsed
-        return PackagesRead(tree, reader.read(options.jobs, options.progress), form_table(config.forms))
-
-
-def link_packages(read: PackagesRead) -> Workspace:
-    """Link what was read."""
-    with without_collector():
-        linker = Linker(read.packages, read.forms)
-        workspace = Workspace(read.tree, read.packages, linker.link(), linker.program, linker.folder.objects)
-        linker.tell(read.tree)
-        return workspace
-
-
-def side_of(workspace: Workspace) -> Side:
-    """Return the public entities of a linked tree."""
-    tree, packages = workspace.tree, workspace.packages
-    return Side(
-        commit=tree.commit,
-        packages={facts.name: _info(facts) for facts in packages},
-        entities=public_entities(tree, packages, workspace.linked),
-        interfaces=_interfaces(packages),
-        blobs={entry.path: entry.identity for entry in tree.files() if entry.identity},
-        bound=frozenset(name for facts in packages for name in bound_names(facts)),
-        quoted=frozenset(name for facts in packages for name in quoted_names(facts)),
-        reads=frozenset((package, each.name) for package, each in parameter_read_requirements(workspace.program)),
-        notes=partial(read_notes, tree),
-        unread=tuple(unread_of(tree.diagnostics)),
-    )
-
-
-def _info(facts: PackageFacts) -> PackageInfo:
-    version = facts.manifest.version if facts.manifest is not None else None
-    return PackageInfo(facts.name, version, facts.root.path, facts.root.manifest, facts.ros)
-
-
-def _interfaces(packages: list[PackageFacts]) -> dict[str, Definition]:
-    return {
-        interface_name(facts.name, path, definition): definition
-        for facts in packages
-        for path, definition in facts.interfaces.items()
-    }

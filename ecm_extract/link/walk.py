@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from operator import attrgetter
+from typing import Any, Final
 
 from ecm_parsers.source.expr import (
     Call,
@@ -32,10 +34,11 @@ def expressions(statement: Statement) -> Iterator[tuple[Expr, int]]:
         if not pending:
             return
         expr, line = pending.pop()
-        if isinstance(expr, Call) and expr.line:
+        if type(expr) is Call and expr.line:
             line = expr.line
         yield expr, line
-        pending += [(child, line) for child in reversed(children(expr))]
+        if type(expr) not in _LEAVES:
+            pending += [(child, line) for child in reversed(children(expr))]
 
 
 def dotted(expr: Expr) -> str | None:
@@ -72,21 +75,27 @@ def _collect(expr: Expr, found: list[Call]) -> None:
 
 def children(expr: Expr) -> tuple[Expr, ...]:
     """Return the direct parts of an expression."""
-    if isinstance(expr, Call):
-        named = [value for _, value in expr.keywords]
-        return (expr.callee, *expr.args, *named)
-    if isinstance(expr, Member):
-        return (expr.base,)
-    if isinstance(expr, Op):
-        return expr.operands
-    if isinstance(expr, Items):
-        return expr.items
-    if isinstance(expr, Template):
-        return expr.parts
-    if isinstance(expr, Table):
-        return tuple([part for entry in expr.entries for part in entry])
-    return ()
+    parts = _PARTS.get(type(expr))
+    return () if parts is None else parts(expr)
 
 
+def _of_call(call: Call) -> tuple[Expr, ...]:
+    named = [value for _, value in call.keywords]
+    return (call.callee, *call.args, *named)
+
+
+def _of_table(table: Table) -> tuple[Expr, ...]:
+    return tuple([part for entry in table.entries for part in entry])
+
+
+_PARTS: Final[Mapping[type[Expr], Callable[[Any], tuple[Expr, ...]]]] = {
+    Call: _of_call,
+    Member: lambda member: (member.base,),
+    Op: attrgetter("operands"),
+    Items: attrgetter("items"),
+    Template: attrgetter("parts"),
+    Table: _of_table,
+}
+"""What gives the parts of an expression that has some; asked of each expression of a program."""
 _LEAVES = frozenset({Name, Text, Number, Constant, Opaque, Lambda})
 """Expressions that hold no other; half of all are."""

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator
-from typing import Final, Literal
+from typing import TYPE_CHECKING, Final, Literal
 
 import msgspec
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Certainty, Dimension, Entity, Finding, Severity, Who, fingerprint
 
-from ecm_extract.lint.workspace import Workspace
+if TYPE_CHECKING:
+    from ecm_extract.lint.workspace import Workspace
+
 
 _WORST_WITHOUT_PROOF: Final[Severity] = "warning"
 
@@ -81,7 +83,7 @@ class LintRule(msgspec.Struct, frozen=True, kw_only=True):
         )
 
 
-Check = Callable[[Workspace], Iterator[Finding]]
+Check = Callable[["Workspace"], Iterator[Finding]]
 
 
 class Entry(msgspec.Struct, frozen=True):

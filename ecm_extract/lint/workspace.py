@@ -14,8 +14,8 @@ from ecm_extract.collector import without_collector
 from ecm_extract.description.model import Description
 from ecm_extract.description.read import read_description
 from ecm_extract.discover import is_test_path
-from ecm_extract.entities.side import PackagesRead, read_packages
-from ecm_extract.entities.side import Workspace as Side
+from ecm_extract.entities.workspace import PackagesRead, read_packages
+from ecm_extract.entities.workspace import Workspace as Side
 from ecm_extract.extraction_model import Options
 from ecm_extract.link.composition import composition_of
 from ecm_extract.link.linker import Linker

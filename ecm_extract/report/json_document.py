@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Final
 
 import msgspec
 from ecm_checker.encode import encode
@@ -11,6 +11,9 @@ from ecm_checker.json_data import json_data, record_data
 from ecm_checker.wire import EXTRACT_SCHEMA, Origin
 
 from ecm_extract.extraction_model import Extraction, PackageContracts
+
+DOCUMENT_NAME: Final = "extract.json"
+"""How the document is called in a folder."""
 
 
 def extract_document(extraction: Extraction) -> dict[str, Any]:

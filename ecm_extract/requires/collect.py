@@ -10,8 +10,8 @@ from ecm_checker.hub.requirement import Requirement
 from ecm_checker.match.consumer import Consumer
 from ecm_parsers.source.python import parse_python
 
-from ecm_extract.entities.side import Workspace
 from ecm_extract.entities.side_texts import SideTexts
+from ecm_extract.entities.workspace import Workspace
 from ecm_extract.link.linker import LinkedModule
 from ecm_extract.link.program import imported_names
 from ecm_extract.link.units import File

@@ -9,7 +9,7 @@ from ecm_checker.hub.kinds import kinds, uses
 from ecm_checker.match.names import NAMES
 from workspaces import Workspace
 
-from ecm_extract.entities.side import read_workspace
+from ecm_extract.entities.workspace import read_workspace
 from ecm_extract.extraction_model import Options
 from ecm_extract.requires.collect import requirements
 from ecm_extract.tree import open_tree

@@ -56,8 +56,9 @@ class Hub(msgspec.Struct, frozen=True, kw_only=True):
         bound: dotted names that its Python modules offer without declaring them.
         quoted: dotted names that its Python modules give by text, as a class decorator does.
         interfaces: what its interface files declare, by `package/msg|srv|action/Name`.
-        files: git blob id of each file by path, empty where it is not known.
-        notes: sentences of its changelogs, by path.
+        files: git blob id of each file by path, empty where it is not known; files that concern all packages of the
+            tree, as its changelogs do, are of each.
+        notes: sentences of changelogs, by path.
     """
 
     manifest: str | None = None

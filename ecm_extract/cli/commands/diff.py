@@ -121,27 +121,37 @@ def _answered(comparison: Comparison, request: Request, asked: Asked) -> tuple[C
     from ecm_extract.answers.answered import Answers
     from ecm_extract.answers.comparison import answerable, answered_comparison
     from ecm_extract.answers.shown import remember, shown_of
-    from ecm_extract.stored import Stored
 
-    trees = None if isinstance(request.old, Stored) or isinstance(request.new, Stored) else (request.old, request.new)
-    file, found = accepted_file(Path(asked.repo)), answerable(comparison, trees)
-    stored = parse_accepted(_content(request.new, FILE_NAME) or b"", f"{request.new.label}: {FILE_NAME}")
+    old, new = (_contents(side, request) for side in (request.old, request.new))
+    file = accepted_file(Path(asked.repo))
+    found = answerable(comparison, None if old is None or new is None else (old, new))
+    stored = parse_accepted(_content(new, FILE_NAME) or b"", f"{request.new.label}: {FILE_NAME}")
     rows = {row.fingerprint: row for row in (*stored, *accepted_in(file))}
     if not asked.no_cache:
         remember(shown_of(found, file))
     today = datetime.now(tz=UTC).date()
     scopes: tuple[Scope, ...] = () if asked.package else ("change",)
-    answers = Answers(tuple(rows.values()), partial(_content, request.new), today, scopes)
+    answers = Answers(tuple(rows.values()), partial(_content, new), today, scopes)
     return answered_comparison(comparison, found, answers)
 
 
-def _content(origin: Tree | Stored, path: str) -> bytes | None:
-    """Content of a file of the new side; of stored documents nobody has it."""
+def _contents(side: Tree | Stored, request: Request) -> Tree | None:
+    """The files of a side; of stored documents those that the repository holds, without one nobody has them."""
+    from ecm_extract.stored import Stored, contents_of
+    from ecm_extract.tree.git_repo import find_repo
+
+    if not isinstance(side, Stored):
+        return side
+    repo = find_repo(request.repo) if request.repo is not None else None
+    return contents_of(side, repo) if repo is not None else None
+
+
+def _content(tree: Tree | None, path: str) -> bytes | None:
+    """Content of a file of the new side; None where nobody has it."""
     from ecm_extract.errors import TreeReadError
-    from ecm_extract.stored import Stored
 
     try:
-        return None if isinstance(origin, Stored) else origin.read(path)
+        return None if tree is None else tree.read(path)
     except TreeReadError:
         return None
 
@@ -203,7 +213,8 @@ def _places(comparison: Comparison, request: Request, asked: Asked) -> Places:
 
     named = asked.new != WORK_TREE and Path(asked.new.split("@", 1)[0]).is_dir()
     folder = typed_folder(asked.new) if named else typed_folder(f"{asked.repo}@{asked.new}")
-    return Places(folder, comparison.homes, source_lines(partial(_content, request.new), comparison.homes))
+    contents = _contents(request.new, request)
+    return Places(folder, comparison.homes, source_lines(partial(_content, contents), comparison.homes))
 
 
 def _print(comparison: Comparison, asked: Asked, places: Places) -> None:

@@ -21,7 +21,6 @@ if TYPE_CHECKING:
 
 DEFAULT_FOLDER: Final = "ecm-manifests"
 STANDARD_OUTPUT: Final = "-"
-DOCUMENT_NAME: Final = "extract.json"
 
 _EPILOG: Final = """\b
 Examples:
@@ -143,6 +142,8 @@ def _write_documents(extraction: Extraction, request: Request) -> None:
 
     folder = _folder(request)
     if request.format == "json":
+        from ecm_extract.report.json_document import DOCUMENT_NAME
+
         written = str(write_document(b"".join(_documents(extraction, request)), folder / DOCUMENT_NAME))
     else:
         written = f"{len(write_manifests(extraction, folder))} manifests in {folder}{os.sep}"

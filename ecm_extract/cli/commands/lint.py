@@ -30,7 +30,8 @@ if TYPE_CHECKING:
     from ecm_extract.answers.answered import Answered
     from ecm_extract.answers.scope import Scope
     from ecm_extract.diff.model import Comparison, RefInfo
-    from ecm_extract.entities.side import PackagesRead, Side
+    from ecm_extract.entities.side import Side
+    from ecm_extract.entities.workspace import PackagesRead
     from ecm_extract.extraction_model import Options, Progress
     from ecm_extract.lint.completeness import Completeness
     from ecm_extract.lint.workspace import Workspace
@@ -186,7 +187,7 @@ def _places(workspace: Workspace, request: Request) -> Places:
 
 
 def _read(tree: Tree, options: Options, parsed: dict[str, Any]) -> PackagesRead:
-    from ecm_extract.entities.side import read_packages
+    from ecm_extract.entities.workspace import read_packages
 
     return read_packages(tree, options, parsed)
 
@@ -225,7 +226,7 @@ class Base(NamedTuple):
 def _base(now: Tree, request: Request, parsed: dict[str, Any]) -> Base:
     """Lint the base in another process, while this one lints the state of now."""
     from ecm_extract.diff.baseline import open_base
-    from ecm_extract.entities.side import side_of
+    from ecm_extract.entities.workspace import side_of
     from ecm_extract.parallel_work import meanwhile
 
     tree, info = open_base(str(request.base), _folder(request), now, request.base_tip)
@@ -245,7 +246,7 @@ def _brought_in(
     from ecm_extract.diff.run import Request as Comparing
     from ecm_extract.diff.run import compared
     from ecm_extract.diff.sides import Sides
-    from ecm_extract.entities.side import side_of
+    from ecm_extract.entities.workspace import side_of
     from ecm_extract.lint.base import change_findings, new_findings
     from ecm_extract.requires.collect import consumers
 

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from ecm_checker.finding import Finding
 
 from ecm_extract.lint.rule import LintRule
-from ecm_extract.lint.workspace import Workspace
+
+if TYPE_CHECKING:
+    from ecm_extract.lint.workspace import Workspace
 
 RULE = LintRule(
     id="LNT030",
