@@ -15,8 +15,9 @@ import msgspec
 from ecm_checker.hub.requirement import Given, Requirement
 from ecm_parsers.launch.model import Action, Group, Include, Node, ParameterFile, ParameterValue, Remap, Template
 
-from ecm_extract.entities.launch import launch_files, written
+from ecm_extract.entities.launch import launch_files
 from ecm_extract.entities.side_texts import SideTexts
+from ecm_extract.entities.written_text import written
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.place import Place, required
 from ecm_extract.tree import Tree
