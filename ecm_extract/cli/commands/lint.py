@@ -256,9 +256,24 @@ def _brought_in(
     infos = base.info, RefInfo(request.path, tree.commit, "named")
     comparing = Comparing(base.tree, tree, _folder(request), "", infos)
     comparison = compared(comparing, Sides(old, after, lambda: consumers(now)), {})
+    comparison = _with_accepted(comparison, (base.tree, tree), workspace, request)
     changes = change_findings(comparison, base.tree, tree)
     wanted = [each for each in changes if not request.select or each.rule in request.select]
     return [*new_findings(found, before), *wanted], comparison
+
+
+def _with_accepted(
+    comparison: Comparison, trees: tuple[Tree, Tree], workspace: Workspace, request: Request
+) -> Comparison:
+    """Note which changes are accepted: a version step need not tell of them."""
+    from ecm_extract.answers.accepted_file import accepted_file, accepted_in
+    from ecm_extract.answers.answered import Answers
+    from ecm_extract.answers.comparison import answerable, answered_comparison
+
+    rows = accepted_in(accepted_file(_folder(request)))
+    answers = Answers(rows, workspace.files.read, datetime.now(tz=UTC).date(), ())
+    answered, _ = answered_comparison(comparison, answerable(comparison, trees), answers)
+    return msgspec.structs.replace(comparison, accepted=answered.accepted)
 
 
 def _folder(request: Request) -> Path:
@@ -354,7 +369,7 @@ def _say(answered: Answered, request: Request, read: Completeness) -> None:
     counts = {
         level: sum(each.severity == level for each in answered.findings) for level in ("error", "warning", "info")
     }
-    shown = ", ".join(f"{count} {level}" for level, count in counts.items() if count) or "nothing found"
+    shown = ", ".join(_counted(count, level) for level, count in counts.items() if count) or "nothing found"
     shown += "" if read.complete else " in what could be read"
     suppressed = f", {answered.suppressed} answered" if answered.suppressed else ""
     click.echo(f"{shown}{suppressed}", err=True)
@@ -363,6 +378,11 @@ def _say(answered: Answered, request: Request, read: Completeness) -> None:
         click.echo(f"unused: {line}", err=True)
     for line in unread_lines(each for each in read.unread if each.carries):
         click.echo(f"not read: {line}", err=True)
+
+
+def _counted(count: int, level: str) -> str:
+    """`1 error`, `2 errors`; an info has no plural."""
+    return f"{count} {level}{'' if count == 1 or level == 'info' else 's'}"
 
 
 def _status(findings: tuple[Finding, ...], fail_on: str, read: Completeness) -> int:
