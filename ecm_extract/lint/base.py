@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from typing import Final
 
 import msgspec
 from ecm_checker.contract import Evidence
@@ -10,6 +11,7 @@ from ecm_checker.finding import Entity, Finding
 from ecm_checker.release import Change, fingerprint_of
 from ecm_parsers.package_xml import parse
 
+from ecm_extract.diff.break_findings import RULE as BREAK
 from ecm_extract.diff.model import Comparison
 from ecm_extract.diff.steps import ShortStep, short_steps
 from ecm_extract.discover import discover
@@ -17,6 +19,9 @@ from ecm_extract.lint.hunks import landing_line
 from ecm_extract.lint.rules.lnt019 import RULE
 from ecm_extract.lint.rules.lnt030 import RULE as BUMP
 from ecm_extract.tree import Tree
+
+OF_CHANGES: Final = frozenset({RULE.id, BUMP.id, BREAK})
+"""Rules that say something only where two states are compared."""
 
 
 def new_findings(now: Iterable[Finding], before: Iterable[Finding]) -> list[Finding]:

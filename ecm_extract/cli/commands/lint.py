@@ -115,6 +115,7 @@ def command(**options: Any) -> int:
     if request.base_tip and request.base is None:
         message = "--base-tip says how to take --base REF, which is not given"
         raise click.UsageError(message, click.get_current_context())
+    _refuse_change_rules_alone(request)
     with progress_bar() as progress:
         findings, workspace, read = _findings(request, progress)
     if request.write_baseline:
@@ -139,6 +140,15 @@ def _selected(texts: tuple[str, ...]) -> frozenset[str]:
     from ecm_extract.rule_pages import lint_rule_ids
 
     return rules_meant(texts, lint_rule_ids())
+
+
+def _refuse_change_rules_alone(request: Request) -> None:
+    """A rule that tells of a change finds nothing in a tree alone, which must not look like nothing there."""
+    from ecm_extract.lint.base import OF_CHANGES
+
+    if request.base is None and request.select and request.select <= OF_CHANGES:
+        message = f"{min(request.select)} tells what a change does, and no base is given to compare with"
+        raise InputError(message, "add --base REF")
 
 
 class Linted(NamedTuple):
