@@ -11,6 +11,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import signal
 import sys
@@ -30,6 +31,8 @@ DEBUG_VARIABLE: Final = "ECM_DEBUG"
 ISSUES: Final = "the issue tracker of ecm-extract"
 
 _USAGE, _FAILED, _INTERRUPTED, _PIPE_CLOSED, _TERMINATED = 2, 3, 130, 141, 143
+_SHOWN: Final = 60
+"""Characters of a name that is too long."""
 
 
 class TerminatedError(KeyboardInterrupt):
@@ -96,6 +99,8 @@ def _end_of(error: Exception) -> _End:
     if full is not None:
         abandon_output()
         return _End(full.exit_status, full.message, full.hint)
+    if isinstance(error, OSError) and error.errno == errno.ENAMETOOLONG:
+        return _End(_USAGE, f"no file, folder or ref has a name of that length: {str(error.filename)[:_SHOWN]}...")
     if os.environ.get(DEBUG_VARIABLE):
         traceback.print_exception(error)
     return _End(

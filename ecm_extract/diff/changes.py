@@ -10,13 +10,14 @@ from ecm_checker.release import Change
 
 from ecm_extract.diff.causes import one_cause
 from ecm_extract.diff.duties import old_duties
-from ecm_extract.diff.effects import EFFECTS, Difference, added_breaks
+from ecm_extract.diff.effects import EFFECTS, Difference, added_breaks, no_longer_set, set_now
 from ecm_extract.diff.folding import folded
 from ecm_extract.diff.model import Located, Pair
 from ecm_extract.diff.pair import CONTAINERS
 from ecm_extract.diff.successors import stated_successor
 from ecm_extract.diff.wire import nested_changes, wire_note
 from ecm_extract.entities.model import Key, PublicEntity
+from ecm_extract.entities.parameter_settings import SETTING
 from ecm_extract.entities.side import Side
 
 Names = set[tuple[str, str, str, str]]
@@ -70,7 +71,7 @@ def _of_pair(pair: Pair, gone: Names, fresh: Names, duties: frozenset[Key]) -> I
         yield Located(_record(pair, _removal(pair.old)), pair)
     elif pair.new is not None and not _is_covered(pair.new, fresh):
         why = added_breaks(pair.new) if pair.new.key not in duties else None
-        yield Located(_record(pair, Difference("added", why is not None, why or "new")), pair)
+        yield Located(_record(pair, _addition(pair.new, why)), pair)
 
 
 def _is_covered(entity: PublicEntity, containers: Names) -> bool:
@@ -99,7 +100,15 @@ def _is_implicit(entity: PublicEntity) -> bool:
     return own == entity.name and all(form.types in given for form in entity.forms)
 
 
+def _addition(entity: PublicEntity, why: str | None) -> Difference:
+    if entity.kind == SETTING:
+        return set_now(entity)
+    return Difference("added", why is not None, why or "new")
+
+
 def _removal(entity: PublicEntity) -> Difference:
+    if entity.kind == SETTING:
+        return no_longer_set(entity)
     reason = _REASONS.get(entity.kind, "gone; code that uses it no longer builds")
     if entity.deprecated:
         reason = f"{reason}; it was deprecated: {entity.deprecated[:200]}"

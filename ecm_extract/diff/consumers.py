@@ -64,8 +64,13 @@ def _is_led_elsewhere(requirement: Requirement, package: str, remaps: Sequence[R
     """Whether a launch file connects the name that a program uses: then the remap is what breaks, or nothing."""
     if requirement.use not in _IN_GRAPH:
         return False
-    own = [each for each in remaps if each.package == package and _bare(each.name) == _bare(requirement.name)]
-    return bool(own) and all(_bare(each.said) != _bare(requirement.name) for each in own)
+    return any(each.package == package and _is_own(each.name, requirement.name) for each in remaps)
+
+
+def _is_own(remapped: str, used: str) -> bool:
+    """Whether a remap is of a name that its program uses; a private one may be told below the name of the node."""
+    private = remapped.startswith("~") and graph_name_matches(remapped, used)
+    return private or _bare(remapped) == _bare(used)
 
 
 def _bare(name: str) -> str:
@@ -146,6 +151,8 @@ def _lost(requirement: Requirement, located: Located, consumer: Consumer, broken
     if requirement.use == "names_symbol" and new is not None and new.name == old.name:
         return None  # the include that brought it is what is gone
     for entity in broken.after.named(requirement, consumer):
+        if requirement.use == "remaps" and entity.facet != old.facet:
+            continue  # a remap leads to a side; who listens does not take the place of who spoke
         known = entity.package == old.package or not entity.is_computed or entity.name == old.name
         if known and misfit(requirement, entity) is None:
             return None

@@ -16,11 +16,12 @@ from ecm_extract.diff.conversions import returns_as_well, takes
 from ecm_extract.diff.model import Pair
 from ecm_extract.diff.similarity import words
 from ecm_extract.entities.model import Form, PublicEntity
+from ecm_extract.entities.parameter_settings import SETTING
 
 _RELIABILITY: Final = ("best_effort", "reliable")
 _DURABILITY: Final = ("volatile", "transient_local")
 _LATCHED: Final = "transient_local"
-_WITH_DEFAULT: Final = frozenset({"parameter", "constant", "message_field", "launch_argument", "bt_port"})
+_WITH_DEFAULT: Final = frozenset({"parameter", "constant", "message_field", "launch_argument", "bt_port", SETTING})
 _ENDPOINTS: Final = frozenset({"topic", "service", "action"})
 _GLOBAL: Final = frozenset({"plugin", "frame", "command_interface"})
 """Names that are the same wherever they are declared."""
@@ -97,7 +98,8 @@ def default_changed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterato
         return
     in_message = old.kind == "constant" and "/" in old.owner
     dimension = _dimension(old.name)
-    reason = f"default {old.default!r} became {new.default!r}"
+    what = "the value that the file sets" if old.kind == SETTING else "default"
+    reason = f"{what} {old.default!r} became {new.default!r}"
     if in_message:
         reason = f"value {old.default!r} became {new.default!r}: both sides run, each means another thing"
     values = str(old.default), str(new.default)
@@ -227,6 +229,18 @@ EFFECTS: Final[tuple[Effect, ...]] = (
     signature_changed,
     deprecated,
 )
+
+
+def no_longer_set(entity: PublicEntity) -> Difference:
+    """A parameter file that no longer sets a value leaves it to the node."""
+    reason = "the file no longer sets it: the default of the node counts"
+    return Difference("default_changed", False, reason, _dimension(entity.name), old_value=str(entity.default))
+
+
+def set_now(entity: PublicEntity) -> Difference:
+    """A parameter file that sets a value now takes the place of the node's default."""
+    reason = "the file sets it now, in the place of the node's default"
+    return Difference("default_changed", False, reason, _dimension(entity.name), new_value=str(entity.default))
 
 
 def added_breaks(entity: PublicEntity) -> str | None:

@@ -26,9 +26,11 @@ from ecm_extract.diff.same_form import given_away, only_ones
 from ecm_extract.diff.same_line import same_lines
 from ecm_extract.diff.same_stem import other_endings
 from ecm_extract.diff.scores import score
+from ecm_extract.diff.settings import SettingFiles
 from ecm_extract.diff.similarity import in_package, last_part, same_language
 from ecm_extract.diff.successors import stated_successor
 from ecm_extract.entities.model import LAUNCHED, Key, PublicEntity
+from ecm_extract.entities.parameter_settings import SETTING
 
 CONTAINERS = ("package", "message", "class", "bt_node", "launch_file")
 _FOLLOWING = frozenset({"message_field", "member", "method", "constant", "bt_port", "launch_argument"})
@@ -79,9 +81,10 @@ class Pairing:
             self._learn(kind)
             self._with_their_package(kind)
         self._nodes()
+        self._settings()
         self._follow()
         self._with_their_module()
-        kinds = {key[0] for key in self.old} - {*CONTAINERS, "node"}
+        kinds = {key[0] for key in self.old} - {*CONTAINERS, "node", SETTING}
         self._inherited()
         self._reshaped()
         self._endings()
@@ -134,6 +137,16 @@ class Pairing:
         for side in (self.old, self.new):
             for entity in list(side.values()):
                 if entity.kind == "node" and (entity.facet == LAUNCHED or entity.name == HOLE):
+                    side.pop(entity.key)
+
+    def _settings(self) -> None:
+        """What parameter files set, in files that are on both sides."""
+        files = SettingFiles(self.all_old, self.all_new, self.evidence.files)
+        for found in list(files.pairs(self.old.values(), self.new.values())):
+            self.take(found)
+        for side in (self.old, self.new):
+            for entity in list(side.values()):
+                if entity.kind == SETTING and files.is_one_sided(entity, side is self.old):
                     side.pop(entity.key)
 
     def _with_their_package(self, kind: str) -> None:

@@ -73,9 +73,9 @@ def backport_line(comparison: Comparison, changes: Sequence[Change]) -> str:
     required = required_bump(changes)
     if required == "major":
         count = sum(change.breaking for change in changes)
-        return (
-            f"backport: no, {count} breaking changes; REP 2004 allows only patch and minor in a released distribution"
-        )
+        told = f"{count} breaking change{'' if count == 1 else 's'}"
+        return f"backport: no, {told}; REP 2004 allows only patch and minor in a released distribution"
     if not comparison.verdict.complete:
         return f"backport: unknown, {required} in what could be read (REP 2004)"
-    return f"backport: yes, {required} only (REP 2004)"
+    needed = "nothing that needs a step" if required == "none" else f"{required} only"
+    return f"backport: yes, {needed} (REP 2004)"

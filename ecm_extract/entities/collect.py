@@ -14,11 +14,12 @@ from ecm_extract.entities.cpp import cpp_entities
 from ecm_extract.entities.descriptions import description_entities
 from ecm_extract.entities.endpoints import endpoint_entities
 from ecm_extract.entities.interfaces import interface_entities
-from ecm_extract.entities.launch import launch_entities
+from ecm_extract.entities.launch import launch_entities, launch_files
 from ecm_extract.entities.model import Key, PublicEntity
 from ecm_extract.entities.naming import at_their_names
 from ecm_extract.entities.nodes import node_entities
 from ecm_extract.entities.packaging import packaging_entities
+from ecm_extract.entities.parameter_settings import parameter_settings
 from ecm_extract.entities.python import python_entities
 from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.entities.written_lines import with_lines
@@ -95,5 +96,7 @@ def _of_package(
     yield from cpp_entities(facts)
     yield from python_entities(facts)
     yield from bt_entities(facts, ports)
-    yield from launch_entities(texts, facts)
+    launches = list(launch_files(texts, facts))
+    yield from launch_entities(facts, launches)
+    yield from parameter_settings(texts, facts, launches)
     yield from description_entities(texts, facts)

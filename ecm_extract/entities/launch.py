@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import PurePosixPath
 
 import msgspec
-from ecm_parsers.launch.model import Action, Argument, Group, LaunchFile, Substitution, Template
+from ecm_parsers.launch.model import Action, Argument, Group, LaunchFile
 
 from ecm_extract.discover import is_test_path
 from ecm_extract.entities.launch_reads import is_open, reads
 from ecm_extract.entities.model import PublicEntity
 from ecm_extract.entities.nodes import launched_nodes
 from ecm_extract.entities.side_texts import SideTexts
+from ecm_extract.entities.written_text import written
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.system.launch_files import is_launch_file, read_launch
 from ecm_extract.tree import Tree
@@ -20,9 +21,9 @@ from ecm_extract.tree import Tree
 MAX_BYTES = 1_000_000
 
 
-def launch_entities(texts: SideTexts, facts: PackageFacts) -> Iterator[PublicEntity]:
+def launch_entities(facts: PackageFacts, launches: Sequence[tuple[str, LaunchFile]]) -> Iterator[PublicEntity]:
     """Yield the launch files of a package, their arguments and nodes; a file goes by its name, as for `ros2 launch`."""
-    for path, file in launch_files(texts, facts):
+    for path, file in launches:
         name = PurePosixPath(path).name
         base = PublicEntity(kind="launch_argument", package=facts.name, owner=name, name="", path=path, line=1)
         yield msgspec.structs.replace(base, kind="launch_file", owner="", name=name, open=is_open(file))
@@ -61,12 +62,3 @@ def arguments(actions: Iterable[Action]) -> Iterator[Argument]:
             yield action
         elif isinstance(action, Group):
             yield from arguments(action.actions)
-
-
-def written(template: Template) -> str:
-    """Return a text in one writing, whatever the syntax of the launch file: `$(find a)/b`."""
-    return "".join(part if isinstance(part, str) else _substitution(part) for part in template)
-
-
-def _substitution(part: Substitution) -> str:
-    return f"$({' '.join([part.kind, *(written(arg) for arg in part.args)])})"

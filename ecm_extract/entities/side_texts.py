@@ -1,4 +1,4 @@
-"""What entities are read from beside facts: launch files, descriptions, and sources that speak of the end of something.
+"""What entities are read from beside facts: launch files, descriptions, YAML files, sources that speak of an end.
 
 All of it is read in one go: of a git ref, a process for each package would cost more than reading.
 """
@@ -14,6 +14,7 @@ from ecm_extract.system.launch_files import is_launch_file
 from ecm_extract.tree import Tree
 
 DESCRIPTIONS: Final = (".urdf", ".xacro")
+PARAMETERS: Final = (".yaml", ".yml")
 _HEADERS: Final = (".h", ".hh", ".hpp", ".hxx")
 _ENDS: Final = re.compile(rb"[Dd]eprecat|DEPRECAT|[Oo]bsolete")
 
@@ -30,7 +31,7 @@ class SideTexts:
         self._whole: dict[str, bytes] = {}
         self.speaking: dict[str, bytes] = {}
         listed = [entry.path for facts in packages for entry in facts.root.files]
-        whole = {path for path in listed if path.endswith(DESCRIPTIONS) or is_launch_file(path)}
+        whole = {path for path in listed if path.endswith((*DESCRIPTIONS, *PARAMETERS)) or is_launch_file(path)}
         searched = {path for facts in packages for path in (*facts.sources, *facts.interfaces)}
         searched |= {path for path in listed if path.endswith(_HEADERS)}
         for path, data in tree.read_many(sorted(whole | searched)):
@@ -40,7 +41,7 @@ class SideTexts:
                 self.speaking[path] = data
 
     def read_many(self, paths: Iterable[str]) -> Iterator[tuple[str, bytes]]:
-        """Yield path and content of launch files and descriptions, in the order asked for; of others from the tree."""
+        """Yield path and content in the order asked for; what is no launch file, description or YAML is read anew."""
         for path in paths:
             if path in self._whole:
                 yield path, self._whole[path]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from typing import Final
 
 import msgspec
 from ecm_checker.contract import Evidence
@@ -10,13 +11,17 @@ from ecm_checker.finding import Entity, Finding
 from ecm_checker.release import Change, fingerprint_of
 from ecm_parsers.package_xml import parse
 
-from ecm_extract.diff.model import Comparison, PackageVerdict
-from ecm_extract.diff.steps import is_enough
+from ecm_extract.diff.break_findings import RULE as BREAK
+from ecm_extract.diff.model import Comparison
+from ecm_extract.diff.steps import ShortStep, short_steps
 from ecm_extract.discover import discover
 from ecm_extract.lint.hunks import landing_line
 from ecm_extract.lint.rules.lnt019 import RULE
 from ecm_extract.lint.rules.lnt030 import RULE as BUMP
 from ecm_extract.tree import Tree
+
+OF_CHANGES: Final = frozenset({RULE.id, BUMP.id, BREAK})
+"""Rules that say something only where two states are compared."""
 
 
 def new_findings(now: Iterable[Finding], before: Iterable[Finding]) -> list[Finding]:
@@ -31,21 +36,16 @@ def change_findings(comparison: Comparison, old: Tree, new: Tree) -> Iterator[Fi
     for change in comparison.changes:
         if change.breaking and not change.cause:
             yield where_made(change, old, new)
-    for package in comparison.packages:
-        yield from _bumped(package, new)
+    for step in short_steps(comparison):
+        if step.old_version != step.new_version and step.declared is not None:
+            yield _bumped(step, new)
 
 
-def _bumped(package: PackageVerdict, new: Tree) -> Iterator[Finding]:
-    """A change that leaves the version alone is no release, so it asks for nothing."""
-    required, declared = package.verdict.required_bump, package.verdict.declared_bump
-    if package.old_version == package.new_version or declared is None:
-        return
-    if not is_enough(declared, required, package.old_version):
-        text = (
-            f"{package.package} goes from {package.old_version} to {package.new_version}, its changes need {required}"
-        )
-        entity = Entity("package", f"{package.old_version} {package.new_version}", required)
-        yield BUMP.finding(text, entity, package.package, _manifest(package.package, new), certainty="likely")
+def _bumped(step: ShortStep, new: Tree) -> Finding:
+    """A change that leaves the version alone is no release, so it asks for nothing; nor does what was accepted."""
+    text = f"{step.package} goes from {step.old_version} to {step.new_version}, its changes need {step.required}"
+    entity = Entity("package", f"{step.old_version} {step.new_version}", step.required)
+    return BUMP.finding(text, entity, step.package, _manifest(step.package, new), certainty="likely")
 
 
 def _manifest(package: str, tree: Tree) -> list[Evidence]:
@@ -68,7 +68,7 @@ def as_finding(change: Change, places: Iterable[Evidence] = ()) -> Finding:
     name = change.old or change.new or ""
     renamed = change.old and change.new and change.old != change.new
     became = f"becomes {change.new}" if renamed else change.change.replace("_", " ")
-    text = f"{change.kind} {name} of {change.package} {became}"
+    text = f"{change.kind.replace('_', ' ')} {name} of {change.package} {became}"
     entity = Entity(change.kind, change.old or "", change.new or "")
     found = RULE.finding(text, entity, change.package, places, certainty="likely")
     return msgspec.structs.replace(found, fingerprint=fingerprint_of(change))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from difflib import SequenceMatcher
+from typing import Final
 
 from unidiff.errors import UnidiffParseError
 from unidiff.patch import PatchSet
@@ -16,6 +17,9 @@ class PatchError(InputError):
     """A patch that cannot be read."""
 
 
+_FORM: Final = "give a unified diff, as `git diff` writes it"
+
+
 def touched_lines(text: str) -> dict[str, set[int]]:
     """Return the lines that a patch adds or that stand beside what it removes, by path of the new file.
 
@@ -24,9 +28,12 @@ def touched_lines(text: str) -> dict[str, set[int]]:
     """
     try:
         patch = PatchSet(text)
-    except (UnidiffParseError, ValueError) as error:  # the latter for line numbers of thousands of digits
+    except UnidiffParseError as error:
         message = f"the patch cannot be read: {error}"
-        raise PatchError(message, "give a unified diff, as `git diff` writes it") from None
+        raise PatchError(message, _FORM) from None
+    except ValueError:
+        message = "the patch cannot be read: a line number of it has thousands of digits"
+        raise PatchError(message, _FORM) from None
     found: dict[str, set[int]] = {}
     for file in patch:
         lines = found.setdefault(file.path, set())

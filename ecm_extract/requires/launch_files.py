@@ -15,8 +15,9 @@ import msgspec
 from ecm_checker.hub.requirement import Given, Requirement
 from ecm_parsers.launch.model import Action, Group, Include, Node, ParameterFile, ParameterValue, Remap, Template
 
-from ecm_extract.entities.launch import launch_files, written
+from ecm_extract.entities.launch import launch_files
 from ecm_extract.entities.side_texts import SideTexts
+from ecm_extract.entities.written_text import written
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.place import Place, required
 from ecm_extract.tree import Tree
@@ -92,16 +93,31 @@ def _of_node(action: Node, scope: _Scope) -> Iterator[Requirement]:
     if plugin:
         yield required("loads_plugin", plugin, place)
     yield from _names(action, place)
+    home = _home(action)
     for remap in action.remaps:
-        yield _remap(remap, scope, package or plugin.replace("::", "/").partition("/")[0])
+        yield _below_node(_remap(remap, scope, home), plain(action.name or ()))
         yield from _reached(remap, scope.place(remap.line))
     for source in action.parameters:
         at = scope.place(source.line or action.line)
         if isinstance(source, ParameterFile):
             yield from _of_file(source.path, at)
         else:
-            yield from _of_parameter(source, at, package)
+            yield from _of_parameter(source, at, home)
     yield from _of_actions(action.components, scope)
+
+
+def _home(action: Node) -> str:
+    """The package of what runs: a program that loads a class, as `nodelet`, runs what is of the package of that."""
+    package, plugin = plain(action.package), plain(action.plugin)
+    loaded = plugin.replace("::", "/").partition("/")[0]
+    return loaded if loaded and (action.executable or not package) else package
+
+
+def _below_node(remap: Requirement, node: str) -> Requirement:
+    """A name that begins with the node's own is its private one: `arm/state` of `arm` is `~/state`."""
+    if node and remap.name.startswith(f"{node}/"):
+        return msgspec.structs.replace(remap, name=f"~{remap.name.removeprefix(node)}")
+    return remap
 
 
 def _names(action: Node, place: Place) -> Iterator[Requirement]:

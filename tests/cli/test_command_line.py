@@ -213,3 +213,16 @@ def test_an_option_is_no_command(capsys: pytest.CaptureFixture[str]) -> None:
     err = capsys.readouterr().err
     assert "did you mean" not in err
     assert "Missing argument 'PATH'" in err
+
+
+@pytest.mark.parametrize(
+    "line", [["diff", "{}", "."], ["system", "{}"], ["diff", ".", ".", "--consumer", "{}"], ["lint", "{}"]]
+)
+def test_a_name_of_any_length_is_wrong_input(
+    line: list[str], capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The system refuses to look for it; that is no fault of the tool."""
+    (tmp_path / "package.xml").write_text("<package format='3'><name>a</name><version>1.0.0</version></package>")
+    monkeypatch.chdir(tmp_path)
+    assert run([word.format("a" * 5000) for word in line]) == 2
+    assert len(capsys.readouterr().err) < 7000

@@ -64,3 +64,10 @@ def test_explain_takes_any_case(capsys: pytest.CaptureFixture[str]) -> None:
 
 def test_levels_in_the_configuration() -> None:
     assert parse_config(b"[severity]\nlnt001 = 'off'\n").severity == {"LNT001": "off"}
+
+
+@pytest.mark.parametrize("rule", ["VER001", "LNT019", "LNT030"])
+def test_rules_of_a_change_need_a_base(rule: str, capsys: pytest.CaptureFixture[str]) -> None:
+    """Nothing found without a comparison would be a wrong all-clear."""
+    assert run(["lint", ".", "--select", rule]) == 2
+    assert capsys.readouterr().err.endswith("hint: add --base REF\n")

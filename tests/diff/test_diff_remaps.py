@@ -16,10 +16,12 @@ PUBLISHES = 'p_ = create_publisher<std_msgs::msg::Bool>("%s", 1);'
 LISTENS = 's_ = create_subscription<std_msgs::msg::Bool>("%s", 1, nullptr);'
 
 
-def _lines(tmp_path: Path, capsys: pytest.CaptureFixture[str], listens: str, launch: str) -> dict[str, list[int]]:
+def _lines(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], listens: str, launch: str, below: str = ""
+) -> dict[str, list[int]]:
     repo, user = tmp_path / "arm", tmp_path / "user"
     for tag, name in (("1.0.0", "events/bumper"), ("2.0.0", "events/contact")):
-        files = {"CMakeLists.txt": ROOT.format(name="arm"), "src/arm.cpp": node(PUBLISHES % name)}
+        files = {"CMakeLists.txt": ROOT.format(name="arm"), "src/arm.cpp": node(PUBLISHES % (below + name))}
         release(repo, {"package.xml": package("arm", tag), **files}, tag)
     files = {
         "CMakeLists.txt": ROOT.format(name="user"),
@@ -55,3 +57,28 @@ def test_a_remap_is_what_breaks(
 ) -> None:
     """The line that names the old name, in a launch file as in a program; a program that is led elsewhere does not."""
     assert _lines(tmp_path, capsys, listens, launch) == expected
+
+
+NAMED = """<launch>
+<node pkg="{pkg}" exec="{pkg}" name="{name}">
+<remap from="{name}/{old}" to="{new}"/>
+</node>
+</launch>
+"""
+
+
+@pytest.mark.parametrize(
+    ("listens", "launch", "expected"),
+    [
+        ("~/events/bumper", NAMED.format(name="u", pkg="user", old="events/bumper", new="base/events/bumper"), True),
+        ("~/hit", NAMED.format(name="u", pkg="user", old="hit", new="base/events/bumper"), True),
+        ("~/events/bumper", NAMED.format(name="u", pkg="user", old="events/bumper", new="base/other"), False),
+        ("hit", NAMED.format(name="a", pkg="arm", old="events/bumper", new="hit"), True),
+    ],
+)
+def test_a_name_below_the_node_is_its_private_one(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], listens: str, launch: str, expected: bool
+) -> None:
+    """`u/events/bumper` of the node `u` is `~/events/bumper`; who listens is not who speaks."""
+    found = _lines(tmp_path, capsys, listens, launch, "~/")
+    assert found == ({"launch/a.launch.xml": [3]} if expected else {})

@@ -77,6 +77,22 @@ def test_version_that_is_raised_too_little(
     assert (("LNT030", "demo/package.xml", 4) in found) is said
 
 
+def test_a_version_step_need_not_tell_what_is_accepted(repository: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """One accept of a change answers the version that it would need, as in diff."""
+    source = repository / "demo" / "src" / "base.cpp"
+    source.write_text("\n".join(line for line in source.read_text().splitlines() if "max_speed" not in line))
+    manifest = repository / "demo" / "package.xml"
+    manifest.write_text(manifest.read_text().replace("1.0.0", "1.0.1"))
+    assert {"LNT019", "LNT030"} <= {rule for rule, _, _ in lint(repository, capsys)}
+    run(["lint", str(repository), "--preview", "--base", "HEAD", "--format", "json"])
+    shown = json.loads(capsys.readouterr().out)["findings"]
+    fingerprints = {each["fingerprint"] for each in shown if each["rule"] == "LNT019"}
+    for each in fingerprints:
+        run(["accept", each, "--reason", "meant", "--path", str(repository), "--force"])
+    capsys.readouterr()
+    assert not {"LNT019", "LNT030"} & {rule for rule, _, _ in lint(repository, capsys)}
+
+
 @pytest.mark.parametrize(
     ("old", "new", "line", "lands"),
     [

@@ -48,6 +48,10 @@ LAUNCH_XML = """<launch>
     <remap from="joints" to="/arm/joints"/>
   </node>
   <rosparam file="$(find arm_bringup)/config/arm.yaml"/>
+  <node pkg="nodelet" type="nodelet" name="hand" args="load hand/Hand manager">
+    <param name="force" value="3"/>
+    <remap from="hand/state" to="arm/state"/>
+  </node>
 </launch>
 """
 PARAMETERS = """arm_node:
@@ -102,6 +106,8 @@ CASES: dict[str, tuple[int, dict[str, str], list[dict[str, Any]]]] = {
             {"use": "gives_parameter", "package": "arm", "name": "rate", "line": 4},
             {"use": "remaps", "package": "arm", "name": "joints", "said": "/arm/joints", "line": 5},
             {"use": "reads_file", "package": "arm_bringup", "name": "config/arm.yaml", "line": 7},
+            {"use": "gives_parameter", "package": "hand", "name": "force", "line": 9},
+            {"use": "remaps", "package": "hand", "name": "~/state", "said": "arm/state", "line": 10},
         ],
     ),
     "parameters": (

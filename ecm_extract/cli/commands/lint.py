@@ -116,6 +116,7 @@ def command(**options: Any) -> int:
     if request.base_tip and request.base is None:
         message = "--base-tip says how to take --base REF, which is not given"
         raise click.UsageError(message, click.get_current_context())
+    _refuse_change_rules_alone(request)
     with progress_bar() as progress:
         findings, workspace, read = _findings(request, progress)
     if request.write_baseline:
@@ -140,6 +141,15 @@ def _selected(texts: tuple[str, ...]) -> frozenset[str]:
     from ecm_extract.rule_pages import lint_rule_ids
 
     return rules_meant(texts, lint_rule_ids())
+
+
+def _refuse_change_rules_alone(request: Request) -> None:
+    """A rule that tells of a change finds nothing in a tree alone, which must not look like nothing there."""
+    from ecm_extract.lint.base import OF_CHANGES
+
+    if request.base is None and request.select and request.select <= OF_CHANGES:
+        message = f"{min(request.select)} tells what a change does, and no base is given to compare with"
+        raise InputError(message, "add --base REF")
 
 
 class Linted(NamedTuple):
@@ -257,9 +267,24 @@ def _brought_in(
     infos = base.info, RefInfo(request.path, tree.commit, "named")
     comparing = Comparing(base.tree, tree, _folder(request), "", infos)
     comparison = compared(comparing, Sides(old, after, lambda: consumers(now)), {})
+    comparison = _with_accepted(comparison, (base.tree, tree), workspace, request)
     changes = change_findings(comparison, base.tree, tree)
     wanted = [each for each in changes if not request.select or each.rule in request.select]
     return [*new_findings(found, before), *wanted], comparison
+
+
+def _with_accepted(
+    comparison: Comparison, trees: tuple[Tree, Tree], workspace: Workspace, request: Request
+) -> Comparison:
+    """Note which changes are accepted: a version step need not tell of them."""
+    from ecm_extract.answers.accepted_file import accepted_file, accepted_in
+    from ecm_extract.answers.answered import Answers
+    from ecm_extract.answers.comparison import answerable, answered_comparison
+
+    rows = accepted_in(accepted_file(_folder(request)))
+    answers = Answers(rows, workspace.files.read, datetime.now(tz=UTC).date(), ())
+    answered, _ = answered_comparison(comparison, answerable(comparison, trees), answers)
+    return msgspec.structs.replace(comparison, accepted=answered.accepted)
 
 
 def _folder(request: Request) -> Path:
@@ -355,7 +380,7 @@ def _say(answered: Answered, request: Request, read: Completeness) -> None:
     counts = {
         level: sum(each.severity == level for each in answered.findings) for level in ("error", "warning", "info")
     }
-    shown = ", ".join(f"{count} {level}" for level, count in counts.items() if count) or "nothing found"
+    shown = ", ".join(_counted(count, level) for level, count in counts.items() if count) or "nothing found"
     shown += "" if read.complete else " in what could be read"
     suppressed = f", {answered.suppressed} answered" if answered.suppressed else ""
     click.echo(f"{shown}{suppressed}", err=True)
@@ -364,6 +389,11 @@ def _say(answered: Answered, request: Request, read: Completeness) -> None:
         click.echo(f"unused: {line}", err=True)
     for line in unread_lines(each for each in read.unread if each.carries):
         click.echo(f"not read: {line}", err=True)
+
+
+def _counted(count: int, level: str) -> str:
+    """`1 error`, `2 errors`; an info has no plural."""
+    return f"{count} {level}{'' if count == 1 or level == 'info' else 's'}"
 
 
 def _status(findings: tuple[Finding, ...], fail_on: str, read: Completeness) -> int:

@@ -24,6 +24,7 @@ _KINDS = (
     "action",
     "qos",
     "parameter",
+    "parameter_setting",
     "plugin",
     "executable",
     "launch_file",

@@ -1,0 +1,42 @@
+"""What the parameter files of a package set: another value, none any more, or one for the first time.
+
+A setting is judged where its file is on both sides; one of a file that came or went is no change of its own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+
+from ecm_extract.diff.model import Pair
+from ecm_extract.entities.model import Key, PublicEntity
+from ecm_extract.entities.parameter_settings import SETTING
+
+
+class SettingFiles:
+    """The parameter files of both sides.
+
+    Attributes:
+        moved: new path of each file that moved, by its old one.
+    """
+
+    def __init__(
+        self, old: Mapping[Key, PublicEntity], new: Mapping[Key, PublicEntity], moved: Mapping[str, str]
+    ) -> None:
+        self._moved = moved
+        before = {self._now(entity) for entity in old.values() if entity.kind == SETTING}
+        self._both = before & {entity.path for entity in new.values() if entity.kind == SETTING}
+
+    def pairs(self, old: Iterable[PublicEntity], new: Iterable[PublicEntity]) -> Iterator[Pair]:
+        """Yield settings of files that moved, or whose package has another name, with what they became."""
+        after = {(entity.path, entity.name): entity for entity in new if entity.kind == SETTING}
+        for entity in old:
+            found = after.get((self._now(entity), entity.name)) if entity.kind == SETTING else None
+            if found is not None:
+                yield Pair(entity, found)
+
+    def is_one_sided(self, setting: PublicEntity, old: bool) -> bool:
+        """Whether the file of a setting is not on the other side."""
+        return (self._now(setting) if old else setting.path) not in self._both
+
+    def _now(self, entity: PublicEntity) -> str:
+        return self._moved.get(entity.path, entity.path)

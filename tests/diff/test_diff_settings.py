@@ -1,0 +1,82 @@
+"""Parameter files that users get: who starts the launch file of a package runs with their values."""
+
+from __future__ import annotations
+
+import pytest
+from diff_repos import package
+
+CMAKE = "project(arm)\n%s"
+SETUP = "from setuptools import setup\nsetup(name='arm', data_files=[('share/arm/config', ['config/%s'])])\n"
+FILE = "arm:\n  ros__parameters:\n    rate: %s\n"
+MORE = "arm:\n  ros__parameters:\n    more: 1\n"
+LAUNCH = '<launch><node pkg="arm" exec="arm"><param from="$(find-pkg-share arm)/config/arm.yaml"/></node></launch>\n'
+LAUNCH1 = '<launch><rosparam command="load" file="$(find arm)/config/arm.yaml"/></launch>\n'
+ROS1 = package("arm").replace("ament_cmake", "catkin").replace("rclcpp", "roscpp")
+CONFIG = "arm/config/arm.yaml"
+
+
+def _told(found: list[dict[str, object]]) -> list[tuple[object, ...]]:
+    names = ("kind", "change", "owner", "old", "new", "old_value", "new_value", "breaking")
+    return [tuple(each[name] for name in names) for each in found if each["kind"] == "parameter_setting"]
+
+
+@pytest.mark.parametrize(
+    "given",
+    [
+        {"arm/CMakeLists.txt": CMAKE % "install(DIRECTORY config DESTINATION share/arm)\n"},
+        {"arm/CMakeLists.txt": CMAKE % "install(DIRECTORY config/ DESTINATION share/arm)\n"},
+        {"arm/CMakeLists.txt": CMAKE % "install(FILES config/arm.yaml DESTINATION share/arm)\n"},
+        {"arm/setup.py": SETUP % "arm.yaml"},
+        {"arm/setup.py": SETUP % "*.yaml"},
+        {"arm/launch/a.launch.xml": LAUNCH},
+    ],
+)
+def test_a_value_of_a_file_that_users_get(changes, given: dict[str, str]) -> None:  # type: ignore[no-untyped-def]
+    """Another value there is another default, with both values, and breaks nobody."""
+    found = changes({CONFIG: FILE % "10", **given}, {CONFIG: FILE % "20"})
+    setting = ("parameter_setting", "default_changed", "config/arm.yaml", "arm.rate", "arm.rate", "10", "20", False)
+    assert _told(found) == [setting]
+
+
+@pytest.mark.parametrize(
+    "given",
+    [
+        {"arm/CMakeLists.txt": CMAKE % ""},
+        {"arm/CMakeLists.txt": CMAKE % "install(DIRECTORY launch DESTINATION share/arm)\n"},
+        {"arm/CMakeLists.txt": CMAKE % "install(FILES other/arm.yaml DESTINATION share/arm)\n"},
+    ],
+)
+def test_a_file_that_nobody_gets_says_nothing(changes, given: dict[str, str]) -> None:  # type: ignore[no-untyped-def]
+    """A file that is neither installed nor loaded is the maintainers' own."""
+    assert _told(changes({CONFIG: FILE % "10", **given}, {CONFIG: FILE % "20"})) == []
+
+
+def test_ros_1_files_count_where_a_launch_file_loads_them(changes) -> None:  # type: ignore[no-untyped-def]
+    """Any map is a parameter file there, so an installed one that nobody loads says nothing."""
+    rules = CMAKE % "install(DIRECTORY config DESTINATION share/arm)\n"
+    old = {"arm/package.xml": ROS1, "arm/CMakeLists.txt": rules, "arm/launch/a.launch": LAUNCH1}
+    settings = {CONFIG: "rate: 10\n", "arm/config/other.yaml": "a: 1\n"}
+    found = changes({**old, **settings}, {CONFIG: "rate: 20\n", "arm/config/other.yaml": "a: 2\n"})
+    assert [entry[3:7] for entry in _told(found)] == [("rate", "rate", "10", "20")]
+
+
+@pytest.mark.parametrize(
+    ("new", "expected"),
+    [
+        ({CONFIG: FILE % "10\n    more: 1"}, [(None, "arm.more", None, "1")]),
+        (
+            {CONFIG: "arm:\n  ros__parameters:\n    more: 1\n"},
+            [(None, "arm.more", None, "1"), ("arm.rate", None, "10", None)],
+        ),
+        ({CONFIG: None}, []),
+        ({CONFIG: None, "arm/config/renamed.yaml": FILE % "10"}, []),
+        ({CONFIG: None, "arm/config/renamed.yaml": FILE % "10" + "# moved\n"}, []),
+        ({CONFIG: FILE % ".nan"}, [("arm.rate", "arm.rate", "10", "nan")]),
+        ({CONFIG: FILE % "[1, 2]"}, [("arm.rate", "arm.rate", "10", "[1, 2]")]),
+    ],
+)
+def test_settings_that_come_and_go(changes, new: dict[str, str | None], expected: list[tuple[object, ...]]) -> None:  # type: ignore[no-untyped-def]
+    """What a file no longer sets falls back to the node; a file that went is no change of each value."""
+    rules = CMAKE % "install(DIRECTORY config DESTINATION share/arm)\n"
+    found = changes({CONFIG: FILE % "10", "arm/CMakeLists.txt": rules}, new)
+    assert sorted((entry[3:7] for entry in _told(found)), key=str) == sorted(expected, key=str)
