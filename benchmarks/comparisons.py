@@ -7,8 +7,10 @@ import sys
 from pathlib import Path
 
 import msgspec
+from extracted import command
 
-PROGRAM = (sys.executable, "-c", "from ecm_extract.cli import main; main()")
+_INCOMPLETE = 2
+"""Status of a comparison that did not read everything; without a document it is that of a wrong command line."""
 
 
 class Evidence(msgspec.Struct, frozen=True):
@@ -57,10 +59,12 @@ def changes_between(repo: Path, old: str, new: str, saved: Path | None = None) -
 
 
 def _run(repo: Path, old: str, new: str) -> bytes:
-    line = [*PROGRAM, "diff", old, new, "--repo", str(repo), "--format", "json", "--fail-on", "never"]
+    line = [command(), "diff", old, new, "--repo", str(repo), "--format", "json", "--fail-on", "never"]
     done = subprocess.run(line, capture_output=True, check=False)
-    if done.returncode != 0:
+    if done.returncode not in {0, _INCOMPLETE} or not done.stdout:
         sys.exit(f"diff {old} {new} of {repo} ended with status {done.returncode}:\n{done.stderr.decode()[-2000:]}")
+    if done.returncode == _INCOMPLETE:
+        print(f"{repo.name} {old}..{new}: not everything was read, so that rows may be missed", file=sys.stderr)
     return done.stdout
 
 

@@ -17,7 +17,7 @@ DOCUMENT_NAME: Final = "extract.json"
 
 
 def extract_document(extraction: Extraction) -> dict[str, Any]:
-    """Plain data of the extract document.
+    """Data of the extract document; what packages provide and require is JSON text in it.
 
     A diagnostic stands with the innermost package whose folder holds its file; `diagnostics` of the document
     holds the rest.
@@ -40,7 +40,8 @@ def json_document(extraction: Extraction) -> bytes:
 def _package(package: PackageContracts, diagnostics: list[dict[str, Any]]) -> dict[str, Any]:
     head = json_data({"name": package.name, "version": package.version, "path": package.path, "ros": package.ros})
     modules = [encode(module) for module in package.modules]
-    hub: dict[str, Any] = msgspec.json.decode(package.hub) if package.hub else {}
+    # Its parts are canonical JSON already: read as objects they would be the most of the memory of a run.
+    hub = msgspec.json.decode(package.hub, type=dict[str, msgspec.Raw]) if package.hub else {}
     return {**head, "modules": modules, **hub, "diagnostics": diagnostics}
 
 

@@ -5,8 +5,10 @@ from __future__ import annotations
 import json
 
 import jsonschema
+import msgspec
 import pytest
 from ecm_checker import json_schema
+from ecm_checker.hub.package import Hub, encode_hub
 from extractions import BAD_MESSAGE, demo, make_extraction, make_package
 
 from ecm_extract.extraction_model import LocatedDiagnostic
@@ -65,3 +67,13 @@ def test_diagnostic_has_the_published_keys() -> None:
             "message": "no such type; check the name",
         }
     ]
+
+
+def test_what_packages_provide_and_require_stays_text() -> None:
+    """Read as objects it would be the most of the memory of a run over a large tree."""
+    arm = msgspec.structs.replace(make_package("arm"), hub=encode_hub(Hub(quoted=("rate",))))
+    extraction = make_extraction(arm, make_package("leg"))
+    assert isinstance(extract_document(extraction)["packages"][0]["quoted"], msgspec.Raw)
+    first, second = json.loads(json_document(extraction))["packages"]
+    assert first["quoted"] == ["rate"]
+    assert "quoted" not in second
