@@ -23,6 +23,8 @@ _MACRO = re.compile(r"[A-Z][A-Z0-9]*(?:_[A-Z0-9]+){2,}")
 MARKED: Final = "marked deprecated"
 _WORDS = frozenset({"explicit", "virtual", "inline", "static", "friend", "constexpr"})
 """What is left of a declaration behind a macro that was misread."""
+_VIRTUAL = frozenset({"virtual", "pure", "override"})
+"""A class with such a method is made to be derived from: its protected members are for those who do."""
 _CLOSED = frozenset({"private", "anonymous", "deleted"})
 
 
@@ -67,6 +69,7 @@ class _Header:
         self.closed = {qualified(entry) for entry in source.classes if not _CLOSED.isdisjoint(entry.traits)}
         self.classes = {qualified(entry) for entry in source.classes if entry.name}
         self.templates = {qualified(entry): entry.template for entry in source.classes if entry.template}
+        self.derived = {entry.scope for entry in source.functions if not _VIRTUAL.isdisjoint(entry.traits)}
         self.bodies = {f"{entry.scope}::{entry.name}".lstrip(":") for entry in source.functions}
 
     def entities(self, classes: set[str]) -> Iterator[PublicEntity]:
@@ -102,7 +105,8 @@ class _Header:
             line=entry.line,
         )
         for field in (*entry.fields, *self._hidden_fields(entry)):
-            hidden = not {"private", "protected", "static"}.isdisjoint(field.traits) or field.name.startswith("_")
+            hidden = not {"private", "static"}.isdisjoint(field.traits) or field.name.startswith("_")
+            hidden = hidden or ("protected" in field.traits and name not in self.derived)
             if not hidden and not _MACRO.fullmatch(field.type) and field.name not in _WORDS:
                 yield PublicEntity(
                     kind="member",

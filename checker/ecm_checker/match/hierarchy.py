@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from functools import cached_property
 
 from ecm_checker.hub.provision import ALIAS, Key, Provision
@@ -26,6 +26,15 @@ class Bases:
     def named(self, name: str) -> Sequence[Provision]:
         """Return the classes of a qualified name."""
         return self._classes.get(name, ())
+
+    @property
+    def names(self) -> Collection[str]:
+        """Qualified names of all classes."""
+        return self._classes.keys()
+
+    def member(self, cls: str, kind: str, name: str) -> Provision | None:
+        """Return what a class itself has under a name."""
+        return self._members.get((kind, cls, name))
 
     def provider(self, cls: str, kind: str, name: str) -> Provision | None:
         """Return the member that a class inherits under a name, from its base classes only."""

@@ -13,6 +13,7 @@ from ecm_checker.match.consumer import Consumer
 from ecm_checker.match.generated import python_names, section_owners
 from ecm_checker.match.hierarchy import Bases
 from ecm_checker.match.spelling import graph_name_matches, node_matches, parameter_name_matches
+from ecm_checker.match.ways import Ways
 
 
 class Site(msgspec.Struct, frozen=True):
@@ -21,7 +22,7 @@ class Site(msgspec.Struct, frozen=True):
     Attributes:
         folders: packages by what stands first in the includes of their headers.
         bound: dotted names that Python modules offer without declaring them.
-        bases: its class hierarchy.
+        bases: its class hierarchy. ways: to its objects.
     """
 
     requirement: Requirement
@@ -29,6 +30,7 @@ class Site(msgspec.Struct, frozen=True):
     folders: Mapping[str, frozenset[str]]
     bound: frozenset[str]
     bases: Bases
+    ways: Ways
 
     @property
     def path(self) -> str:
@@ -217,7 +219,9 @@ def _member(site: Site, entity: Provision) -> bool:
     wanted = site.requirement
     if _is_section(entity, wanted.owner):
         return entity.own_name == wanted.name
-    return entity.name == wanted.name and entity.owner in site.bases.ancestry(wanted.owner) and not entity.is_python
+    if entity.name != wanted.name or entity.is_python:
+        return False
+    return entity.owner in site.bases.ancestry(site.ways.end(wanted.owner, wanted.scope))
 
 
 def _field(site: Site, entity: Provision) -> bool:
