@@ -13,6 +13,7 @@ from ecm_checker.match.names import called_names
 from ecm_checker.match.provisions import Provisions
 
 from ecm_extract.diff.model import Located
+from ecm_extract.diff.pair import CONTAINERS
 from ecm_extract.entities.side import Side
 
 GONE: Final = frozenset({"removed", "renamed", "moved"})
@@ -34,6 +35,10 @@ class BrokenNames:
         for entry in self._located:
             entity = entry.pair.old
             if entity is not None and _concerns(entry):
+                self._changes[id(entity)].append(entry)
+                changed[id(entity)] = entity
+        for entity, entry in _gone_with_their_whole(self._located, old, new):
+            if id(entity) not in changed:
                 self._changes[id(entity)].append(entry)
                 changed[id(entity)] = entity
         self._changed = Provisions(changed.values(), whole=Provisions(old.entities.values(), old.bound))
@@ -71,6 +76,18 @@ class BrokenNames:
 def _concerns(entry: Located) -> bool:
     counts = entry.change.breaking or entry.change.change == "deprecated"
     return counts and not (entry.pair.how != "same" and entry.change.change in _SECOND)
+
+
+def _gone_with_their_whole(located: Iterable[Located], old: Side, new: Side) -> Iterator[tuple[Provision, Located]]:
+    """Yield what went with its package, class, message or launch file: one change tells of the whole."""
+    removed = [entry for entry in located if entry.change.change == "removed" and entry.change.kind in CONTAINERS]
+    wholes = {entry.pair.old.key[:4]: entry for entry in removed if entry.pair.old is not None}
+    for entity in old.entities.values() if wholes else ():
+        package, owner = entity.package, entity.owner
+        keys = (("package", package, "", package), *((kind, package, "", owner) for kind in CONTAINERS))
+        whole = next((wholes[key] for key in keys if key in wholes), None)
+        if whole is not None and whole.pair.old is not entity and entity.key not in new.entities:
+            yield entity, whole
 
 
 def _layouts(located: Iterable[Located]) -> dict[str, Located]:

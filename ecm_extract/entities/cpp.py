@@ -40,8 +40,9 @@ def cpp_entities(facts: PackageFacts) -> Iterator[PublicEntity]:
 
 
 def _aliases_of_classes(headers: Sequence[_Header], classes: set[str]) -> Iterator[tuple[_Header, Alias]]:
-    """Yield what stands for a class, by way of other aliases too (`using Box = BoxBase<T>`)."""
-    known = set(classes)
+    """Yield what stands for a class or an enumeration, by way of other aliases too (`using Box = BoxBase<T>`)."""
+    enumerations = {entry.scope for header in headers for entry in header.source.constants}
+    known = classes | enumerations
     pending = [(header, alias) for header in headers for alias in header.source.aliases if not alias.local]
     while pending:
         found = [(header, alias) for header, alias in pending if not known.isdisjoint(_targets(alias))]
@@ -50,9 +51,11 @@ def _aliases_of_classes(headers: Sequence[_Header], classes: set[str]) -> Iterat
         pending = [entry for entry in pending if entry not in found] if found else []
 
 
-def _targets(alias: Alias) -> tuple[str, str]:
+def _targets(alias: Alias) -> Iterator[str]:
+    """What the target may be called in full: as written, or in one of the scopes around the alias."""
     target = plain(alias.target)
-    return target, f"{alias.scope}::{target}"
+    parts = alias.scope.split("::") if alias.scope else []
+    yield from ("::".join([*parts[:count], target]) for count in range(len(parts), -1, -1))
 
 
 def _alias_name(alias: Alias) -> str:

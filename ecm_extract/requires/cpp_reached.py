@@ -17,7 +17,6 @@ from ecm_checker.hub.requirement import Given, Requirement
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
 
 from ecm_extract.link.containers import ELEMENT_METHODS
-from ecm_extract.link.env import Env
 from ecm_extract.link.objects import Objects
 from ecm_extract.link.units import Cls, Func
 from ecm_extract.link.walk import dotted, expressions
@@ -31,12 +30,23 @@ _MACRO: Final = re.compile(r"[A-Z][A-Z0-9_]*")
 _OWN: Final = frozenset({"std", "boost"})
 
 
+INSIDE: Final = "its members"
+"""Said of a member that is gone through to what it holds."""
+
+
 class _Touched(msgspec.Struct, frozen=True):
-    """A member at the end of a way, and with how many arguments it is called; -1 where it is read."""
+    """A member at the end of a way.
+
+    Attributes:
+        owner: the way. name: of the member.
+        count: with how many arguments it is called; -1 where it is read.
+        inside: whether members of what it holds are touched, so that its type counts too.
+    """
 
     owner: str
     name: str
     count: int = -1
+    inside: bool = False
 
 
 def reached_requirements(objects: Objects) -> Iterator[tuple[str, Requirement]]:
@@ -51,14 +61,18 @@ def _of_function(func: Func, objects: Objects) -> Iterator[Requirement]:
     ways, lines = _Ways(func, objects), dict[_Touched, dict[int, None]]()
     for statement in func.fact.body:
         called: set[int] = set()
+        inside: set[int] = set()
         for expr, line in expressions(statement):
+            if isinstance(expr, Member):
+                inside.add(id(expr.base))
             if isinstance(expr, Call):
                 called.add(id(expr.callee))
                 found = ways.touched(expr.callee, len(expr.args))
             else:
-                found = () if id(expr) in called else ways.touched(expr)
+                found = iter(()) if id(expr) in called else ways.touched(expr)
             for touched in found:
-                lines.setdefault(touched, {})[line] = None
+                held = msgspec.structs.replace(touched, inside=id(expr) in inside)
+                lines.setdefault(held, {})[line] = None
     scope = func.cls.qualified if func.cls is not None else func.fact.scope
     for touched, at in lines.items():
         yield _required(touched, func, scope, tuple(at))
@@ -70,7 +84,8 @@ def _required(touched: _Touched, func: Func, scope: str, lines: tuple[int, ...])
     use = "reads_member" if touched.count < 0 else "calls_method"
     given = None if touched.count < 0 else Given(count=touched.count)
     place = Place(path, lines[0], f"file {path}")
-    return required(use, touched.name, place, owner=touched.owner, scope=scope, given=given, evidence=evidence)
+    found = required(use, touched.name, place, owner=touched.owner, scope=scope, given=given, evidence=evidence)
+    return msgspec.structs.replace(found, said=INSIDE) if touched.inside else found
 
 
 class _Ways:

@@ -61,8 +61,9 @@ def _of_set(entry: ParameterSet, ros: int, path: str) -> Iterator[Requirement]:
     for text in _texts(entry.value) if entry.name.endswith(MANAGED) and isinstance(entry.value, list) else ():
         yield required("manages", text.strip("/"), place)
     for text in _texts(entry.value):
-        if _CLASS.fullmatch(text):
-            yield required("loads_plugin", text, place)
+        words = text.split()  # a list of plugins may be one text
+        if all(_CLASS.fullmatch(word) for word in words):
+            yield from (required("loads_plugin", word, place) for word in words)
         if _NAMES_FRAME.search(entry.name):
             yield required("names_frame", text, place, "likely", said=entry.name)
 

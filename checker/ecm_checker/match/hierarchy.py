@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 
 from ecm_checker.hub.provision import ALIAS, Key, Provision
@@ -27,10 +27,20 @@ class Bases:
         """Return the classes of a qualified name."""
         return self._classes.get(name, ())
 
-    @property
-    def names(self) -> Collection[str]:
-        """Qualified names of all classes."""
-        return self._classes.keys()
+    def meant(self, name: str, scope: str) -> str | None:
+        """Return the class that a name means in a scope, or the only one that is called so behind a `using`."""
+        known = self.resolve(name, scope)
+        if known is not None:
+            return known
+        named = self._by_last.get(name, frozenset())
+        return next(iter(named)) if len(named) == 1 else None
+
+    @cached_property
+    def _by_last(self) -> Mapping[str, frozenset[str]]:
+        found: dict[str, set[str]] = defaultdict(set)
+        for name in self._classes:
+            found[name.rpartition("::")[2]].add(name)
+        return {last: frozenset(names) for last, names in found.items()}
 
     def member(self, cls: str, kind: str, name: str) -> Provision | None:
         """Return what a class itself has under a name."""

@@ -211,8 +211,13 @@ def _override(site: Site, entity: Provision) -> bool:
     wanted = site.requirement
     if entity.name != wanted.name or entity.is_python or not any(form.virtual for form in entity.forms):
         return False
-    base = site.bases.resolve(wanted.owner, wanted.scope)
-    return base is not None and entity.owner in site.bases.ancestry(base)
+    base = site.bases.meant(wanted.owner, wanted.scope)
+    return base is not None and entity.owner in site.bases.ancestry(base) and _is_seen(site, base, entity)
+
+
+def _is_seen(site: Site, base: str, entity: Provision) -> bool:
+    """Whether a base that is written without its namespace comes by a header of the package that has it."""
+    return site.bases.resolve(site.requirement.owner, site.requirement.scope) == base or _reaches(site, entity.package)
 
 
 def _member(site: Site, entity: Provision) -> bool:

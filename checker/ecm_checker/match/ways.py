@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from functools import cached_property
 from typing import Final
 
 from ecm_checker.hub.provision import Form, Provision
@@ -40,7 +39,7 @@ class Ways:
 
     def _follow(self, way: str, scope: str) -> str:
         first, *steps = way.split(".")
-        cls = self._result(first, scope) if first.endswith(CALL) else self._bases.resolve(first, scope) or first
+        cls = self._result(first, scope) if first.endswith(CALL) else self._bases.meant(first, scope) or first
         for step in steps:
             cls = self._held(cls, step)
         return cls
@@ -69,20 +68,10 @@ class Ways:
     def _named(self, text: str, scope: str) -> str:
         """The first class of the side that a type names; written without its namespace, it must be the only one."""
         for word in _bare(text):
-            found = self._bases.resolve(word, f"{scope}::{word}")
+            found = self._bases.meant(word, f"{scope}::{word}")
             if found is not None:
                 return found
-            known = self._by_last.get(word, frozenset())
-            if len(known) == 1:
-                return next(iter(known))
         return ""
-
-    @cached_property
-    def _by_last(self) -> Mapping[str, frozenset[str]]:
-        found: dict[str, set[str]] = {}
-        for name in self._bases.names:
-            found.setdefault(name.rpartition("::")[2], set()).add(name)
-        return {last: frozenset(names) for last, names in found.items()}
 
 
 def _bare(text: str) -> Iterator[str]:
