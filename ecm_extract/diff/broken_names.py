@@ -6,6 +6,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Final
 
+from ecm_checker.hub.kinds import kinds
 from ecm_checker.hub.provision import Provision
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.match.consumer import Consumer
@@ -19,6 +20,10 @@ from ecm_extract.entities.side import Side
 GONE: Final = frozenset({"removed", "renamed", "moved"})
 _SECOND: Final = frozenset({"type_changed", "default_changed", "signature_changed"})
 """What else changed of a name that is gone: who used the name has that one cause."""
+
+
+_NAMED_ALONE: Final = frozenset({"plugin", "bt_node"})
+"""Kinds that any package may offer, by names that only one has; a topic or parameter may be another's of that name."""
 
 
 class BrokenNames:
@@ -86,7 +91,8 @@ def _gone_with_their_whole(located: Iterable[Located], old: Side, new: Side) -> 
         package, owner = entity.package, entity.owner
         keys = (("package", package, "", package), *((kind, package, "", owner) for kind in CONTAINERS))
         whole = next((wholes[key] for key in keys if key in wholes), None)
-        if whole is not None and whole.pair.old is not entity and entity.key not in new.entities:
+        alone = kinds()[entity.kind].world == "package" or entity.kind in _NAMED_ALONE
+        if whole is not None and whole.pair.old is not entity and alone and entity.key not in new.entities:
             yield entity, whole
 
 

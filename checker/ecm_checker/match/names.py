@@ -117,7 +117,15 @@ def _parameter(site: Site, entity: Provision) -> bool:
         return False
     if not parameter_name_matches(entity.name, wanted.name):
         return False
+    if entity.is_computed and _is_of_other_plugin(site, entity):
+        return False
     return wanted.ros == 1 or entity.is_computed or node_matches(entity.owner, wanted.owner)
+
+
+def _is_of_other_plugin(site: Site, entity: Provision) -> bool:
+    """Whether a value stands in the block of a plugin that the providing side does not have."""
+    home = site.requirement.scope.replace("::", "/").partition("/")[0]
+    return bool(home) and home != entity.package and home not in site.folders
 
 
 def _exact(site: Site, entity: Provision) -> bool:
