@@ -1,7 +1,8 @@
 """Releases that broke others, replayed: `python benchmarks/real_breaks.py --clones DIR [FILE...]`.
 
 Each file of benchmarks/real_breaks holds releases of one provider and the consumers that they broke, read in git: the
-lines are those that the consumers' own fixing commits change, at the parent of the fix. Printed are, by kind of change,
+lines are those that the consumers' own fixing commits change, at the parent of the fix, and the first line of a call
+that goes over several. Printed are, by kind of change,
 consumers of which a line that broke is named, changed names that are told, and lines that are named. Status 1 when the
 share of consumers is below the figure.
 """
