@@ -6,6 +6,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Final
 
+from ecm_checker.hub.kinds import kinds
 from ecm_checker.hub.provision import Provision
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.match.consumer import Consumer
@@ -13,11 +14,16 @@ from ecm_checker.match.names import called_names
 from ecm_checker.match.provisions import Provisions
 
 from ecm_extract.diff.model import Located
+from ecm_extract.diff.pair import CONTAINERS
 from ecm_extract.entities.side import Side
 
 GONE: Final = frozenset({"removed", "renamed", "moved"})
 _SECOND: Final = frozenset({"type_changed", "default_changed", "signature_changed"})
 """What else changed of a name that is gone: who used the name has that one cause."""
+
+
+_NAMED_ALONE: Final = frozenset({"plugin", "bt_node"})
+"""Kinds that any package may offer, by names that only one has; a topic or parameter may be another's of that name."""
 
 
 class BrokenNames:
@@ -34,6 +40,10 @@ class BrokenNames:
         for entry in self._located:
             entity = entry.pair.old
             if entity is not None and _concerns(entry):
+                self._changes[id(entity)].append(entry)
+                changed[id(entity)] = entity
+        for entity, entry in _gone_with_their_whole(self._located, old, new):
+            if id(entity) not in changed:
                 self._changes[id(entity)].append(entry)
                 changed[id(entity)] = entity
         self._changed = Provisions(changed.values(), whole=Provisions(old.entities.values(), old.bound))
@@ -71,6 +81,19 @@ class BrokenNames:
 def _concerns(entry: Located) -> bool:
     counts = entry.change.breaking or entry.change.change == "deprecated"
     return counts and not (entry.pair.how != "same" and entry.change.change in _SECOND)
+
+
+def _gone_with_their_whole(located: Iterable[Located], old: Side, new: Side) -> Iterator[tuple[Provision, Located]]:
+    """Yield what went with its package, class, message or launch file: one change tells of the whole."""
+    removed = [entry for entry in located if entry.change.change == "removed" and entry.change.kind in CONTAINERS]
+    wholes = {entry.pair.old.key[:4]: entry for entry in removed if entry.pair.old is not None}
+    for entity in old.entities.values() if wholes else ():
+        package, owner = entity.package, entity.owner
+        keys = (("package", package, "", package), *((kind, package, "", owner) for kind in CONTAINERS))
+        whole = next((wholes[key] for key in keys if key in wholes), None)
+        alone = kinds()[entity.kind].world == "package" or entity.kind in _NAMED_ALONE
+        if whole is not None and whole.pair.old is not entity and alone and entity.key not in new.entities:
+            yield entity, whole
 
 
 def _layouts(located: Iterable[Located]) -> dict[str, Located]:

@@ -16,6 +16,7 @@ from ecm_checker.match.names import is_of_program
 from ecm_checker.match.spelling import graph_name_matches
 
 from ecm_extract.diff.broken_names import GONE, BrokenNames
+from ecm_extract.diff.effects import placed
 from ecm_extract.diff.model import Located
 from ecm_extract.diff.use import Use
 
@@ -94,13 +95,20 @@ def _broken(
             continue
         certainty = _breach(requirement, row, located, consumer, broken)
         if certainty is not None:
-            yield located, *_told_of(requirement, entity.package, certainty)
+            yield located, *_told_of(requirement, entity.package, certainty, entity.kind == "package")
     if "duty" in row.breaches:
         yield from _duties(requirement, broken)
 
 
-def _told_of(requirement: Requirement, package: str, certainty: Certainty) -> tuple[Certainty, str]:
-    """How surely a line breaks, and what it does; a remap of the changed program itself names the changed name."""
+def _told_of(
+    requirement: Requirement, package: str, certainty: Certainty, is_package: bool = False
+) -> tuple[Certainty, str]:
+    """How surely a line breaks, and what it does; a remap of the changed program itself names the changed name.
+
+    What went with a whole package may have gone to another repository.
+    """
+    if is_package and requirement.kind != "package":
+        return "likely", requirement.phrase
     if requirement.use == "remaps" and is_of_program(requirement, package):
         return "proved", f"remaps {requirement.name}"
     return certainty, requirement.phrase
@@ -146,6 +154,8 @@ def _lost(requirement: Requirement, located: Located, consumer: Consumer, broken
     old, new = located.pair.old, located.pair.new
     if old is None or _is_other(requirement, located):
         return None
+    if old.kind == "launch_file" and new is not None and new.name == old.name:
+        return requirement.certainty if _is_by_path(requirement, old.path) else None
     if requirement.use == "includes" and new is not None and new.name == requirement.name:
         return "likely"  # another package answers the include now, and must be depended on
     if requirement.use == "names_symbol" and new is not None and new.name == old.name:
@@ -157,6 +167,11 @@ def _lost(requirement: Requirement, located: Located, consumer: Consumer, broken
         if known and misfit(requirement, entity) is None:
             return None
     return requirement.certainty
+
+
+def _is_by_path(requirement: Requirement, path: str) -> bool:
+    """Whether a launch file is included from the folder that it lay in."""
+    return f"/{requirement.said}".endswith(f"/{placed(path)}")
 
 
 def _names_successor(requirement: Requirement, located: Located, consumer: Consumer) -> bool:
@@ -185,6 +200,8 @@ def _retyped(requirement: Requirement, located: Located) -> Certainty | None:
         return None
     if old.kind in {"message_field", "constant"}:
         return "likely"
+    if old.kind == "member":
+        return "likely" if requirement.said else None  # who only names it may do with another type
     was_right = requirement.type is not None and requirement.type == old.type
     return requirement.certainty if was_right and misfit(requirement, new) == "type" else None
 

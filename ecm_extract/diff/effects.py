@@ -219,9 +219,25 @@ def _returns_otherwise(new: Form, old: Form) -> bool:
     return bool(known) and not returns_as_well(new.returns, old.returns)
 
 
+def relocated(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[Difference]:
+    """A launch file that keeps its name in another folder: `ros2 launch` finds it, an include by its path does not."""
+    if old.kind != "launch_file" or old.name != new.name or pair.how != "same":
+        return
+    before, after = placed(old.path), placed(new.path)
+    if before != after:
+        reason = "it lies in another folder; who includes it by its path no longer finds it"
+        yield Difference("moved", True, reason, old=before, new=after)
+
+
+def placed(path: str) -> str:
+    """Return the end of a path that tells in which folder a file lies: `launch/arm/arm.launch` -> `arm/arm.launch`."""
+    return "/".join(path.split("/")[-2:])
+
+
 EFFECTS: Final[tuple[Effect, ...]] = (
     renamed,
     moved,
+    relocated,
     type_changed,
     default_changed,
     qos_changed,

@@ -23,6 +23,8 @@ _MACRO = re.compile(r"[A-Z][A-Z0-9]*(?:_[A-Z0-9]+){2,}")
 MARKED: Final = "marked deprecated"
 _WORDS = frozenset({"explicit", "virtual", "inline", "static", "friend", "constexpr"})
 """What is left of a declaration behind a macro that was misread."""
+_VIRTUAL = frozenset({"virtual", "pure", "override"})
+"""A class with such a method is made to be derived from: its protected members are for those who do."""
 _CLOSED = frozenset({"private", "anonymous", "deleted"})
 
 
@@ -38,8 +40,9 @@ def cpp_entities(facts: PackageFacts) -> Iterator[PublicEntity]:
 
 
 def _aliases_of_classes(headers: Sequence[_Header], classes: set[str]) -> Iterator[tuple[_Header, Alias]]:
-    """Yield what stands for a class, by way of other aliases too (`using Box = BoxBase<T>`)."""
-    known = set(classes)
+    """Yield what stands for a class or an enumeration, by way of other aliases too (`using Box = BoxBase<T>`)."""
+    enumerations = {entry.scope for header in headers for entry in header.source.constants}
+    known = classes | enumerations
     pending = [(header, alias) for header in headers for alias in header.source.aliases if not alias.local]
     while pending:
         found = [(header, alias) for header, alias in pending if not known.isdisjoint(_targets(alias))]
@@ -48,9 +51,11 @@ def _aliases_of_classes(headers: Sequence[_Header], classes: set[str]) -> Iterat
         pending = [entry for entry in pending if entry not in found] if found else []
 
 
-def _targets(alias: Alias) -> tuple[str, str]:
+def _targets(alias: Alias) -> Iterator[str]:
+    """What the target may be called in full: as written, or in one of the scopes around the alias."""
     target = plain(alias.target)
-    return target, f"{alias.scope}::{target}"
+    parts = alias.scope.split("::") if alias.scope else []
+    yield from ("::".join([*parts[:count], target]) for count in range(len(parts), -1, -1))
 
 
 def _alias_name(alias: Alias) -> str:
@@ -67,6 +72,7 @@ class _Header:
         self.closed = {qualified(entry) for entry in source.classes if not _CLOSED.isdisjoint(entry.traits)}
         self.classes = {qualified(entry) for entry in source.classes if entry.name}
         self.templates = {qualified(entry): entry.template for entry in source.classes if entry.template}
+        self.derived = {entry.scope for entry in source.functions if not _VIRTUAL.isdisjoint(entry.traits)}
         self.bodies = {f"{entry.scope}::{entry.name}".lstrip(":") for entry in source.functions}
 
     def entities(self, classes: set[str]) -> Iterator[PublicEntity]:
@@ -102,7 +108,8 @@ class _Header:
             line=entry.line,
         )
         for field in (*entry.fields, *self._hidden_fields(entry)):
-            hidden = not {"private", "protected", "static"}.isdisjoint(field.traits) or field.name.startswith("_")
+            hidden = not {"private", "static"}.isdisjoint(field.traits) or field.name.startswith("_")
+            hidden = hidden or ("protected" in field.traits and name not in self.derived)
             if not hidden and not _MACRO.fullmatch(field.type) and field.name not in _WORDS:
                 yield PublicEntity(
                     kind="member",

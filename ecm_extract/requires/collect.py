@@ -21,7 +21,9 @@ from ecm_extract.requires.cpp_headers import header_requirements
 from ecm_extract.requires.cpp_members import member_requirements
 from ecm_extract.requires.cpp_names import name_requirements
 from ecm_extract.requires.cpp_overrides import override_requirements
+from ecm_extract.requires.cpp_reached import reached_requirements
 from ecm_extract.requires.cpp_results import result_requirements
+from ecm_extract.requires.dependencies import dependency_requirements
 from ecm_extract.requires.descriptions import description_requirements
 from ecm_extract.requires.endpoints import endpoint_requirements
 from ecm_extract.requires.ignored import comments_of, with_answers
@@ -32,6 +34,7 @@ from ecm_extract.requires.parameter_reads import parameter_read_requirements
 from ecm_extract.requires.policies import policy_requirements
 from ecm_extract.requires.python_fields import field_requirements
 from ecm_extract.requires.python_sources import python_requirements
+from ecm_extract.requires.rviz_files import rviz_requirements
 from ecm_extract.system.launch_files import is_launch_file
 from ecm_extract.tree import Tree
 
@@ -76,6 +79,8 @@ def _of_package(
     yield from description_requirements(texts, facts)
     yield from behavior_tree_requirements(facts)
     yield from policy_requirements(facts)
+    yield from dependency_requirements(facts)
+    yield from rviz_requirements(tree, facts)
     for file in _python_launch_files(texts, facts):
         yield from python_requirements(file)
 
@@ -90,6 +95,7 @@ def _of_program(workspace: Workspace) -> Iterator[tuple[str, Requirement]]:
     yield from override_requirements(workspace.program)
     yield from result_requirements(workspace.program)
     yield from member_requirements(workspace.objects)
+    yield from reached_requirements(workspace.objects)
 
 
 _CPP = (header_requirements, name_requirements)

@@ -42,7 +42,7 @@ def member_requirements(objects: Objects) -> Iterator[tuple[str, Requirement]]:
 
 def _of_function(func: Func, objects: Objects) -> Iterator[Requirement]:
     lines: dict[_Touched, dict[int, None]] = {}
-    classes = _Classes(func, objects)
+    classes = ForeignClasses(func, objects)
     for statement in func.fact.body:
         called: set[int] = set()
         for expr, line in expressions(statement):
@@ -70,7 +70,7 @@ def _required(touched: _Touched, func: Func, lines: tuple[int, ...]) -> Requirem
     return required("calls_method", touched.name, place, owner=touched.owner, given=given, evidence=evidence)
 
 
-class _Classes:
+class ForeignClasses:
     """Classes of other packages that the objects of one function are of, remembered by how they are written."""
 
     def __init__(self, func: Func, objects: Objects) -> None:
@@ -83,8 +83,12 @@ class _Classes:
         if written is None or expr == Name("this"):
             return ""
         if written not in self._known:
-            self._known[written] = self._foreign(self._objects.type_of(expr, Env(self._func)))
+            self._known[written] = self.declared(expr)
         return self._known[written]
+
+    def declared(self, expr: Expr) -> str:
+        """Return the class of any object whose type is declared, such as an element of a list."""
+        return self._foreign(self._objects.type_of(expr, Env(self._func)))
 
     def _foreign(self, written: str) -> str:
         func, program = self._func, self._objects.program

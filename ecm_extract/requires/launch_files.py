@@ -63,7 +63,7 @@ def _of_action(action: Action, scope: _Scope) -> Iterator[Requirement]:
         case Group():
             yield from _of_actions(action.actions, scope)
         case Include():
-            yield from _of_include(action, scope.place(action.line))
+            yield from _of_include(action, scope)
         case Node():
             yield from _of_node(action, scope)
         case Remap():
@@ -74,14 +74,17 @@ def _of_action(action: Action, scope: _Scope) -> Iterator[Requirement]:
             yield from _of_file(action.path, scope.place(action.line))
 
 
-def _of_include(action: Include, place: Place) -> Iterator[Requirement]:
+def _of_include(action: Include, scope: _Scope) -> Iterator[Requirement]:
+    place = scope.place(action.line)
     found = _FOUND.search(written(action.path))
     if found is None:
         return
     given = Given(names=tuple(name for name, _ in action.arguments), forwarded=action.pass_all)
-    yield required("includes_launch", found[3], place, package=found[1], given=given)
-    for name, _ in action.arguments:
-        yield required("gives_argument", name, place, package=found[1], owner=found[3])
+    path = f"{found[2].lstrip('/')}{found[3]}"
+    yield required("includes_launch", found[3], place, package=found[1], given=given, said=path)
+    lines = action.argument_lines or (action.line,) * len(action.arguments)
+    for (name, _), line in zip(action.arguments, lines, strict=True):
+        yield required("gives_argument", name, scope.place(line), package=found[1], owner=found[3])
 
 
 def _of_node(action: Node, scope: _Scope) -> Iterator[Requirement]:

@@ -307,7 +307,7 @@ def test_includes_that_break(tmp_path: Path, capsys: pytest.CaptureFixture[str])
     assert run(["diff", "1.0.0", "2.0.0", *repo]) == 1
     found = json.loads(capsys.readouterr().out)["findings"]
     assert {(each["evidence"][0]["line"], each["resolution"].split(";")[0]) for each in found} == {
-        (2, "write use_mock_hardware instead of use_fake_hardware"),
+        (3, "write use_mock_hardware instead of use_fake_hardware"),
         (2, "give robot_ip a value where the file is included"),
         (4, "stop using view.launch.py"),
     }

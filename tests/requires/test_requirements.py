@@ -42,7 +42,8 @@ def use():
     arm_lib.other.reset()
 """
 LAUNCH_XML = """<launch>
-  <include file="$(find arm_bringup)/launch/arm.launch"><arg name="side" value="left"/></include>
+  <include file="$(find arm_bringup)/launch/arm.launch">
+    <arg name="side" value="left"/></include>
   <node pkg="arm" type="arm_node" name="arm" if="$(arg real)">
     <param name="rate" value="3"/>
     <remap from="joints" to="/arm/joints"/>
@@ -70,6 +71,43 @@ XACRO = """<robot name="r" xmlns:xacro="http://ros.org/wiki/xacro">
 <joint name="j" type="fixed"><parent link="tool"/><child link="own"/></joint>
 </robot>
 """
+REACHED = """#include <arm_lib/arm.hpp>
+namespace user {
+class Mine : public arm_lib::Arm {
+ public:
+  void run(int count);
+  int own_;
+};
+void Mine::run(int count) {
+  own_ = count;
+  joints_[0].turn(1, 2);
+  stop();
+  for (auto & found : arm_lib::read_all()) {
+    use(found.label);
+  }
+  std::vector<arm_lib::Hand> hands;
+  hands[0].open();
+}
+}
+"""
+BUILD = """project(pkg)
+find_package(arm_lib REQUIRED)
+add_library(user src/user.cpp)
+target_link_libraries(user arm_lib::arm_core ${arm_msgs_TARGETS})
+"""
+RVIZ = """Panels:
+  - Class: rviz_common/Displays
+Visualization Manager:
+  Displays:
+    - Class: arm_rviz/Force
+      Name: Class
+"""
+PIPELINE = """pipeline:
+  adapters: >-
+    arm_adapters/First
+    arm_adapters/Second
+  note: two words
+"""
 CASES: dict[str, tuple[int, dict[str, str], list[dict[str, Any]]]] = {
     "C++": (
         2,
@@ -82,6 +120,41 @@ CASES: dict[str, tuple[int, dict[str, str], list[dict[str, Any]]]] = {
             {"use": "calls_method", "kind": "method", "owner": "arm_lib::Hand", "name": "open", "line": 10},
             {"use": "reads_member", "kind": "member", "owner": "arm_lib::Arm", "name": "size", "line": 11},
             {"use": "names_symbol", "kind": "class", "name": "arm_lib::reset", "line": 12},
+        ],
+    ),
+    "what is reached in C++": (
+        2,
+        {"src/user.cpp": REACHED, "CMakeLists.txt": BUILD},
+        [
+            {"use": "reads_member", "owner": "arm_lib::Arm", "name": "joints_", "line": 10},
+            {"use": "calls_method", "owner": "arm_lib::Arm.joints_", "name": "turn", "line": 10},
+            {"use": "calls_method", "owner": "arm_lib::Arm", "name": "stop", "line": 11},
+            {"use": "reads_member", "owner": "arm_lib::read_all()", "name": "label", "line": 13},
+            {"use": "calls_method", "owner": "arm_lib::Hand", "name": "open", "line": 16},
+        ],
+    ),
+    "build files": (
+        2,
+        {"src/user.cpp": "", "CMakeLists.txt": BUILD},
+        [
+            {"use": "depends", "kind": "package", "name": "arm_lib", "line": 2, "certainty": "likely"},
+            {"use": "links", "kind": "library", "package": "arm_lib", "name": "arm_core", "line": 3},
+        ],
+    ),
+    "RViz": (
+        2,
+        {"rviz/arm.rviz": RVIZ},
+        [
+            {"use": "loads_plugin", "name": "rviz_common/Displays", "line": 2},
+            {"use": "loads_plugin", "name": "arm_rviz/Force", "line": 5},
+        ],
+    ),
+    "plugins in one text": (
+        2,
+        {"config/pipeline.yaml": PIPELINE},
+        [
+            {"use": "loads_plugin", "name": "arm_adapters/First", "line": 2},
+            {"use": "loads_plugin", "name": "arm_adapters/Second", "line": 2},
         ],
     ),
     "Python": (
@@ -101,13 +174,14 @@ CASES: dict[str, tuple[int, dict[str, str], list[dict[str, Any]]]] = {
         {"launch/user.launch": LAUNCH_XML},
         [
             {"use": "includes_launch", "package": "arm_bringup", "name": "arm.launch", "line": 2},
-            {"use": "gives_argument", "package": "arm_bringup", "owner": "arm.launch", "name": "side", "line": 2},
-            {"use": "starts", "package": "arm", "name": "arm_node", "line": 3, "conditions": ("$(arg real)",)},
-            {"use": "gives_parameter", "package": "arm", "name": "rate", "line": 4},
-            {"use": "remaps", "package": "arm", "name": "joints", "said": "/arm/joints", "line": 5},
-            {"use": "reads_file", "package": "arm_bringup", "name": "config/arm.yaml", "line": 7},
-            {"use": "gives_parameter", "package": "hand", "name": "force", "line": 9},
-            {"use": "remaps", "package": "hand", "name": "~/state", "said": "arm/state", "line": 10},
+            {"use": "includes_launch", "name": "arm.launch", "said": "launch/arm.launch", "line": 2},
+            {"use": "gives_argument", "package": "arm_bringup", "owner": "arm.launch", "name": "side", "line": 3},
+            {"use": "starts", "package": "arm", "name": "arm_node", "line": 4, "conditions": ("$(arg real)",)},
+            {"use": "gives_parameter", "package": "arm", "name": "rate", "line": 5},
+            {"use": "remaps", "package": "arm", "name": "joints", "said": "/arm/joints", "line": 6},
+            {"use": "reads_file", "package": "arm_bringup", "name": "config/arm.yaml", "line": 8},
+            {"use": "gives_parameter", "package": "hand", "name": "force", "line": 10},
+            {"use": "remaps", "package": "hand", "name": "~/state", "said": "arm/state", "line": 11},
         ],
     ),
     "parameters": (
@@ -166,3 +240,25 @@ def test_the_vocabulary_fits_together() -> None:
     for row in uses().values():
         assert set(row.of) <= kinds().keys()
         assert row.names in NAMES
+
+
+OWN = """namespace user {
+class Base { public: int size_; void stop(); };
+class Mine : public Base {
+ public:
+  void run(int count);
+};
+void Mine::run(int count) {
+  int local = count;
+  size_ = local;
+  stop();
+  MINE_LOG(local);
+}
+}
+"""
+
+
+def test_what_a_package_has_itself_is_no_requirement(workspace: Workspace) -> None:
+    """Members of its own bases, locals, parameters and macros are nobody else's."""
+    files = {"src/user.cpp": OWN, "CMakeLists.txt": "project(pkg)\nadd_library(user src/user.cpp)\n"}
+    assert not [row for row in rows(workspace.package(files, 2)) if row["use"] in {"reads_member", "calls_method"}]

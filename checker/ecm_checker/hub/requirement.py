@@ -39,7 +39,8 @@ class Requirement(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True)
         name: as it is used, resolved as far as its own package tells. Computed parts are `{hole}`.
         package: that must provide it; None where any may.
         owner: of the name: a node or pattern of nodes, a message, a class, a launch file.
-        scope: namespace or class in which C++ looks the owner up; empty where it is written in full.
+        scope: namespace or class in which C++ looks the owner up; of a parameter the plugin whose block it stands in;
+            empty where it is written in full, or in no block.
         type: message type, type of a given value.
         value: that is given, as data.
         qos: that is asked for, or offered.

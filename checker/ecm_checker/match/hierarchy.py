@@ -27,6 +27,25 @@ class Bases:
         """Return the classes of a qualified name."""
         return self._classes.get(name, ())
 
+    def meant(self, name: str, scope: str) -> str | None:
+        """Return the class that a name means in a scope, or the only one that is called so behind a `using`."""
+        known = self.resolve(name, scope)
+        if known is not None:
+            return known
+        named = self._by_last.get(name, frozenset())
+        return next(iter(named)) if len(named) == 1 else None
+
+    @cached_property
+    def _by_last(self) -> Mapping[str, frozenset[str]]:
+        found: dict[str, set[str]] = defaultdict(set)
+        for name in self._classes:
+            found[name.rpartition("::")[2]].add(name)
+        return {last: frozenset(names) for last, names in found.items()}
+
+    def member(self, cls: str, kind: str, name: str) -> Provision | None:
+        """Return what a class itself has under a name."""
+        return self._members.get((kind, cls, name))
+
     def provider(self, cls: str, kind: str, name: str) -> Provision | None:
         """Return the member that a class inherits under a name, from its base classes only."""
         for base in self.ancestry(cls)[1:]:

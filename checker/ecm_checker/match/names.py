@@ -13,6 +13,7 @@ from ecm_checker.match.consumer import Consumer
 from ecm_checker.match.generated import python_names, section_owners
 from ecm_checker.match.hierarchy import Bases
 from ecm_checker.match.spelling import graph_name_matches, node_matches, parameter_name_matches
+from ecm_checker.match.ways import Ways
 
 
 class Site(msgspec.Struct, frozen=True):
@@ -21,7 +22,7 @@ class Site(msgspec.Struct, frozen=True):
     Attributes:
         folders: packages by what stands first in the includes of their headers.
         bound: dotted names that Python modules offer without declaring them.
-        bases: its class hierarchy.
+        bases: its class hierarchy. ways: to its objects.
     """
 
     requirement: Requirement
@@ -29,6 +30,7 @@ class Site(msgspec.Struct, frozen=True):
     folders: Mapping[str, frozenset[str]]
     bound: frozenset[str]
     bases: Bases
+    ways: Ways
 
     @property
     def path(self) -> str:
@@ -115,7 +117,15 @@ def _parameter(site: Site, entity: Provision) -> bool:
         return False
     if not parameter_name_matches(entity.name, wanted.name):
         return False
+    if entity.is_computed and _is_of_other_plugin(site, entity):
+        return False
     return wanted.ros == 1 or entity.is_computed or node_matches(entity.owner, wanted.owner)
+
+
+def _is_of_other_plugin(site: Site, entity: Provision) -> bool:
+    """Whether a value stands in the block of a plugin that the providing side does not have."""
+    home = site.requirement.scope.replace("::", "/").partition("/")[0]
+    return bool(home) and home != entity.package and home not in site.folders
 
 
 def _exact(site: Site, entity: Provision) -> bool:
@@ -209,15 +219,22 @@ def _override(site: Site, entity: Provision) -> bool:
     wanted = site.requirement
     if entity.name != wanted.name or entity.is_python or not any(form.virtual for form in entity.forms):
         return False
-    base = site.bases.resolve(wanted.owner, wanted.scope)
-    return base is not None and entity.owner in site.bases.ancestry(base)
+    base = site.bases.meant(wanted.owner, wanted.scope)
+    return base is not None and entity.owner in site.bases.ancestry(base) and _is_seen(site, base, entity)
+
+
+def _is_seen(site: Site, base: str, entity: Provision) -> bool:
+    """Whether a base that is written without its namespace comes by a header of the package that has it."""
+    return site.bases.resolve(site.requirement.owner, site.requirement.scope) == base or _reaches(site, entity.package)
 
 
 def _member(site: Site, entity: Provision) -> bool:
     wanted = site.requirement
     if _is_section(entity, wanted.owner):
         return entity.own_name == wanted.name
-    return entity.name == wanted.name and entity.owner in site.bases.ancestry(wanted.owner) and not entity.is_python
+    if entity.name != wanted.name or entity.is_python:
+        return False
+    return entity.owner in site.bases.ancestry(site.ways.end(wanted.owner, wanted.scope))
 
 
 def _field(site: Site, entity: Provision) -> bool:

@@ -15,6 +15,7 @@ from ecm_checker.match.consumer import Consumer
 from ecm_checker.match.generated import headers, python_names, section_owners
 from ecm_checker.match.hierarchy import Bases
 from ecm_checker.match.names import NAMES, Site
+from ecm_checker.match.ways import Ways
 
 _PARTS: Final = re.compile(r"[/.:~]+")
 OPEN: Final = "*"
@@ -52,6 +53,14 @@ class Provisions:
         return self._whole.bases if self._whole is not None else Bases({each.key: each for each in self._entities})
 
     @cached_property
+    def ways(self) -> Ways:
+        """The ways to objects that the whole side declares."""
+        if self._whole is not None:
+            return self._whole.ways
+        functions = {each.name: each for each in self._entities if each.kind == "function" and not each.is_python}
+        return Ways(self.bases, functions)
+
+    @cached_property
     def folders(self) -> Mapping[str, frozenset[str]]:
         """Packages by what stands first in the includes of their headers."""
         if self._whole is not None:
@@ -77,7 +86,7 @@ class Provisions:
         """Return what a requirement of a consumer may mean, each once."""
         row = uses()[requirement.use]
         names = NAMES[row.names]
-        site = Site(requirement, consumer, self.folders, self.bound, self.bases)
+        site = Site(requirement, consumer, self.folders, self.bound, self.bases, self.ways)
         found: dict[int, Provision] = {}
         for kind in row.of:
             for key in names.keys(requirement):

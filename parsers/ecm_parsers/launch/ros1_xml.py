@@ -132,16 +132,13 @@ class Ros1Reader:
     def _include(self, entity: Entity) -> Include | None:
         if not self._needs(entity, "file"):
             return None
-        given = [
-            (child.attributes["name"], template(child, "value", "default"))
-            for child in entity.below("arg")
-            if child.get("name")
-        ]
+        given = [child for child in entity.below("arg") if child.get("name")]
         return Include(
             line=entity.line,
             condition=condition(entity),
             path=template(entity, "file"),
-            arguments=tuple(given),
+            arguments=tuple((child.attributes["name"], template(child, "value", "default")) for child in given),
+            argument_lines=tuple(child.line for child in given),
             namespace=template(entity, "ns"),
             pass_all=(entity.get("pass_all_args") or "").lower() in {"true", "1"},
         )

@@ -117,16 +117,13 @@ class Ros2Reader:
     def _include(self, entity: Entity) -> Include | None:
         if not self._needs(entity, "file"):
             return None
-        given = [
-            (child.attributes["name"], template(child, "value"))
-            for child in entity.below("arg", "let")
-            if child.get("name")
-        ]
+        given = [child for child in entity.below("arg", "let") if child.get("name")]
         return Include(
             line=entity.line,
             condition=condition(entity),
             path=template(entity, "file"),
-            arguments=tuple(given),
+            arguments=tuple((child.attributes["name"], template(child, "value")) for child in given),
+            argument_lines=tuple(child.line for child in given),
             pass_all=True,
         )
 
