@@ -8,7 +8,7 @@ from pathlib import Path
 
 from ecm_checker.contract import Contract
 
-from ecm_extract.check_inputs import contracts
+from ecm_extract.check_inputs import subject
 
 _ENDPOINTS = frozenset({"publisher", "subscriber", "service_server", "action_server", "action_client"})
 
@@ -24,7 +24,7 @@ class Candidate:
 
 def candidates(tree: Path) -> Iterator[Candidate]:
     """Yield the scripts of a tree, by module."""
-    for module in sorted(contracts(str(tree)), key=lambda each: each.ecm.module_id):
+    for module in sorted(subject(str(tree)).contracts, key=lambda each: each.ecm.module_id):
         if module.ecm.ros != 1 or module.ecm.kind not in {"node", "script"}:
             continue
         script = _script(tree, module)

@@ -12,7 +12,7 @@ from tempfile import mkdtemp
 
 from ecm_checker.contract import Contract
 
-from ecm_extract.check_inputs import contracts
+from ecm_extract.check_inputs import subject
 from path_a.row import FIXTURES
 
 _PROGRAM = [sys.executable, "-c", "from ecm_extract.cli import main; main()"]
@@ -57,7 +57,7 @@ def manifest(package: str, module: str) -> str:
 
 def contract(package: str, module: str) -> Contract:
     """The contract of a module of a fixture package."""
-    (found,) = contracts(manifest(package, module))
+    (found,) = subject(manifest(package, module)).contracts
     return found
 
 
