@@ -68,7 +68,7 @@ def compared(request: Request, sides: Sides, parsed: dict[str, SourceFile]) -> C
         parsed: facts by blob id, for the consumers to take from.
     """
     old, new = sides.old, sides.new
-    located = _changes(request, old, new)
+    located = located_changes(request, old, new)
     broken = BrokenNames(located, old, new)
     uses = list(uses_of(sides.own(), broken, new.commit, own=True))
     for other in request.consumers:
@@ -92,7 +92,8 @@ def _consumers(other: Tree | Stored, options: Options, parsed: dict[str, SourceF
     return consumers(read_workspace(other, options, parsed))
 
 
-def _changes(request: Request, old: Side, new: Side) -> list[Located]:
+def located_changes(request: Request, old: Side, new: Side) -> list[Located]:
+    """Pair the entities of two sides, and return what changed."""
     files = renamed_files(old, new, request.repo)
     evidence = Evidence(files, History(old, new, request.repo), new.bound, new.quoted, new.reads)
     pairs = Pairing(old.entities, new.entities, evidence).run()
