@@ -7,7 +7,6 @@ from itertools import islice
 from typing import Any, Final, Literal
 
 import msgspec
-from ecm_checker.contract import Contract
 from ecm_checker.hub.package import Package
 from sqlalchemy import insert, select
 from sqlalchemy.orm import Session
@@ -15,6 +14,7 @@ from sqlalchemy.orm import Session
 from ecm_extract.errors import InputError
 from ecm_extract.registry import audit
 from ecm_extract.registry.contents import Packed, pack
+from ecm_extract.registry.dependencies import dependencies_of
 from ecm_extract.registry.parts import PackedPart, clipped, pack_part, parts_of
 from ecm_extract.registry.tables import (
     Base,
@@ -75,17 +75,8 @@ class Published(msgspec.Struct, frozen=True):
 def make_ready(package: Package) -> Ready:
     """Return a package as it is stored."""
     parts = tuple(pack_part(part) for part in parts_of(package))
-    return Ready(package, pack(package), parts, _dependencies(package.contracts()))
-
-
-def _dependencies(contracts: Sequence[Contract]) -> dict[str, str]:
-    """Ranges by package; modules of a package share its package.xml, and an overlay may add to one of them."""
-    found: dict[str, str] = {}
-    for contract in contracts:
-        declared = contract.versioning.dependencies
-        if declared is not None and isinstance(declared.value, dict):
-            found |= {clipped(str(name)): str(wanted or "*") for name, wanted in declared.value.items()}
-    return found
+    needs = {clipped(name): wanted for name, wanted in dependencies_of(package.contracts()).items()}
+    return Ready(package, pack(package), parts, needs)
 
 
 def publish(session: Session, packages: Sequence[Ready], origin: Origin) -> list[Published]:

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-
+import msgspec
 from ecm_checker.hub.package import provisions
 from ecm_checker.hub.provision import Provision
 from ecm_checker.match.provisions import Provisions, last_part
@@ -14,8 +13,17 @@ from ecm_extract.registry.releases import find_release, package_of_release
 from ecm_extract.registry.scope import Scope
 from ecm_extract.registry.users import UsedName, used_names
 
-Asked = tuple[str | None, str | None]
-"""A name, or the last part of names, and a kind; None for any."""
+
+class Asked(msgspec.Struct, frozen=True):
+    """Names that are asked about: by their text or the last part of it, and by their kind; None for any."""
+
+    name: str | None = None
+    kind: str | None = None
+
+    def means(self, provision: Provision) -> bool:
+        """Whether a provision is one of them."""
+        same_kind = self.kind in (None, provision.kind)
+        return same_kind and self.name in (None, provision.name, last_part(provision.name))
 
 
 def who_uses(session: Session, spec: str, asked: Asked, scope: Scope) -> list[UsedName]:
@@ -32,15 +40,8 @@ def who_uses(session: Session, spec: str, asked: Asked, scope: Scope) -> list[Us
     """
     package = package_of_release(session, find_release(session, spec))
     everything = provisions(package.name, package)
-    wanted = list(_wanted(everything.values(), asked))
+    wanted = [each for each in everything.values() if asked.means(each)]
     if not wanted:
-        message = f"{spec} provides nothing that is called {' '.join(filter(None, asked))}"
+        message = f"{spec} provides nothing that is called {' '.join(filter(None, (asked.kind, asked.name)))}"
         raise InputError(message, f"`ecm-extract registry show {spec} --format json` tells what it provides")
     return used_names(session, Provisions(everything.values(), frozenset(package.bound)), wanted, scope)
-
-
-def _wanted(all_names: Iterable[Provision], asked: Asked) -> Iterator[Provision]:
-    name, kind = asked
-    for each in all_names:
-        if kind in (None, each.kind) and name in (None, each.name, last_part(each.name)):
-            yield each

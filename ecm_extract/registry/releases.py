@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import msgspec
 from ecm_checker.hub.package import Package
-from sqlalchemy import Select, func, select
+from sqlalchemy import ColumnElement, Select, func, select
 from sqlalchemy.orm import Session
 
 from ecm_extract.errors import InputError
@@ -79,13 +79,13 @@ def _nearest(session: Session, package: str) -> str:
     return f"did you mean {', '.join(near)}?" if near else "publish it with `ecm-extract registry publish`"
 
 
-def newest_ids() -> Select[int]:
-    """Return the query of the newest release of each package that was not withdrawn."""
+def newest_ids(*conditions: ColumnElement[bool]) -> Select[int]:
+    """Return the query of the newest release of each package that was not withdrawn and fits conditions."""
     place = func.row_number().over(partition_by=Release.package, order_by=Release.rank.desc()).label("place")
     rows = (
         select(Release.id, place)
         .join(Standing, Standing.release_id == Release.id)
-        .where(Standing.withdrawn.is_(None))
+        .where(Standing.withdrawn.is_(None), *conditions)
         .subquery()
     )
     return select(rows.c.id).where(rows.c.place == 1)

@@ -17,8 +17,9 @@ from sqlalchemy import Select, select
 from sqlalchemy.orm import Session
 
 from ecm_extract.errors import InputError
+from ecm_extract.registry.channels import channels_from
 from ecm_extract.registry.releases import newest_ids
-from ecm_extract.registry.tables import Release, Running
+from ecm_extract.registry.tables import Release, Running, Standing
 
 _INCREMENT: Final = re.compile(r"-\d+$")
 _MAX_BYTES: Final = 50_000_000
@@ -56,6 +57,17 @@ def environment_scope(session: Session, environment: str) -> Scope:
         message = f"nothing is recorded of the environment {environment}"
         raise InputError(message, f"record what it runs: `ecm-extract registry record {environment} RELEASE...`")
     return Scope(f"what {environment} runs", ids)
+
+
+def channel_scope(session: Session, channel: str) -> Scope:
+    """Return the newest release of each package that may run in a channel: it stands there or above.
+
+    Raises:
+        InputError: there is no such channel.
+    """
+    above = channels_from(channel)
+    ids = tuple(session.scalars(newest_ids(Standing.channel.in_(above))))
+    return Scope(f"what is in {channel} or above", ids)
 
 
 def distribution_scope(session: Session, file: str) -> Scope:

@@ -67,7 +67,7 @@ def manifest(name: str, version: str, depends: Mapping[str, str] | None = None) 
 def driver(version: str = "1.0.0", parameter: str = "rate", topic: str = "state") -> dict[str, str]:
     """The files of the driver."""
     return {
-        "driver/package.xml": manifest("driver", version),
+        "driver/package.xml": manifest("driver", version, {"rclpy": ""}),
         "driver/setup.py": _SETUP.format(name="driver", exe="drive"),
         "driver/driver/__init__.py": "",
         "driver/driver/main.py": _DRIVER.format(parameter=parameter, topic=topic),

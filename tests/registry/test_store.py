@@ -15,7 +15,7 @@ from ecm_extract.registry import audit, clock
 from ecm_extract.registry.engine import open_engine
 from ecm_extract.registry.place import registry_url
 from ecm_extract.registry.publish import Origin, require_all
-from ecm_extract.registry.questions import who_uses
+from ecm_extract.registry.questions import Asked, who_uses
 from ecm_extract.registry.releases import find_release, list_releases, package_of_release
 from ecm_extract.registry.scope import EVERYTHING
 from ecm_extract.registry.store import Registry
@@ -111,7 +111,7 @@ def test_who_uses_tells_the_lines(registry: Registry, tmp_path: Path) -> None:
     published(registry, packages(tmp_path / "a", {**driver(), **panel("0.9.0")}))
     published(registry, packages(tmp_path / "b", panel("1.0.0")))
     with registry.reading() as session:
-        found = who_uses(session, "driver", (None, None), EVERYTHING)
+        found = who_uses(session, "driver", Asked(), EVERYTHING)
     lines = {(name.kind, name.name, user.package, user.version) for name in found for user in name.users}
     assert ("topic", "/state", "panel", "1.0.0") in lines
     assert ("parameter", "rate", "panel", "1.0.0") in lines
@@ -123,9 +123,9 @@ def test_who_uses_names_what_is_not_there(small: Registry, tmp_path: Path) -> No
     published(small, packages(tmp_path / "a", driver()))
     with small.reading() as session:
         with pytest.raises(InputError, match="provides nothing"):
-            who_uses(session, "driver", ("stats", None), EVERYTHING)
+            who_uses(session, "driver", Asked("stats"), EVERYTHING)
         with pytest.raises(InputError, match="not in the registry") as error:
-            who_uses(session, "drver", (None, None), EVERYTHING)
+            who_uses(session, "drver", Asked(), EVERYTHING)
     assert "driver" in error.value.hint
 
 

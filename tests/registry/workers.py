@@ -9,7 +9,7 @@ import msgspec
 from ecm_checker.hub.package import Package
 
 from ecm_extract.registry.publish import Origin, make_ready, publish
-from ecm_extract.registry.questions import who_uses
+from ecm_extract.registry.questions import Asked, who_uses
 from ecm_extract.registry.scope import EVERYTHING
 from ecm_extract.registry.store import Registry
 from ecm_extract.registry.verify import verify
@@ -39,7 +39,7 @@ def read(url: str, count: int) -> int:
         for _ in range(count):
             with registry.reading() as session:
                 assert verify(session).problems == ()
-                who_uses(session, "driver", (None, None), EVERYTHING)
+                who_uses(session, "driver", Asked(), EVERYTHING)
     return count
 
 

@@ -193,11 +193,11 @@ def who_uses(
     RELEASE is `PACKAGE@VERSION`, or PACKAGE for its newest one. Asked is the newest release of each package.
     """
     with open_registry(url) as registry, registry.reading() as session:
-        from ecm_extract.registry.questions import who_uses
+        from ecm_extract.registry.questions import Asked, who_uses
         from ecm_extract.registry.scope import EVERYTHING, environment_scope
 
         scope = environment_scope(session, environment) if environment else EVERYTHING
-        found = who_uses(session, release, (name, kind), scope)
+        found = who_uses(session, release, Asked(name, kind), scope)
     if form == "json":
         click.echo(_json({"schema": "ecm-extract/who-uses/1", "release": release, "names": found}))
         return
@@ -207,6 +207,23 @@ def who_uses(
             for at in user.lines:
                 fits = "" if user.fits else "  (does not fit)"
                 click.echo(_plain(f"  {user.package}@{user.version} {at.path}:{at.line} {at.what}{fits}"))
+
+
+@command.command()
+@click.argument("environment")
+@click.argument("releases", nargs=-1, required=True, metavar="RELEASE...")
+@click.option("--whole", is_flag=True, help="These are all that it runs; packages that are not named are gone.")
+@registry_option
+def record(environment: str, releases: tuple[str, ...], whole: bool, url: str | None) -> None:
+    """Keep which releases ENVIRONMENT runs now: a robot, a site, a simulation."""
+    with open_registry(url) as registry:
+        from ecm_extract.registry.environments import record
+
+        with registry.writing() as session:
+            done = record(session, environment, releases, whole=whole)
+    for each in done:
+        before = f", before {each.before}" if each.before not in (None, each.release) else ""
+        click.echo(_plain(f"{environment}: {each.release}{before}"))
 
 
 @command.command()
