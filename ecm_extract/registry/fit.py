@@ -25,7 +25,7 @@ from ecm_extract.registry.dependencies import dependencies_of
 from ecm_extract.registry.impact import Impact, Side, impact_of
 from ecm_extract.registry.releases import name_of, package_of_release
 from ecm_extract.registry.scope import Scope
-from ecm_extract.registry.sides import stored_side_of
+from ecm_extract.registry.sides import TwoSides
 from ecm_extract.registry.tables import Dependency, Release
 
 SCHEMA: Final = "ecm-extract/fit/1"
@@ -73,22 +73,19 @@ class Fit(msgspec.Struct, frozen=True):
     schema: str = SCHEMA
 
 
-def fit(session: Session, sides: Sequence[Side], scope: Scope, profiles: Profiles = NO_PROFILES) -> Fit:
+def fit(session: Session, pairs: Sequence[TwoSides], scope: Scope, profiles: Profiles = NO_PROFILES) -> Fit:
     """Tell whether releases may take their place.
 
     Args:
         session: one that reads.
-        sides: the releases; each takes the place of what the scope has of its package.
+        pairs: the releases, each with the one whose place it takes.
         scope: the releases that are there.
         profiles: of the robot, its governance and what is installed.
     """
     there = _there(session, scope)
+    sides = [each.after for each in pairs]
     names = {each.package.name for each in sides}
-    impacts = [
-        impact_of(session, stored_side_of(session, there[side.package.name]), side, scope)
-        for side in sides
-        if side.package.name in there
-    ]
+    impacts = [impact_of(session, each.before, each.after, scope) for each in pairs if each.before is not None]
     stay = {name: release for name, release in there.items() if name not in names}
     needs = [*_needs(session, sides, _versions(sides, stay, profiles)), *_needed(session, sides, stay)]
     findings = (*_unmet(session, sides, stay), *_installed(sides, profiles))

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import msgspec
 from sqlalchemy.orm import Session
 
 from ecm_extract.errors import InputError
+from ecm_extract.registry.environments import running
 from ecm_extract.registry.impact import Side
 from ecm_extract.registry.releases import find_release, name_of, package_of_release, release_before
 from ecm_extract.registry.sources import read_source
@@ -40,6 +42,18 @@ def two_sides(session: Session, old: str, new: str | None) -> TwoSides:
         return TwoSides(stored_side_of(session, before) if before else None, stored_side_of(session, after))
     found = _read(new, package)
     return TwoSides(stored_side_of(session, find_release(session, old)), found)
+
+
+def sides_of_environment(session: Session, environment: str, specs: Sequence[str]) -> list[TwoSides]:
+    """Return releases, each with the one of its package that an environment runs.
+
+    Raises:
+        InputError: one of them is not stored.
+    """
+    releases = [find_release(session, spec) for spec in specs]
+    runs = {each.package: each for each in running(session, environment)}
+    pairs = [(runs.get(each.package), each) for each in releases]
+    return [TwoSides(stored_side_of(session, old) if old else None, stored_side_of(session, new)) for old, new in pairs]
 
 
 def stored_side_of(session: Session, release: Release) -> Side:

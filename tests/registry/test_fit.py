@@ -12,9 +12,8 @@ from ecm_extract.cli.run import run
 from ecm_extract.errors import InputError
 from ecm_extract.registry.environments import record, running
 from ecm_extract.registry.fit import Fit, fit
-from ecm_extract.registry.releases import find_release
 from ecm_extract.registry.scope import environment_scope
-from ecm_extract.registry.sides import stored_side_of
+from ecm_extract.registry.sides import sides_of_environment
 from ecm_extract.registry.store import Registry
 from ecm_extract.registry.tables import AuditEntry
 
@@ -35,8 +34,12 @@ def robot(small: Registry, tmp_path: Path) -> Registry:
 
 def _fit(registry: Registry, *releases: str, environment: str = "robot_7") -> Fit:
     with registry.reading() as session:
-        sides = [stored_side_of(session, find_release(session, each)) for each in releases]
-        return fit(session, sides, environment_scope(session, environment), _SYSTEM)
+        return fit(
+            session,
+            sides_of_environment(session, environment, releases),
+            environment_scope(session, environment),
+            _SYSTEM,
+        )
 
 
 def test_a_release_that_breaks_nobody_may_go(robot: Registry) -> None:

@@ -37,10 +37,10 @@ def command(
 
     with open_registry(url) as registry, registry.reading() as session:
         from ecm_extract.registry.fit import fit
-        from ecm_extract.registry.releases import find_release
         from ecm_extract.registry.scope import environment_scope
-        from ecm_extract.registry.sides import stored_side_of
+        from ecm_extract.registry.sides import sides_of_environment
 
-        sides = [stored_side_of(session, find_release(session, each)) for each in releases]
-        found = fit(session, sides, environment_scope(session, environment), read_profiles(profiles))
+        scope = environment_scope(session, environment)
+        pairs = sides_of_environment(session, environment, releases)
+        found = fit(session, pairs, scope, read_profiles(profiles))
     return say_fit(found, form, fail_on)

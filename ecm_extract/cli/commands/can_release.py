@@ -47,5 +47,5 @@ def command(
 
         scope = channel_scope(session, channel) if channel else scope_of(session, None, distribution)
         sides = two_sides(session, package, new)
-        found = fit(session, [sides.after], scope, read_profiles(profiles))
+        found = fit(session, [sides], scope, read_profiles(profiles))
     return say_fit(found, form, fail_on)
