@@ -9,6 +9,7 @@ import msgspec
 from ecm_checker.json_data import json_data
 
 from ecm_extract.registry.fit import Fit
+from ecm_extract.registry.gates import Verdict
 from ecm_extract.registry.impact import Break, Impact
 from ecm_extract.registry.users import User
 from ecm_extract.report.terminal import one_line
@@ -29,6 +30,11 @@ def impact_markdown(impact: Impact) -> str:
 def fit_text(found: Fit) -> str:
     """Return whether releases fit, with what stands against them."""
     return "\n".join(_fit(found)) + "\n"
+
+
+def verdict_text(verdict: Verdict) -> str:
+    """Return what the gates said, each with its reasons."""
+    return "\n".join(_verdict(verdict)) + "\n"
 
 
 def as_json(document: msgspec.Struct) -> str:
@@ -102,3 +108,15 @@ def _fit(found: Fit) -> Iterator[str]:
         yield one_line(f"    do: {finding.resolution}", 600)
     yield one_line(f"{found.outcome}: {', '.join(found.releases)} among {found.scope}", 600)
     yield from (one_line(f"not stored, so nothing is known of it: {name}") for name in found.missing)
+
+
+def _verdict(verdict: Verdict) -> Iterator[str]:
+    step = f"needs {verdict.required}, takes {verdict.declared or 'unknown'}"
+    yield one_line(f"{verdict.release}: {verdict.compatibility_class}, {verdict.action.replace('_', ' ')}; {step}")
+    for each in verdict.gates:
+        yield f"  {each.state:8} {each.gate:14} ({each.level})"
+        yield from (one_line(f"    {reason}", 600) for reason in each.reasons)
+        if each.waiver is not None:
+            yield one_line(f"    {each.waiver.name} answers for it until {each.waiver.ends}: {each.waiver.reason}", 600)
+    went = "goes" if verdict.passed else "does not go"
+    yield one_line(f"{verdict.release} {went} from {verdict.inputs.source} to {verdict.inputs.channel}")

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from ecm_extract.diff.model import Comparison, RefInfo
     from ecm_extract.diff.run import Request
 
-FORMATS: Final = ("text", "json", "migration", "markdown", "html", "sarif", "github", "junit")
+FORMATS: Final = ("text", "json", "migration", "migration-spec", "markdown", "html", "sarif", "github", "junit")
 
 _EPILOG: Final = """\b
 Examples:
@@ -63,7 +63,8 @@ class Asked(msgspec.Struct, frozen=True):
     type=click.Choice(FORMATS),
     default="text",
     show_default=True,
-    help="migration: section of a guide; markdown: comment of a pull request; sarif, github, junit: findings only.",
+    help="migration: section of a guide; migration-spec: the same for programs; markdown: comment of a pull request; "
+    "sarif, github, junit: findings only.",
 )
 @click.option("--output", multiple=True, metavar="FORMAT=FILE", help="Also into a file. May be repeated.")
 @click.option(
@@ -150,7 +151,7 @@ def _print(comparison: Comparison, asked: Asked) -> None:
 def _rendered(comparison: Comparison, form: str) -> str:
     if form in {"sarif", "github", "junit"}:
         return findings_as(form, comparison.findings)
-    text: str = import_module(f"ecm_extract.diff.formats.{form}").render(comparison)
+    text: str = import_module(f"ecm_extract.diff.formats.{form.replace('-', '_')}").render(comparison)
     return text
 
 

@@ -210,6 +210,21 @@ def who_uses(
 
 
 @command.command()
+@click.argument("release")
+@click.argument("file")
+@registry_option
+def migration(release: str, file: str, url: str | None) -> None:
+    """Keep how those who use RELEASE follow it: a FILE of `ecm-extract diff OLD NEW --format migration-spec`."""
+    with open_registry(url) as registry:
+        from ecm_extract.registry.migration_documents import keep_migration, read_migration
+
+        found = read_migration(file)
+        with registry.writing() as session:
+            done = keep_migration(session, release, found)
+    click.echo(_plain(f"{done}: {len(found.steps)} steps"))
+
+
+@command.command()
 @click.argument("environment")
 @click.argument("releases", nargs=-1, required=True, metavar="RELEASE...")
 @click.option("--whole", is_flag=True, help="These are all that it runs; packages that are not named are gone.")
