@@ -11,6 +11,7 @@ from ecm_checker.json_data import json_data
 from ecm_extract.registry.fit import Fit
 from ecm_extract.registry.gates import Verdict
 from ecm_extract.registry.impact import Break, Impact
+from ecm_extract.registry.resolution import Lock
 from ecm_extract.registry.users import User
 from ecm_extract.report.terminal import one_line
 
@@ -35,6 +36,11 @@ def fit_text(found: Fit) -> str:
 def verdict_text(verdict: Verdict) -> str:
     """Return what the gates said, each with its reasons."""
     return "\n".join(_verdict(verdict)) + "\n"
+
+
+def lock_text(lock: Lock, *, explain: bool) -> str:
+    """Return what was chosen; also who asked for it, and why nothing better was, when asked to explain."""
+    return "\n".join(one_line(line, 600) for line in _lock(lock, explain=explain)) + "\n"
 
 
 def as_json(document: msgspec.Struct) -> str:
@@ -120,3 +126,19 @@ def _verdict(verdict: Verdict) -> Iterator[str]:
             yield one_line(f"    {each.waiver.name} answers for it until {each.waiver.ends}: {each.waiver.reason}", 600)
     went = "goes" if verdict.passed else "does not go"
     yield one_line(f"{verdict.release} {went} from {verdict.inputs.source} to {verdict.inputs.channel}")
+
+
+def _lock(lock: Lock, *, explain: bool) -> Iterator[str]:
+    for each in lock.releases:
+        yield f"{each.package}@{each.version}  {each.channel}  {each.contract[:19]}"
+        if explain:
+            yield f"    for {', '.join(each.by)}"
+            passed = (one for one in lock.passed if one.release.partition("@")[0] == each.package)
+            yield from (f"    not {one.release}: {one.reason}" for one in passed)
+    for out in lock.outside:
+        known = "installed" if out.known else "not in the registry, so nothing is known of it"
+        if explain or not out.known:
+            yield f"{out.package} {out.wanted} for {out.by}: {known}"
+    for finding in lock.findings:
+        if finding.severity != "info":
+            yield f"{finding.severity}: {finding.message} [{finding.rule}]"
