@@ -85,7 +85,11 @@ def fit(session: Session, pairs: Sequence[TwoSides], scope: Scope, profiles: Pro
     there = _there(session, scope)
     sides = [each.after for each in pairs]
     names = {each.package.name for each in sides}
-    impacts = [impact_of(session, each.before, each.after, scope) for each in pairs if each.before is not None]
+    impacts = [
+        impact_of(session, each.before, each.after, scope, [other for other in sides if other is not each.after])
+        for each in pairs
+        if each.before is not None
+    ]
     stay = {name: release for name, release in there.items() if name not in names}
     needs = [*_needs(session, sides, _versions(sides, stay, profiles)), *_needed(session, sides, stay)]
     findings = (*_unmet(session, sides, stay), *_installed(sides, profiles))

@@ -13,6 +13,7 @@ from typing import Final
 import msgspec
 from ecm_checker.finding import Certainty, Finding, Severity
 from ecm_checker.hub.package import Package
+from ecm_checker.match.consumer import Consumer
 from ecm_checker.release import Change, Verdict
 from sqlalchemy.orm import Session
 
@@ -26,7 +27,7 @@ from ecm_extract.diff.verdict import repository_verdict
 from ecm_extract.extraction_model import Options
 from ecm_extract.registry.scope import Scope
 from ecm_extract.registry.users import Line, StoredConsumer, User, consumers_of
-from ecm_extract.stored import Stored, stored_consumers, stored_side
+from ecm_extract.stored import Stored, stored_side
 
 SCHEMA: Final = "ecm-extract/impact/1"
 
@@ -92,7 +93,7 @@ class Impact(msgspec.Struct, frozen=True):
         return tuple(each for each in self.breaks if each.severity != "info")
 
 
-def impact_of(session: Session, old: Side, new: Side, scope: Scope) -> Impact:
+def impact_of(session: Session, old: Side, new: Side, scope: Scope, beside: Sequence[Side] = ()) -> Impact:
     """Return what breaks in a scope when one release takes the place of another.
 
     Args:
@@ -100,14 +101,16 @@ def impact_of(session: Session, old: Side, new: Side, scope: Scope) -> Impact:
         old: a release of a package.
         new: another one of it.
         scope: the releases that are asked.
+        beside: releases that come with the new one, and are asked in the place of those of their packages.
     """
     before, after = _stored(old), _stored(new)
     sides = stored_side(before), stored_side(after)
     located = located_changes(_request(before, after), *sides)
     broken = BrokenNames(located, *sides)
     consumers = [] if broken.is_empty() else consumers_of(session, broken.keys(), scope)
-    others = [each for each in consumers if each.package != new.package.name]
-    uses = [*_own(new, after, broken), *_uses(others, broken)]
+    replaced = {new.package.name, *(each.package.name for each in beside)}
+    others = [each for each in consumers if each.package not in replaced]
+    uses = [*_own(new, broken), *_uses([*others, *map(_consumer, beside)], broken)]
     changes = tuple(each.change for each in located)
     return Impact(
         package=new.package.name,
@@ -137,11 +140,16 @@ def _request(old: Stored, new: Stored) -> Request:
     return Request(old=old, new=new, repo=None, name=new.label, infos=infos, options=Options(jobs=1))
 
 
-def _own(new: Side, after: Stored, broken: BrokenNames) -> Iterator[_Used]:
+def _own(new: Side, broken: BrokenNames) -> Iterator[_Used]:
     """Lines that the release itself forgot."""
-    consumers = stored_consumers(after)
-    place = StoredConsumer(new.package.name, new.package.version or "", new.repository, new.commit, consumers[0])
-    yield from (_Used(place, use) for use in uses_of(consumers, broken, new.commit, own=True))
+    place = _consumer(new)
+    yield from (_Used(place, use) for use in uses_of([place.consumer], broken, new.commit, own=True))
+
+
+def _consumer(side: Side) -> StoredConsumer:
+    package = side.package
+    consumer = Consumer(package.name, package.requires)
+    return StoredConsumer(package.name, package.version or "", side.repository, side.commit, consumer)
 
 
 def _uses(consumers: Sequence[StoredConsumer], broken: BrokenNames) -> Iterator[_Used]:

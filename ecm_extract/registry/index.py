@@ -90,7 +90,10 @@ def split_known(registry: Registry, jobs: Iterable[Job]) -> tuple[list[Job], lis
 def _known(job: Job, commit: str) -> Outcome:
     if commit == job.commit:
         return Outcome(job.repository, job.tag, "known")
-    why = f"its tag moved from {commit[:12]} to {job.commit[:12]}; what is stored never changes"
+    why = (
+        f"its tag moved from {commit[:12]} to {job.commit[:12]}, or another clone is called {job.repository}; "
+        "what is stored never changes"
+    )
     return Outcome(job.repository, job.tag, "skipped", 0, (why,))
 
 
@@ -121,8 +124,9 @@ def index_tag(url: str, job: Job) -> Outcome:
         packages = packages_of(open_ref(Path(job.folder), job.commit), 1)
         ready = [make_ready(each) for each in packages]
         with Registry(url) as registry, registry.writing() as session:
-            if session.get(Indexed, (job.repository, job.tag)) is not None:
-                return Outcome(job.repository, job.tag, "known")
+            held = session.get(Indexed, (job.repository, job.tag))
+            if held is not None:  # another process did it meanwhile, or another clone has the name
+                return _known(job, held.commit)
             origin = Origin(job.repository, job.tag, job.commit)
             done = publish(session, ready, origin)
             new = sum(each.state == "published" for each in done)

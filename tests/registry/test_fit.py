@@ -54,6 +54,15 @@ def test_a_release_that_breaks_somebody_may_not(robot: Registry) -> None:
     assert found.impacts[0].broken == ("panel@1.0.0",)
 
 
+def test_releases_that_go_together_follow_each_other(robot: Registry, tmp_path: Path) -> None:
+    """The new panel is asked and not the one whose place it takes; its old self is nobody's peer any more."""
+    files = panel("1.1.0")
+    files["panel/panel/main.py"] = files["panel/panel/main.py"].replace('"state"', '"status"')
+    published(robot, packages(tmp_path / "e", files))
+    assert _fit(robot, "driver@2.0.0", "panel@1.1.0").outcome == "accept"
+    assert _fit(robot, "driver@2.0.0", "panel@1.0.0").outcome == "reject"
+
+
 def test_a_version_that_others_do_not_take(robot: Registry, tmp_path: Path) -> None:
     """Both directions count: what it needs, and who needs it."""
     files = {**panel("1.1.0")}

@@ -7,6 +7,7 @@ from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import get_context
 from pathlib import Path
 
+import msgspec
 import pytest
 from sample import driver, panel, write
 
@@ -79,6 +80,13 @@ def test_a_tag_that_moved_is_told(small: Registry, tmp_path: Path, clone: Path) 
     _git(clone, "tag", "-f", "1.2.0")
     moved = [each for each in _run(small, url, clone) if each.state == "skipped"]
     assert "its tag moved" in moved[0].skipped[0]
+
+
+def test_another_clone_of_the_same_name_is_told(small: Registry, tmp_path: Path, clone: Path) -> None:
+    """Without a remote a clone is called like its folder; the tags of another one are not these."""
+    url = str(tmp_path / "small.sqlite")
+    jobs = [*jobs_of(clone, "1.0.0"), msgspec.structs.replace(jobs_of(clone, "1.1.0")[0], tag="1.0.0")]
+    assert [each.state for each in run(url, jobs, None)] == ["indexed", "skipped"]
 
 
 def test_a_version_that_was_not_raised_is_told(small: Registry, tmp_path: Path, clone: Path) -> None:
