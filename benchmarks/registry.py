@@ -35,7 +35,7 @@ from ecm_extract.registry.sides import stored_side_of
 from ecm_extract.registry.store import Registry
 from ecm_extract.registry.tables import Base, Release
 
-_QUESTIONS = 40
+_QUESTIONS = 20
 
 
 def _jobs(clones: Path, newest: int) -> Iterator[list[Job]]:

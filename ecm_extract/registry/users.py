@@ -27,13 +27,14 @@ _Item = TypeVar("_Item")
 
 
 class StoredConsumer(msgspec.Struct, frozen=True):
-    """A release with those of its files that may use the names in question."""
+    """A release with those of its files that may use the names in question; `found` are the lines that may."""
 
     package: str
     version: str
     repository: str
     commit: str | None
     consumer: Consumer
+    found: tuple[Requirement, ...] = ()
 
     @property
     def release(self) -> str:
@@ -80,14 +81,24 @@ def consumers_of(session: Session, keys: Iterable[tuple[str, str]], scope: Scope
         keys: kinds and keys of the names, as `Provisions.keys` gives them.
         scope: the releases that are asked.
     """
-    parts = _parts(session, _wanted(keys))
+    numbers = _numbers(session, _wanted(keys))
     held: dict[int, list[int]] = defaultdict(list)
-    for group in _groups(sorted(parts)):
+    for group in _groups(sorted(numbers)):
         query = select(Holds.release_id, Holds.part_id).where(Holds.part_id.in_(group))
         for row in session.execute(query.where(Holds.release_id.in_(scope.query()))):
             held[row.release_id].append(row.part_id)
     needed = _requirements(session, {part for of in held.values() for part in of})
-    return [_consumer(release, [needed[part] for part in held[release.id]]) for release in _releases(session, held)]
+    return [
+        _consumer(release, [_File(needed[part], numbers[part]) for part in held[release.id]])
+        for release in _releases(session, held)
+    ]
+
+
+class _File(msgspec.Struct, frozen=True):
+    """The requirements of a file, and the places of those that may mean a name in question."""
+
+    requirements: tuple[Requirement, ...]
+    numbers: set[int]
 
 
 def _wanted(keys: Iterable[tuple[str, str]]) -> dict[str, set[str]]:
@@ -100,16 +111,18 @@ def _wanted(keys: Iterable[tuple[str, str]]) -> dict[str, set[str]]:
     return found
 
 
-def _parts(session: Session, wanted: dict[str, set[str]]) -> set[int]:
-    found: set[int] = set()
+def _numbers(session: Session, wanted: dict[str, set[str]]) -> dict[int, set[int]]:
+    """Places of requirements in their parts, by part."""
+    found: dict[int, set[int]] = defaultdict(set)
     for use, keys in wanted.items():
-        of_use = select(RequirementKey.part_id).where(RequirementKey.use == use)
+        of_use = select(RequirementKey.part_id, RequirementKey.number).where(RequirementKey.use == use)
         for query in _narrowed(of_use, keys):
-            found.update(session.scalars(query))
+            for row in session.execute(query):
+                found[row.part_id].add(row.number)
     return found
 
 
-def _narrowed(query: Select[int], keys: set[str]) -> Iterator[Select[int]]:
+def _narrowed(query: Select[int, int], keys: set[str]) -> Iterator[Select[int, int]]:
     if OPEN in keys:
         yield query
         return
@@ -138,9 +151,10 @@ def _releases(session: Session, ids: Iterable[int]) -> list[Release]:
     return sorted(found, key=lambda each: (each.package, each.rank))
 
 
-def _consumer(release: Release, files: Iterable[tuple[Requirement, ...]]) -> StoredConsumer:
-    consumer = Consumer(release.package, [entry for file in files for entry in file])
-    return StoredConsumer(release.package, release.version, release.repository, release.commit, consumer)
+def _consumer(release: Release, files: Sequence[_File]) -> StoredConsumer:
+    consumer = Consumer(release.package, [entry for file in files for entry in file.requirements])
+    found = tuple(file.requirements[number] for file in files for number in sorted(file.numbers))
+    return StoredConsumer(release.package, release.version, release.repository, release.commit, consumer, found)
 
 
 def used_names(session: Session, provisions: Provisions, names: Sequence[Provision], scope: Scope) -> list[UsedName]:
@@ -166,7 +180,7 @@ def used_names(session: Session, provisions: Provisions, names: Sequence[Provisi
 
 def _used_by(stored: StoredConsumer, asked: Provisions) -> dict[int, list[User]]:
     lines: dict[tuple[int, bool], list[Line]] = defaultdict(list)
-    for entry in stored.consumer.requirements:
+    for entry in stored.found:
         for provision in asked.named(entry, stored.consumer):
             if not _is_own(entry, stored, provision):
                 lines[id(provision), misfit(entry, provision) is None] += _lines(entry)
