@@ -3,6 +3,7 @@
 VENV := .venv
 BIN := $(VENV)/bin
 DEMO := build/demo
+REGISTRY_DEMO := build/registry-demo
 
 NEW_ENOUGH := import sys, venv, ensurepip; sys.exit(sys.version_info < (3, 11))
 PYTHON ?= $(shell for each in python3 python3.14 python3.13 python3.12 python3.11; do \
@@ -10,7 +11,7 @@ PYTHON ?= $(shell for each in python3 python3.14 python3.13 python3.12 python3.1
 PIP := $(BIN)/python -m pip --disable-pip-version-check install --quiet
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test check format schemas corpus path-a clean
+.PHONY: help demo registry-demo test check format schemas corpus path-a clean
 
 help: ## Show this list.
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1\t\2/p' Makefile
@@ -19,6 +20,9 @@ demo: $(VENV)/.run ## Read the demo robot, print the summary and one manifest.
 	@$(BIN)/ecm-extract fixtures/demo_robot -o $(DEMO)
 	@echo; echo "The first lines of one manifest:"; echo
 	@find $(DEMO) -name '*.ecm.yaml' | sort | head -n 1 | xargs head -n 40
+
+registry-demo: $(VENV)/.dev ## Publish, refuse, migrate, promote, resolve over a registry of its own.
+	@sh fixtures/registry/demo.sh $(BIN)/ecm-extract $(REGISTRY_DEMO)
 
 test: $(VENV)/.dev ## Run the tests.
 	@$(BIN)/python -m pytest

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 from typing import Final
@@ -12,6 +12,7 @@ import msgspec
 from ecm_checker.hub.package import SUFFIX, Extract, Hub, Package, SchemaError, decode_documents, provisions
 from ecm_checker.hub.provision import Key, Provision
 from ecm_checker.match.consumer import Consumer
+from ecm_checker.wire import NotRead
 from ecm_parsers.interface_facts import Definition
 
 from ecm_extract.collector import without_collector
@@ -105,7 +106,7 @@ def _read(path: Path) -> Stored:
         message = f"{path} cannot be read: {error}"
         raise InputError(message, "write it anew with `ecm-extract PATH --format json`") from error
     packages = document.packages if isinstance(document, Extract) else (document,)
-    unread = tuple(msgspec.convert(each, Unread, from_attributes=True) for each in document.unread)
+    unread = unread_in(document.unread)
     return Stored(str(path), document.source.commit, packages, unread)
 
 
@@ -114,6 +115,11 @@ def package_of(extracted: PackageContracts) -> Package:
     hub = msgspec.json.decode(extracted.hub, type=Hub) if extracted.hub else Hub()
     head = {"name": extracted.name, "version": extracted.version, "path": extracted.path, "ros": extracted.ros}
     return Package(**head, **msgspec.structs.asdict(hub))  # type: ignore[arg-type]
+
+
+def unread_in(rows: Iterable[NotRead]) -> tuple[Unread, ...]:
+    """Return what a document says was not read."""
+    return tuple(msgspec.convert(each, Unread, from_attributes=True) for each in rows)
 
 
 def stored_side(stored: Stored) -> Side:

@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 
 PROGRAM: Final = "ecm-extract"
 DEFAULT_COMMAND: Final = "extract"
+_ALIKE: Final = 0.7
+"""From which likeness on a word is a slip of a command: `robot` is a folder, and no slip of `promote`."""
 PLUGINS: Final = "ecm_extract.commands"
 """Group of entry points whose objects are click commands, called as the entry point is."""
 
@@ -103,7 +105,7 @@ class App(click.Group):
         return ctx.resilient_parsing or argument in options or argument in self.list_commands(ctx)
 
     def _refuse_typo(self, ctx: click.Context, argument: str) -> None:
-        close = difflib.get_close_matches(argument, self.list_commands(ctx), n=1)
+        close = difflib.get_close_matches(argument, self.list_commands(ctx), 1, _ALIKE)
         if close and not argument.startswith("-") and not Path(argument).exists():
             message = f"{argument!r} is neither a command nor a path; did you mean {close[0]!r}?"
             raise click.UsageError(message, ctx)

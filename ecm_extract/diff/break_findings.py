@@ -20,11 +20,16 @@ NAME: Final = "field_break"
 
 def findings_of(uses: Iterable[Use]) -> tuple[Finding, ...]:
     """Return one finding for each change that somebody uses."""
+    found = [finding_of(located, readers) for located, readers in grouped_uses(uses)]
+    return tuple(sorted(found, key=lambda entry: (_rank(entry.severity), entry.message, entry.fingerprint)))
+
+
+def grouped_uses(uses: Iterable[Use]) -> list[tuple[Located, list[Use]]]:
+    """Return changes with the lines that each breaks, in the order of the lines."""
     grouped: dict[int, tuple[Located, list[Use]]] = {}
     for use in uses:
         grouped.setdefault(id(use.located), (use.located, []))[1].append(use)
-    found = [_finding(located, readers) for located, readers in grouped.values()]
-    return tuple(sorted(found, key=lambda entry: (_rank(entry.severity), entry.message, entry.fingerprint)))
+    return list(grouped.values())
 
 
 def line_of(use: Use) -> Evidence:
@@ -36,7 +41,8 @@ def _rank(severity: Severity) -> int:
     return ("error", "warning", "info").index(severity)
 
 
-def _finding(located: Located, uses: list[Use]) -> Finding:
+def finding_of(located: Located, uses: Iterable[Use]) -> Finding:
+    """Return the finding on a change and the lines that it breaks."""
     change = located.change
     distinct = {(use.path, use.line, use.what): use for use in uses}
     readers = [distinct[place] for place in sorted(distinct, key=lambda place: (bool(distinct[place].kept_for), place))]

@@ -55,6 +55,12 @@ class BrokenNames:
         """Whether nothing can break."""
         return not self._changes and not self._duties and not self._layouts
 
+    def keys(self) -> Iterator[tuple[str, str]]:
+        """Yield kinds and keys by which every requirement that a change may concern is found, and others as well."""
+        yield from self._changed.keys()
+        yield from Provisions(new for each in self._located if (new := each.pair.new) and _is_looked_for(each)).keys()
+        yield from (("message", name) for name in self._layouts)
+
     def meant(self, requirement: Requirement, consumer: Consumer) -> Iterator[Located]:
         """Yield the changes of the names that a requirement may mean."""
         found = self._changed.named(requirement, consumer)
@@ -76,6 +82,11 @@ class BrokenNames:
     def duties_of(self, package: str | None, launch_file: str) -> Sequence[Located]:
         """Return the arguments that a launch file asks for since the change."""
         return self._duties.get((package, launch_file), ())
+
+
+def _is_looked_for(entry: Located) -> bool:
+    """Whether its new name tells something: an argument that is asked for now, a name that a remap may lead to."""
+    return entry.change.breaking and entry.change.kind in {"launch_argument", "topic", "service", "action"}
 
 
 def _concerns(entry: Located) -> bool:

@@ -75,13 +75,13 @@ def compared(request: Request, sides: Sides, parsed: dict[str, SourceFile]) -> C
     """
     old, new = sides.old, sides.new
     refuse_unknown_packages(request.packages, {*old.packages, *new.packages}, _both_labels(request))
-    located = _changes(request, old, new)
+    located = located_changes(request, old, new)
     broken = BrokenNames(located, old, new)
     own = list(uses_of(sides.own(), broken, new.commit, own=True))
     theirs = [(each, _uses(each, request, parsed, broken)) for each in request.consumers]
     findings = findings_of([*own, *(use for _, uses in theirs for use in uses)])
     changes = tuple(entry.change for entry in located)
-    unread = _unread(request, old, new)
+    unread = unread_between(request, old, new)
     return Comparison(
         repo=request.name,
         old=request.infos[0],
@@ -103,8 +103,8 @@ def _both_labels(request: Request) -> str:
     return " or ".join(info.ref for info in request.infos)
 
 
-def _unread(request: Request, old: Side, new: Side) -> tuple[UnreadPart, ...]:
-    """What was not read until now: the trees tell it once all that is wanted of them was read."""
+def unread_between(request: Request, old: Side, new: Side) -> tuple[UnreadPart, ...]:
+    """Return what was not read until now: the trees tell it once all that is wanted of them was read."""
     consumers = [unread for each in request.consumers for unread in _unread_of(each)]
     before, after = (
         SideRead(tuple(dict.fromkeys((*side.unread, *_unread_of(origin)))), side.paths)
@@ -129,7 +129,8 @@ def _unread_of(origin: Tree | Stored) -> Sequence[Unread]:
     return origin.unread if isinstance(origin, Stored) else unread_of(origin.diagnostics)
 
 
-def _changes(request: Request, old: Side, new: Side) -> list[Located]:
+def located_changes(request: Request, old: Side, new: Side) -> list[Located]:
+    """Pair the entities of two sides, and return what changed."""
     files = renamed_files(old, new, request.repo)
     evidence = Evidence(
         files, History(old, new, request.repo), new.bound, new.quoted, new.reads, before=frozenset(old.blobs)

@@ -22,8 +22,8 @@ from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.place import Place, required
 from ecm_extract.tree import Tree
 
-_FOUND: Final = re.compile(r"\$\((?:find|find_prefix) ([^\s$()]+)\)(.*?)([^/$()]+)$", re.DOTALL)
-"""A file of a package: the package, the folders, the name."""
+_FOUND: Final = re.compile(r"\$\((?:find|find_prefix) ([^\s$()]+)\)(/(?:.*/)?)([^/$()]+)$", re.DOTALL)
+"""A file of a package: the package, the folders, the name, which stands there as a whole."""
 HOLE: Final = "{}"
 MANAGED: Final = "node_names"
 """Parameter by which a lifecycle manager is told its nodes (nav2_lifecycle_manager, nav2_util)."""

@@ -79,16 +79,16 @@ def merge_base(repo: GitRepo, one: str, other: str) -> str | None:
     return out.decode("ascii").split()[0] if status == 0 else None
 
 
-def release_tags(repo: GitRepo, ref: str) -> tuple[ReleaseTag, ...]:
-    """Tags that name a version and are reachable from `ref`, lowest version first.
+def release_tags(repo: GitRepo, ref: str | None = None) -> tuple[ReleaseTag, ...]:
+    """Tags that name a version and are reachable from `ref`, or all of them; lowest version first.
 
     Raises:
         RefError: the ref does not exist.
         GitError: the history is damaged.
     """
-    commit = resolve_commit(repo, ref)
+    merged = [f"--merged={resolve_commit(repo, ref)}"] if ref is not None else []
     layout = "--format=%(refname:strip=2)%00%(objectname)%00%(*objectname)"
-    _, out = repo.run("for-each-ref", f"--merged={commit}", layout, "refs/tags")
+    _, out = repo.run("for-each-ref", *merged, layout, "refs/tags")
     rows = (line.split("\0") for line in out.decode("utf-8", "surrogateescape").splitlines())
     tags = [tag for name, direct, peeled in rows if (tag := as_release(name, peeled or direct))]
     return tuple(sorted(tags, key=lambda tag: (tag.version, not tag.prerelease, tag.name)))

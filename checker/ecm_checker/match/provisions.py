@@ -71,6 +71,10 @@ class Provisions:
                 found[entity.name.partition("/")[0]].add(entity.package)
         return {folder: frozenset(packages) for folder, packages in found.items()}
 
+    def keys(self) -> Iterator[tuple[str, str]]:
+        """Yield the kinds and keys by which requirements find what is here."""
+        yield from self._by_key
+
     def of(self, kind: str, key: str) -> Iterator[Provision]:
         """Yield the provisions of a kind that a key finds, those whose names are computed last."""
         yield from self._by_key.get((kind, key), ())

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from ecm_extract.stored import Stored
     from ecm_extract.tree import Tree
 
-FORMATS: Final = ("text", "json", "migration", "markdown", "html", "sarif", "github", "junit")
+FORMATS: Final = ("text", "json", "migration", "migration-spec", "markdown", "html", "sarif", "github", "junit")
 
 _EPILOG: Final = """\b
 Examples:
@@ -76,7 +76,8 @@ class Asked(msgspec.Struct, frozen=True):
     type=click.Choice(FORMATS),
     default="text",
     show_default=True,
-    help="migration: section of a guide; markdown: comment of a pull request; sarif, github, junit: findings only.",
+    help="migration: section of a guide; migration-spec: the same for programs; markdown: comment of a pull request; "
+    "sarif, github, junit: findings only.",
 )
 @click.option("--output", multiple=True, metavar="FORMAT=FILE", help="Also into a file. May be repeated.")
 @click.option(
@@ -234,7 +235,8 @@ def _rendered(comparison: Comparison, form: str, places: Places, color: bool = F
         from ecm_extract.diff.formats.text import render, styled
 
         return styled(comparison, places) if color else render(comparison, places)
-    text: str = import_module(f"ecm_extract.diff.formats.{form}").render(_placed(comparison, form, places))
+    module = import_module(f"ecm_extract.diff.formats.{form.replace('-', '_')}")
+    text: str = module.render(_placed(comparison, form, places))
     return text
 
 

@@ -1,0 +1,334 @@
+"""Each cell of the paper's tables of channels and classes, as what a gate lets pass and what it refuses."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import pytest
+from ecm_checker.contract import Evidence as Line
+from ecm_checker.hub.package import Package, Provided
+from ecm_checker.hub.requirement import Requirement
+from ecm_checker.profiles import Embodiment, Policy, Profiles
+from ecm_checker.release import ACTIONS, CLASSES
+from sample import published
+from scenario import MODULE, contract, package
+
+from ecm_extract.diff.migration import Migration, migration_of
+from ecm_extract.registry import clock
+from ecm_extract.registry.channels import gate_table
+from ecm_extract.registry.evidence import add_evidence, evidence_of, stated
+from ecm_extract.registry.gates import Verdict, Waiver, judge, judged_again
+from ecm_extract.registry.impact import Impact, impact_of
+from ecm_extract.registry.matter import Inputs
+from ecm_extract.registry.releases import find_release
+from ecm_extract.registry.scope import EVERYTHING
+from ecm_extract.registry.sides import two_sides
+from ecm_extract.registry.store import Registry
+
+CHANNELS = ("sandbox", "beta", "stable", "certified")
+PAPER = {
+    "contract": ("partial", "complete", "complete", "complete"),
+    "compatibility": ("optional", "limited", "verified", "verified"),
+    "policy": ("optional", "limited", "reviewed", "strong"),
+    "upgrade": ("optional", "limited", "tested", "tested"),
+    "rollback": ("optional", "recommended", "required", "required_traced"),
+}
+_POLICY = Policy(physical={"motion": True, "max_force_n": 50}, data=(), network=False, operational=(), audit="full")
+_ROBOT = Embodiment(
+    sensors=("force_torque@wrist",), actuators=("arm_6dof", "gripper"), compute={"cpu_cores": 8, "gpu": True}
+)
+_PROFILES = Profiles(_ROBOT, _POLICY)
+_ALL = ("validation", "upgrade_test", "policy_review", "rollback_test")
+TOPIC = Provided(
+    kind="topic",
+    owner="grasp",
+    name="/grasped",
+    type="std_msgs/msg/Bool",
+    default=None,
+    conditions=(),
+    confidence="literal",
+    deprecated=None,
+    evidence=(Line("delivery/grasp.py", 7),),
+    facet="published",
+)
+LISTENER = Requirement(
+    use="subscribes",
+    kind="topic",
+    package=None,
+    owner="",
+    name="/grasped",
+    type="std_msgs/msg/Bool",
+    certainty="proved",
+    conditions=(),
+    by="node show",
+    evidence=(Line("panel/show.py", 3),),
+)
+PANEL = Package(name="panel", version="1.0.0", path="panel", ros=2, manifest="panel/package.xml", requires=(LISTENER,))
+
+
+def test_the_table_is_that_of_the_paper() -> None:
+    """Twenty cells."""
+    table = gate_table()
+    assert tuple(table.channels) == CHANNELS
+    for column, levels in PAPER.items():
+        assert tuple(table.channels[name][column] for name in CHANNELS) == levels
+
+
+class Bench:
+    """Two releases of a package in a registry, judged for any channel."""
+
+    def __init__(self, registry: Registry, new: Package, old: Package | None = None) -> None:
+        self._registry = registry
+        published(registry, (old or package("1.0.0", contract(), provides=(TOPIC,)), PANEL))
+        published(registry, (new,))
+        self._name = f"delivery@{new.version}"
+        self.migration: Migration | None = None
+
+    def impact(self) -> Impact:
+        with self._registry.reading() as session:
+            sides = two_sides(session, "delivery", None)
+            assert sides.before is not None
+            return impact_of(session, sides.before, sides.after, EVERYTHING)
+
+    def show(self, *kinds: str, result: str = "confirmed", by: str = "Ada", on: str | None = "robot 7") -> None:
+        with self._registry.writing() as session:
+            said: dict[str, Any] = {"by": by, "on": on, "result": result, "note": ""}
+            add_evidence(session, [stated(session, self._name, kind=kind, **said) for kind in kinds])  # type: ignore[arg-type]
+
+    def judge(self, channel: str, waivers: Sequence[Waiver] = (), profiles: Profiles = _PROFILES) -> Verdict:
+        with self._registry.reading() as session:
+            release = find_release(session, self._name)
+            old, panel = find_release(session, "delivery@1.0.0"), find_release(session, "panel")
+            inputs = Inputs(
+                release=release.id, digest=release.digest, previous=old.id, source="sandbox", channel=channel,
+                since=release.stored, scope=(panel.id,), target=old.id,
+                evidence=tuple(each.digest for each in evidence_of(session, release.id)),
+                migration=self.migration, embodiment=profiles.embodiment, policy=profiles.policy,
+                at=clock.written(clock.now()),
+            )  # fmt: skip
+            verdict = judge(session, inputs, waivers, gate_table())
+            assert judged_again(session, verdict) == verdict
+            return verdict
+
+    def refused(self, channel: str, **rest: Any) -> set[str]:
+        return {each.gate for each in self.judge(channel, **rest).gates if each.state == "refused"}
+
+
+def _same() -> Package:
+    return package("1.0.1", contract(), provides=(TOPIC,))
+
+
+def _ready(registry: Registry, new: Package) -> Bench:
+    bench = Bench(registry, new)
+    bench.show(*_ALL)
+    bench.show("policy_review", by="Grace")
+    return bench
+
+
+def _migrated(registry: Registry, new: Package) -> Bench:
+    bench = _ready(registry, new)
+    bench.migration = migration_of("1.0.0", "2.0.0", bench.impact().changes)
+    return bench
+
+
+def _complete(registry: Registry) -> Bench:
+    return _ready(registry, _same())
+
+
+def _incomplete(registry: Registry) -> Bench:
+    return _ready(registry, package("1.0.1", contract(signature__timeout_ms=None), provides=(TOPIC,)))
+
+
+def _unmigrated(registry: Registry) -> Bench:
+    return _ready(registry, package("2.0.0", contract()))
+
+
+def _breaking_others(registry: Registry) -> Bench:
+    return _migrated(registry, package("2.0.0", contract()))
+
+
+def _small_step(registry: Registry) -> Bench:
+    return _migrated(registry, package("1.0.1", contract()))
+
+
+def _new_permission(registry: Registry) -> Bench:
+    asked = contract(permissions__physical={"motion": True, "human_contact": True})
+    bench = Bench(registry, package("2.0.0", asked, provides=(TOPIC,)))
+    bench.show("validation", "upgrade_test", "rollback_test")
+    return bench
+
+
+def _unreviewed(registry: Registry) -> Bench:
+    bench = Bench(registry, _same())
+    bench.show("validation", "upgrade_test", "rollback_test")
+    return bench
+
+
+def _one_reviewer(registry: Registry) -> Bench:
+    bench = Bench(registry, _same())
+    bench.show(*_ALL)
+    return bench
+
+
+def _more_resources(registry: Registry) -> Bench:
+    needs = contract(resources__compute={"cpu_cores": 2, "gpu": True})
+    bench = Bench(registry, package("2.0.0", needs, provides=(TOPIC,)))
+    bench.show("upgrade_test", "policy_review", "rollback_test")
+    bench.show("policy_review", by="Grace")
+    return bench
+
+
+def _other_recovery(registry: Registry) -> Bench:
+    other = contract(recovery__retry={"max": 1, "strategy": "explore"})
+    bench = Bench(registry, package("2.0.0", other, provides=(TOPIC,)))
+    bench.show("upgrade_test", "policy_review", "rollback_test")
+    bench.show("policy_review", by="Grace")
+    return bench
+
+
+def _untested(registry: Registry) -> Bench:
+    bench = Bench(registry, _same())
+    bench.show("validation", "policy_review", "rollback_test")
+    bench.show("policy_review", by="Grace")
+    return bench
+
+
+def _no_way_back(registry: Registry) -> Bench:
+    bench = Bench(registry, _same())
+    bench.show("validation", "policy_review", "upgrade_test")
+    bench.show("policy_review", by="Grace")
+    return bench
+
+
+def _untraced(registry: Registry) -> Bench:
+    bench = _no_way_back(registry)
+    bench.show("rollback_test", on=None)
+    return bench
+
+
+# What is wrong, the gate that it concerns, and from which channel on it is refused: one row for each level.
+CELLS = [
+    (_complete, "contract", None),
+    (_incomplete, "contract", "beta"),
+    (_unmigrated, "compatibility", "beta"),
+    (_small_step, "compatibility", "beta"),
+    (_breaking_others, "compatibility", "stable"),
+    (_new_permission, "policy", "beta"),
+    (_unreviewed, "policy", "stable"),
+    (_one_reviewer, "policy", "certified"),
+    (_more_resources, "resource", "beta"),
+    (_other_recovery, "recovery", "beta"),
+    (_untested, "resource", "stable"),
+    (_untested, "recovery", "stable"),
+    (_no_way_back, "rollback", "stable"),
+    (_untraced, "rollback", "certified"),
+]
+
+
+@pytest.mark.parametrize(("make", "gate", "first"), CELLS)
+def test_a_cell(small: Registry, make: Callable[[Registry], Bench], gate: str, first: str | None) -> None:
+    """Each level lets pass what the one below demands, and refuses what it does not."""
+    bench = make(small)
+    limit = CHANNELS.index(first) if first else len(CHANNELS)
+    for number, channel in enumerate(CHANNELS):
+        assert (gate in bench.refused(channel)) == (number >= limit), channel
+
+
+def test_a_good_release_goes_all_the_way(small: Registry) -> None:
+    """No gate refuses what shows all."""
+    bench = _complete(small)
+    assert [bench.refused(channel) for channel in CHANNELS] == [set()] * 4
+
+
+CLASSES_OF_THE_PAPER = [
+    pytest.param({}, "fully-compatible", "promote", id="nothing"),
+    pytest.param({"resources__compute": {"cpu_cores": 4}}, "resource-sensitive", "revalidate", id="resources"),
+    pytest.param(
+        {"permissions__physical": {"motion": True, "human_contact": True}},
+        "policy-sensitive",
+        "governance_review",
+        id="permissions",
+    ),
+    pytest.param(
+        {
+            "permissions__physical": {"motion": True, "human_contact": True},
+            "resources__compute": {"cpu_cores": 4},
+        },
+        "policy-sensitive",
+        "governance_review",
+        id="permissions, resources too",
+    ),
+    pytest.param({"recovery__rollback_state": "home"}, "recovery-sensitive", "revalidate", id="recovery"),
+    pytest.param(
+        {"recovery__rollback_state": "home", "resources__compute": {"cpu_cores": 4}},
+        "recovery-sensitive",
+        "revalidate",
+        id="recovery, resources too",
+    ),
+    pytest.param({"behavior__preconditions": ["arm.is_homed"]}, "breaking", "migration", id="behavior"),
+    pytest.param(
+        {"behavior__preconditions": ["arm.is_homed"], "permissions__physical": {"zone": True}},
+        "breaking",
+        "migration",
+        id="behavior, permissions too",
+    ),
+]
+
+
+@pytest.mark.parametrize(("fields", "name", "action"), CLASSES_OF_THE_PAPER)
+def test_a_class(small: Registry, fields: dict[str, Any], name: str, action: str) -> None:
+    """What changed decides the class, and the class what is asked for."""
+    verdict = Bench(small, package("2.0.0", contract(**fields), provides=(TOPIC,))).judge("beta")
+    assert (verdict.compatibility_class, verdict.action) == (name, action)
+
+
+def test_a_signature_that_changed_is_breaking(small: Registry) -> None:
+    """The first column of the table of classes."""
+    verdict = Bench(small, package("2.0.0", contract())).judge("beta")
+    assert (verdict.compatibility_class, verdict.action) == ("breaking", "migration")
+    assert set(ACTIONS) == set(CLASSES)
+
+
+def test_a_waiver_counts_until_its_end(small: Registry) -> None:
+    """It names who answers, and it is in the verdict."""
+    bench = _incomplete(small)
+    named = Waiver("contract", "Ada", "a demonstration", "2999-01-01T00:00:00.000000Z")
+    ended = Waiver("contract", "Ada", "a demonstration", "2001-01-01T00:00:00.000000Z")
+    verdict = bench.judge("beta", [named])
+    assert verdict.passed
+    assert [each.waiver for each in verdict.gates if each.state == "waived"] == [named]
+    assert bench.refused("beta", waivers=[ended]) == {"contract"}
+
+
+def test_the_newest_evidence_counts(small: Registry) -> None:
+    """What was confirmed and then contradicted is not confirmed."""
+    bench = _complete(small)
+    bench.show("rollback_test", result="contradicted")
+    assert "rollback" in bench.refused("stable")
+    bench.show("observation", result="contradicted")
+    assert "contract" in bench.refused("beta")
+
+
+def test_profiles_are_asked(small: Registry) -> None:
+    """A robot that lacks what the release needs, a policy that forbids it, no policy at all."""
+    bench = _complete(small)
+    bare = Embodiment(sensors=(), actuators=(), compute={"cpu_cores": 1, "gpu": False})
+    strict = Policy(physical={"motion": False}, data=(), network=False, operational=(), audit="full")
+    assert "resource" in bench.refused("stable", profiles=Profiles(bare, _POLICY))
+    assert "policy" in bench.refused("stable", profiles=Profiles(_ROBOT, strict))
+    assert "policy" not in bench.refused("stable", profiles=Profiles())
+    assert "policy" in bench.refused("certified", profiles=Profiles())
+
+
+def test_what_does_not_run_needs_fewer_fields(small: Registry) -> None:
+    """An interface package has nothing to say of retry and frames."""
+    import msgspec
+    from ecm_checker.contract import Contract
+
+    found = contract()
+    identity = msgspec.structs.replace(found.ecm, kind="interface")
+    bare = Contract(identity, versioning=found.versioning)
+    assert identity.module_id == MODULE
+    bench = Bench(small, package("1.0.1", bare, provides=(TOPIC,)))
+    assert "contract" not in bench.refused("beta")
