@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import msgspec
 import pytest
 from ecm_checker.contract import Evidence
 from ecm_checker.hub.kinds import uses
@@ -181,3 +182,12 @@ def test_packages_ask_each_other() -> None:
     wanted = [requirement("starts", "gone", package="arm"), requirement("loads_plugin", "else::Where")]
     found = Packages([package("user", [], wanted), package("arm", [provision("executable", "arm_node")], [])])
     assert [each.requirement.name for each in found.unmet()] == ["gone"]
+
+
+def test_a_program_may_be_a_file_of_its_package() -> None:
+    """ROS 1 runs a script from the source folder, installed or not."""
+    user = package("user", [], [requirement("starts", "drive.py", package="arm")])
+    arm = package("arm", [], [])
+    held = msgspec.structs.replace(arm, files={"arm/scripts/drive.py": ""})
+    assert [each.requirement.name for each in Packages([user, arm]).unmet()] == ["drive.py"]
+    assert not list(Packages([user, held]).unmet())

@@ -229,6 +229,13 @@ def test_each_dependence_is_a_requirement(
     assert not missing, found
 
 
+def test_a_file_whose_name_the_launch_decides_is_nobodys(workspace: Workspace) -> None:
+    """`$(arg arm)_arm.launch` is not `_arm.launch`."""
+    text = '<launch><arg name="arm"/><include file="$(find arm)/launch/$(arg arm)_arm.launch"/></launch>'
+    found = rows(workspace.package({"launch/a.launch": text}, 1))
+    assert not [row for row in found if row["use"] == "includes_launch"]
+
+
 def test_what_the_language_brings_is_not_required(workspace: Workspace) -> None:
     """Nobody provides the standard library."""
     found = rows(workspace.package(CASES["C++"][1]))

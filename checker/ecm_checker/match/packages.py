@@ -51,6 +51,14 @@ class Packages:
         """Each of them as a consumer."""
         return [Consumer(package.name, package.requires) for package in self._packages]
 
+    @cached_property
+    def _file_names(self) -> frozenset[tuple[str, str]]:
+        return frozenset((each.name, path.rpartition("/")[2]) for each in self._packages for path in each.files)
+
+    def _is_file(self, requirement: Requirement) -> bool:
+        """Whether a program is a file of its package: ROS 1 runs it from the source folder, installed or not."""
+        return requirement.kind == "executable" and (requirement.package, requirement.name) in self._file_names
+
     def unmet(self) -> Iterator[Unmet]:
         """Yield what they require of each other and do not get.
 
@@ -58,7 +66,7 @@ class Packages:
         """
         for consumer in self.consumers:
             for requirement in consumer.requirements:
-                if uses()[requirement.use].stated and not is_open(requirement):
+                if uses()[requirement.use].stated and not is_open(requirement) and not self._is_file(requirement):
                     found = match(requirement, consumer, self.provisions, self.names)
                     if found.state in {"dangling", "incompatible"}:
                         yield Unmet(consumer.package, found)
