@@ -90,14 +90,6 @@ class Change(msgspec.Struct, frozen=True, kw_only=True):
     cause: str | None = None
 
 
-class Verdict(msgspec.Struct, frozen=True):
-    """The class of a release, the step it needs, the step it takes (None: cannot be read)."""
-
-    compatibility_class: CompatibilityClass
-    required_bump: Bump
-    declared_bump: Bump | None
-
-
 def fingerprint_of(change: Change) -> str:
     """16 hexadecimal digits that everything said about a change shares: the change itself, and each use it breaks.
 

@@ -7,16 +7,16 @@ from collections.abc import Iterable
 from typing import Final
 
 import msgspec
+from ecm_checker.hub.provision import Provision
 
 from ecm_extract.diff.model import Located
 from ecm_extract.diff.similarity import last_part
-from ecm_extract.entities.model import PublicEntity
 from ecm_extract.entities.side import Side
 
 _SHARED: Final = frozenset({"topic", "service", "action", "parameter", "qos"})
 _MAX_NAMED: Final = 4
 _TELLING: Final = 12
-Homes = dict[tuple[str, str, str], list[PublicEntity]]
+Homes = dict[tuple[str, str, str], list[Provision]]
 
 
 def one_cause(found: Iterable[Located], new: Side) -> list[Located]:
@@ -69,7 +69,7 @@ def _hinted(located: Located, homes: Homes) -> Located:
     return Located(msgspec.structs.replace(change, reason=reason), located.pair)
 
 
-def _is_beside(old: PublicEntity, other: PublicEntity) -> bool:
+def _is_beside(old: Provision, other: Provision) -> bool:
     """Whether an entity is of the same owner, or declared in the same folders; a short name says nothing."""
     if (old.package, old.owner) == (other.package, other.owner):
         return True

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 
 import msgspec
 from ecm_checker.contract import Evidence
+from ecm_checker.hub.provision import Key, Provision
 from ecm_checker.release import Change
 
 from ecm_extract.diff.causes import one_cause
@@ -16,7 +17,6 @@ from ecm_extract.diff.model import Located, Pair
 from ecm_extract.diff.pair import CONTAINERS
 from ecm_extract.diff.successors import stated_successor
 from ecm_extract.diff.wire import nested_changes, wire_note
-from ecm_extract.entities.model import Key, PublicEntity
 from ecm_extract.entities.parameter_settings import SETTING
 from ecm_extract.entities.side import Side
 
@@ -74,7 +74,7 @@ def _of_pair(pair: Pair, gone: Names, fresh: Names, duties: frozenset[Key]) -> I
         yield Located(_record(pair, _addition(pair.new, why)), pair)
 
 
-def _is_covered(entity: PublicEntity, containers: Names) -> bool:
+def _is_covered(entity: Provision, containers: Names) -> bool:
     """Whether the whole that holds an entity came or went too: one cause, one change."""
     package = ("package", entity.package, "", entity.package)
     owners = {(kind, entity.package, "", entity.owner) for kind in CONTAINERS}
@@ -83,13 +83,13 @@ def _is_covered(entity: PublicEntity, containers: Names) -> bool:
     return (entity.kind != "package" and package in containers) or not owners.isdisjoint(containers)
 
 
-def _file_of(entity: PublicEntity) -> Names:
+def _file_of(entity: Provision) -> Names:
     """The file of an entity under each name that it may have in its package."""
     parts = entity.path.split("/")
     return {("file", entity.package, "", "/".join(parts[at:])) for at in range(len(parts))}
 
 
-def _is_implicit(entity: PublicEntity) -> bool:
+def _is_implicit(entity: Provision) -> bool:
     """Whether callers still find a method that went: an override of a base, or a constructor that each class has."""
     if entity.kind != "method":
         return False
@@ -100,13 +100,13 @@ def _is_implicit(entity: PublicEntity) -> bool:
     return own == entity.name and all(form.types in given for form in entity.forms)
 
 
-def _addition(entity: PublicEntity, why: str | None) -> Difference:
+def _addition(entity: Provision, why: str | None) -> Difference:
     if entity.kind == SETTING:
         return set_now(entity)
     return Difference("added", why is not None, why or "new")
 
 
-def _removal(entity: PublicEntity) -> Difference:
+def _removal(entity: Provision) -> Difference:
     if entity.kind == SETTING:
         return no_longer_set(entity)
     reason = _REASONS.get(entity.kind, "gone; code that uses it no longer builds")
@@ -138,7 +138,7 @@ def _record(pair: Pair, difference: Difference) -> Change:
     )
 
 
-def _name(entity: PublicEntity | None, difference: Difference, pair: Pair) -> str | None:
+def _name(entity: Provision | None, difference: Difference, pair: Pair) -> str | None:
     """The name; of what moved with its new place, since the name alone says nothing."""
     if entity is None:
         return None

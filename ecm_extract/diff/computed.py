@@ -6,9 +6,7 @@ import re
 from collections import defaultdict
 from collections.abc import Iterable
 
-from ecm_checker.hub.provision import HOLE
-
-from ecm_extract.entities.model import PublicEntity
+from ecm_checker.hub.provision import HOLE, Provision
 
 _KINDS = frozenset({"topic", "service", "action"})
 _LEAST_KNOWN = 4
@@ -18,13 +16,13 @@ _LEAST_KNOWN = 4
 class Computed:
     """New endpoints, to be asked for the one that an old name lives on in."""
 
-    def __init__(self, new: Iterable[PublicEntity]) -> None:
-        self._index: dict[tuple[str, str, str], list[PublicEntity]] = defaultdict(list)
+    def __init__(self, new: Iterable[Provision]) -> None:
+        self._index: dict[tuple[str, str, str], list[Provision]] = defaultdict(list)
         for entity in new:
             if entity.kind in _KINDS:
                 self._index[entity.kind, entity.package, entity.facet].append(entity)
 
-    def home(self, old: PublicEntity) -> PublicEntity | None:
+    def home(self, old: Provision) -> Provision | None:
         """Return the endpoint of the same module or file, and of the same type, that may have this very name."""
         for entity in self._index.get((old.kind, old.package, old.facet), ()):
             near = entity.owner == old.owner or entity.path == old.path

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from ecm_checker.hub.provision import Key, Provision
 from ecm_checker.match.hierarchy import Bases
 
-from ecm_extract.entities.model import Key, PublicEntity
 from ecm_extract.entities.side import Side
 
 
-def old_duties(added: Iterable[PublicEntity], old: Side) -> frozenset[Key]:
+def old_duties(added: Iterable[Provision], old: Side) -> frozenset[Key]:
     """Return the keys of additions that a base outside of the tree asked for before.
 
     Its classes at the old ref show it: each one that derived from the class had the method already.

@@ -9,13 +9,12 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Final
 
 import msgspec
-from ecm_checker.hub.provision import HOLE
+from ecm_checker.hub.provision import HOLE, Form, Provision
 from ecm_checker.release import ChangeWord
 
 from ecm_extract.diff.conversions import returns_as_well, takes
 from ecm_extract.diff.model import Pair
 from ecm_extract.diff.similarity import words
-from ecm_extract.entities.model import Form, PublicEntity
 from ecm_extract.entities.parameter_settings import SETTING
 
 _RELIABILITY: Final = ("best_effort", "reliable")
@@ -47,17 +46,17 @@ class Difference(msgspec.Struct, frozen=True):
     new_value: str | None = None
 
 
-Effect = Callable[[PublicEntity, PublicEntity, Pair], Iterator[Difference]]
+Effect = Callable[[Provision, Provision, Pair], Iterator[Difference]]
 
 
-def renamed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[Difference]:
+def renamed(old: Provision, new: Provision, pair: Pair) -> Iterator[Difference]:
     """Gone under the old name."""
     if pair.how == "renamed":
         kept = "; the old name still stands for it" if pair.kept else ""
         yield Difference("renamed", not pair.kept, f"{pair.reason}{kept}")
 
 
-def moved(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[Difference]:
+def moved(old: Provision, new: Provision, pair: Pair) -> Iterator[Difference]:
     """The name is the same, its place is not; a graph name is where it was as long as it is absolute."""
     if pair.how != "moved":
         return
@@ -68,7 +67,7 @@ def moved(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[Differen
     yield Difference("moved", not harmless, pair.reason)
 
 
-def type_changed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[Difference]:
+def type_changed(old: Provision, new: Provision, pair: Pair) -> Iterator[Difference]:
     """Message type of an endpoint, type of a parameter, field, member or constant, base class of a plugin."""
     if old.type is None or new.type is None or old.type == new.type or old.kind in {"message", "class"}:
         return
@@ -86,7 +85,7 @@ def type_changed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[D
     yield Difference("type_changed", True, reason + note, old_value=old.type, new_value=new.type)
 
 
-def default_changed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[Difference]:
+def default_changed(old: Provision, new: Provision, pair: Pair) -> Iterator[Difference]:
     """Another value where nobody states one; of a message constant, another meaning of the same number."""
     if old.default == new.default or old.kind not in _WITH_DEFAULT:
         return
@@ -114,7 +113,7 @@ def _dimension(name: str) -> str:
     return "behavior"
 
 
-def qos_changed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[Difference]:
+def qos_changed(old: Provision, new: Provision, pair: Pair) -> Iterator[Difference]:
     """A publisher that offers less, or a subscriber that asks for more, no longer matches its peers."""
     if old.qos is None or new.qos is None or old.ros != 2 or new.ros != 2:
         return
@@ -136,7 +135,7 @@ def qos_changed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[Di
         )
 
 
-def latch_changed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[Difference]:
+def latch_changed(old: Provision, new: Provision, pair: Pair) -> Iterator[Difference]:
     """A ROS 1 publisher that no longer keeps its last message leaves out who comes later."""
     if (old.kind, old.facet, old.ros, new.ros) != ("topic", "published", 1, 1):
         return
@@ -150,13 +149,13 @@ def latch_changed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[
     yield Difference("type_changed", not latched, reason, "behavior", "qos", *names)
 
 
-def deprecated(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[Difference]:
+def deprecated(old: Provision, new: Provision, pair: Pair) -> Iterator[Difference]:
     """The old name still works and its end is announced."""
     if new.deprecated and not old.deprecated:
         yield Difference("deprecated", False, new.deprecated[:300])
 
 
-def signature_changed(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[Difference]:
+def signature_changed(old: Provision, new: Provision, pair: Pair) -> Iterator[Difference]:
     """A call or an override that was right no longer is; an overload that went takes its users with it."""
     if not old.forms or not new.forms or pair.how == "renamed":
         return
@@ -219,7 +218,7 @@ def _returns_otherwise(new: Form, old: Form) -> bool:
     return bool(known) and not returns_as_well(new.returns, old.returns)
 
 
-def relocated(old: PublicEntity, new: PublicEntity, pair: Pair) -> Iterator[Difference]:
+def relocated(old: Provision, new: Provision, pair: Pair) -> Iterator[Difference]:
     """A launch file that keeps its name in another folder: `ros2 launch` finds it, an include by its path does not."""
     if old.kind != "launch_file" or old.name != new.name or pair.how != "same":
         return
@@ -247,19 +246,19 @@ EFFECTS: Final[tuple[Effect, ...]] = (
 )
 
 
-def no_longer_set(entity: PublicEntity) -> Difference:
+def no_longer_set(entity: Provision) -> Difference:
     """A parameter file that no longer sets a value leaves it to the node."""
     reason = "the file no longer sets it: the default of the node counts"
     return Difference("default_changed", False, reason, _dimension(entity.name), old_value=str(entity.default))
 
 
-def set_now(entity: PublicEntity) -> Difference:
+def set_now(entity: Provision) -> Difference:
     """A parameter file that sets a value now takes the place of the node's default."""
     reason = "the file sets it now, in the place of the node's default"
     return Difference("default_changed", False, reason, _dimension(entity.name), new_value=str(entity.default))
 
 
-def added_breaks(entity: PublicEntity) -> str | None:
+def added_breaks(entity: Provision) -> str | None:
     """Return why an addition breaks somebody; None when it does not."""
     if entity.kind == "message_field":
         return "a new field changes the layout: old and new sides of this type do not talk, bags need migration"

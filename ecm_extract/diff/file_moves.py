@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 
+from ecm_checker.hub.provision import Provision
+
 from ecm_extract.diff.model import Pair
-from ecm_extract.entities.model import PublicEntity
 
 _ALONE = 0.75
 _MOST = 0.5
@@ -14,7 +15,7 @@ _LEAST_FILES = 3
 
 
 def alone_in_moved_files(
-    kind: str, removed: Iterable[PublicEntity], added: Iterable[PublicEntity], files: Mapping[str, str]
+    kind: str, removed: Iterable[Provision], added: Iterable[Provision], files: Mapping[str, str]
 ) -> Iterator[Pair]:
     """Yield the pairs of a kind that stand alone in a file that moved, under whatever name.
 
@@ -29,8 +30,8 @@ def alone_in_moved_files(
             yield Pair(before[0], after[0], "renamed", _ALONE, f"gone and new; git sees that {where}")
 
 
-def _by_place(kind: str, entities: Iterable[PublicEntity]) -> dict[str, list[PublicEntity]]:
-    found: dict[str, list[PublicEntity]] = defaultdict(list)
+def _by_place(kind: str, entities: Iterable[Provision]) -> dict[str, list[Provision]]:
+    found: dict[str, list[Provision]] = defaultdict(list)
     for entity in entities:
         if entity.kind == kind:
             found[_folder(entity.path) if kind == "package" else entity.path].append(entity)

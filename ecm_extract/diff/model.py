@@ -8,11 +8,11 @@ from typing import Literal
 import msgspec
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Finding
+from ecm_checker.hub.provision import Provision
 from ecm_checker.release import Change, CompatibilityClass
 from ecm_checker.versions import Bump
 
 from ecm_extract.diff.unread import UnreadPart
-from ecm_extract.entities.model import PublicEntity
 
 How = Literal["same", "moved", "renamed"]
 
@@ -27,8 +27,8 @@ class Pair(msgspec.Struct, frozen=True):
         kept: whether the old name still stands for it.
     """
 
-    old: PublicEntity | None
-    new: PublicEntity | None
+    old: Provision | None
+    new: Provision | None
     how: How = "same"
     confidence: float = 1.0
     reason: str = ""

@@ -6,11 +6,10 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from typing import Final
 
-from ecm_checker.hub.provision import HOLE
+from ecm_checker.hub.provision import HOLE, Provision
 
 from ecm_extract.diff.model import Pair
 from ecm_extract.diff.nodes import Successions
-from ecm_extract.entities.model import PublicEntity
 
 KINDS: Final = frozenset({"topic", "service", "action", "parameter"})
 _LEAST_SHARED: Final = 2
@@ -31,7 +30,7 @@ def module_homes(pairs: Iterable[Pair]) -> dict[Module, Module]:
     return found
 
 
-def likely_homes(old: Iterable[PublicEntity], new: Iterable[PublicEntity], known: Successions) -> dict[Module, Module]:
+def likely_homes(old: Iterable[Provision], new: Iterable[Provision], known: Successions) -> dict[Module, Module]:
     """Return, of each module that is gone, the new one of its package that offers most of what it offered.
 
     One that stood beside it before is another module, unless the files that declare the names are the same.
@@ -53,7 +52,7 @@ def likely_homes(old: Iterable[PublicEntity], new: Iterable[PublicEntity], known
     return found
 
 
-def _offers(entities: Iterable[PublicEntity], files: Mapping[str, str]) -> dict[Module, dict[Offer, str]]:
+def _offers(entities: Iterable[Provision], files: Mapping[str, str]) -> dict[Module, dict[Offer, str]]:
     """The file of each name that a module offers."""
     found: dict[Module, dict[Offer, str]] = defaultdict(dict)
     for entity in entities:
@@ -69,7 +68,7 @@ def _shared(names: Mapping[Offer, str], others: Mapping[Offer, str], beside: boo
     return {name for name, path in names.items() if name in others and (not beside or others[name] == path)}
 
 
-def names_after(entity: PublicEntity) -> tuple[str, ...]:
+def names_after(entity: Provision) -> tuple[str, ...]:
     """The names that an old name can have on the other side.
 
     A private parameter of ROS 1 (`~/turbo/steps`) is a parameter of the node in ROS 2 (`turbo.steps`).
@@ -80,6 +79,6 @@ def names_after(entity: PublicEntity) -> tuple[str, ...]:
     return entity.name, own, own.replace("/", ".")
 
 
-def is_ported(old: PublicEntity, new: PublicEntity) -> bool:
+def is_ported(old: Provision, new: Provision) -> bool:
     """Whether a name that differs does so since it is of the other generation of ROS."""
     return old.name == new.name or (old.ros, new.ros) == (1, 2)

@@ -6,11 +6,10 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
-from ecm_checker.hub.provision import HOLE
+from ecm_checker.hub.provision import HOLE, Provision
 
 from ecm_extract.diff.model import Pair
 from ecm_extract.diff.similarity import name_similarity, same_language, shape_equal
-from ecm_extract.entities.model import PublicEntity
 
 _NEVER = frozenset({"member", "method", "package", "library", "bt_port", "launch_argument"})
 _BY_FILE = frozenset({"launch_file", "executable"})
@@ -31,15 +30,15 @@ class Places:
 
     files: Mapping[str, str]
     packages: Mapping[str, str]
-    same_module: Callable[[PublicEntity, PublicEntity], bool]
+    same_module: Callable[[Provision, Provision], bool]
     before: frozenset[str] = frozenset()
 
-    def same_package(self, old: PublicEntity, new: PublicEntity) -> bool:
+    def same_package(self, old: Provision, new: Provision) -> bool:
         """Whether an entity stayed in its package, however that is called now."""
         return self.packages.get(old.package, old.package) == new.package
 
 
-def best_home(entity: PublicEntity, homes: Sequence[PublicEntity], places: Places) -> Pair | None:
+def best_home(entity: Provision, homes: Sequence[Provision], places: Places) -> Pair | None:
     """Return the pair with the likeliest new home of an entity; None when no home is likely.
 
     Args:
@@ -62,7 +61,7 @@ def best_home(entity: PublicEntity, homes: Sequence[PublicEntity], places: Place
     return Pair(entity, best, "moved", confidence, _reason(entity, best, files))
 
 
-def _is_unmoved(old: PublicEntity, new: PublicEntity, places: Places) -> bool:
+def _is_unmoved(old: Provision, new: Provision, places: Places) -> bool:
     """Whether only our view of the owner changed: the declaration stands where it stood."""
     files = places.files
     if old.kind == "parameter" and old.path.endswith((".yaml", ".yml")) and _same_file(old, new, files):
@@ -76,7 +75,7 @@ def _is_unmoved(old: PublicEntity, new: PublicEntity, places: Places) -> bool:
     return places.same_module(old, new) or old.name.startswith(HOLE) or old.kind != "parameter"
 
 
-def is_reshaped(old: PublicEntity, new: PublicEntity) -> bool:
+def is_reshaped(old: Provision, new: Provision) -> bool:
     """Whether two parameter names differ only in a prefix that no artefact shows.
 
     The prefix of a generated parameter is given where its listener is made, so its own file shows none.
@@ -91,7 +90,7 @@ def is_reshaped(old: PublicEntity, new: PublicEntity) -> bool:
     return HOLE in old.name and len(tail) > 0 and new.name.rsplit(HOLE, 1)[-1].strip("./_") == tail
 
 
-def _is_likely(old: PublicEntity, new: PublicEntity, places: Places) -> bool:
+def _is_likely(old: Provision, new: Provision, places: Places) -> bool:
     if _same_file(old, new, places.files):
         return True
     if not same_language(old, new) or (old.kind in _FILES and new.path in places.before):
@@ -111,13 +110,13 @@ def _is_likely(old: PublicEntity, new: PublicEntity, places: Places) -> bool:
     return True
 
 
-def _same_nest(old: PublicEntity, new: PublicEntity) -> bool:
+def _same_nest(old: Provision, new: Provision) -> bool:
     """Whether two classes of one name are no parts of classes of other names: each class may have its `Params`."""
     outer = [entity.name.rpartition("::")[0].rpartition("::")[2] for entity in (old, new)]
     return outer[0] == outer[1] or not any(name[:1].isupper() for name in outer)
 
 
-def _nearness(old: PublicEntity, new: PublicEntity, files: Mapping[str, str]) -> tuple[float, ...]:
+def _nearness(old: Provision, new: Provision, files: Mapping[str, str]) -> tuple[float, ...]:
     return (
         float(_same_file(old, new, files)),
         float(old.package == new.package),
@@ -127,11 +126,11 @@ def _nearness(old: PublicEntity, new: PublicEntity, files: Mapping[str, str]) ->
     )
 
 
-def _same_file(old: PublicEntity, new: PublicEntity, files: Mapping[str, str]) -> bool:
+def _same_file(old: Provision, new: Provision, files: Mapping[str, str]) -> bool:
     return files.get(old.path, old.path) == new.path
 
 
-def _reason(old: PublicEntity, new: PublicEntity, files: Mapping[str, str]) -> str:
+def _reason(old: Provision, new: Provision, files: Mapping[str, str]) -> str:
     same_file = _same_file(old, new, files)
     if old.package != new.package:
         how = f"the same name, now in package {new.package}"

@@ -7,10 +7,9 @@ from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Seq
 from dataclasses import dataclass, field
 from typing import Final
 
-from ecm_checker.hub.provision import HOLE
+from ecm_checker.hub.provision import HOLE, LAUNCHED, Provision
 
 from ecm_extract.diff.model import Pair
-from ecm_extract.entities.model import LAUNCHED, PublicEntity
 
 _SURE: Final = 0.95
 _ALONE: Final = 0.85
@@ -28,16 +27,16 @@ class Successions:
     owners: Mapping[str, str] = field(default_factory=dict)
     files: Mapping[str, str] = field(default_factory=dict)
 
-    def package(self, old: PublicEntity) -> str:
+    def package(self, old: Provision) -> str:
         """The package that an old entity is in now."""
         return self.packages.get(old.package, old.package)
 
 
-Place = Callable[[PublicEntity, bool], Hashable]
+Place = Callable[[Provision, bool], Hashable]
 """What two nodes must have in common, told of an entity and whether it is an old one; None for nothing."""
 
 
-def node_pairs(old: Iterable[PublicEntity], new: Iterable[PublicEntity], known: Successions) -> Iterator[Pair]:
+def node_pairs(old: Iterable[Provision], new: Iterable[Provision], known: Successions) -> Iterator[Pair]:
     """Yield the pairs among nodes that have no partner by their key, the surest first."""
     before, after = _nodes(old), _nodes(new)
     for place, reason, confidence in (
@@ -51,11 +50,11 @@ def node_pairs(old: Iterable[PublicEntity], new: Iterable[PublicEntity], known: 
             yield _pair(pair[0], pair[1], reason, confidence)
 
 
-def _nodes(entities: Iterable[PublicEntity]) -> list[PublicEntity]:
+def _nodes(entities: Iterable[Provision]) -> list[Provision]:
     return [entity for entity in entities if entity.kind == "node"]
 
 
-def _pair(old: PublicEntity, new: PublicEntity, reason: str, confidence: float) -> Pair:
+def _pair(old: Provision, new: Provision, reason: str, confidence: float) -> Pair:
     if old.name == new.name or HOLE in (old.name, new.name):
         return Pair(old, new)
     who = "launch file" if old.facet == LAUNCHED else "program"
@@ -66,10 +65,10 @@ _CONSEQUENCE: Final = "; parameters, remaps and private names that are keyed by 
 
 
 def _only_ones(
-    before: Sequence[PublicEntity], after: Sequence[PublicEntity], place: Place
-) -> list[tuple[PublicEntity, PublicEntity]]:
+    before: Sequence[Provision], after: Sequence[Provision], place: Place
+) -> list[tuple[Provision, Provision]]:
     """Pairs of nodes that alone have a place on their side."""
-    sides: dict[Hashable, tuple[list[PublicEntity], list[PublicEntity]]] = defaultdict(lambda: ([], []))
+    sides: dict[Hashable, tuple[list[Provision], list[Provision]]] = defaultdict(lambda: ([], []))
     for number, entities in enumerate((before, after)):
         for entity in entities:
             at = place(entity, number == 0)
@@ -79,7 +78,7 @@ def _only_ones(
 
 
 def _same_name(known: Successions) -> Place:
-    def place(entity: PublicEntity, is_old: bool) -> Hashable:
+    def place(entity: Provision, is_old: bool) -> Hashable:
         if entity.name == HOLE or entity.facet == LAUNCHED:
             return None
         return known.package(entity) if is_old else entity.package, entity.name
@@ -88,7 +87,7 @@ def _same_name(known: Successions) -> Place:
 
 
 def _same_maker(known: Successions) -> Place:
-    def place(entity: PublicEntity, is_old: bool) -> Hashable:
+    def place(entity: Provision, is_old: bool) -> Hashable:
         package = known.package(entity) if is_old else entity.package
         owner = known.owners.get(entity.owner, entity.owner) if is_old else entity.owner
         return package, owner, entity.facet, entity.bases
@@ -97,7 +96,7 @@ def _same_maker(known: Successions) -> Place:
 
 
 def _same_file(known: Successions) -> Place:
-    def place(entity: PublicEntity, is_old: bool) -> Hashable:
+    def place(entity: Provision, is_old: bool) -> Hashable:
         if entity.facet == LAUNCHED:
             return None
         return known.files.get(entity.path, entity.path) if is_old else entity.path

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import msgspec
-from ecm_checker.hub.provision import HOLE
+from ecm_checker.hub.provision import HOLE, LAUNCHED, Key, Provision
 from ecm_checker.match.hierarchy import Bases
 
 from ecm_extract.diff.assignment import assign
@@ -29,7 +29,6 @@ from ecm_extract.diff.scores import score
 from ecm_extract.diff.settings import SettingFiles
 from ecm_extract.diff.similarity import in_package, last_part, same_language
 from ecm_extract.diff.successors import stated_successor
-from ecm_extract.entities.model import LAUNCHED, Key, PublicEntity
 from ecm_extract.entities.parameter_settings import SETTING
 
 CONTAINERS = ("package", "message", "class", "bt_node", "launch_file")
@@ -61,7 +60,7 @@ class Evidence:
 class Pairing:
     """The state of one pairing; `pairs` holds the decisions so far."""
 
-    def __init__(self, old: Mapping[Key, PublicEntity], new: Mapping[Key, PublicEntity], evidence: Evidence) -> None:
+    def __init__(self, old: Mapping[Key, Provision], new: Mapping[Key, Provision], evidence: Evidence) -> None:
         self.all_old, self.all_new, self.evidence = old, new, evidence
         self.old = {key: entity for key, entity in old.items() if key not in new}
         self.new = {key: entity for key, entity in new.items() if key not in old}
@@ -98,7 +97,7 @@ class Pairing:
         removed = [Pair(entity, None) for entity in self.old.values() if not self._is_there(entity)]
         return [*pairs, *removed, *(Pair(None, entity) for entity in self.new.values())]
 
-    def _is_bound(self, entity: PublicEntity | None) -> bool:
+    def _is_bound(self, entity: Provision | None) -> bool:
         """Whether Python still offers something that is declared elsewhere (`Old = New`), or stands in such a class."""
         if entity is None:
             return False
@@ -106,7 +105,7 @@ class Pairing:
             return entity.name in self.evidence.bound
         return entity.owner in self.evidence.bound and entity.owner not in self.owners
 
-    def _is_there(self, entity: PublicEntity) -> bool:
+    def _is_there(self, entity: Provision) -> bool:
         """Whether what no declaration shows any more is still read, or set by its name."""
         if self._is_bound(entity):
             return True
@@ -239,9 +238,9 @@ class Pairing:
             if found is not None:
                 self.take(Pair(entity, found))
 
-    def _parameter_index(self) -> dict[tuple[str, str], list[PublicEntity]]:
+    def _parameter_index(self) -> dict[tuple[str, str], list[Provision]]:
         """New parameters by owner, by the file that names them, and those of generated libraries."""
-        index: dict[tuple[str, str], list[PublicEntity]] = defaultdict(list)
+        index: dict[tuple[str, str], list[Provision]] = defaultdict(list)
         for entity in self.all_new.values():
             if entity.kind == "parameter":
                 generated = (f"{entity.package}/{_GENERATED}",) if entity.path.endswith((".yaml", ".yml")) else ()
@@ -250,7 +249,7 @@ class Pairing:
         return index
 
     def _moved(self, kinds: set[str]) -> None:
-        index: dict[tuple[str, str, str], list[PublicEntity]] = defaultdict(list)
+        index: dict[tuple[str, str, str], list[Provision]] = defaultdict(list)
         for entity in self.new.values():
             if entity.kind in kinds:
                 index[_move_key(entity)].append(entity)
@@ -263,7 +262,7 @@ class Pairing:
             if found is not None:
                 self.take(found)
 
-    def _same_module(self, old: PublicEntity, new: PublicEntity) -> bool:
+    def _same_module(self, old: Provision, new: Provision) -> bool:
         """Whether the module that had it still exists: then its new owner is only another view of one file."""
         return old.package == new.package and (old.kind, old.package, old.owner) in self._modules
 
@@ -283,7 +282,7 @@ class Pairing:
             self.take(found)
 
     def _renamed(self, kinds: set[str]) -> None:
-        groups: dict[object, tuple[list[PublicEntity], list[PublicEntity]]] = defaultdict(lambda: ([], []))
+        groups: dict[object, tuple[list[Provision], list[Provision]]] = defaultdict(lambda: ([], []))
         for side, entities in enumerate((self.old, self.new)):
             for entity in entities.values():
                 if entity.kind in kinds:
@@ -301,14 +300,14 @@ class Pairing:
         for found in list(only_ones(self.old.values(), self.new.values(), self.evidence.history)):
             self.take(found)
 
-    def _neighbourhood(self, entity: PublicEntity, old: bool) -> object:
+    def _neighbourhood(self, entity: Provision, old: bool) -> object:
         package = self.packages.get(entity.package, entity.package) if old else entity.package
         owner = self.owners.get(entity.owner, entity.owner) if old else entity.owner
         if entity.kind in _FOLLOWING:
             return entity.kind, package, owner, entity.facet
         return entity.kind, package if entity.kind != "package" else "", entity.facet
 
-    def _assign(self, before: list[PublicEntity], after: list[PublicEntity]) -> None:
+    def _assign(self, before: list[Provision], after: list[Provision]) -> None:
         if not before or not after:
             return
         kin = {(pair.old.owner, pair.new.owner) for pair in self.pairs if pair.old is not None and pair.new is not None}
@@ -326,7 +325,7 @@ class Pairing:
             self.take(Pair(before[row], after[column], how, confidence, reasons[row, column]))
 
 
-def _move_key(entity: PublicEntity) -> tuple[str, str, str]:
+def _move_key(entity: Provision) -> tuple[str, str, str]:
     name = entity.name
     if entity.kind in {"class", "function", "plugin"}:
         name = name.replace("::", ".").replace("/", ".").rsplit(".", 1)[-1]
@@ -337,6 +336,6 @@ def _move_key(entity: PublicEntity) -> tuple[str, str, str]:
     return entity.kind, entity.facet, name
 
 
-def _may_be(old: PublicEntity, new: PublicEntity) -> bool:
+def _may_be(old: Provision, new: Provision) -> bool:
     """A full name that another module has as well, on another line, is that module's own."""
     return old.name != new.name or old.owner == new.owner or bool(old.chain[1:])

@@ -9,11 +9,12 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable, Iterator
 
+from ecm_checker.hub.provision import Provision
+
 from ecm_extract.diff.effects import accepts
 from ecm_extract.diff.history import History
 from ecm_extract.diff.model import Pair
 from ecm_extract.diff.similarity import name_similarity
-from ecm_extract.entities.model import PublicEntity
 
 _KINDS = frozenset({"method", "function"})
 _LEAST_NAME = 0.5
@@ -21,9 +22,9 @@ _GIVEN_AWAY, _ONLY = 0.8, 0.65
 Signature = frozenset[tuple[tuple[str, ...], str]]
 
 
-def given_away(pairs: Iterable[Pair], added: Iterable[PublicEntity]) -> Iterator[tuple[Pair, Pair]]:
+def given_away(pairs: Iterable[Pair], added: Iterable[Provision]) -> Iterator[tuple[Pair, Pair]]:
     """Yield each pair of one name whose old signature has gone to a new, similar name, with the pair it should be."""
-    fresh: dict[tuple[str, str, Signature], list[PublicEntity]] = defaultdict(list)
+    fresh: dict[tuple[str, str, Signature], list[Provision]] = defaultdict(list)
     for entity in added:
         if entity.kind in _KINDS:
             fresh[entity.kind, entity.owner, signature(entity)].append(entity)
@@ -43,15 +44,13 @@ def given_away(pairs: Iterable[Pair], added: Iterable[PublicEntity]) -> Iterator
             yield pair, Pair(old, homes[0], "renamed", _GIVEN_AWAY, reason)
 
 
-def only_ones(
-    removed: Iterable[PublicEntity], added: Iterable[PublicEntity], history: History | None
-) -> Iterator[Pair]:
+def only_ones(removed: Iterable[Provision], added: Iterable[Provision], history: History | None) -> Iterator[Pair]:
     """Yield the pair of a method that went and one that came, when no other of the class has their signature.
 
     A signature without parameters says little, so there somebody must have written of the two names.
     """
-    gone: dict[tuple[str, Signature], list[PublicEntity]] = defaultdict(list)
-    came: dict[tuple[str, Signature], list[PublicEntity]] = defaultdict(list)
+    gone: dict[tuple[str, Signature], list[Provision]] = defaultdict(list)
+    came: dict[tuple[str, Signature], list[Provision]] = defaultdict(list)
     for entities, groups in ((removed, gone), (added, came)):
         for entity in entities:
             if entity.kind == "method" and entity.forms:
@@ -67,6 +66,6 @@ def only_ones(
             yield Pair(before[0], after[0], "renamed", _ONLY, reason)
 
 
-def signature(entity: PublicEntity) -> Signature:
+def signature(entity: Provision) -> Signature:
     """Parameter types and return types of all overloads."""
     return frozenset((form.types, form.returns) for form in entity.forms)

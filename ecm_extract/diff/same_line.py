@@ -9,16 +9,15 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Final
 
+from ecm_checker.hub.provision import Provision
+
 from ecm_extract.diff.model import Pair
-from ecm_extract.entities.model import PublicEntity
 
 _SURE: Final = 0.85
 _REASON: Final = "the line that declares it is the same but for the name"
 
 
-def same_lines(
-    removed: Iterable[PublicEntity], added: Iterable[PublicEntity], files: Mapping[str, str]
-) -> Iterator[Pair]:
+def same_lines(removed: Iterable[Provision], added: Iterable[Provision], files: Mapping[str, str]) -> Iterator[Pair]:
     """Yield the pairs of a kind and type in one file that alone have each other's line.
 
     Args:
@@ -26,7 +25,7 @@ def same_lines(
         added: of the new side.
         files: new path of each file that moved.
     """
-    fresh: dict[tuple[str, str, str | None, str, str], list[PublicEntity]] = defaultdict(list)
+    fresh: dict[tuple[str, str, str | None, str, str], list[Provision]] = defaultdict(list)
     for entity in added:
         if entity.written:
             fresh[entity.kind, entity.facet, entity.type, entity.path, entity.written].append(entity)

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
+from ecm_checker.hub.provision import Provision
+
 from ecm_extract.diff.model import Pair
 from ecm_extract.diff.similarity import stem
-from ecm_extract.entities.model import PublicEntity
 
 _SURE = 0.98
 _REASON = "the same header with another ending"
 
 
-def other_endings(removed: Iterable[PublicEntity], after: Iterable[PublicEntity]) -> Iterator[Pair]:
+def other_endings(removed: Iterable[Provision], after: Iterable[Provision]) -> Iterator[Pair]:
     """Yield each header that is gone with the one that has its name up to the ending.
 
     Args:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
+from ecm_checker.hub.provision import Provision
+
 from ecm_extract.diff.history import History
 from ecm_extract.diff.similarity import (
     SEPARATOR,
@@ -16,7 +18,6 @@ from ecm_extract.diff.similarity import (
     stem,
     words,
 )
-from ecm_extract.entities.model import PublicEntity
 
 _THRESHOLD = 0.62
 _LEAST_NAME, _LEAST_WRITTEN = 0.5, 0.35
@@ -40,7 +41,7 @@ _GENERIC |= {"min", "publish", "callback", "handler", "node", "server", "type", 
 
 
 def score(
-    old: PublicEntity, new: PublicEntity, files: Mapping[str, str], history: History | None, kin: bool = True
+    old: Provision, new: Provision, files: Mapping[str, str], history: History | None, kin: bool = True
 ) -> tuple[float, str] | None:
     """Return a confidence from 0 to 1 with its reason; None when the two are not alike enough.
 
@@ -77,7 +78,7 @@ def score(
     return total, _reason(name, shape, where, written)
 
 
-def _is_another(old: PublicEntity, new: PublicEntity, place: float) -> bool:
+def _is_another(old: Provision, new: Provision, place: float) -> bool:
     """Whether two cannot be one whatever their names: the number is what a constant means."""
     if old.kind == "constant":
         return old.default != new.default and None not in (old.default, new.default)
@@ -90,7 +91,7 @@ def _models(name: str) -> list[str]:
     return _MODEL.findall(name)
 
 
-def _shared_words(old: PublicEntity, new: PublicEntity) -> frozenset[str]:
+def _shared_words(old: Provision, new: Provision) -> frozenset[str]:
     """The words that tell what both are; those of a common base or folder only tell which kind of thing."""
     if old.kind == "file":
         return (words(last_part(stem(old))) & words(last_part(stem(new)))) - _GENERIC
@@ -100,7 +101,7 @@ def _shared_words(old: PublicEntity, new: PublicEntity) -> frozenset[str]:
     return (words(last_part(old.name)) & words(last_part(new.name))) - _GENERIC - base
 
 
-def _is_other_structure(old: PublicEntity, new: PublicEntity) -> bool:
+def _is_other_structure(old: Provision, new: Provision) -> bool:
     """Whether names of unlike nesting differ in more than where the separators stand: `a.b_c` is no `a_b_cs`."""
     if _parts(old) == _parts(new) or last_part(old.name) == last_part(new.name):
         return False
@@ -108,11 +109,11 @@ def _is_other_structure(old: PublicEntity, new: PublicEntity) -> bool:
     return not (before <= after or after <= before)
 
 
-def _parts(entity: PublicEntity) -> int:
+def _parts(entity: Provision) -> int:
     return len(SEPARATOR.split(entity.name))
 
 
-def _place(old: PublicEntity, new: PublicEntity, files: Mapping[str, str]) -> tuple[float, str]:
+def _place(old: Provision, new: Provision, files: Mapping[str, str]) -> tuple[float, str]:
     if files.get(old.path, old.path) == new.path:
         return 1.0, "in the same file" if old.path == new.path else "git sees its file move"
     if old.owner and old.owner == new.owner:

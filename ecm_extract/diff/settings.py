@@ -7,8 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 
+from ecm_checker.hub.provision import Key, Provision
+
 from ecm_extract.diff.model import Pair
-from ecm_extract.entities.model import Key, PublicEntity
 from ecm_extract.entities.parameter_settings import SETTING
 
 
@@ -19,14 +20,12 @@ class SettingFiles:
         moved: new path of each file that moved, by its old one.
     """
 
-    def __init__(
-        self, old: Mapping[Key, PublicEntity], new: Mapping[Key, PublicEntity], moved: Mapping[str, str]
-    ) -> None:
+    def __init__(self, old: Mapping[Key, Provision], new: Mapping[Key, Provision], moved: Mapping[str, str]) -> None:
         self._moved = moved
         before = {self._now(entity) for entity in old.values() if entity.kind == SETTING}
         self._both = before & {entity.path for entity in new.values() if entity.kind == SETTING}
 
-    def pairs(self, old: Iterable[PublicEntity], new: Iterable[PublicEntity]) -> Iterator[Pair]:
+    def pairs(self, old: Iterable[Provision], new: Iterable[Provision]) -> Iterator[Pair]:
         """Yield settings of files that moved, or whose package has another name, with what they became."""
         after = {(entity.path, entity.name): entity for entity in new if entity.kind == SETTING}
         for entity in old:
@@ -34,9 +33,9 @@ class SettingFiles:
             if found is not None:
                 yield Pair(entity, found)
 
-    def is_one_sided(self, setting: PublicEntity, old: bool) -> bool:
+    def is_one_sided(self, setting: Provision, old: bool) -> bool:
         """Whether the file of a setting is not on the other side."""
         return (self._now(setting) if old else setting.path) not in self._both
 
-    def _now(self, entity: PublicEntity) -> str:
+    def _now(self, entity: Provision) -> str:
         return self._moved.get(entity.path, entity.path)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from difflib import SequenceMatcher
 
-from ecm_extract.entities.model import PublicEntity
+from ecm_checker.hub.provision import Provision
 
 _WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
 SEPARATOR = re.compile(r"::|[/.]")
@@ -26,7 +26,7 @@ def last_part(name: str) -> str:
     return SEPARATOR.split(name)[-1]
 
 
-def stem(entity: PublicEntity) -> str:
+def stem(entity: Provision) -> str:
     """What tells in the name of an entity: of a header all but its ending."""
     return _ENDING.sub("", entity.name) if entity.kind == "file" and "/" in entity.name else entity.name
 
@@ -47,14 +47,14 @@ def name_similarity(old: str, new: str) -> float:
     return max((shared + letters) / 2, letters if letters > 0.85 else 0.0, same_tail)
 
 
-def may_be_alike(old: PublicEntity, new: PublicEntity) -> bool:
+def may_be_alike(old: Provision, new: Provision) -> bool:
     """A cheap test before the letters are compared: a shared word, or the same beginning."""
     if words(old.name) & words(new.name):
         return True
     return last_part(stem(old))[:4].lower() == last_part(stem(new))[:4].lower()
 
 
-def shape_equal(old: PublicEntity, new: PublicEntity) -> float:
+def shape_equal(old: Provision, new: Provision) -> float:
     """1 for the same type or signature, 0 for another, a half where neither tells."""
     if old.forms or new.forms:
         before = {(form.types, form.returns) for form in old.forms}
@@ -73,6 +73,6 @@ def in_package(name: str, old: str, new: str) -> str:
     return "".join(new if piece == old else piece for piece in pieces)
 
 
-def same_language(old: PublicEntity, new: PublicEntity) -> bool:
+def same_language(old: Provision, new: Provision) -> bool:
     """Whether two symbols or files can stand for each other: nobody imports a header, or includes a module."""
     return old.kind not in _SYMBOLS or old.path.endswith(".py") == new.path.endswith(".py")

@@ -5,13 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
-from ecm_extract.entities.model import Key, PublicEntity
+from ecm_checker.hub.provision import Key, Provision
 
 _INSTEAD = re.compile(r"\b(?:use|replaced by|in favou?r of|instead of|renamed to|please)\b", re.IGNORECASE)
 _NAME = re.compile(r"[\w./~:]*\w")
 
 
-def stated_successor(entity: PublicEntity, new: Mapping[Key, PublicEntity]) -> PublicEntity | None:
+def stated_successor(entity: Provision, new: Mapping[Key, Provision]) -> Provision | None:
     """Return the entity of the same kind that an entity's deprecation tells to use; None when it names none."""
     if not entity.deprecated:
         return None
@@ -24,6 +24,6 @@ def stated_successor(entity: PublicEntity, new: Mapping[Key, PublicEntity]) -> P
     return None
 
 
-def _place(entity: PublicEntity) -> str:
+def _place(entity: Provision) -> str:
     """What stands before the last part of a name: people leave out a namespace or folder that both have."""
     return entity.name.removesuffix(re.split(r"::|/", entity.name)[-1])

@@ -12,9 +12,9 @@ from collections.abc import Iterable, Sequence
 from itertools import takewhile
 
 import msgspec
+from ecm_checker.hub.provision import Line, Provision
 
 from ecm_extract.entities.cpp import MARKED
-from ecm_extract.entities.model import Line, PublicEntity
 from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.read.facts import PackageFacts
 
@@ -34,9 +34,7 @@ MAX_ATTRIBUTE = 6
 MAX_COMMENT = 40
 
 
-def announced(
-    side: SideTexts, packages: Iterable[PackageFacts], entities: Sequence[PublicEntity]
-) -> list[PublicEntity]:
+def announced(side: SideTexts, packages: Iterable[PackageFacts], entities: Sequence[Provision]) -> list[Provision]:
     """Return the entities, with what their declarations say about their end."""
     texts = _descriptions(packages)
     lines: dict[str, list[str]] = defaultdict(list)
@@ -89,7 +87,7 @@ def _descriptions(packages: Iterable[PackageFacts]) -> dict[Line, str]:
     return found
 
 
-def _told(entity: PublicEntity, texts: dict[Line, str], lines: dict[str, list[str]]) -> PublicEntity:
+def _told(entity: Provision, texts: dict[Line, str], lines: dict[str, list[str]]) -> Provision:
     """The entity with its announcement; of several overloads each has its own."""
     if entity.deprecated:
         text = _attribute(lines.get(entity.path, []), entity.line) if entity.deprecated == MARKED else None
@@ -116,13 +114,13 @@ def _attribute(lines: list[str], line: int) -> str | None:
     return " ".join("".join(_PIECE.findall(near[-1][1])).split()) if near else None
 
 
-def _named(entity: PublicEntity, directive: str | None) -> str | None:
+def _named(entity: Provision, directive: str | None) -> str | None:
     """The directive of a header that quotes a class of it: `'Box' is deprecated`."""
     own = re.escape(entity.name.rpartition("::")[2])
     return directive if directive and re.match(rf"['`\"]?{own}['`\"]? (?:is|has been) deprecated", directive) else None
 
 
-def _overloads_told(entity: PublicEntity, lines: list[str]) -> PublicEntity:
+def _overloads_told(entity: Provision, lines: list[str]) -> Provision:
     forms = tuple(
         msgspec.structs.replace(form, deprecated=form.deprecated or bool(_comment_above(lines, form.line)))
         for form in entity.forms

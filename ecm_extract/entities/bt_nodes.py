@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 
+from ecm_checker.hub.provision import Line, Provision
 from ecm_parsers.source.expr import Call, Constant, Number, Text
 from ecm_parsers.source.facts import Function, SourceFile
 
-from ecm_extract.entities.model import Line, PublicEntity
 from ecm_extract.entities.public_files import inside
 from ecm_extract.entities.signatures import normal_type
 from ecm_extract.link.spelling import plain
@@ -44,7 +44,7 @@ def base_ports(packages: Iterable[PackageFacts]) -> dict[str, list[Port]]:
     return found
 
 
-def bt_entities(facts: PackageFacts, added: Mapping[str, list[Port]]) -> Iterator[PublicEntity]:
+def bt_entities(facts: PackageFacts, added: Mapping[str, list[Port]]) -> Iterator[Provision]:
     """Yield the registered nodes of a package, each with the ports that its class and its bases list.
 
     Args:
@@ -57,7 +57,7 @@ def bt_entities(facts: PackageFacts, added: Mapping[str, list[Port]]) -> Iterato
     for path, source in facts.sources.items():
         if source.language == "cpp" and _EXAMPLES.isdisjoint(inside(path, facts.root.path).split("/")[:-1]):
             for call, name in _named_calls(source, _REGISTERS):
-                yield PublicEntity(
+                yield Provision(
                     kind="bt_node", package=facts.name, owner="", name=name.value, path=path, line=call.line
                 )
                 cls = call.types[0].rsplit("::", 1)[-1] if call.types else ""
@@ -91,10 +91,10 @@ def _listed(facts: PackageFacts, method: str) -> dict[str, list[Port]]:
     return found
 
 
-def _port(package: str, node: str, port: Port) -> PublicEntity:
+def _port(package: str, node: str, port: Port) -> Provision:
     call, name, (path, line) = port
     default = call.args[1] if len(call.args) == 3 else None
-    return PublicEntity(
+    return Provision(
         kind="bt_port",
         package=package,
         owner=node,

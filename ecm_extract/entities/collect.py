@@ -6,6 +6,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 
 import msgspec
+from ecm_checker.hub.provision import Key, Provision
 from ecm_checker.json_data import json_data
 
 from ecm_extract.entities.announced import announced
@@ -15,7 +16,6 @@ from ecm_extract.entities.descriptions import description_entities
 from ecm_extract.entities.endpoints import endpoint_entities
 from ecm_extract.entities.interfaces import interface_entities
 from ecm_extract.entities.launch import launch_entities, launch_files
-from ecm_extract.entities.model import Key, PublicEntity
 from ecm_extract.entities.naming import at_their_names
 from ecm_extract.entities.nodes import node_entities
 from ecm_extract.entities.packaging import packaging_entities
@@ -32,7 +32,7 @@ _TYPED = frozenset({"topic", "service", "action"})
 
 def public_entities(
     tree: Tree, packages: Sequence[PackageFacts], linked: Iterable[LinkedModule]
-) -> dict[Key, PublicEntity]:
+) -> dict[Key, Provision]:
     """Return the entities of all packages by key; of two with one key the first by path and line stays."""
     modules: dict[str, list[LinkedModule]] = defaultdict(list)
     for entry in linked:
@@ -40,7 +40,7 @@ def public_entities(
     ports = base_ports(packages)
     texts = SideTexts(tree, packages)
     every = [entity for facts in packages for entity in _of_package(texts, facts, modules[facts.name], ports)]
-    found: dict[Key, PublicEntity] = {}
+    found: dict[Key, Provision] = {}
     placed = announced(texts, packages, at_their_names(every))
     for entity in sorted(with_lines(tree, placed), key=lambda e: (e.package, e.path, e.line)):
         known = found.get(entity.key)
@@ -48,14 +48,14 @@ def public_entities(
     return _at_home(found, packages)
 
 
-def _plain(entity: PublicEntity) -> PublicEntity:
+def _plain(entity: Provision) -> Provision:
     """With the default as documents hold it, so that one that is read off sources equals one that was stored."""
     if entity.default is None or type(entity.default) is str:
         return entity
     return msgspec.structs.replace(entity, default=json_data(entity.default))
 
 
-def _joined(first: PublicEntity, other: PublicEntity) -> PublicEntity:
+def _joined(first: Provision, other: Provision) -> Provision:
     """The first of two with one key; overloads that stand in several headers are all its forms.
 
     An endpoint that has one type or another has both.
@@ -69,7 +69,7 @@ def _joined(first: PublicEntity, other: PublicEntity) -> PublicEntity:
     return msgspec.structs.replace(first, forms=ordered)
 
 
-def _at_home(found: dict[Key, PublicEntity], packages: Sequence[PackageFacts]) -> dict[Key, PublicEntity]:
+def _at_home(found: dict[Key, Provision], packages: Sequence[PackageFacts]) -> dict[Key, Provision]:
     """Drop the views that other packages have of a declaration which its own package offers."""
     home = {path: facts.name for facts in packages for path in facts.sources}
     offered = {_line(entity) for entity in found.values() if home.get(entity.path) == entity.package}
@@ -82,13 +82,13 @@ def _at_home(found: dict[Key, PublicEntity], packages: Sequence[PackageFacts]) -
     }
 
 
-def _line(entity: PublicEntity) -> tuple[str, str, str, str, int]:
+def _line(entity: Provision) -> tuple[str, str, str, str, int]:
     return entity.kind, entity.facet, entity.name, entity.path, entity.line
 
 
 def _of_package(
     texts: SideTexts, facts: PackageFacts, modules: list[LinkedModule], ports: dict[str, list[Port]]
-) -> Iterator[PublicEntity]:
+) -> Iterator[Provision]:
     yield from packaging_entities(texts, facts)
     yield from interface_entities(facts)
     yield from endpoint_entities(texts, facts, modules)

@@ -7,12 +7,11 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Final
 
-from ecm_checker.hub.provision import ALIAS
+from ecm_checker.hub.provision import ALIAS, Provision
 from ecm_parsers.source.expr import Constant as Literal
 from ecm_parsers.source.expr import Number, Text
 from ecm_parsers.source.facts import Alias, Class, Constant, Field, Function, SourceFile
 
-from ecm_extract.entities.model import PublicEntity
 from ecm_extract.entities.public_files import HIDDEN, public_headers
 from ecm_extract.entities.signatures import form_of, normal_type, template_names, written_type
 from ecm_extract.link.spelling import plain
@@ -28,7 +27,7 @@ _VIRTUAL = frozenset({"virtual", "pure", "override"})
 _CLOSED = frozenset({"private", "anonymous", "deleted"})
 
 
-def cpp_entities(facts: PackageFacts) -> Iterator[PublicEntity]:
+def cpp_entities(facts: PackageFacts) -> Iterator[Provision]:
     """Yield the public symbols of the headers of a package."""
     sources = ((path, facts.sources.get(path)) for path in public_headers(facts))
     headers = [_Header(facts.name, path, source) for path, source in sources if source is not None]
@@ -75,7 +74,7 @@ class _Header:
         self.derived = {entry.scope for entry in source.functions if not _VIRTUAL.isdisjoint(entry.traits)}
         self.bodies = {f"{entry.scope}::{entry.name}".lstrip(":") for entry in source.functions}
 
-    def entities(self, classes: set[str]) -> Iterator[PublicEntity]:
+    def entities(self, classes: set[str]) -> Iterator[Provision]:
         """Yield its symbols; what it defines of classes of other headers is declared there."""
         for entry in self.source.classes:
             if entry.name and self._is_open(qualified(entry), entry.traits):
@@ -95,9 +94,9 @@ class _Header:
             and not any(part.startswith("_") for part in parts)
         )
 
-    def _class(self, entry: Class) -> Iterator[PublicEntity]:
+    def _class(self, entry: Class) -> Iterator[Provision]:
         name = qualified(entry)
-        yield PublicEntity(
+        yield Provision(
             kind="class",
             package=self.package,
             owner="",
@@ -111,7 +110,7 @@ class _Header:
             hidden = not {"private", "static"}.isdisjoint(field.traits) or field.name.startswith("_")
             hidden = hidden or ("protected" in field.traits and name not in self.derived)
             if not hidden and not _MACRO.fullmatch(field.type) and field.name not in _WORDS:
-                yield PublicEntity(
+                yield Provision(
                     kind="member",
                     package=self.package,
                     owner=name,
@@ -139,11 +138,11 @@ class _Header:
         around = ("::".join(parts[:count]) for count in range(1, len(parts) + 1))
         return tuple(name for scope in around for name in self.templates.get(scope, ()))
 
-    def alias(self, alias: Alias) -> Iterator[PublicEntity]:
+    def alias(self, alias: Alias) -> Iterator[Provision]:
         """Yield the other name of a class: whoever uses `using A = B<T>` has a class A with all that B has."""
         name = _alias_name(alias)
         if self._is_open(name, ()):
-            yield PublicEntity(
+            yield Provision(
                 kind="class",
                 package=self.package,
                 owner="",
@@ -155,7 +154,7 @@ class _Header:
                 line=alias.line,
             )
 
-    def _functions(self, elsewhere: set[str]) -> Iterator[PublicEntity]:
+    def _functions(self, elsewhere: set[str]) -> Iterator[Provision]:
         groups: dict[tuple[str, str], list[Function]] = defaultdict(list)
         for entry in self.source.functions:
             local = entry.scope in self.bodies and entry.scope not in self.classes
@@ -168,12 +167,12 @@ class _Header:
         for (scope, name), functions in groups.items():
             yield self._function(scope, name, functions)
 
-    def _function(self, scope: str, name: str, functions: list[Function]) -> PublicEntity:
+    def _function(self, scope: str, name: str, functions: list[Function]) -> Provision:
         listed = [form_of(each, templates=template_names(self._parameters(scope), each.template)) for each in functions]
         forms = {(form.types, form.returns): form for form in reversed(listed)}
         is_method = scope in self.classes
         outdated = all(form.deprecated for form in forms.values())
-        return PublicEntity(
+        return Provision(
             kind="method" if is_method else "function",
             package=self.package,
             owner=scope if is_method else "",
@@ -184,7 +183,7 @@ class _Header:
             line=functions[0].line,
         )
 
-    def _constant(self, entry: Constant) -> Iterator[PublicEntity]:
+    def _constant(self, entry: Constant) -> Iterator[Provision]:
         guard = "define" in entry.traits and (
             entry.value is None or entry.name.endswith(("_H", "_HPP", "_H_", "_HPP_"))
         )
@@ -193,7 +192,7 @@ class _Header:
         value = entry.value.value if isinstance(entry.value, Number | Text) else None
         if isinstance(entry.value, Literal):
             value = {"true": True, "false": False}.get(entry.value.name)
-        yield PublicEntity(
+        yield Provision(
             kind="constant",
             package=self.package,
             owner=entry.scope,

@@ -9,11 +9,10 @@ import re
 from collections.abc import Iterator
 from typing import Final
 
-from ecm_checker.hub.provision import HOLE
+from ecm_checker.hub.provision import HOLE, Provision
 from ecm_parsers.robot_names import NamedLine, RobotNames, parse_robot_names
 
 from ecm_extract.discover import is_test_path
-from ecm_extract.entities.model import PublicEntity
 from ecm_extract.entities.public_files import inside
 from ecm_extract.entities.side_texts import DESCRIPTIONS, SideTexts
 from ecm_extract.read.facts import PackageFacts
@@ -25,11 +24,11 @@ _PREFIXED: Final = re.compile(rf"{re.escape(HOLE)}/?[A-Za-z]")
 _EXAMPLES: Final = frozenset({"example", "examples", "tutorial", "tutorials", "demo", "demos"})
 
 
-def description_entities(texts: SideTexts, facts: PackageFacts) -> Iterator[PublicEntity]:
+def description_entities(texts: SideTexts, facts: PackageFacts) -> Iterator[Provision]:
     """Yield the files, frames and command interfaces; a name that several files have is one."""
     for path, names in descriptions(texts, facts):
         own = inside(path, facts.root.path)
-        yield PublicEntity(kind="file", package=facts.name, owner="", name=own, path=path, line=1)
+        yield Provision(kind="file", package=facts.name, owner="", name=own, path=path, line=1)
         if _EXAMPLES.isdisjoint(own.split("/")):
             yield from _entities(facts.name, "frame", path, names.links)
             yield from _entities(facts.name, "command_interface", path, names.commands)
@@ -55,9 +54,9 @@ def written_name(name: str) -> str:
     return holed.removeprefix(HOLE).removeprefix("/") if _PREFIXED.match(holed) else holed
 
 
-def _entities(package: str, kind: str, path: str, names: tuple[NamedLine, ...]) -> Iterator[PublicEntity]:
+def _entities(package: str, kind: str, path: str, names: tuple[NamedLine, ...]) -> Iterator[Provision]:
     for entry in names:
         name = written_name(entry.name)
         if re.search(r"\w", name.replace(HOLE, "")):
             shape = name.rpartition("/")[2] if kind == "command_interface" else None
-            yield PublicEntity(kind=kind, package=package, owner="", name=name, type=shape, path=path, line=entry.line)
+            yield Provision(kind=kind, package=package, owner="", name=name, type=shape, path=path, line=entry.line)

@@ -7,10 +7,9 @@ from collections.abc import Iterator, Sequence
 
 import msgspec
 from ecm_checker.contract import Interface
-from ecm_checker.hub.provision import HOLE
+from ecm_checker.hub.provision import HOLE, Line, Provision
 
 from ecm_extract.entities.deprecations import deprecated_names
-from ecm_extract.entities.model import Line, PublicEntity
 from ecm_extract.entities.reconfigure import server_namespaces
 from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.link.linker import LinkedModule
@@ -28,12 +27,12 @@ _HOLE = re.compile(r"\{[^{}]*\}")
 _NAME = re.compile(r"[\w~/.-]*")
 
 
-def endpoint_entities(texts: SideTexts, facts: PackageFacts, modules: Sequence[LinkedModule]) -> Iterator[PublicEntity]:
+def endpoint_entities(texts: SideTexts, facts: PackageFacts, modules: Sequence[LinkedModule]) -> Iterator[Provision]:
     """Yield what the modules of a package offer; an endpoint that several of them share is given once."""
     paths = {at.path for module in modules for entry in module.interfaces for at in entry.evidence[:1]}
     deprecated = deprecated_names(texts.speaking, paths & set(facts.sources))
     namespaces = server_namespaces(facts)
-    shared: dict[tuple[str, str, str, str, int], PublicEntity] = {}
+    shared: dict[tuple[str, str, str, str, int], Provision] = {}
     for module in modules:
         for entry in module.interfaces:
             found = entity_of(entry, facts.name, module.module.name, facts.ros)
@@ -53,7 +52,7 @@ def endpoint_entities(texts: SideTexts, facts: PackageFacts, modules: Sequence[L
     yield from shared.values()
 
 
-def entity_of(entry: Interface, package: str, owner: str, ros: int | None) -> PublicEntity | None:
+def entity_of(entry: Interface, package: str, owner: str, ros: int | None) -> Provision | None:
     """Return what a module offers by an endpoint; None for what only asks, and for names that are wholly computed."""
     kind = _KINDS.get(entry.role)
     name = comparable_name(entry)
@@ -62,7 +61,7 @@ def entity_of(entry: Interface, package: str, owner: str, ros: int | None) -> Pu
     if kind != "parameter" and not _NAME.fullmatch(name.replace(HOLE, "")):
         return None  # the default says that a value must be given: `<undefined>`
     at = entry.evidence[0]
-    return PublicEntity(
+    return Provision(
         kind=kind,
         package=package,
         owner=owner,
@@ -85,7 +84,7 @@ def _calls(entry: Interface) -> tuple[Line, ...]:
     return lines if len(lines) > 1 else ()
 
 
-def _below(entity: PublicEntity, namespace: str) -> PublicEntity:
+def _below(entity: Provision, namespace: str) -> Provision:
     """A parameter of `dynamic_reconfigure` with the namespace of its server."""
     name = "/".join(part.strip("/") for part in (namespace, entity.name.lstrip("~/")))
     return msgspec.structs.replace(entity, name=name)

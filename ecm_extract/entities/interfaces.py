@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import PurePosixPath
 
+from ecm_checker.hub.provision import Provision
 from ecm_parsers.interface_facts import Constant, Definition, Field
 
-from ecm_extract.entities.model import PublicEntity
 from ecm_extract.read.facts import PackageFacts
 
 
@@ -16,11 +16,11 @@ def interface_name(package: str, path: str, definition: Definition) -> str:
     return f"{package}/{definition.shape}/{PurePosixPath(path).stem}"
 
 
-def interface_entities(facts: PackageFacts) -> Iterator[PublicEntity]:
+def interface_entities(facts: PackageFacts) -> Iterator[Provision]:
     """Yield every interface of a package, its fields and constants."""
     for path, definition in sorted(facts.interfaces.items()):
         name = interface_name(facts.name, path, definition)
-        yield PublicEntity(
+        yield Provision(
             kind="message",
             package=facts.name,
             owner="",
@@ -38,11 +38,9 @@ def interface_entities(facts: PackageFacts) -> Iterator[PublicEntity]:
                 yield _member(facts, path, name, prefix, "constant", constant)
 
 
-def _member(
-    facts: PackageFacts, path: str, owner: str, prefix: str, kind: str, member: Field | Constant
-) -> PublicEntity:
+def _member(facts: PackageFacts, path: str, owner: str, prefix: str, kind: str, member: Field | Constant) -> Provision:
     notes = f"{member.comment}\n{member.doc}"
-    return PublicEntity(
+    return Provision(
         kind=kind,
         package=facts.name,
         owner=owner,

@@ -6,11 +6,11 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import PurePosixPath
 
 import msgspec
+from ecm_checker.hub.provision import Provision
 from ecm_parsers.launch.model import Action, Argument, Group, LaunchFile
 
 from ecm_extract.discover import is_test_path
 from ecm_extract.entities.launch_reads import is_open, reads
-from ecm_extract.entities.model import PublicEntity
 from ecm_extract.entities.nodes import launched_nodes
 from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.entities.written_text import written
@@ -21,11 +21,11 @@ from ecm_extract.tree import Tree
 MAX_BYTES = 1_000_000
 
 
-def launch_entities(facts: PackageFacts, launches: Sequence[tuple[str, LaunchFile]]) -> Iterator[PublicEntity]:
+def launch_entities(facts: PackageFacts, launches: Sequence[tuple[str, LaunchFile]]) -> Iterator[Provision]:
     """Yield the launch files of a package, their arguments and nodes; a file goes by its name, as for `ros2 launch`."""
     for path, file in launches:
         name = PurePosixPath(path).name
-        base = PublicEntity(kind="launch_argument", package=facts.name, owner=name, name="", path=path, line=1)
+        base = Provision(kind="launch_argument", package=facts.name, owner=name, name="", path=path, line=1)
         yield msgspec.structs.replace(base, kind="launch_file", owner="", name=name, open=is_open(file))
         yield from launched_nodes(facts, path, name, file.actions)
         declared = [each for each in arguments(file.actions) if each.value is None]

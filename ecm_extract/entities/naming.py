@@ -10,11 +10,10 @@ from collections import defaultdict
 from collections.abc import Mapping, Sequence
 
 import msgspec
+from ecm_checker.hub.provision import Line, Provision
 
-from ecm_extract.entities.model import Line, PublicEntity
 
-
-def at_their_names(entities: Sequence[PublicEntity]) -> list[PublicEntity]:
+def at_their_names(entities: Sequence[Provision]) -> list[Provision]:
     """Return the entities, each at the line that says its name; one without a chain of calls stays where it is."""
     names: dict[Line, set[str]] = defaultdict(set)
     users: dict[Line, set[str]] = defaultdict(set)
@@ -25,7 +24,7 @@ def at_their_names(entities: Sequence[PublicEntity]) -> list[PublicEntity]:
     return [_placed(entity, names, users) for entity in entities]
 
 
-def _placed(entity: PublicEntity, names: Mapping[Line, set[str]], users: Mapping[Line, set[str]]) -> PublicEntity:
+def _placed(entity: Provision, names: Mapping[Line, set[str]], users: Mapping[Line, set[str]]) -> Provision:
     if len(entity.chain) < 2:
         return entity
     # of lines that say one name each, the one that more modules share is the library's

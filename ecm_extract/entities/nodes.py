@@ -7,22 +7,21 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from ecm_checker.hub.provision import HOLE
+from ecm_checker.hub.provision import HOLE, LAUNCHED, Provision
 from ecm_parsers.launch.model import Action, Group, Node, Template
 
-from ecm_extract.entities.model import LAUNCHED, PublicEntity
 from ecm_extract.link.linker import LinkedModule
 from ecm_extract.read.facts import PackageFacts
 
 
-def node_entities(facts: PackageFacts, modules: Sequence[LinkedModule]) -> Iterator[PublicEntity]:
+def node_entities(facts: PackageFacts, modules: Sequence[LinkedModule]) -> Iterator[Provision]:
     """Yield the node of each class and program; its owner is what makes it, one whose name is computed is `<*>`."""
     for entry in modules:
         module = entry.module
         if module.cls is None and module.main is None:
             continue
         at = entry.named_at
-        yield PublicEntity(
+        yield Provision(
             kind="node",
             package=facts.name,
             owner=module.cls.qualified if module.cls is not None else module.name,
@@ -34,13 +33,13 @@ def node_entities(facts: PackageFacts, modules: Sequence[LinkedModule]) -> Itera
         )
 
 
-def launched_nodes(facts: PackageFacts, path: str, owner: str, actions: Iterable[Action]) -> Iterator[PublicEntity]:
+def launched_nodes(facts: PackageFacts, path: str, owner: str, actions: Iterable[Action]) -> Iterator[Provision]:
     """Yield the names that a launch file gives to nodes, as far as they stand there; `bases` is what each runs."""
     for node in all_nodes(actions):
         name = plain_text(node.name)
         if name:
             parts = (node.package, node.executable, node.plugin)
-            yield PublicEntity(
+            yield Provision(
                 kind="node",
                 facet=LAUNCHED,
                 package=facts.name,

@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from ecm_checker.hub.provision import Provision
+
 from ecm_extract.entities.deprecations import deprecated_names
-from ecm_extract.entities.model import PublicEntity
 from ecm_extract.entities.public_files import public_headers
 from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.read.facts import PackageFacts
@@ -15,20 +16,20 @@ _PYTHON = re.compile(r"python|(?:site|dist)-packages", re.IGNORECASE)
 """Where extension modules lie: Python imports them, nothing links with them."""
 
 
-def packaging_entities(texts: SideTexts, facts: PackageFacts) -> Iterator[PublicEntity]:
+def packaging_entities(texts: SideTexts, facts: PackageFacts) -> Iterator[Provision]:
     """Yield the entities that build files and descriptions name."""
     yield from _package(facts)
     yield from _targets(facts)
     yield from _scripts(facts)
     yield from _plugins(texts, facts)
     for path, include in public_headers(facts).items():
-        yield PublicEntity(kind="file", package=facts.name, owner="", name=include, path=path, line=1)
+        yield Provision(kind="file", package=facts.name, owner="", name=include, path=path, line=1)
 
 
-def _package(facts: PackageFacts) -> Iterator[PublicEntity]:
+def _package(facts: PackageFacts) -> Iterator[Provision]:
     if facts.root.manifest is not None:
         manifest = facts.manifest
-        yield PublicEntity(
+        yield Provision(
             kind="package",
             package=facts.name,
             owner="",
@@ -39,7 +40,7 @@ def _package(facts: PackageFacts) -> Iterator[PublicEntity]:
         )
 
 
-def _targets(facts: PackageFacts) -> Iterator[PublicEntity]:
+def _targets(facts: PackageFacts) -> Iterator[Provision]:
     installs = [entry for file in facts.cmake.values() for entry in file.installs if entry.kind == "targets"]
     installed = {item for entry in installs for item in entry.items if not _PYTHON.search(entry.destination)}
     for path, file in facts.cmake.items():
@@ -47,7 +48,7 @@ def _targets(facts: PackageFacts) -> Iterator[PublicEntity]:
             if target.kind not in {"executable", "library"} or target.is_test or "$" in target.name:
                 continue
             if target.name in installed:
-                yield PublicEntity(
+                yield Provision(
                     kind=target.kind,
                     package=facts.name,
                     owner="",
@@ -57,7 +58,7 @@ def _targets(facts: PackageFacts) -> Iterator[PublicEntity]:
                 )
         for component in file.components:
             if component.executable:
-                yield PublicEntity(
+                yield Provision(
                     kind="executable",
                     package=facts.name,
                     owner="",
@@ -65,7 +66,7 @@ def _targets(facts: PackageFacts) -> Iterator[PublicEntity]:
                     path=path,
                     line=component.line,
                 )
-            yield PublicEntity(
+            yield Provision(
                 kind="plugin",
                 package=facts.name,
                 owner="",
@@ -76,13 +77,13 @@ def _targets(facts: PackageFacts) -> Iterator[PublicEntity]:
             )
 
 
-def _scripts(facts: PackageFacts) -> Iterator[PublicEntity]:
+def _scripts(facts: PackageFacts) -> Iterator[Provision]:
     names: dict[str, tuple[str, int]] = {}
     for name, path, line in [*_cmake_programs(facts), *_setup_programs(facts)]:
         names.setdefault(name.rsplit("/", 1)[-1], (path, line))
     for name, (path, line) in names.items():
         if "$" not in name and "*" not in name:
-            yield PublicEntity(kind="executable", package=facts.name, owner="", name=name, path=path, line=line)
+            yield Provision(kind="executable", package=facts.name, owner="", name=name, path=path, line=line)
 
 
 def _cmake_programs(facts: PackageFacts) -> Iterator[tuple[str, str, int]]:
@@ -100,12 +101,12 @@ def _setup_programs(facts: PackageFacts) -> Iterator[tuple[str, str, int]]:
         yield from ((script, path, 1) for script in setup.scripts)
 
 
-def _plugins(texts: SideTexts, facts: PackageFacts) -> Iterator[PublicEntity]:
+def _plugins(texts: SideTexts, facts: PackageFacts) -> Iterator[Provision]:
     named = deprecated_names(texts.speaking, facts.sources) if facts.plugins else {}
     outdated = {name.replace("::", "/"): text for name, text in named.items()}
     for path, classes in facts.plugins.items():
         for entry in classes:
-            yield PublicEntity(
+            yield Provision(
                 kind="plugin",
                 package=facts.name,
                 owner="",

@@ -10,12 +10,12 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import PurePosixPath
 from typing import Final
 
+from ecm_checker.hub.provision import Provision
 from ecm_parsers.launch.model import Action, Group, LaunchFile, Node, ParameterFile
 from ecm_parsers.parameter_yaml import ParameterSet, parse_parameter_yaml
 from ecm_parsers.python_setup_facts import PythonSetup
 
 from ecm_extract.discover import is_test_path
-from ecm_extract.entities.model import PublicEntity
 from ecm_extract.entities.side_texts import PARAMETERS, SideTexts
 from ecm_extract.entities.written_text import written
 from ecm_extract.read.facts import PackageFacts
@@ -28,7 +28,7 @@ _COPIED: Final = frozenset({"directory", "files"})
 
 def parameter_settings(
     texts: SideTexts, facts: PackageFacts, launches: Sequence[tuple[str, LaunchFile]]
-) -> Iterator[PublicEntity]:
+) -> Iterator[Provision]:
     """Yield each parameter that a file which users get sets; its owner is the file, as it lies in the package."""
     loaded = _loaded(facts, launches)
     candidates = loaded | _installed(facts)
@@ -38,8 +38,8 @@ def parameter_settings(
             yield from (_setting(entry, path, file.ros, facts) for entry in file.sets)
 
 
-def _setting(entry: ParameterSet, path: str, ros: int, facts: PackageFacts) -> PublicEntity:
-    return PublicEntity(
+def _setting(entry: ParameterSet, path: str, ros: int, facts: PackageFacts) -> Provision:
+    return Provision(
         kind=SETTING,
         package=facts.name,
         owner=_inside(path, facts),

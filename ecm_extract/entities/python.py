@@ -7,10 +7,10 @@ from collections.abc import Iterator
 from typing import Final
 
 import msgspec
+from ecm_checker.hub.provision import Provision
 from ecm_parsers.source.expr import Call, Expr, Number, Text
 from ecm_parsers.source.facts import Function, SourceFile
 
-from ecm_extract.entities.model import PublicEntity
 from ecm_extract.entities.public_files import python_modules, stub_modules
 from ecm_extract.entities.signatures import form_of
 from ecm_extract.link.tuples import returned_values
@@ -24,11 +24,11 @@ _MODULE: Final = "<module>"
 _WARN: Final = frozenset({"warnings.warn", "warn"})
 
 
-def python_entities(facts: PackageFacts) -> Iterator[PublicEntity]:
+def python_entities(facts: PackageFacts) -> Iterator[Provision]:
     """Yield what can be imported from a package; a name with a leading underscore is private."""
     for path, dotted in python_modules(facts).items():
         source = facts.sources[path]
-        yield PublicEntity(kind="file", package=facts.name, owner="", name=dotted, path=path, line=1)
+        yield Provision(kind="file", package=facts.name, owner="", name=dotted, path=path, line=1)
         yield from _symbols(facts.name, path, dotted, source)
 
 
@@ -57,12 +57,12 @@ def quoted_names(facts: PackageFacts) -> Iterator[str]:
                         yield f"{dotted}.{text.value}"
 
 
-def _symbols(package: str, path: str, dotted: str, source: SourceFile) -> Iterator[PublicEntity]:
+def _symbols(package: str, path: str, dotted: str, source: SourceFile) -> Iterator[Provision]:
     classes = {f"{entry.scope}::{entry.name}".lstrip(":") for entry in source.classes}
     for entry in source.classes:
         if not entry.scope and not entry.name.startswith("_"):
             name = f"{dotted}.{entry.name}"
-            yield PublicEntity(
+            yield Provision(
                 kind="class", package=package, owner="", name=name, bases=entry.bases, path=path, line=entry.line
             )
     for function in source.functions:
@@ -74,7 +74,7 @@ def _symbols(package: str, path: str, dotted: str, source: SourceFile) -> Iterat
         label = constant.scope in public and _LABEL.fullmatch(constant.name) is not None
         if label or (not constant.scope and not constant.name.startswith("_")):
             value = constant.value.value if isinstance(constant.value, Number | Text) else None
-            yield PublicEntity(
+            yield Provision(
                 kind="constant",
                 package=package,
                 owner=owner,
@@ -109,7 +109,7 @@ def _is_private(function: Function) -> bool:
     return any(part.startswith(("_", "<")) for part in parts if not (own and part == "__init__"))
 
 
-def _function(package: str, path: str, dotted: str, function: Function, classes: set[str]) -> Iterator[PublicEntity]:
+def _function(package: str, path: str, dotted: str, function: Function, classes: set[str]) -> Iterator[Provision]:
     is_method = function.scope in classes
     if function.scope and not is_method:
         return
@@ -118,7 +118,7 @@ def _function(package: str, path: str, dotted: str, function: Function, classes:
     returns = f"{values} value{'s'[: values - 1]}" if values is not None else ""
     # annotations bind nobody: only the names and the number of parameters count, and how many values are unpacked
     form = msgspec.structs.replace(form, types=("",) * len(form.names), returns=returns)
-    yield PublicEntity(
+    yield Provision(
         kind="method" if is_method else "function",
         package=package,
         owner=f"{dotted}.{function.scope.replace('::', '.')}" if is_method else "",

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
+from ecm_checker.hub.provision import Key, Provision
 from ecm_parsers.interface_facts import Definition
 
-from ecm_extract.entities.model import Key, PublicEntity
 from ecm_extract.entities.notes import no_notes
 from ecm_extract.tree.unread import Unread
 
@@ -44,7 +44,7 @@ class Side:
 
     commit: str | None
     packages: dict[str, PackageInfo] = field(default_factory=dict)
-    entities: dict[Key, PublicEntity] = field(default_factory=dict)
+    entities: dict[Key, Provision] = field(default_factory=dict)
     interfaces: dict[str, Definition] = field(default_factory=dict)
     paths: frozenset[str] = frozenset()
     blobs: dict[str, str] = field(default_factory=dict)

@@ -8,9 +8,8 @@ from functools import lru_cache
 from types import MappingProxyType
 from typing import Final
 
+from ecm_checker.hub.provision import Form
 from ecm_parsers.source.facts import Function
-
-from ecm_extract.entities.model import Form
 
 _NOTHING: Final[Mapping[str, str]] = MappingProxyType({})
 _NAME = re.compile(r"\b[A-Za-z_]\w*\b")

@@ -9,9 +9,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import Final
 
 import msgspec
-from ecm_checker.hub.provision import HOLE
+from ecm_checker.hub.provision import HOLE, Provision
 
-from ecm_extract.entities.model import PublicEntity
 from ecm_extract.tree import Tree
 
 _KINDS: Final = frozenset({"topic", "service", "action", "parameter", "launch_argument"})
@@ -23,9 +22,9 @@ _TELLING: Final = re.compile(r"[\w\]>)]\s*=[^=]|[&:]\w+::\w+|self\.\w+|\bbind\b|
 """What a line assigns, or hands on, tells it from its like; a bare call does not."""
 
 
-def with_lines(tree: Tree, entities: Sequence[PublicEntity]) -> Iterator[PublicEntity]:
+def with_lines(tree: Tree, entities: Sequence[Provision]) -> Iterator[Provision]:
     """Yield the entities, those that a telling line declares by a literal name with the hash of that line."""
-    wanted: dict[str, list[PublicEntity]] = defaultdict(list)
+    wanted: dict[str, list[Provision]] = defaultdict(list)
     for entity in entities:
         if entity.kind in _KINDS and HOLE not in entity.name:
             wanted[entity.path].append(entity)
@@ -46,7 +45,7 @@ def _contents(tree: Tree, paths: Iterable[str]) -> Iterator[tuple[str, bytes]]:
     yield from ((path, b"") for path in missing)
 
 
-def _written(entity: PublicEntity, lines: Sequence[str]) -> str:
+def _written(entity: Provision, lines: Sequence[str]) -> str:
     name = re.compile(_QUOTED.format(re.escape(_PARTS.split(entity.name)[-1])))
     start = max(0, entity.line - 1)
     text = ""

@@ -5,19 +5,19 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
+from ecm_checker.hub.provision import Form, Provision
 
 from ecm_extract.diff.effects import type_changed
 from ecm_extract.diff.model import Pair
 from ecm_extract.diff.pair import Evidence, Pairing
-from ecm_extract.entities.model import Form, PublicEntity
 
 
-def entity(kind: str, name: str, owner: str = "node", **more: Any) -> PublicEntity:
+def entity(kind: str, name: str, owner: str = "node", **more: Any) -> Provision:
     defaults: dict[str, Any] = {"package": "pkg", "path": "src/node.cpp", "line": 1}
-    return PublicEntity(kind=kind, name=name, owner=owner, **(defaults | more))
+    return Provision(kind=kind, name=name, owner=owner, **(defaults | more))
 
 
-def paired(old: list[PublicEntity], new: list[PublicEntity], files: dict[str, str] | None = None) -> list[Pair]:
+def paired(old: list[Provision], new: list[Provision], files: dict[str, str] | None = None) -> list[Pair]:
     before = {entry.key: entry for entry in old}
     after = {entry.key: entry for entry in new}
     return Pairing(before, after, Evidence(files or {})).run()

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import pytest
+from ecm_checker.hub.provision import Form
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from ecm_extract.diff.conversions import takes
 from ecm_extract.diff.effects import accepts
-from ecm_extract.entities.model import Form
 from ecm_extract.entities.signatures import normal_type
 
 

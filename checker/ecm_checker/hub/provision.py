@@ -12,6 +12,8 @@ HOLE: Final = "<*>"
 """A computed part of a name."""
 ALIAS: Final = "alias"
 """Type of a class that only stands for another one."""
+LAUNCHED: Final = "launched"
+"""Facet of the name of a node that a launch file gives."""
 Key = tuple[str, str, str, str, str]
 Line = tuple[str, int]
 """A path and a line, 1-based."""
