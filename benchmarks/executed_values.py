@@ -36,14 +36,17 @@ _MANIFEST = (
 _SURE = {"literal", "folded"}
 _HOLE = re.compile(r"\{[^{}]*\}")
 Place = tuple[str, int]
+Made = dict[Place, set[tuple[str, frozenset[int]]]]
+"""Place -> the names that were made there, each with the lines of the calls that led to it."""
 
 
 @dataclass(frozen=True)
 class Told:
-    """A name that the tool tells of a line."""
+    """A name that the tool tells of a line, with the lines of the calls that it came through."""
 
     name: str
     confidence: str
+    lines: frozenset[int]
 
 
 @dataclass(frozen=True)
@@ -51,8 +54,12 @@ class Judged:
     """One line of a program: what was made there, and what was told."""
 
     place: Place
-    made: frozenset[str]
+    calls: frozenset[tuple[str, frozenset[int]]]
     told: tuple[Told, ...]
+
+    @property
+    def made(self) -> set[str]:
+        return {name for name, _ in self.calls}
 
     @property
     def contained(self) -> bool:
@@ -64,11 +71,17 @@ class Judged:
 
     @property
     def right(self) -> bool:
-        return all(told.name in self.made for told in self.told if told.confidence in _SURE)
+        return all(self._happened(told) for told in self.told if told.confidence in _SURE)
+
+    def _happened(self, told: Told) -> bool:
+        """Whether the name was made; calls that did not run tell nothing."""
+        names = {name for name, lines in self.calls if told.lines <= lines}
+        return not names or told.name in names
 
     @property
     def exact(self) -> bool:
-        return {told.name for told in self.told} == self.made and all(t.confidence in _SURE for t in self.told)
+        ran = [told for told in self.told if any(told.lines <= lines for _, lines in self.calls)]
+        return {told.name for told in ran} == self.made and all(told.confidence in _SURE for told in ran)
 
 
 def _means(told: Told, name: str) -> bool:
@@ -92,7 +105,8 @@ def extracted(root: Path) -> Mapping[Place, tuple[Told, ...]]:
         for entry in module.lines:
             if entry.role == "publisher":
                 last = entry.evidence[-1]
-                found[Path(last.path).name, last.line][Told(entry.name, entry.confidence)] = None
+                lines = frozenset(place.line for place in entry.evidence)
+                found[Path(last.path).name, last.line][Told(entry.name, entry.confidence, lines)] = None
     return {place: tuple(told) for place, told in found.items()}
 
 
@@ -103,16 +117,17 @@ def written(root: Path, files: Mapping[str, str]) -> None:
         target.write_text(text, "utf-8")
 
 
-def printed(text: str) -> dict[Place, set[str]]:
-    made: dict[Place, set[str]] = defaultdict(set)
+def printed(text: str) -> Made:
+    made: Made = defaultdict(set)
     for line in text.splitlines():
-        path, number, name = line.split("\t", 2)
+        path, numbers, name = line.split("\t", 2)
+        lines = [int(number) for number in numbers.split(",")]
         if name:
-            made[path, int(number)].add(_resolved(name))
+            made[path, lines[-1]].add((_resolved(name), frozenset(lines)))
     return made
 
 
-def python_batch(root: Path, seeds: Sequence[str]) -> tuple[Path, dict[Place, set[str]]]:
+def python_batch(root: Path, seeds: Sequence[str]) -> tuple[Path, Made]:
     """Write programs, run each, return the folder of the package and what the runs made."""
     package, stubs = root / "package", root / "stubs"
     sources = {f"drawn/p{n}_{s}.py": python_programs.PythonProgram(f"{s}").source() for n, s in enumerate(seeds)}
@@ -121,7 +136,7 @@ def python_batch(root: Path, seeds: Sequence[str]) -> tuple[Path, dict[Place, se
     setup = f"from setuptools import setup\nsetup(name='drawn', entry_points={{'console_scripts': [{entries}]}})\n"
     written(package, {"setup.py": setup})
     written(stubs, python_programs.STUBS)
-    made: dict[Place, set[str]] = defaultdict(set)
+    made: Made = defaultdict(set)
     for path in sources:
         for more in ((), ("x",)):
             line = [sys.executable, "-B", str(package / path), *more]
@@ -133,7 +148,7 @@ def python_batch(root: Path, seeds: Sequence[str]) -> tuple[Path, dict[Place, se
     return package, made
 
 
-def cpp_batch(root: Path, seeds: Sequence[str]) -> tuple[Path, dict[Place, set[str]]]:
+def cpp_batch(root: Path, seeds: Sequence[str]) -> tuple[Path, Made]:
     """The same in C++; the programs of a batch are compiled as one and run one by one."""
     package, stubs = root / "package", root / "stubs"
     spaces = [f"p{number}" for number in range(len(seeds))]
@@ -156,7 +171,7 @@ def cpp_batch(root: Path, seeds: Sequence[str]) -> tuple[Path, dict[Place, set[s
     built = subprocess.run(line, capture_output=True, text=True, check=False)
     if built.returncode:
         sys.exit(f"g++ refused a drawn program, mend executed/cpp_programs.py:\n{built.stderr[:3000]}")
-    made: dict[Place, set[str]] = defaultdict(set)
+    made: Made = defaultdict(set)
     for number in range(len(spaces)):
         for more in ((), ("x",)):
             done = subprocess.run(

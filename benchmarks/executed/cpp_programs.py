@@ -19,6 +19,11 @@ STUBS = {
 #include <vector>
 namespace rclcpp {
 struct Publisher {};
+inline std::vector<int> & lines() { static std::vector<int> all; return all; }
+struct Called {
+  explicit Called(int line) { lines().push_back(line); }
+  ~Called() { lines().pop_back(); }
+};
 class Node {
  public:
   explicit Node(const std::string &) {}
@@ -27,7 +32,9 @@ class Node {
   std::shared_ptr<Publisher> create_publisher(
       const std::string & name, int, const char * file = __builtin_FILE(), int line = __builtin_LINE()) {
     std::string path(file);
-    std::cout << path.substr(path.rfind('/') + 1) << '\\t' << line << '\\t' << name << '\\n';
+    std::cout << path.substr(path.rfind('/') + 1) << '\\t';
+    for (int called : lines()) { std::cout << called << ','; }
+    std::cout << line << '\\t' << name << '\\n';
     return nullptr;
   }
 };
@@ -59,6 +66,7 @@ class CppProgram(Draw):
         self._overloads()
         self._classes()
         self.add("inline void run(int argc) {")
+        self.add("    rclcpp::Called here(__LINE__ + 1);")
         self.add(f'    Program node("{self.word()}", {self.small()});')
         self.add("    node.start(argc);")
         self.add("}")
@@ -162,7 +170,8 @@ class CppProgram(Draw):
         self.add("}")
         if self.chance(0.5):
             self.add(f'std::string leaf() const override {{ return "{self.word()}"; }}')
-        self.add("void again(const std::string & topic, int many = 1) {")
+        self.add("void again(const std::string & topic, int many = 1, int line = __builtin_LINE()) {")
+        self.add("    rclcpp::Called here(line);")
         self.add(f'    {_PUBLISH}(topic + "/" + std::to_string(many), 10);')
         self.add("}")
         self.add("void rename() {")
@@ -447,7 +456,7 @@ class CppProgram(Draw):
         if texts and self.chance(0.4):
             self.add(f'auto {name} = [&](const std::string & more) {{ {self.one(texts)} += more; return more; }};')
         else:
-            self.add(f'auto {name} = [{self.one("&=")}, this](const std::string & more) {{ return more + {self.text(1)}; }};')
+            self.add(f'auto {name} = [{self.one("&=")}, this](const std::string & more) mutable {{ return more + {self.text(1)}; }};')
         if self.chance(0.5):
             self._let()
         self.add(f"{_PUBLISH}({name}({self.text(0)}), 10);")

@@ -12,8 +12,12 @@ STUBS = {
         "    def __init__(self, name):\n"
         "        pass\n"
         "    def create_publisher(self, kind, name, qos):\n"
-        "        frame = sys._getframe(1)\n"
-        "        print(os.path.basename(frame.f_code.co_filename), frame.f_lineno, name, sep='\\t')\n"
+        "        frame, lines = sys._getframe(1), []\n"
+        "        path = os.path.basename(frame.f_code.co_filename)\n"
+        "        while frame is not None:\n"
+        "            lines.insert(0, str(frame.f_lineno))\n"
+        "            frame = frame.f_back\n"
+        "        print(path, ','.join(lines), name, sep='\\t')\n"
     ),
     "std_msgs/__init__.py": "",
     "std_msgs/msg.py": "class String:\n    pass\n",

@@ -10,7 +10,7 @@ from typing import Any, Literal
 
 import msgspec
 
-Confidence = Literal["literal", "folded", "default", "pattern"]
+Confidence = Literal["literal", "folded", "default", "one_of", "pattern"]
 Origin = Literal["declared", "observed", "inferred", "default"]
 Role = Literal[
     "publisher",

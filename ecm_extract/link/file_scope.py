@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Mapping
 
-from ecm_parsers.source.expr import Name
+from ecm_parsers.source.expr import Member, Name
 
+from ecm_extract.infer.effects import calls_of
 from ecm_extract.link.env import Env
 from ecm_extract.link.program import Program
 from ecm_extract.link.scope import Definition, Scope
@@ -18,6 +20,7 @@ class FileScope:
     def __init__(self, program: Program, scope: Scope) -> None:
         self.program = program
         self.scope = scope
+        self._called: Mapping[str, list[Func]] | None = None
         self._assigned: dict[str, list[Definition]] | None = None
 
     def type_of(self, name: str, env: Env) -> str:
@@ -40,6 +43,30 @@ class FileScope:
             self._assigned = self._index()
         found = self._assigned.get(name.rsplit("::", 1)[-1], [])
         return [entry for entry in found if self.program.nearness(entry.func.file, env.func.file)]
+
+    def is_changed(self, name: str, env: Env) -> bool:
+        """Tell whether a function that sees a variable assigns it, or calls a method of it."""
+        if self.definitions(name, env):
+            return True
+        if self._called is None:
+            self._called = self._receivers()
+        found = self._called.get(name.rsplit("::", 1)[-1], ())
+        return any(self.program.nearness(func.file, env.func.file) for func in found)
+
+    def _receivers(self) -> Mapping[str, list[Func]]:
+        """Variable -> the functions that call a method of it which changes it, or that take its address."""
+        found: Mapping[str, list[Func]] = defaultdict(list)
+        changing = calls_of("cpp").changing
+        for functions in self.program.functions.values():
+            for func in functions:
+                for call in (call for calls in func.calls for call in calls) if func.file.language == "cpp" else ():
+                    callee = call.callee
+                    if isinstance(callee, Member) and isinstance(callee.base, Name) and callee.name in changing:
+                        found[callee.base.id.rsplit("::", 1)[-1]].append(func)
+                    for arg in call.args if not isinstance(callee, Member) else ():
+                        if isinstance(arg, Name) and arg.id.rsplit("::", 1)[-1] in self.program.constants:
+                            found[arg.id.rsplit("::", 1)[-1]] += [func] * (not self._hides(func, arg.id))
+        return found
 
     def _index(self) -> dict[str, list[Definition]]:
         index: dict[str, list[Definition]] = defaultdict(list)

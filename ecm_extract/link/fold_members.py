@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import (
@@ -11,25 +12,23 @@ from ecm_parsers.source.expr import (
     Name,
 )
 from ecm_parsers.source.facts import Statement
-from msgspec.structs import replace
 
+from ecm_extract.infer.held import Held
 from ecm_extract.link.calls import dotted_name
 from ecm_extract.link.env import Env, Instance
 from ecm_extract.link.formats import VALUE_READS
-from ecm_extract.link.scope import Definition
 from ecm_extract.link.spelling import last_name
 from ecm_extract.link.units import Cls, Func
 from ecm_extract.link.values import (
     MAX_ALTERNATIVES,
     Value,
+    alternatives,
     demoted,
     lowered,
     node_name,
     set_by,
-    unique,
     unknown,
 )
-from ecm_extract.link.walk import expressions
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
@@ -50,6 +49,9 @@ class MemberFolder:
 
     def member(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """`this->x`, `params_.x`, `module.CONSTANT`, `object.field`."""
+        ways = self.folder.flow.ways(expr, env)
+        if ways:
+            return self.folder.held.of(ways, env)
         if expr.base == Name("this"):
             cls = env.this or env.func.cls
             found = self.member_value(expr.name, cls, env) if cls is not None else ()
@@ -58,7 +60,18 @@ class MemberFolder:
             return self.folder.fold(expr.base, env.before(env.at))
         dotted = dotted_name(expr)
         found = self.folder.names.imported(dotted, env) if dotted and env.func.file.language == "python" else ()
-        return found or self._field(expr, env) or self._option(expr, env) or (unknown(expr.name),)
+        part = self._part(expr, env) if not found else ()
+        return found or part or self._field(expr, env) or self._option(expr, env) or (unknown(expr.name),)
+
+    def _part(self, expr: Member, env: Env) -> tuple[Value, ...]:
+        """A field of a structure that is made from a list of its values: `Row{"a", 1}` and `row.name`."""
+        items = self.folder.lists.structure(expr.base, env)
+        cls = self.folder.objects.class_of(expr.base, env) if items is not None else None
+        names = [field.name for field in cls.fact.fields] if cls is not None else []
+        if items is None or expr.name not in names or names.index(expr.name) >= len(items):
+            return ()
+        bound = items[names.index(expr.name)]
+        return demoted(self.folder.fold(bound.expr, bound.env.deeper(env.depth + 1)))
 
     def _option(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """`args.name` of argparse: the option's default."""
@@ -115,50 +128,79 @@ class MemberFolder:
 
     def _member_value(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
         values: list[Value] = []
+        sources = self.sources(name, cls, env)
+        for held, place in sources:
+            values += self._source_value(held, place)
         for entry in self.folder.program.ancestry(cls):
-            values += self._assigned(name, entry, cls, env)
             for method, at, read, default in self.folder.reads.members(entry, name):
-                values += self.folder.calls.parameter_value(
-                    read, default, self._method_env(Definition(method, at), cls, env)
-                )
-        fields = [entry.fields[name].default for entry in self.folder.program.ancestry(cls) if name in entry.fields]
-        default = next((found for found in fields if found is not None), None)  # that of a derived class hides others
-        if default is not None:
-            values += demoted(self.folder.fold(default, Env(env.func, depth=env.depth + 1, this=cls)))
+                if at not in self._reads_of(method, name):
+                    place = self._method_env(method, cls, env)
+                    values += self.folder.calls.parameter_value(read, default, place.within(None, at))
+        if not any(_makes(held) for held, _ in sources):
+            values += self.initial(name, cls, env)
         filled = [value for value in values if value.text]
-        return unique(filled or values) if values else ()
+        return alternatives(filled or values) if values else ()
 
-    def _assigned(self, name: str, entry: Cls, cls: Cls, env: Env) -> list[Value]:
-        """What the methods of one class assign; `x = join(x)` takes the place of what its method assigned before."""
-        found: list[tuple[Func, tuple[Value, ...]]] = []
-        for definition in self.folder.scope.members(name, entry):
-            if len(found) >= MAX_ALTERNATIVES or not self.folder.objects.runs(definition.func, env.made):
-                continue
-            inner = self._method_env(definition, cls, env)
-            named = _is_name_of_node(definition)
-            values = (node_name(),) if named else demoted(self.folder.fold(definition.statement.value, inner))
-            if values and _rewrites(definition.statement, name):
-                found = [(func, before) for func, before in found if func is not definition.func]
-            found.append((definition.func, values))
-        return [value for _, values in found for value in values][:MAX_ALTERNATIVES]
+    def _reads_of(self, method: Func, name: str) -> Collection[int]:
+        """The statements whose reads of parameters the run of a method has followed into the member."""
+        found = self.folder.flow.reads(method)
+        effects = self.folder.flow.effects(method)
+        return [at for at, entries in found.items() if any(effects.key(entry[0]) == f".{name}" for entry in entries)]
 
-    def _method_env(self, definition: Definition, cls: Cls, env: Env) -> Env:
+    def _source_value(self, held: Held, place: Env) -> tuple[Value, ...]:
+        statement = place.func.fact.body[held.at] if 0 <= held.at < len(place.func.fact.body) else None
+        if statement is not None and _is_name_of_node(place.func, statement):
+            return (node_name(),)
+        return self.folder.held.values(held, place)
+
+    def initial(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
+        """Return what a member holds before any method runs: its default; that of a derived class hides others."""
+        fields = [entry.fields[name] for entry in self.folder.program.ancestry(cls) if name in entry.fields]
+        default = next((field.default for field in fields if field.default is not None), None)
+        if default is None:
+            return ()
+        return demoted(self.folder.fold(default, Env(env.func, depth=env.depth + 1, this=cls)))
+
+    def sources(self, name: str, cls: Cls, env: Env) -> list[tuple[Held, Env]]:
+        """Return what the methods of a class and its bases leave a member with, or show it with to other functions.
+
+        Of a class whose objects are not known to be of no derived one, what derived classes do counts too.
+        """
+        found: list[tuple[Held, Env]] = []
+        concrete = env.made is not None and bool(env.made.args or env.made.types or env.made.maker)
+        derived = () if concrete else self.folder.program.derived(cls)
+        for entry in (*self.folder.program.ancestry(cls), *derived):
+            for method in self.folder.scope.changing(name, entry):
+                if self.folder.objects.runs(method, env.made):
+                    place = self._method_env(method, cls if entry not in derived else entry, env)
+                    found += [(held, place) for held in self._left(method, place, name)]
+        return found[: MAX_ALTERNATIVES + 1]
+
+    def _left(self, method: Func, place: Env, name: str) -> list[Held]:
+        run = self.folder.flow.run(place)
+        if run is None:
+            return [Held("lost", name)]
+        key = f".{name}"
+        ends = run.end.holds.get(key, ()) if run.end is not None else ()
+        helds = dict.fromkeys((*run.shown.get(key, ()), *ends))
+        return [held for held in helds if held.how != "given"]
+
+    def _method_env(self, method: Func, cls: Cls, env: Env) -> Env:
         made = env.made if env.made is not None and env.made.cls is cls else None
-        return Env(definition.func, definition.at, this=cls, made=made or Instance(cls, {}, {}), depth=env.depth + 1)
+        return Env(method, this=cls, made=made or Instance(cls, {}, {}), depth=env.depth + 1)
 
 
-def _rewrites(statement: Statement, name: str) -> bool:
-    """Tell whether a statement that always runs makes a new value of a member from the one that it has."""
-    own = (Name(name), Member(Name("this"), name))
-    return statement.depth == 0 and any(expr in own for expr, _ in expressions(replace(statement, target=None)))
+def _makes(held: Held) -> bool:
+    """Tell whether a value does not depend on what was there before."""
+    return held.how in {"value", "each"}
 
 
-def _is_name_of_node(definition: Definition) -> bool:
+def _is_name_of_node(func: Func, statement: Statement) -> bool:
     """Tell whether a constructor gives a member what it gives its node as a name: `Node(name), name_(name)`."""
-    if definition.statement.kind != "init" or definition.statement.value is None:
+    if statement.kind != "init" or statement.value is None:
         return False
-    calls = (entry.value for entry in definition.func.fact.body if entry.kind == "init" and _is_node(entry.target))
-    return any(isinstance(call, Call) and call.args[:1] == (_only(definition.statement.value),) for call in calls)
+    calls = (entry.value for entry in func.fact.body if entry.kind == "init" and _is_node(entry.target))
+    return any(isinstance(call, Call) and call.args[:1] == (_only(statement.value),) for call in calls)
 
 
 def _is_node(target: Expr | None) -> bool:

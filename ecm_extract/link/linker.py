@@ -48,7 +48,7 @@ from ecm_extract.link.sites import Sites, overrides
 from ecm_extract.link.stamps import Stamp, stamps
 from ecm_extract.link.types import Types
 from ecm_extract.link.units import File
-from ecm_extract.link.values import Value, literal, settled, unknown
+from ecm_extract.link.values import Value, literal, settled, unknown, weaker
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.tree import Tree
 
@@ -223,6 +223,8 @@ class Linker:
             kind, data = self.typing.of(site, default)
             if is_below_node(value):
                 confidence = "folded"
+            if not site.certain:
+                confidence = weaker(confidence, "one_of")
             if value.text == "" and site.form.role != "parameter":
                 confidence = "pattern"
             interface = Interface(

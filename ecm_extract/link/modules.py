@@ -104,7 +104,7 @@ class Modules:
         """A class of the tree that others derive from and that nobody makes is a base, not a module."""
         if any("pure" in method.fact.traits for method in cls.methods):
             return False
-        if not self.references.sites.derived(cls):
+        if not self.references.sites.program.derived(cls):
             return not cls.fact.template
         return any(
             self.references.sites.makes(call, cls) for call in self.references.sites.calls.get(cls.fact.name, ())
@@ -141,7 +141,7 @@ class Modules:
         """A module class passes its endpoints on only to the classes that derive from it."""
         if module is None:
             return self.references.users(unit)
-        return self.references.sites.derived(unit) if isinstance(unit, Cls) else ()
+        return self.references.sites.program.derived(unit) if isinstance(unit, Cls) else ()
 
     def _own(self, unit: Unit) -> Module | None:
         if isinstance(unit, Cls):

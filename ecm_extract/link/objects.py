@@ -72,7 +72,7 @@ class Objects:
         return ""
 
     def _assigned_type(self, name: str, env: Env) -> str:
-        for definition in self.scope.local(name, env):
+        for definition in self.scope.local(Name(name), env):
             value = definition.statement.value
             if value is not None:
                 written = self.type_of(value, env.before(definition.at))

@@ -45,6 +45,7 @@ class Program:
         self._seen_functions: dict[_Asked, tuple[Func, ...]] = {}
         self._seen_classes: dict[_Asked, tuple[Cls, ...]] = {}
         self._mro: dict[int, tuple[Cls, ...]] = {}
+        self._derived: dict[int, list[Cls]] | None = None
         for file in self.files:
             self._index(file)
 
@@ -205,6 +206,16 @@ class Program:
                 ordered.extend(base for base in self.bases(entry) if base not in ordered)
             known = self._mro[id(cls)] = tuple(ordered)
         return known
+
+    def derived(self, cls: Cls) -> Sequence[Cls]:
+        """Return the classes of the tree that derive from a class, at any distance."""
+        if self._derived is None:
+            self._derived = defaultdict(list)
+            for group in self.classes.values():
+                for entry in group:
+                    for base in self.ancestry(entry)[1:]:
+                        self._derived[id(base)].append(entry)
+        return self._derived.get(id(cls), ())
 
     def base_names(self, cls: Cls) -> list[str]:
         """Return all base names of the ancestry as written, those outside the tree included."""

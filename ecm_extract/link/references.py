@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from ecm_parsers.source.facts import Constant
 
 from ecm_extract.link.sites import Sites
-from ecm_extract.link.spelling import by_value, last_name
+from ecm_extract.link.spelling import by_value, last_name, plain
 from ecm_extract.link.units import Cls, File, Func
 
 Unit = Cls | Func
@@ -53,7 +53,7 @@ class References:
         unit: Unit = func.holder or func
         scope = f"{func.fact.scope}::{func.fact.name}"
         for statement in func.fact.body:
-            if statement.type and statement.type != "auto":
+            if statement.type and plain(statement.type) != "auto":
                 self._mention(statement.type, unit, func.file, scope)
 
     def _mention(self, text: str, unit: Unit, file: File, scope: str) -> None:
@@ -81,7 +81,7 @@ class References:
         yield from self._mentioning(cls, self._holders)
 
     def _class_users(self, cls: Cls) -> Iterator[Unit]:
-        found = [*self.sites.derived(cls), *self._makers(cls), *self._mentioning(cls, self._holders)]
+        found = [*self.sites.program.derived(cls), *self._makers(cls), *self._mentioning(cls, self._holders)]
         yield from found or self._mentioning(cls, self._mentions)
         for method in cls.methods if cls.file.language == "python" else ():
             if "static" in method.fact.traits:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections import defaultdict, deque
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 
 from ecm_parsers.source.expr import Expr, Name
 
@@ -43,10 +44,9 @@ class Sites:
         self.folder: Folder = matcher.folder
         self.parameters = parameters
         self._positions: dict[int, dict[int, int]] = {}
-        self._derived: dict[int, list[Cls]] | None = None
         self._remembered: set[int] = set()
         self._names: dict[int, tuple[Site, tuple[Value, ...]]] = {}
-        self.openness = Openness(self.folder, types, self.derived)
+        self.openness = Openness(self.folder, types, program.derived)
         self._aliases = program.aliases.meaning({*program.classes, *matcher.forms})
         wanted = {*matcher.forms, *program.functions, *program.classes, *_ALSO, *also}
         self.calls = call_index(program, wanted, self._aliases)
@@ -99,8 +99,22 @@ class Sites:
             if wider:
                 pending.extend(wider)
             else:
-                closed.append(current)
+                closed.extend(self._in_each_state(current))
         return closed
+
+    def _in_each_state(self, site: Site) -> Iterator[Site]:
+        """A site once for each state in which its call is reached; none where its arguments keep it from that."""
+        if site.chain and not self.folder.flow.is_reached(site.env):
+            return
+        for env, certain in self._places(site.env):
+            yield replace(site, env=env, certain=site.certain and certain)
+
+    def _places(self, env: Env) -> Iterator[tuple[Env, bool]]:
+        """A place once for each state, and whether a run that gets there in one of them does so in all."""
+        places = self.folder.flow.places(env)
+        paths = {place.state.path for place in places if place.state is not None}
+        for place in places:
+            yield place, len(paths) <= 1
 
     def _wider(self, site: Site) -> Iterator[Site]:
         params, made = self.openness.of(site, self.names(site))
@@ -146,8 +160,8 @@ class Sites:
         for call in self.callers(root):
             if id(call) in passed:
                 continue
-            outer = self.root_env(call.func, self.position(call))
-            yield self._through(site, call, outer)
+            for outer, certain in self._places(self.root_env(call.func, self.position(call))):
+                yield self._through(replace(site, certain=site.certain and certain), call, outer)
 
     def callers(self, func: Func) -> Sequence[Invocation]:
         """Return the calls of a function by others."""
@@ -156,7 +170,8 @@ class Sites:
     def _through(self, site: Site, call: Invocation, outer: Env) -> Site:
         """Rebuild the chain of environments from a new outermost call."""
         env = self._enter(call, self._first(site), outer)
-        return Site(site.form, site.call, self._inside(site, env), (call, *site.chain), call.func.holder, call.func)
+        chain = (call, *site.chain)
+        return Site(site.form, site.call, self._inside(site, env), chain, call.func.holder, call.func, site.certain)
 
     def _first(self, site: Site) -> Invocation:
         return site.chain[0] if site.chain else site.call
@@ -208,31 +223,32 @@ class Sites:
         """One site for each class that derives from `cls`, and for each place that makes one."""
         at = self.position(self._first(site))
         own = site.owner is site.root.cls
-        for derived in self.derived(cls) if own else ():
+        for derived in self.program.derived(cls) if own else ():
             made = Instance(derived, {}, {})
             part = self.folder.objects.part(made, cls)
             types = dict(part.types) if part is not None else {}
             root = Env(site.root, at, {}, types, derived, made)
-            yield Site(site.form, site.call, self._inside(site, root), site.chain, derived, site.root)
+            yield Site(site.form, site.call, self._inside(site, root), site.chain, derived, site.root, site.certain)
         for call in self.calls.get(cls.fact.name, ()):
             if call.func.cls is cls or (own and self._is_base_of(call, cls)):
                 continue
             if self.makes(call, cls) and not any(call is link for link in site.chain):
-                yield self._made_at(site, cls, call, at)
+                for outer, certain in self._places(self.root_env(call.func, self.position(call))):
+                    yield self._made_at(replace(site, certain=site.certain and certain), cls, call, at, outer)
 
     def _is_base_of(self, call: Invocation, cls: Cls) -> bool:
         """Tell whether a call makes the base of a derived object, which is no object of its own."""
         maker = call.func.cls
         return call.statement.kind == "init" and maker is not None and cls in self.program.ancestry(maker)
 
-    def _made_at(self, site: Site, cls: Cls, call: Invocation, at: int) -> Site:
-        outer = self.root_env(call.func, self.position(call))
+    def _made_at(self, site: Site, cls: Cls, call: Invocation, at: int, outer: Env) -> Site:
         constructor = self.folder.objects.constructor(cls, len(call.args))
         args = bind(constructor, call, outer) if constructor is not None else {}
         types = self._class_types(cls, call, outer)
         own = args if site.root.is_constructor and site.root.cls is cls else {}
         root = Env(site.root, at, own, types, cls, Instance(cls, args, types, constructor))
-        return Site(site.form, site.call, self._inside(site, root), (call, *site.chain), call.func.holder, call.func)
+        chain = (call, *site.chain)
+        return Site(site.form, site.call, self._inside(site, root), chain, call.func.holder, call.func, site.certain)
 
     def makes(self, call: Invocation, cls: Cls) -> bool:
         """Tell whether a call makes an object of a class."""
@@ -248,16 +264,6 @@ class Sites:
         if cls.file.language != "python" or call.func.file.language != "python":
             return False
         return self.program.class_named(call.path.rsplit(".", 1)[-1], call.func.file) is cls
-
-    def derived(self, cls: Cls) -> list[Cls]:
-        """Return the classes of the tree that derive from a class, at any distance."""
-        if self._derived is None:
-            self._derived = defaultdict(list)
-            for group in self.program.classes.values():
-                for entry in group:
-                    for base in self.program.ancestry(entry)[1:]:
-                        self._derived[id(base)].append(entry)
-        return self._derived.get(id(cls), [])
 
 
 def overrides(func: Func) -> bool:

@@ -109,7 +109,7 @@ class Types:
         if not rest and any(parameter.name == head for parameter in env.func.fact.params):
             return TypeFound(None, frozenset({head}))
         if isinstance(expr, Name):
-            for definition in self.folder.scope.local(head, env):
+            for definition in self.folder.scope.local(Name(head), env):
                 value = definition.statement.value
                 if value is not None:
                     return self.expression(value, env.before(definition.at), role)
@@ -222,7 +222,7 @@ class Types:
                 inner = Env(func, types=env.types, this=env.this, made=env.made)
                 written = _REQUEST.sub(r"\1", params[0].type) if service else params[0].type
                 return self.written(written, inner, role)
-        for definition in self.folder.scope.local(name, env):
+        for definition in self.folder.scope.local(Name(name), env):
             value = definition.statement.value
             if value is not None:
                 return self._callback(value, env.before(definition.at), role, service)

@@ -173,6 +173,7 @@ class DeclarationReader:
                 place.template,
                 traits,
                 decorators,
+                read.flow.flow(),
             )
         )
         self.functions.extend(read.functions)

@@ -11,6 +11,7 @@ from typing import Literal
 import msgspec
 
 from ecm_parsers.source.expr import Expr
+from ecm_parsers.source.flow import Block
 
 StatementKind = Literal["do", "let", "set", "init", "return", "each"]
 
@@ -28,8 +29,8 @@ class Statement(_Fact, frozen=True):
         line: 1-based.
         value: the expression; None for a declaration without a value.
         target: what is bound (`let`, `set`, `init`, `each`).
-        type: declared type as written (`let` in C++, annotated Python).
-        depth: how many conditions and loops enclose it; 0 runs whenever the body runs.
+        type: declared type as written (`let` and `each` in C++, annotated Python); of `x += y` in Python the operator.
+        depth: how many conditions and loops enclose it; `Function.flow` says which.
         deferred: it stands in an anonymous lambda, which runs when somebody calls it.
     """
 
@@ -64,6 +65,8 @@ class Function(_Fact, frozen=True):
         traits: of `declaration`, `static`, `virtual`, `override`, `pure`, `deleted`, `private`, `protected`,
             `anonymous` (namespace), `deprecated`, `const`.
         decorators: Python decorators or C++ attributes, as written.
+        flow: how the statements of its body follow each other; empty where they simply do.
+        shared: names that a Python function takes from around it to assign them (`global`, `nonlocal`).
     """
 
     name: str
@@ -76,6 +79,8 @@ class Function(_Fact, frozen=True):
     template: tuple[str, ...] = ()
     traits: tuple[str, ...] = ()
     decorators: tuple[str, ...] = ()
+    flow: Block = ()
+    shared: tuple[str, ...] = ()
 
 
 class Field(_Fact, frozen=True):

@@ -1,0 +1,246 @@
+"""What variables hold, as values: by the statements that made it so, in the order in which they ran."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from ecm_parsers.source.expr import Call, Member
+from ecm_parsers.source.facts import Statement
+
+from ecm_extract.infer.compute import UNKNOWN, changed
+from ecm_extract.infer.held import Held
+from ecm_extract.link.env import Bound, Env, bind, invocation_of
+from ecm_extract.link.numbers import NUMBERS, as_number
+from ecm_extract.link.spelling import plain
+from ecm_extract.link.units import Cls
+from ecm_extract.link.values import Value, alternatives, constant, demoted, literal, unknown
+
+if TYPE_CHECKING:
+    from ecm_extract.link.fold import Folder
+
+_TEXTS = frozenset({"string", "stringstream", "ostringstream", "QString"})
+_CONTAINERS = frozenset({"vector", "map", "unordered_map", "set", "deque", "list", "unordered_set"})
+
+
+class HeldFolder:
+    """Evaluates what variables hold."""
+
+    def __init__(self, folder: Folder) -> None:
+        self.folder = folder
+
+    def of(self, ways: Iterable[tuple[Held, ...]], env: Env) -> tuple[Value, ...]:
+        """Return the values of a variable: `ways` has what it may hold in each state of the place."""
+        states = list(dict.fromkeys(ways))
+        found: list[Value] = []
+        for helds in states:
+            values = [value for held in helds for value in self.values(held, env)]
+            found += alternatives(values) if len(helds) > 1 else values
+        return alternatives(found) if len(states) > 1 else tuple(found)
+
+    def values(self, held: Held, env: Env) -> tuple[Value, ...]:
+        """Return the values of one thing that a variable may hold; `env` is who asks."""
+        known = held.settled.get("values")
+        if isinstance(known, tuple):
+            return known
+        folder = self.folder
+        marks = (folder.cuts, folder.cycles)
+        values = folder.guarded(_label(held.name), _marked(env, held), lambda: self._values(held, env))
+        if marks == (folder.cuts, folder.cycles):
+            held.settled["values"] = values
+        return values
+
+    def _values(self, held: Held, env: Env) -> tuple[Value, ...]:
+        inner = held.env.deeper(env.depth + 1) if held.env is not None else env.deeper(env.depth + 1)
+        if held.how == "value":
+            return _as_declared(demoted(self.folder.fold(held.expr, inner)), _statement(held))
+        if held.how == "each":
+            return self.folder.lists.elements(held.expr, inner)
+        if held.how == "given":
+            return self.given(held.name, env)
+        if held.how == "read":
+            return self._read(held, inner)
+        if held.how == "made":
+            return self._made(held)
+        if held.how == "changed":
+            return self._changed(held, inner)
+        if held.how == "stored":
+            return self._stored(held, inner)
+        if held.how == "out":
+            return self._written(held, inner)
+        if held.how == "handed" and inner.func.file.language == "python":
+            return self._same_text(held, env)
+        return (unknown(_label(held.name)),)
+
+    def given(self, key: str, env: Env) -> tuple[Value, ...]:
+        """Return what a variable is before the function gives it anything."""
+        entry = Env(env.func, 0, env.args, env.types, env.this, env.made, env.depth + 1, None, env.outer)
+        name = key.rpartition(".")[2]
+        if "." not in key:
+            return self.folder.names.around(name, entry) or (unknown(name),)
+        owner = entry.this or entry.func.cls
+        if entry.func.is_constructor and key.startswith(".") and key.count(".") == 1 and entry.func.cls is not None:
+            return self._at_first(name, entry.func.cls, entry)
+        if key.startswith(".") and key.count(".") == 1 and owner is not None:
+            found = self.folder.members.member_value(name, owner, entry)
+            return found or self.folder.names.around(name, entry) or (unknown(name),)
+        return (unknown(name),)
+
+    def _at_first(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
+        """What a member holds when the constructor of a class starts: what its bases made of it, or its default."""
+        for base in self.folder.program.bases(cls):
+            if self.folder.scope.member_type(name, base) or self.folder.members.sources(name, base, env):
+                return self.folder.members.member_value(name, base, env) or (unknown(name),)
+        values = self.folder.members.initial(name, env.this or cls, env)
+        last = plain(self.folder.scope.member_type(name, cls)).rsplit("::", 1)[-1]
+        made = (literal("")._replace(confidence="folded"),) if last in _TEXTS else ()
+        return values or made or (unknown(name),)
+
+    def _before(self, held: Held, env: Env) -> tuple[Value, ...]:
+        return self.of([held.before or (Held("given", held.name),)], env)
+
+    def _read(self, held: Held, env: Env) -> tuple[Value, ...]:
+        """A parameter that is read into a variable: where it is not set, the variable keeps what it held."""
+        if held.expr is None:
+            return (unknown(_label(held.name)),)
+        values = self.folder.calls.parameter_value(held.expr, held.more, env)
+        kept = [value for value in self._before(held, env) if value.text] if held.before and held.more is None else []
+        if any(value.confidence == "pattern" for value in values) and kept:
+            return self.folder.calls.kept_value(held.expr, kept, env)
+        return values
+
+    def _made(self, held: Held) -> tuple[Value, ...]:
+        """A variable that is declared without a value."""
+        statement = _statement(held)
+        last = plain(statement.type).rsplit("::", 1)[-1] if statement is not None else ""
+        return (literal("")._replace(confidence="folded"),) if last in _TEXTS else (unknown(_label(held.name)),)
+
+    def _changed(self, held: Held, env: Env) -> tuple[Value, ...]:
+        """A text of C++ after a method that changes it; texts of Python never change."""
+        call = held.expr
+        if not isinstance(call, Call) or not isinstance(call.callee, Member) or env.func.file.language == "python":
+            return (unknown(_label(held.name)),)
+        options = [self._before(held, env), *(self.folder.fold(arg, env) for arg in call.args)]
+        name = call.callee.name
+        return self.folder.combined(options, lambda data: changed(name, data[0], data[1:]), _label(held.name))
+
+    def _stored(self, held: Held, env: Env) -> tuple[Value, ...]:
+        """`text[0] = 'x'` in C++."""
+        if env.func.file.language == "python" or held.expr is None:
+            return (unknown(_label(held.name)),)
+        options = [self._before(held, env), self.folder.fold(held.expr, env), self.folder.fold(held.more, env)]
+        return self.folder.combined(options, _with_character, _label(held.name))
+
+    def _same_text(self, held: Held, env: Env) -> tuple[Value, ...]:
+        """Whoever gets a text in Python cannot change it."""
+        values = self._before(held, env)
+        plainly = all(value.confidence != "pattern" for value in values)
+        return values if plainly else (unknown(_label(held.name)),)
+
+    # --- functions that write to what they get ---------------------------------------------------------------
+
+    def out(self, held: Held, env: Env) -> tuple[tuple[Held, ...], Env] | None:
+        """Return what a parameter of a called function holds when it returns, with the place to evaluate it at."""
+        call = held.expr
+        if not isinstance(call, Call):
+            return None
+        invocation = invocation_of(call, env)
+        callee = self.folder.objects.callee(invocation, env)
+        if callee is None:
+            return None
+        inner = self.folder.calls.entered(callee, invocation, bind(callee, invocation, env), env)
+        run = self.folder.flow.run(inner)
+        if run is None or run.end is None:
+            return None
+        return run.end.holds.get(held.name) or (Held("given", held.name),), inner
+
+    def _written(self, held: Held, env: Env) -> tuple[Value, ...]:
+        found = self.out(held, env)
+        if found is None:
+            return (unknown(_label(held.name)),)
+        ways, inner = found
+        return self.of([ways], inner.deeper(env.depth + 1))
+
+    # --- lists -------------------------------------------------------------------------------------------------
+
+    def items(self, held: Held, env: Env) -> list[Bound] | None:
+        """Return the elements of a list that a variable may hold; None when they are not all known."""
+        if "items" in held.settled:
+            return held.settled["items"]  # type: ignore[return-value]
+        marks = (self.folder.cuts, self.folder.cycles)
+        found = self._items(held, env)
+        if marks == (self.folder.cuts, self.folder.cycles):
+            held.settled["items"] = found
+        return found
+
+    def _items(self, held: Held, env: Env) -> list[Bound] | None:
+        inner = held.env.deeper(env.depth + 1) if held.env is not None else env.deeper(env.depth + 1)
+        if held.how == "value":
+            return self.folder.lists.items(held.expr, inner)
+        if held.how == "made":
+            statement = _statement(held)
+            last = plain(statement.type).rsplit("::", 1)[-1] if statement is not None else ""
+            return [] if last in _CONTAINERS else None
+        if held.how == "given":
+            return self.folder.lists.given(held.name, env)
+        if held.how == "out":
+            found = self.out(held, inner)
+            return self.items_of([found[0]], found[1].deeper(env.depth + 1)) if found is not None else None
+        before = self.items_of([held.before], env) if held.before else None
+        if before is None:
+            return None
+        if held.how == "changed" and isinstance(held.expr, Call):
+            return self.folder.lists.changed(before, held.expr, inner)
+        return self.folder.lists.stored(before, held, inner) if held.how == "stored" else None
+
+    def items_of(self, ways: Iterable[tuple[Held, ...]], env: Env) -> list[Bound] | None:
+        """Return the elements of a list that a variable surely holds; None for one of several lists."""
+        states = list(dict.fromkeys(ways))
+        if len(states) != 1 or len(states[0]) != 1:
+            return None
+        return self.items(states[0][0], env)
+
+    def any_items(self, ways: Iterable[tuple[Held, ...]], env: Env) -> tuple[list[Bound], bool]:
+        """Return the elements of all lists that a variable may hold, and whether that is all of them."""
+        found: list[Bound] = []
+        known = True
+        for held in dict.fromkeys(held for helds in ways for held in helds):
+            items = self.items(held, env)
+            known = known and items is not None
+            found += items or []
+        return found, known
+
+
+def _label(key: str) -> str:
+    return key.rpartition(".")[2] or "value"
+
+
+def _statement(held: Held) -> Statement | None:
+    body = held.env.func.fact.body if held.env is not None else ()
+    return body[held.at] if 0 <= held.at < len(body) else None
+
+
+def _marked(env: Env, held: Held) -> Env:
+    """A place that tells one thing held from another, so that only real circles are cut."""
+    return Env(env.func, id(held))
+
+
+def _as_declared(values: tuple[Value, ...], statement: Statement | None) -> tuple[Value, ...]:
+    """Numbers as the declared type of a variable holds them: `double x = 1` is 1.0."""
+    name = plain(statement.type).rsplit("::", 1)[-1] if statement is not None and statement.kind == "let" else ""
+    if name not in NUMBERS:
+        return values
+    return tuple([_cast(value, name) for value in values])
+
+
+def _cast(value: Value, name: str) -> Value:
+    data = as_number(value.data, name)
+    return value if data is value.data else constant(data)._replace(confidence=value.confidence, template=value.template)
+
+
+def _with_character(data: list[object]) -> object:
+    text, index, char = data
+    if not isinstance(text, str) or not isinstance(index, int) or not isinstance(char, str):
+        return UNKNOWN
+    return text[:index] + char + text[index + 1 :] if len(char) == 1 and 0 <= index < len(text) else UNKNOWN
+
