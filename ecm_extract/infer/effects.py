@@ -47,6 +47,9 @@ class Targets(Protocol):
     def target(self, call: Call, env: Env) -> Func | None:
         """Return the function with a body that a call means."""
 
+    def keeps(self, name: str) -> bool:
+        """Tell whether a call of that name is one of a client library, which leaves what it gets as it is."""
+
     def changes(self, func: Func, name: str) -> bool:
         """Tell whether a function may change what its parameter consists of."""
 
@@ -99,6 +102,8 @@ class Effects:
         if not (passed or named) or last in self.calls.reading or last in self.calls.changing:
             return
         target = self.targets.target(call, env)
+        if target is None and self.targets.keeps(last):
+            return
         params = target.fact.params if target is not None else ()
         for index, arg in passed:
             param = params[index] if index < len(params) else None

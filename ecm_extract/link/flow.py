@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 MAX_RUNS = 2_000
 """Runs with arguments that are remembered."""
+MAX_RUNNING = 8
+"""Runs within runs: what a function is called with may be what another function does."""
 _Key = tuple[int, int, int, int]
 
 
@@ -50,7 +52,7 @@ class Flow:
         known = self._runs.get(key)
         if known is not None:
             return known[1]
-        if key in self._running or env.depth > MAX_DEPTH or len(self._running) > MAX_DEPTH:
+        if key in self._running or env.depth > MAX_DEPTH or len(self._running) > MAX_RUNNING:
             self.folder.cuts += 1
             return None
         self._running.add(key)
@@ -171,6 +173,10 @@ class Flow:
     def target(self, call: Call, env: Env) -> Func | None:
         """Return the function with a body that a call means."""
         return self.folder.objects.callee(invocation_of(call, env), env)
+
+    def keeps(self, name: str) -> bool:
+        """Tell whether a call of that name is one of a client library, which leaves what it gets as it is."""
+        return self.folder.reads.knows(name)
 
     def changes(self, func: Func, name: str) -> bool:
         """Tell whether a function may change what its parameter consists of."""

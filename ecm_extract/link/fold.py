@@ -152,7 +152,7 @@ class Folder:
         for values in islice(product(*options), MAX_ALTERNATIVES + 1):
             data = [data_in(value) for value in values]
             result = None if UNKNOWN in data else computed(work(data))
-            found.append(unknown(label) if result is None else _as_sure(result, values))
+            found.append(_left_open(values, label) if result is None else _as_sure(result, values))
         return alternatives(found) if len(found) > 1 else tuple(found) or (unknown(label),)
 
     def shown(self, values: tuple[Value, ...], env: Env) -> tuple[Value, ...]:
@@ -263,6 +263,13 @@ class Folder:
 def _with_item(env: Env, item: Bound) -> Env:
     state = (env.state or State()).having({"#item": (Held("value", "#item", item.expr, item.env),)})
     return env.within(state, env.at)
+
+
+def _left_open(values: Sequence[Value], label: str) -> Value:
+    """What is not computed: it still depends on the parameters that its parts depend on."""
+    holes = [part for value in values for part in value.parts if isinstance(part, Hole)]
+    open_ = tuple([hole._replace(default=None) for hole in holes if hole.kind in {"param", "made"}])
+    return Value(open_, "pattern") if open_ else unknown(label)
 
 
 def _as_sure(result: Value, values: Sequence[Value]) -> Value:

@@ -21,6 +21,8 @@ from ecm_extract.link import formats
 from ecm_extract.link.calls import Invocation
 from ecm_extract.link.env import Bound, Env, bind, invocation_of
 from ecm_extract.link.numbers import NUMBERS, as_number
+from ecm_extract.link.overloads import score
+from ecm_extract.link.spelling import plain
 from ecm_extract.link.units import Func
 from ecm_extract.link.values import (
     PARENT_NAMESPACE,
@@ -108,7 +110,8 @@ class CallFolder:
         if call.path.endswith("names::resolve") and len(call.args) == 1:
             return self._absolute(call.args[0], env.before(env.at))
         tidied = call.last in RESOLVERS or call.path.endswith(_TIDIED)
-        if call.path in _SAME or call.last in _STREAMS or (tidied and call.args):
+        plainly = call.receiver is None and (call.path in _SAME or call.last in _STREAMS)
+        if plainly or (tidied and call.args):
             return self._same(call, env.before(env.at))
         if call.last == "getCameraInfoTopic" and call.args:
             return self._beside(call.args[0], "camera_info", env.before(env.at))
@@ -302,7 +305,7 @@ class CallFolder:
         return [(literal(part),) if isinstance(part, str) else self.folder.fold(part, inner) for part in parts]
 
     def _returns(self, call: Invocation, env: Env) -> tuple[Value, ...]:
-        callee = self.folder.objects.callee(call, env)
+        callee = self.meant(call, env)
         if callee is None:
             return (_of_node(call) or unknown(call.last),)
         found = self.returned(callee, call, env)
@@ -312,6 +315,25 @@ class CallFolder:
         open_ = self._may_be_overridden(callee, call, env)
         listed = _beside_joined(values)
         return alternatives(demoted((*listed, *([unknown(call.last)] if open_ else []))))
+
+    def meant(self, call: Invocation, env: Env) -> Func | None:
+        """Return the one function that a call means by what is known of its arguments; None where several fit."""
+        fitting = self.folder.objects.callees(call, env)
+        if len(fitting) > 1 and env.func.file.language == "cpp":
+            kinds = [self._kind(arg, env) for arg in call.args]
+            fitting = [func for func in fitting if _takes(func, kinds)]
+            scores = [score(call, func) for func in fitting]
+            fitting = fitting[:1] if scores[1:] and scores[0] > scores[1] and all(kinds) else fitting
+        return fitting[0] if len(fitting) == 1 or (fitting and env.func.file.language == "python") else None
+
+    def _kind(self, arg: Expr, env: Env) -> str:
+        """`text`, `number`, or nothing where that is not known."""
+        values = self.folder.fold(arg, env)
+        if all(value.data is not None for value in values):
+            return "number"
+        if all(value.data is None and any(isinstance(part, str) for part in value.parts) for value in values):
+            return "text"
+        return kind_of_type(self.folder.objects.type_of(arg, env))
 
     def _may_be_overridden(self, callee: Func, call: Invocation, env: Env) -> bool:
         """Tell whether a class that derives from the one at hand has a method of its own of that name."""
@@ -370,6 +392,19 @@ class CallFolder:
         if values and (values[0].text or len(values) > 1):
             return values
         return (unknown(name.rsplit("/", 1)[-1].rsplit(".", 1)[-1].strip("~{}")),)
+
+
+def kind_of_type(written: str) -> str:
+    """Return whether a type is one of texts or of numbers, nothing for others."""
+    last = plain(written).rsplit("::", 1)[-1]
+    if last in {"string", "string_view"} or (last == "char" and "*" in written):
+        return "text"
+    return "number" if last in NUMBERS or last == "bool" else ""
+
+
+def _takes(func: Func, kinds: Sequence[str]) -> bool:
+    wanted = [kind_of_type(parameter.type) for parameter in func.fact.params]
+    return not any(kind and other and kind != other for kind, other in zip(kinds, wanted, strict=False))
 
 
 def _apart(env: Env) -> Env:

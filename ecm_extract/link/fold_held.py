@@ -10,7 +10,7 @@ from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.compute import UNKNOWN, changed
 from ecm_extract.infer.held import Held
-from ecm_extract.link.env import Bound, Env, bind, invocation_of
+from ecm_extract.link.env import MAX_DEPTH, Bound, Env, bind, invocation_of
 from ecm_extract.link.numbers import NUMBERS, as_number
 from ecm_extract.link.spelling import plain
 from ecm_extract.link.units import Cls
@@ -28,6 +28,7 @@ class HeldFolder:
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
+        self._asked: set[Held] = set()
 
     def of(self, ways: Iterable[tuple[Held, ...]], env: Env) -> tuple[Value, ...]:
         """Return the values of a variable: `ways` has what it may hold in each state of the place."""
@@ -145,7 +146,7 @@ class HeldFolder:
         if not isinstance(call, Call):
             return None
         invocation = invocation_of(call, env)
-        callee = self.folder.objects.callee(invocation, env)
+        callee = self.folder.calls.meant(invocation, env)
         if callee is None:
             return None
         inner = self.folder.calls.entered(callee, invocation, bind(callee, invocation, env), env)
@@ -167,8 +168,13 @@ class HeldFolder:
         """Return the elements of a list that a variable may hold; None when they are not all known."""
         if "items" in held.settled:
             return held.settled["items"]  # type: ignore[return-value]
+        if env.depth > MAX_DEPTH or held in self._asked:
+            self.folder.cuts += 1
+            return None
         marks = (self.folder.cuts, self.folder.cycles)
-        found = self._items(held, env)
+        self._asked.add(held)
+        found = self._items(held, env.deeper(env.depth + 1))
+        self._asked.discard(held)
         if marks == (self.folder.cuts, self.folder.cycles):
             held.settled["items"] = found
         return found

@@ -313,7 +313,7 @@ class ListFolder:
 
     def _returned(self, call: Invocation, env: Env) -> list[Bound] | None:
         """What a function of the tree returns, where one return is reached."""
-        callee = self.folder.objects.callee(call, env)
+        callee = self.folder.calls.meant(call, env)
         if callee is None:
             return None
         found = self.folder.calls.returned(callee, call, env)
@@ -449,7 +449,7 @@ class ListFolder:
         return self._returned_entries(call, env)
 
     def _returned_entries(self, call: Invocation, env: Env) -> list[Entry] | None:
-        callee = self.folder.objects.callee(call, env)
+        callee = self.folder.calls.meant(call, env)
         found = self.folder.calls.returned(callee, call, env) if callee is not None else []
         return self.entries(*found[0]) if len(found) == 1 else None
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
 
@@ -200,26 +200,31 @@ class Objects:
     # --- functions -------------------------------------------------------------------------------------
 
     def callee(self, call: Invocation, env: Env) -> Func | None:
-        """Return the function in the tree that a call means, with a body."""
-        if call.last not in self.program.functions:
-            return None
-        if call.receiver is not None:
-            return self._method(call, self.class_of(call.receiver, env.before(env.at)))
-        return self._method(call, env.this or env.func.cls) or self._free(call, env)
+        """Return the function in the tree that a call means, with a body; of several that it can mean one."""
+        return next(iter(self.callees(call, env)), None)
 
-    def _method(self, call: Invocation, cls: Cls | None) -> Func | None:
-        """The method of an object's class, or else of its nearest base, that fits a call best."""
+    def callees(self, call: Invocation, env: Env) -> Sequence[Func]:
+        """Return the functions in the tree that a call can mean, with a body, best first."""
+        if call.last not in self.program.functions:
+            return ()
+        if call.receiver is not None:
+            return self._methods(call, self.class_of(call.receiver, env.before(env.at)))
+        return self._methods(call, env.this or env.func.cls) or self._free(call, env)
+
+    def _methods(self, call: Invocation, cls: Cls | None) -> Sequence[Func]:
+        """The methods of an object's class, or else of its nearest base, that fit a call."""
         owners, name = self.program.ancestry(cls) if cls is not None else (), call.last
         found = (_fitting(call, [func for func in owner.methods if func.fact.name == name]) for owner in owners)
-        return next((funcs[0] for funcs in found if funcs), None)
+        return next((funcs for funcs in found if funcs), ())
 
-    def _free(self, call: Invocation, env: Env) -> Func | None:
-        """The function outside of classes, or method named with its class, that is nearest and fits best."""
+    def _free(self, call: Invocation, env: Env) -> Sequence[Func]:
+        """The functions outside of classes, or methods named with their class, that are nearest."""
         least = 0 if "::" in call.path or "." in call.path else 1
         seen = self.program.seen_functions(call.last, call.func.file)
         free = [f for f in seen if f.cls is None or call.path.endswith(f"{f.cls.fact.name}::{f.fact.name}")]
-        near = [f for f in free if self.program.nearness(f.file, env.func.file) >= least]
-        return max(_fitting(call, near), key=lambda f: self.program.nearness(f.file, env.func.file), default=None)
+        near = [(self.program.nearness(f.file, env.func.file), f) for f in _fitting(call, free)]
+        best = max((nearness for nearness, _ in near), default=least)
+        return [func for nearness, func in near if nearness == best >= least]
 
 
 def _fitting(call: Invocation, funcs: Iterable[Func]) -> list[Func]:
