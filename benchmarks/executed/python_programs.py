@@ -8,16 +8,19 @@ STUBS = {
     "rclpy/__init__.py": "def init(args=None):\n    pass\n",
     "rclpy/node.py": (
         "import os, sys\n"
+        "def _lines(frame):\n"
+        "    lines = []\n"
+        "    while frame is not None:\n"
+        "        lines.insert(0, frame.f_lineno)\n"
+        "        frame = frame.f_back\n"
+        "    return lines\n"
         "class Node:\n"
         "    def __init__(self, name):\n"
-        "        pass\n"
+        "        self._made = [str(line) for line in _lines(sys._getframe(1))]\n"
         "    def create_publisher(self, kind, name, qos):\n"
-        "        frame, lines = sys._getframe(1), []\n"
+        "        frame = sys._getframe(1)\n"
         "        path = os.path.basename(frame.f_code.co_filename)\n"
-        "        while frame is not None:\n"
-        "            lines.insert(0, str(frame.f_lineno))\n"
-        "            frame = frame.f_back\n"
-        "        print(path, ','.join(lines), name, sep='\\t')\n"
+        "        print(path, ','.join([*self._made, *map(str, _lines(frame))]), name, sep='\\t')\n"
     ),
     "std_msgs/__init__.py": "",
     "std_msgs/msg.py": "class String:\n    pass\n",

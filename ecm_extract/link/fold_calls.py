@@ -204,7 +204,8 @@ class CallFolder:
 
     def _closure(self, expr: Call, call: Invocation, env: Env) -> tuple[Value, ...] | None:
         """A call of a variable that holds a Python lambda."""
-        ways = self.folder.flow.ways(expr.callee, env) if isinstance(expr.callee, Name | Member) else []
+        python = env.func.file.language == "python"
+        ways = self.folder.flow.ways(expr.callee, env) if python and isinstance(expr.callee, Name | Member) else []
         helds = {held for way in ways for held in way}
         made = [held for held in helds if isinstance(held.expr, Lambda) and held.how == "value"]
         if not made:

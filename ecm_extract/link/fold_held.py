@@ -13,7 +13,6 @@ from ecm_extract.infer.held import Held
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, bind, invocation_of
 from ecm_extract.link.numbers import NUMBERS, as_number
 from ecm_extract.link.spelling import plain
-from ecm_extract.link.units import Cls
 from ecm_extract.link.values import Value, alternatives, constant, demoted, literal, unknown
 
 if TYPE_CHECKING:
@@ -81,21 +80,23 @@ class HeldFolder:
             return self.folder.names.around(name, entry) or (unknown(name),)
         owner = entry.this or entry.func.cls
         if entry.func.is_constructor and key.startswith(".") and key.count(".") == 1 and entry.func.cls is not None:
-            return self._at_first(name, entry.func.cls, entry)
+            return self.at_first(name, entry) or (unknown(name),)
         if key.startswith(".") and key.count(".") == 1 and owner is not None:
             found = self.folder.members.member_value(name, owner, entry)
             return found or self.folder.names.around(name, entry) or (unknown(name),)
         return (unknown(name),)
 
-    def _at_first(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
-        """What a member holds when the constructor of a class starts: what its bases made of it, or its default."""
+    def at_first(self, name: str, env: Env) -> tuple[Value, ...]:
+        """Return what a member holds when a constructor starts: what its bases made of it, or its default."""
+        cls = env.func.cls
+        if cls is None or not env.func.is_constructor:
+            return ()
         for base in self.folder.program.bases(cls):
             if self.folder.scope.member_type(name, base) or self.folder.members.sources(name, base, env):
-                return self.folder.members.member_value(name, base, env) or (unknown(name),)
+                return self.folder.members.member_value(name, base, env)
         values = self.folder.members.initial(name, env.this or cls, env)
         last = plain(self.folder.scope.member_type(name, cls)).rsplit("::", 1)[-1]
-        made = (literal("")._replace(confidence="folded"),) if last in _TEXTS else ()
-        return values or made or (unknown(name),)
+        return values or ((literal("")._replace(confidence="folded"),) if last in _TEXTS else ())
 
     def _before(self, held: Held, env: Env) -> tuple[Value, ...]:
         return self.of([held.before or (Held("given", held.name),)], env)
@@ -134,9 +135,7 @@ class HeldFolder:
 
     def _same_text(self, held: Held, env: Env) -> tuple[Value, ...]:
         """Whoever gets a text in Python cannot change it."""
-        values = self._before(held, env)
-        plainly = all(value.confidence != "pattern" for value in values)
-        return values if plainly else (unknown(_label(held.name)),)
+        return self._before(held, env)
 
     # --- functions that write to what they get ---------------------------------------------------------------
 

@@ -160,7 +160,7 @@ class ListFolder:
     def _items(self, expr: Expr, env: Env) -> list[Bound] | None:
         inner = env.before(env.at)
         if isinstance(expr, Items):
-            return [Bound(item, env) for item in expr.items]
+            return self._spread(expr, env)
         if isinstance(expr, Table):
             return [Bound(key, env) for key, _ in expr.entries] if _is_plain_table(expr) else None
         if isinstance(expr, Comprehension):
@@ -170,6 +170,17 @@ class ListFolder:
         if isinstance(expr, Op):
             return self._of_op(expr, inner)
         return self._of_variable(expr, inner) if isinstance(expr, Name | Member) else None
+
+    def _spread(self, expr: Items, env: Env) -> list[Bound] | None:
+        """The elements of a display, `*spread` ones in place."""
+        found: list[Bound] = []
+        for item in expr.items:
+            spread = isinstance(item, Op) and item.op == "*" and len(item.operands) == 1
+            more = self.items(item.operands[0], env.before(env.at)) if spread and isinstance(item, Op) else [Bound(item, env)]
+            if more is None:
+                return None
+            found += more
+        return found
 
     def _of_op(self, expr: Op, env: Env) -> list[Bound] | None:
         if expr.op == "+" and len(expr.operands) == 2:
@@ -541,7 +552,7 @@ class ListFolder:
             return [Bound(expr, env)]
         if isinstance(expr, Items):
             return [bound for item in expr.items for bound in self.flat(item, env.before(env.at))]
-        if isinstance(expr, Op) and expr.op == "+":
+        if isinstance(expr, Op) and expr.op in {"+", "*"}:
             return [bound for operand in expr.operands for bound in self.flat(operand, env.before(env.at))]
         if isinstance(expr, Name) and expr.id in env.args:
             given = env.args[expr.id]

@@ -53,6 +53,9 @@ class MemberFolder:
         if ways:
             return self.folder.held.of(ways, env)
         if expr.base == Name("this"):
+            first = self.folder.held.at_first(expr.name, env) if env.state is not None else ()
+            if first:
+                return first
             cls = env.this or env.func.cls
             found = self.member_value(expr.name, cls, env) if cls is not None else ()
             return found or (unknown(expr.name),)

@@ -55,7 +55,9 @@ class NameFolder:
         ways = self.folder.flow.ways(Name(name), env)
         if ways:
             return self.folder.held.of(ways, env)
-        return self.around(name, env) or (unknown(name),)
+        key = self.folder.flow.effects(env.func).key(Name(name))
+        first = self.folder.held.at_first(name, env) if key.startswith(".") and env.state is not None else ()
+        return first or self.around(name, env) or (unknown(name),)
 
     def around(self, name: str, env: Env) -> tuple[Value, ...]:
         """Return what a name means that the function at hand does not give a value; empty when nothing shows it."""

@@ -207,6 +207,9 @@ class Objects:
         """Return the functions in the tree that a call can mean, with a body, best first."""
         if call.last not in self.program.functions:
             return ()
+        own = env.func.cls or env.this
+        if _is_super(call.receiver) and own is not None:
+            return self._methods(call, next(iter(self.program.bases(own)), None))
         if call.receiver is not None:
             return self._methods(call, self.class_of(call.receiver, env.before(env.at)))
         return self._methods(call, env.this or env.func.cls) or self._free(call, env)
@@ -231,6 +234,11 @@ def _fitting(call: Invocation, funcs: Iterable[Func]) -> list[Func]:
     """The functions with a body that a call can mean, best first."""
     scored = [(score(call, func), func) for func in funcs if func.fact.body]
     return [func for fit, func in sorted(scored, key=lambda entry: -entry[0]) if fit != NO]
+
+
+def _is_super(receiver: Expr | None) -> bool:
+    """`super()`, or `super(Class, self)`."""
+    return isinstance(receiver, Call) and receiver.callee == Name("super")
 
 
 def _calls_super(call: Call, parent: Cls) -> bool:

@@ -3,7 +3,7 @@
 Choices beyond it: `and`, `or`, `not`, `is`, `is not` and `<>` are written as C++ writes them; a comprehension
 is a `Comprehension` after an `each` statement for each of its loops; a formatted part of an f-string is
 `Op("format", (value, Text(spec)))`; a slice is `Op(":", (start, stop, ...))`; the keyword of `**spread` is
-`**`.
+`**`, and `*spread` is `Op("*", (value,))`.
 """
 
 from __future__ import annotations
@@ -222,6 +222,10 @@ def _inner(scan: Scan, node: Node) -> Expr:
     return Items(tuple(scan.expr(child) for child in children))
 
 
+def _spread(scan: Scan, node: Node) -> Expr:
+    return Op("*", (_inner(scan, node),))
+
+
 def _lambda(scan: Scan, node: Node) -> Expr:
     parameters, body = node.child_by_field_name("parameters"), node.child_by_field_name("body")
     if body is None:
@@ -293,7 +297,7 @@ EXPRESSIONS: Mapping[str, ExprHandler] = {
     "list": _items,
     "list_comprehension": _comprehension,
     "list_pattern": _items,
-    "list_splat": _inner,
+    "list_splat": _spread,
     "list_splat_pattern": _inner,
     "named_expression": _named,
     "none": lambda _scan, _node: NULL,
