@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
-from types import MappingProxyType
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 from ecm_parsers.source.expr import Expr
 
@@ -14,6 +13,9 @@ if TYPE_CHECKING:
 
 MAX_WAYS = 8
 """Different things that a variable may hold before it counts as unknown."""
+
+MAX_LAYER = 16
+"""Changes beyond which a state is written out in full."""
 
 How = Literal["value", "each", "made", "given", "lost", "read", "changed", "stored", "out", "handed"]
 
@@ -53,8 +55,39 @@ class Held:
         return count
 
 
-def _nothing() -> Mapping[str, tuple[Held, ...]]:
-    return MappingProxyType({})
+class Layers(Mapping[str, tuple[Held, ...]]):
+    """What variables hold: few changes over many, so that a state costs no more than what it changes."""
+
+    __slots__ = ("_base", "_over")
+
+    def __init__(
+        self, base: Mapping[str, tuple[Held, ...]] | None = None, over: Mapping[str, tuple[Held, ...]] | None = None
+    ) -> None:
+        self._base = base if base is not None else {}
+        self._over = over if over is not None else {}
+
+    def having(self, changes: Mapping[str, tuple[Held, ...]]) -> Layers:
+        """Return the same with other things in some variables."""
+        over = {**self._over, **changes}
+        return Layers(self._base, over) if len(over) <= MAX_LAYER else Layers({**self._base, **over})
+
+    def __getitem__(self, name: str) -> tuple[Held, ...]:
+        found = self._over.get(name)
+        return found if found is not None else self._base[name]
+
+    def get(self, name: str, default: Any = None) -> Any:
+        """Return what a variable holds."""
+        found = self._over.get(name)
+        return found if found is not None else self._base.get(name, default)
+
+    def __iter__(self) -> Iterator[str]:
+        yield from self._base
+        for name in self._over:
+            if name not in self._base:
+                yield name
+
+    def __len__(self) -> int:
+        return sum(1 for _ in self)
 
 
 @dataclass(slots=True, eq=False, repr=False)
@@ -67,13 +100,13 @@ class State:
         live: whether the way is one that a run can take; the others tell what code that is never reached would do.
     """
 
-    holds: Mapping[str, tuple[Held, ...]] = field(default_factory=_nothing)
+    holds: Layers = field(default_factory=Layers)
     path: tuple[int, ...] = ()
     live: bool = True
 
     def having(self, changes: Mapping[str, tuple[Held, ...]]) -> State:
         """The same state with other things in some variables."""
-        return State({**self.holds, **changes}, self.path, self.live) if changes else self
+        return State(self.holds.having(changes), self.path, self.live) if changes else self
 
     def on(self, branch: int) -> State:
         """The same state beyond a branch that nobody can decide."""
@@ -109,7 +142,7 @@ def _joined(one: State, other: State) -> State:
         if key not in met:
             met[key] = _ways(name, left, right)
         holds[name] = met[key]
-    return State(holds, _common(one.path, other.path), one.live or other.live)
+    return State(Layers(holds), _common(one.path, other.path), one.live or other.live)
 
 
 def _given(name: str) -> Held:

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Protocol
 
-from ecm_parsers.source.expr import Call, Comprehension, Constant, Expr, Items, Member, Name, Number, Op, Opaque
+from ecm_parsers.source.expr import Call, Comprehension, Constant, Expr, Items, Member, Name, Number, Op, Opaque, Text
 from ecm_parsers.source.facts import Statement
 from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Later, Leave, Loop, Step, Switch
 
@@ -133,6 +133,7 @@ class Interpreter:
             self.run.cut = True
             return self._lost(state, self._changed_in(block)) if state is not None else None
         self._nesting += 1
+        before = state
         for at, step in enumerate(block):
             after = self._step(step, state) if state is not None else None
             if after is None:
@@ -141,7 +142,15 @@ class Interpreter:
                 break
             state = after
         self._nesting -= 1
-        return state
+        return self._outside_again(block, before, state)
+
+    def _outside_again(self, block: Block, before: State | None, state: State | None) -> State | None:
+        """In C++ a variable of a block hides one of the same name around it, until the block ends."""
+        if self.python or self._nesting == 0 or before is None or state is None:
+            return state
+        lets = (self.body[step] for step in block if isinstance(step, int) and self.body[step].kind == "let")
+        hidden = {key for entry in lets for key in self._bound_keys(entry.target)}
+        return state.having({key: before.holds[key] for key in hidden if key in before.holds})
 
     def _step(self, step: Step, state: State) -> State | None:
         if isinstance(step, int):
@@ -397,16 +406,23 @@ class Interpreter:
 
     def _run_later(self, step: Later, state: State) -> State:
         """A lambda may run any time from now on: what it assigns, and what is assigned after it, is unknown to it."""
-        inside = self._changed_in(step.body)
+        own = self._declared_in(step.body) | set(step.params)
+        inside = self._changed_in(step.body) - own
         self._escaped |= inside
         keep = (self._breaks, self._continues, self._raised)
         self._breaks, self._continues, self._raised = [[]], [[]], []
         self._later += 1
         again = {key for key in state.holds if self._counts().get(key, 0) > 1}
-        self._block(step.body, self._lost(state, inside | again | set(step.params)).on(self._new()))
+        self._block(step.body, self._lost(state, inside | again | own).on(self._new()))
         self._later -= 1
         self._breaks, self._continues, self._raised = keep
         return self._lost(state, inside)
+
+    def _declared_in(self, block: Block) -> set[str]:
+        """The variables that steps declare for themselves."""
+        declaring = (self.body[at] for at in _statements(block))
+        lets = [entry for entry in declaring if entry.kind == "let" or (entry.kind == "each" and not self.python)]
+        return {key for entry in lets for key in self._bound_keys(entry.target)} - {""}
 
     def _counts(self) -> Mapping[str, int]:
         """How often each variable is changed in the whole body."""
@@ -452,7 +468,7 @@ class Interpreter:
                 self.run.returns.append((at, state))
             return None
         if statement.kind != "do":
-            self._escape(statement.value)
+            state = self._lost(state, self._escape(statement.value))
             state = self._shared_change(statement, state)
             state = self._assign(statement, at, env, state)
         for frame in self._raised:
@@ -575,7 +591,8 @@ class Interpreter:
         return self._lost(state, touched) if touched else state
 
     def _parts_lost(self, key: str, state: State) -> State:
-        parts = {part: (Held("lost", part),) for part in state.holds if part.startswith(f"{key}.")}
+        dotted = f"{key}."
+        parts = {part: (Held("lost", part),) for part in state.holds if part.startswith(dotted)}
         return state.having(parts)
 
     def _unpack(self, target: Items, held: Held, state: State) -> State:
@@ -610,15 +627,14 @@ class Interpreter:
         self.run.shown[key].append(held)
         return Held("given", key)
 
-    def _escape(self, value: Expr | None) -> None:
+    def _escape(self, value: Expr | None) -> set[str]:
         """`p = &x`: from here on `x` may change through `p`."""
-        if self.python or value is None:
-            return
-        parts = value.operands if isinstance(value, Op) and value.op == "&" else ()
-        for part in parts:
-            key = self.effects.key(part)
-            if len(parts) == 1 and key in self.effects.own:
-                self._escaped.add(key)
+        address = not self.python and isinstance(value, Op) and value.op == "&" and len(value.operands) == 1
+        key = self.effects.key(value.operands[0]) if address and isinstance(value, Op) else ""
+        if key not in self.effects.own:
+            return set()
+        self._escaped.add(key)
+        return {key}
 
     # --- effects of calls --------------------------------------------------------------------------------
 
@@ -631,11 +647,18 @@ class Interpreter:
 
     def _apply(self, effect: Effect, at: int, env: Env, state: State) -> State:
         before = state.holds.get(effect.key) or (Held("given", effect.key, env=env),)
-        if effect.kind == "handed" and self.python and all(is_plain(held.expr) and held.how == "value" for held in before):
+        if effect.kind == "handed" and all(self._keeps_its_text(held) for held in before):
             return state
         how = effect.kind
         name = effect.name if how == "out" else effect.key
         return self._in_place(effect.key, Held(how, name, effect.call, env, at, before=before), state)
+
+    def _keeps_its_text(self, held: Held) -> bool:
+        """Whether nobody who gets a value can change it: texts and numbers of Python, literals that `auto` points to."""
+        if held.how != "value" or not is_plain(held.expr):
+            return False
+        written = self.body[held.at].type if 0 <= held.at < len(self.body) else ""
+        return self.python or (isinstance(held.expr, Text) and (written == "auto" or "*" in written))
 
     def _in_place(self, key: str, held: Held, state: State) -> State:
         """Change what a variable consists of, for all names of the same thing."""

@@ -56,14 +56,16 @@ class FileScope:
     def _receivers(self) -> Mapping[str, list[Func]]:
         """Variable -> the functions that call a method of it which changes it, or that take its address."""
         found: Mapping[str, list[Func]] = defaultdict(list)
-        changing = calls_of("cpp").changing
+        known = calls_of("cpp")
         for functions in self.program.functions.values():
             for func in functions:
                 for call in (call for calls in func.calls for call in calls) if func.file.language == "cpp" else ():
                     callee = call.callee
-                    if isinstance(callee, Member) and isinstance(callee.base, Name) and callee.name in changing:
+                    if isinstance(callee, Member) and isinstance(callee.base, Name) and callee.name in known.changing:
                         found[callee.base.id.rsplit("::", 1)[-1]].append(func)
-                    for arg in call.args if not isinstance(callee, Member) else ():
+                    last = callee.id.rsplit("::", 1)[-1] if isinstance(callee, Name) else ""
+                    harmless = isinstance(callee, Member) or last in known.reading or last[:1].isupper()
+                    for arg in call.args if not harmless else ():
                         if isinstance(arg, Name) and arg.id.rsplit("::", 1)[-1] in self.program.constants:
                             found[arg.id.rsplit("::", 1)[-1]] += [func] * (not self._hides(func, arg.id))
         return found

@@ -20,7 +20,7 @@ from ecm_extract.link.values import Value, data_in, is_proved
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
 
-MAX_RUNS = 2_000
+MAX_RUNS = 500
 """Runs with arguments that are remembered."""
 MAX_RUNNING = 8
 """Runs within runs: what a function is called with may be what another function does."""

@@ -617,7 +617,7 @@ def _row(*parts: Bound) -> Bound:
     """A tuple of elements that are evaluated in different places."""
     names = [f"#{index}" for index in range(len(parts))]
     place = parts[0].env
-    state = State({name: (Held("value", name, part.expr, part.env),) for name, part in zip(names, parts, strict=True)})
+    state = State().having({name: (Held("value", name, part.expr, part.env),) for name, part in zip(names, parts, strict=True)})
     return Bound(Items(tuple([Name(name) for name in names])), place.within(state, place.at))
 
 

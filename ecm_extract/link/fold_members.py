@@ -141,8 +141,10 @@ class MemberFolder:
                     values += self.folder.calls.parameter_value(read, default, place.within(None, at))
         if not any(_makes(held) for held, _ in sources):
             values += self.initial(name, cls, env)
-        filled = [value for value in values if value.text]
-        return alternatives(filled or values) if values else ()
+        itself = {unknown(name).parts, unknown(f"{cls.qualified}.{name}").parts}
+        others = [value for value in values if value.parts not in itself]  # `x = x` gives it nothing new
+        filled = [value for value in others or values if value.text]
+        return alternatives(filled or others or values) if values else ()
 
     def _reads_of(self, method: Func, name: str) -> Collection[int]:
         """The statements whose reads of parameters the run of a method has followed into the member."""

@@ -72,11 +72,13 @@ class Objects:
         return ""
 
     def _assigned_type(self, name: str, env: Env) -> str:
-        for definition in self.scope.local(Name(name), env):
-            value = definition.statement.value
-            if value is not None:
-                written = self.type_of(value, env.before(definition.at))
-                return element_type(written) if definition.statement.kind == "each" else written
+        """The type of what a variable is given; a type needs no run, since it does not change on the way."""
+        body = env.func.fact.body
+        given = [at for at in self.scope.locals_of(env.func).get(name, ()) if at < env.at and body[at].value is not None]
+        for at in reversed(given):
+            value = body[at].value
+            written = self.type_of(value, env.before(at)) if value is not None else ""
+            return element_type(written) if body[at].kind == "each" else written
         return self._member_assigned_type(name, env.this or env.func.cls, env)
 
     def _member_assigned_type(self, name: str, cls: Cls | None, env: Env) -> str:

@@ -53,6 +53,7 @@ class BodyReader:
         self._depth = 0
         self._lambdas = 0
         self._nesting = 0
+        self._entering = False
 
     def read(self, node: Node) -> None:
         """Read one statement, or a block of them."""
@@ -60,7 +61,10 @@ class BodyReader:
             return
         self._nesting += 1
         kind = node.type
-        if kind in _BLOCKS:
+        if kind == "compound_statement" and self._nesting > 1 and not self._entering:
+            self.flow.add(Branch(_TRUE, self._inner(node, deeper=0)))
+        elif kind in _BLOCKS:
+            self._entering = False
             for child in node.named_children:
                 self.read(child)
         elif (step := _STEPS.get(kind)) is not None:
@@ -97,7 +101,9 @@ class BodyReader:
         self._depth += deeper
         for node in nodes:
             if node is not None:
+                self._entering = node.type == "compound_statement"
                 self.read(node)
+        self._entering = False
         self._depth -= deeper
         return self.flow.end()
 
