@@ -139,16 +139,21 @@ class Effects:
             return
         if target is None:
             made = isinstance(call.callee, Name) and last[:1].isupper()
-            outside = isinstance(call.callee, Member) or made or (self.python and root.startswith("."))
+            outside = made or (self.python and root.startswith("."))
             if self._iterates(arg) or (isinstance(arg, Op) and arg.op == "&"):
                 yield Effect("lost", root, call)
-            elif not outside or self.python:
+            elif self.python or not (outside or self._is_constant(root)):
                 yield Effect("handed", root, call)
         elif self.python:
             if self.targets.changes(target, name):
                 yield Effect("out" if key else "lost", root, call, name)
         else:
             yield from self._by_reference(call, arg, target, name, root)
+
+    def _is_constant(self, key: str) -> bool:
+        """Whether a variable of C++ is declared so that nobody can change it."""
+        written = self.func.written_types.get(key, "")
+        return "const" in written.split() or written.split()[:1] == ["constexpr"]
 
     def _by_reference(self, call: Call, arg: Expr, target: Func, name: str, root: str) -> Iterator[Effect]:
         written = next((entry.type for entry in target.fact.params if entry.name == name), "")

@@ -441,10 +441,16 @@ class Interpreter:
             for at, statement in enumerate(func.fact.body):
                 targets = [statement.target] if statement.kind in {"set", "each"} else []
                 keys = [inner.key(target) or inner.root(target) for target in targets]
-                keys += [effect.key for effect in inner.of(at, self.env)]
+                keys += [effect.key for effect in inner.of(at, self.env) if not self._is_text(effect)]
                 for key in keys:
                     if key.split(".")[0] not in own:
                         yield key if key in self.effects.own or not self.effects.member or "." in key else f".{key}"
+
+    def _is_text(self, effect: Effect) -> bool:
+        """Whether somebody only gets a variable that is declared as a literal text, which nobody can change."""
+        lets = [entry for entry in self.body if entry.kind == "let" and entry.target == Name(effect.key)]
+        fixed = all(isinstance(entry.value, Text) and ("*" in entry.type or entry.type == "auto") for entry in lets)
+        return effect.kind == "handed" and bool(lets) and fixed
 
     # --- statements --------------------------------------------------------------------------------------
 

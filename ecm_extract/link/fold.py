@@ -45,6 +45,7 @@ from ecm_extract.link.values import (
     Hole,
     Value,
     alternatives,
+    circular,
     computed,
     constant,
     data_in,
@@ -119,7 +120,7 @@ class Folder:
         if key in self._active or len(self._active) > 60:
             self.cuts += 1
             self.cycles += 1
-            return (unknown(label),)
+            return (circular(label),)
         self._active.add(key)
         try:
             return work()

@@ -111,7 +111,9 @@ class CallFolder:
             return self._absolute(call.args[0], env.before(env.at))
         tidied = call.last in RESOLVERS or call.path.endswith(_TIDIED)
         plainly = call.receiver is None and (call.path in _SAME or call.last in _STREAMS)
-        if plainly or (tidied and call.args):
+        if tidied and call.args:
+            return self.folder.fold(call.args[0], env.before(env.at))
+        if plainly:
             return self._same(call, env.before(env.at))
         if call.last == "getCameraInfoTopic" and call.args:
             return self._beside(call.args[0], "camera_info", env.before(env.at))

@@ -13,7 +13,7 @@ from ecm_extract.infer.held import Held
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, bind, invocation_of
 from ecm_extract.link.numbers import NUMBERS, as_number
 from ecm_extract.link.spelling import plain
-from ecm_extract.link.values import Value, alternatives, constant, demoted, literal, unknown
+from ecm_extract.link.values import Value, alternatives, constant, demoted, literal, lowered, unknown
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
@@ -68,8 +68,8 @@ class HeldFolder:
             return self._stored(held, inner)
         if held.how == "out":
             return self._written(held, inner)
-        if held.how == "handed" and inner.func.file.language == "python":
-            return self._same_text(held, env)
+        if held.how == "handed":
+            return self._handed(held, env, inner.func.file.language == "python")
         return (unknown(_label(held.name)),)
 
     def given(self, key: str, env: Env) -> tuple[Value, ...]:
@@ -133,9 +133,13 @@ class HeldFolder:
         options = [self._before(held, env), self.folder.fold(held.expr, env), self.folder.fold(held.more, env)]
         return self.folder.combined(options, _with_character, _label(held.name))
 
-    def _same_text(self, held: Held, env: Env) -> tuple[Value, ...]:
-        """Whoever gets a text in Python cannot change it."""
-        return self._before(held, env)
+    def _handed(self, held: Held, env: Env, python: bool) -> tuple[Value, ...]:
+        """Whoever gets a text in Python cannot change it; in C++ somebody outside the tree may, or may fill it."""
+        values = self._before(held, env)
+        if python:
+            return values
+        made = any(before.how == "made" for before in held.before)
+        return (unknown(_label(held.name)),) if made else lowered(values, "one_of")
 
     # --- functions that write to what they get ---------------------------------------------------------------
 

@@ -24,6 +24,7 @@ from ecm_extract.link.values import (
     Value,
     alternatives,
     demoted,
+    is_circle,
     lowered,
     node_name,
     set_by,
@@ -141,8 +142,7 @@ class MemberFolder:
                     values += self.folder.calls.parameter_value(read, default, place.within(None, at))
         if not any(_makes(held) for held, _ in sources):
             values += self.initial(name, cls, env)
-        itself = {unknown(name).parts, unknown(f"{cls.qualified}.{name}").parts}
-        others = [value for value in values if value.parts not in itself]  # `x = x` gives it nothing new
+        others = [value for value in values if not is_circle(value)]  # `x = x` gives it nothing new
         filled = [value for value in others or values if value.text]
         return alternatives(filled or others or values) if values else ()
 

@@ -219,15 +219,14 @@ def _touched(method: Func) -> set[str]:
     targets: list[Expr | None] = [s.target for s in method.fact.body if s.kind != "let"]
     for call in (call for calls in method.calls for call in calls):
         targets += [call.callee.base if isinstance(call.callee, Member) else None, *call.args]
-    names = (_reached(target) for target in targets)
-    return {name for name in names if name and name not in own}
+    return {name for target in targets if (name := _reached(target, own))}
 
 
-def _reached(expr: Expr | None) -> str:
-    """The name of the member that an expression is or leads into."""
+def _reached(expr: Expr | None, own: set[str]) -> str:
+    """The name of the member that an expression is or leads into; `own` are the names of the method itself."""
     while expr is not None:
         if isinstance(expr, Name):
-            return expr.id
+            return "" if expr.id in own else expr.id
         if isinstance(expr, Member) and expr.base == Name("this"):
             return expr.name
         if isinstance(expr, Member):

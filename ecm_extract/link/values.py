@@ -25,11 +25,11 @@ class Hole(NamedTuple):
 
     `param`: a parameter of the function at hand, which its callers know; `made`: a parameter of the constructor,
     which whoever makes the object knows; `node`: the name of the node at hand; `space`: its namespace, or the one above
-    that; `unknown`: nobody does.
+    that; `circle`: what is asked for itself; `unknown`: nobody does.
     """
 
     label: str
-    kind: Literal["param", "made", "node", "space", "unknown"] = "unknown"
+    kind: Literal["param", "made", "node", "space", "circle", "unknown"] = "unknown"
     default: str | None = None
 
 
@@ -111,6 +111,16 @@ def alternatives(values: Iterable[Value]) -> tuple[Value, ...]:
 def unknown(label: str) -> Value:
     """A value that nothing shows; the label tells what it is called in source."""
     return Value((Hole(_label(label)),), "pattern")
+
+
+def circular(label: str) -> Value:
+    """What a value is that is made from itself."""
+    return Value((Hole(_label(label), "circle"),), "pattern")
+
+
+def is_circle(value: Value) -> bool:
+    """Tell whether a value is no more than what is asked for itself."""
+    return len(value.parts) == 1 and isinstance(value.parts[0], Hole) and value.parts[0].kind == "circle"
 
 
 def parameter(label: str, made: bool = False, default: str | None = None) -> Value:
@@ -211,12 +221,18 @@ def unique(values: Iterable[Value]) -> tuple[Value, ...]:
     seen: dict[str, Value] = {}
     for value in values:
         known = seen.setdefault(value.text, value)
-        if known.data != value.data:
-            seen[value.text] = known._replace(data=None)
+        if known is not value:
+            seen[value.text] = _either(known, value)
     listed = tuple(seen.values())
     if len(listed) <= MAX_ALTERNATIVES:
         return listed
     return (*listed[: MAX_ALTERNATIVES - 1], TOO_MANY)
+
+
+def _either(one: Value, other: Value) -> Value:
+    """One text that is known in two ways: as surely as the weaker of them."""
+    data = one.data if one.data == other.data else None
+    return Value(one.parts, weaker(one.confidence, other.confidence), one.template or other.template, data)
 
 
 def _label(text: str) -> str:

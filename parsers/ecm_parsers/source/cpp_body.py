@@ -362,7 +362,8 @@ class BodyReader:
             self._named_lambda(name, value)
             return
         read = self._initial(kind, value)
-        self._add("let", declarator, read, Name(name), self.expr.type_text(kind) + _MARKS.get(bound.type, ""))
+        written = _qualifier(self.expr, declaration) + self.expr.type_text(kind) + _MARKS.get(bound.type, "")
+        self._add("let", declarator, read, Name(name), written)
 
     def _constructed(self, kind: Node, declarator: Node) -> None:
         """`Listener listener(buffer);` reads as a function declaration; in a body it makes an object."""
@@ -439,6 +440,12 @@ _LOGGING_BYTES = tuple(prefix.encode() for prefix in _LOGGING)
 def _line(node: Node) -> int:
     row: int = node.start_point[0]
     return row + 1
+
+
+def _qualifier(reader: ExprReader, declaration: Node) -> str:
+    """`const` where a declaration has it."""
+    words = [reader.text(child) for child in declaration.children if child.type == "type_qualifier"]
+    return "const " if {"const", "constexpr"} & set(words) else ""
 
 
 def _otherwise(node: Node) -> Node | None:
