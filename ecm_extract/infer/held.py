@@ -17,7 +17,7 @@ MAX_WAYS = 8
 MAX_LAYER = 16
 """Changes beyond which a state is written out in full."""
 
-How = Literal["value", "each", "made", "given", "lost", "read", "changed", "stored", "out", "handed"]
+How = Literal["value", "each", "made", "given", "shared", "lost", "read", "changed", "stored", "out", "handed"]
 
 
 @dataclass(slots=True, eq=False, repr=False)
@@ -26,7 +26,8 @@ class Held:
 
     Attributes:
         how: `value` of an expression; `each` element of one; `made` without a value (a declaration); `given` from around
-            the function or by its caller; `lost`: nobody knows; `read` from a ROS parameter (`expr` its name, `more` its
+            the function or by its caller; `shared` with functions that may have given it anything they give it; `lost`:
+            nobody knows; `read` from a ROS parameter (`expr` its name, `more` its
             default); `changed` by a method (`expr` the call); `stored`: an element (`expr` the place, `more` the value);
             `out`: written by a function that got it (`expr` the call, `name` its parameter there); `handed` to somebody
             who may have changed what it consists of.

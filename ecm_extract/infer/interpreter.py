@@ -413,10 +413,12 @@ class Interpreter:
         self._breaks, self._continues, self._raised = [[]], [[]], []
         self._later += 1
         again = {key for key in state.holds if self._counts().get(key, 0) > 1}
-        self._block(step.body, self._lost(state, inside | again | own).on(self._new()))
+        shared = {key: (Held("shared", key),) for key in again | inside if self._is_open(key)}
+        start = self._lost(state, inside | again | own).having(shared)
+        self._block(step.body, start.on(self._new()))
         self._later -= 1
         self._breaks, self._continues, self._raised = keep
-        return self._lost(state, inside)
+        return self._lost(state, inside).having({key: ways for key, ways in shared.items() if key in inside})
 
     def _declared_in(self, block: Block) -> set[str]:
         """The variables that steps declare for themselves."""
@@ -551,8 +553,8 @@ class Interpreter:
         before = state.holds.get(key) or (Held("given", key),)
         if all(held.how == "value" and is_plain(held.expr) for held in before):
             return state
-        others = {name for name, ways in state.holds.items() if ways is before}
-        others |= (self._named_alike(key, state) | self._holding({key}, state) | {self._derived.get(key, "")}) - {key, ""}
+        alike = self._all_alike(key, state)
+        others = (alike | self._holding(alike, state) | {self._derived.get(key, "")}) - {key, ""}
         handed = {name: (Held("handed", name, before=state.holds[name]),) for name in others - {key} if name in state.holds}
         return state.having(handed)
 
@@ -631,7 +633,7 @@ class Interpreter:
         if not self._is_open(key):
             return Held("lost", key, before=(held,))
         self.run.shown[key].append(held)
-        return Held("given", key)
+        return Held("shared", key)
 
     def _escape(self, value: Expr | None) -> set[str]:
         """`p = &x`: from here on `x` may change through `p`."""
@@ -668,11 +670,9 @@ class Interpreter:
 
     def _in_place(self, key: str, held: Held, state: State) -> State:
         """Change what a variable consists of, for all names of the same thing."""
-        known = state.holds.get(key)
         alike, others = {key}, set()
         if self.python:
-            alike |= {name for name, ways in state.holds.items() if ways is known}
-            alike |= self._named_alike(key, state)
+            alike = self._all_alike(key, state)
             others = self._holding(alike, state) - alike
         elif key in self._derived or key in self._derived.values():
             others = {self._derived.get(key, "")} | {name for name, root in self._derived.items() if root == key}
@@ -685,6 +685,17 @@ class Interpreter:
             self.judge.settle(held)
         ways = (held,)
         return self._lost(state, others).having(dict.fromkeys(alike, ways))
+
+    def _all_alike(self, key: str, state: State) -> set[str]:
+        """All names of the object that a name is bound to."""
+        alike: set[str] = set()
+        more = {key}
+        while more - alike:
+            alike |= more
+            ways = [state.holds[name] for name in alike if name in state.holds]
+            more = {name for name, found in state.holds.items() if any(found is entry for entry in ways)}
+            more |= {name for one in alike for name in self._named_alike(one, state)}
+        return alike
 
     def _named_alike(self, key: str, state: State) -> set[str]:
         """Names that are surely bound to the same object: `b = a`, and neither was bound anew."""
@@ -722,8 +733,8 @@ class Interpreter:
         open_ = [key for key in state.holds if self._is_open(key)]
         for key in open_:
             known = self.run.shown[key]
-            known += [held for held in state.holds[key] if held.how != "given" and held not in known]
-        return state.having({key: (Held("given", key),) for key in open_})
+            known += [held for held in state.holds[key] if held.how not in {"given", "shared"} and held not in known]
+        return state.having({key: (Held("shared", key),) for key in open_})
 
 
 def comprehensions(expr: Expr | None) -> Iterator[Comprehension]:

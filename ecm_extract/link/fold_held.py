@@ -56,8 +56,8 @@ class HeldFolder:
             return _as_declared(demoted(self.folder.fold(held.expr, inner)), _statement(held))
         if held.how == "each":
             return self.folder.lists.elements(held.expr, inner)
-        if held.how == "given":
-            return self.given(held.name, env)
+        if held.how in {"given", "shared"}:
+            return self.given(held.name, env, first=held.how == "given")
         if held.how == "read":
             return self._read(held, inner)
         if held.how == "made":
@@ -72,14 +72,14 @@ class HeldFolder:
             return self._handed(held, env, inner.func.file.language == "python")
         return (unknown(_label(held.name)),)
 
-    def given(self, key: str, env: Env) -> tuple[Value, ...]:
-        """Return what a variable is before the function gives it anything."""
+    def given(self, key: str, env: Env, first: bool = True) -> tuple[Value, ...]:
+        """Return what a variable is that the function did not give anything, `first`: yet."""
         entry = Env(env.func, 0, env.args, env.types, env.this, env.made, env.depth + 1, None, env.outer)
         name = key.rpartition(".")[2]
         if "." not in key:
             return self.folder.names.around(name, entry) or (unknown(name),)
         owner = entry.this or entry.func.cls
-        if entry.func.is_constructor and key.startswith(".") and key.count(".") == 1 and entry.func.cls is not None:
+        if first and entry.func.is_constructor and key.startswith(".") and key.count(".") == 1 and entry.func.cls is not None:
             return self.at_first(name, entry) or (unknown(name),)
         if key.startswith(".") and key.count(".") == 1 and owner is not None:
             found = self.folder.members.member_value(name, owner, entry)
@@ -190,8 +190,8 @@ class HeldFolder:
             statement = _statement(held)
             last = plain(statement.type).rsplit("::", 1)[-1] if statement is not None else ""
             return [] if last in _CONTAINERS else None
-        if held.how == "given":
-            return self.folder.lists.given(held.name, env)
+        if held.how in {"given", "shared"}:
+            return self.folder.lists.given(held.name, env, held.how == "given")
         if held.how == "out":
             found = self.out(held, inner)
             return self.items_of([found[0]], found[1].deeper(env.depth + 1)) if found is not None else None

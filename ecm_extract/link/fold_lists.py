@@ -255,15 +255,15 @@ class ListFolder:
             return None
         return self.items(found[0].value, Env(env.func, 0, depth=env.depth + 1))
 
-    def given(self, key: str, env: Env) -> list[Bound] | None:
-        """Return the elements of a list that a variable is before the function changes it."""
+    def given(self, key: str, env: Env, first: bool) -> list[Bound] | None:
+        """Return the elements of a list that a variable is which the function did not change, `first`: yet."""
         name = key.rpartition(".")[2]
         entry = Env(env.func, 0, env.args, env.types, env.this, env.made, env.depth + 1, State(), env.outer)
         cls = env.func.cls
         if not key.startswith("."):
             return self._items(Name(name), entry) if "." not in key else None
-        if not env.func.is_constructor or cls is None:
-            return self._items(Member(Name("this"), name), entry)
+        if not first or not env.func.is_constructor or cls is None:
+            return self._shared(name, entry)
         for base in self.folder.program.bases(cls):
             found = self.folder.members.sources(name, base, entry)
             if found:
@@ -271,6 +271,11 @@ class ListFolder:
         default = self._default(Member(Name("this"), name), entry)
         last = plain(self.folder.scope.member_type(name, cls)).rsplit("::", 1)[-1]
         return default if default is not None else [] if _CONTAINER.search(last) else None
+
+    def _shared(self, name: str, env: Env) -> list[Bound] | None:
+        """What all methods together leave a member with."""
+        found = self.sources(Member(Name("this"), name), env)
+        return self.folder.held.items(*found[0]) if len(found) == 1 else None
 
     # --- calls that give lists ---------------------------------------------------------------------------------
 
@@ -480,6 +485,9 @@ class ListFolder:
             return [] if self._declared(held) else None
         if held.how == "given":
             return self._given_entries(held.name, env)
+        if held.how == "shared":
+            found_ = self.sources(Member(Name("this"), held.name.rpartition(".")[2]), env)
+            return self.held_entries(*found_[0]) if len(found_) == 1 else None
         if held.how == "out":
             found = self.folder.held.out(held, inner)
             single = found is not None and len(found[0]) == 1

@@ -188,7 +188,7 @@ class MemberFolder:
         key = f".{name}"
         ends = run.end.holds.get(key, ()) if run.end is not None else ()
         helds = dict.fromkeys((*run.shown.get(key, ()), *ends))
-        return [held for held in helds if held.how != "given"]
+        return [held for held in helds if held.how not in {"given", "shared"}]
 
     def _method_env(self, method: Func, cls: Cls, env: Env) -> Env:
         made = env.made if env.made is not None and env.made.cls is cls else None
