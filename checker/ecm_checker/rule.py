@@ -133,6 +133,7 @@ class Rule(msgspec.Struct, frozen=True, kw_only=True):
             fingerprint=fingerprint(self.id, entity, packages),
             who=self.who,
             certainty=certainty,
+            about=entity,
         )
 
 

@@ -43,7 +43,7 @@ def uses_of(consumers: Sequence[Consumer], broken: BrokenNames, commit: str | No
     for consumer in consumers:
         for requirement in consumer.requirements:
             for located, certainty, what in _broken(requirement, consumer, broken):
-                if (own and not _is_forgotten(requirement, located)) or _is_answered(requirement, located, what):
+                if (own and not _is_forgotten(requirement, located)) or _is_answered(requirement, located):
                     continue
                 if requirement.kind == "node" and requirement.name in named:
                     continue  # a launch file gives the name, whatever the program calls itself
@@ -248,10 +248,10 @@ def _is_forgotten(requirement: Requirement, located: Located) -> bool:
     return change.change in GONE or entity.kind not in {"message_field", "constant"}
 
 
-def _is_answered(requirement: Requirement, located: Located, what: str) -> bool:
+def _is_answered(requirement: Requirement, located: Located) -> bool:
     """Whether a comment on the line says that the break is known."""
-    told = f"{located.change.old} {located.change.new} {what}"
-    return any(word in told for word in requirement.ignored)
+    names = located.change.old or "", located.change.new or "", requirement.name, requirement.owner
+    return any(word in name for word in requirement.ignored for name in names)
 
 
 def _is_kept_alive(located: Located, remaps: Sequence[Requirement]) -> bool:

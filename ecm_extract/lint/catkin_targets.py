@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from ecm_parsers.cmake_facts import CmakeFile
-from ecm_parsers.cmake_run import run
 
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
@@ -30,10 +29,10 @@ def generated_headers(packages: Sequence[PackageFacts]) -> dict[str, str]:
     return found
 
 
-def build_dependencies(data: bytes, file: CmakeFile, package: str) -> dict[str, set[str]]:
+def build_dependencies(file: CmakeFile, package: str) -> dict[str, set[str]]:
     """Return what each target waits for, as far as its file says: by add_dependencies, and by what it links."""
     found: dict[str, set[str]] = {target.name: set(target.links) for target in file.targets}
-    for call in run(data, {"PROJECT_NAME": package}).facts.calls:
+    for call in file.calls:
         if call.name in _ORDERING and call.args:
             names = [folded(argument, file, package) for argument in call.args]
             for name in names[0].split(";"):

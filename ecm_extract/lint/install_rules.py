@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import msgspec
-from ecm_parsers.cmake_run import Call, run
+from ecm_parsers.cmake_facts import CmakeFile
 
-from ecm_extract.lint.workspace import Workspace
+from ecm_extract.lint.catkin_targets import folded
 from ecm_extract.read.facts import PackageFacts
 
+_COMMANDS = frozenset({"install", "catkin_install_python"})
 _KINDS = frozenset({"TARGETS", "PROGRAMS", "DIRECTORY", "FILES"})
 _WORDS = frozenset(
     {
@@ -81,21 +82,22 @@ class InstallRule(msgspec.Struct, frozen=True):
         return f"{head}/" if head else ""
 
 
-def calls_of(path: str, package: PackageFacts, workspace: Workspace) -> tuple[Call, ...]:
-    """Return the commands of a CMake file of a package that run."""
-    known = {**package.cmake[path].variables, "PROJECT_NAME": package.name}
-    return run(workspace.files.read(path) or b"", known).facts.calls
-
-
-def install_rules(package: PackageFacts, workspace: Workspace) -> Iterator[InstallRule]:
+def install_rules(package: PackageFacts) -> Iterator[InstallRule]:
     """Yield the install rules of a package."""
-    for path in package.cmake:
-        for call in calls_of(path, package, workspace):
-            kind = call.args[0] if call.name == "install" and call.args else ""
+    for path, file in package.cmake.items():
+        for name, args, line in _installs(file, package.name):
+            kind = args[0] if name == "install" and args else ""
             if kind in _KINDS:
-                yield _rule(kind, call.args[1:], path, call.line, package.name)
-            elif call.name == "catkin_install_python":
-                yield _rule("PROGRAMS", call.args[call.args[:1] == ("PROGRAMS",) :], path, call.line, package.name)
+                yield _rule(kind, args[1:], path, line, package.name)
+            elif name == "catkin_install_python":
+                yield _rule("PROGRAMS", args[args[:1] == ("PROGRAMS",) :], path, line, package.name)
+
+
+def _installs(file: CmakeFile, package: str) -> Iterator[tuple[str, tuple[str, ...], int]]:
+    """Name, arguments and line of the commands that install, with what is known at the end of the file put in."""
+    for call in file.calls:
+        if call.name in _COMMANDS:
+            yield call.name, tuple(folded(text, file, package) for text in call.args), call.line
 
 
 def place_of(path: str, rule: InstallRule) -> str | None:
@@ -127,6 +129,6 @@ def _below(destination: str, package: str) -> str:
     return destination.replace("//", "/").strip("/")
 
 
-def lives_in_devel_space(package: PackageFacts, workspace: Workspace) -> bool:
+def lives_in_devel_space(package: PackageFacts) -> bool:
     """Tell whether a package that is not of ROS 2 installs nothing at all: it runs from where it was built."""
-    return package.ros != 2 and next(install_rules(package, workspace), None) is None
+    return package.ros != 2 and next(install_rules(package), None) is None

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING, Final, Literal
 
 import msgspec
 from ecm_checker.contract import Evidence
-from ecm_checker.finding import Certainty, Dimension, Entity, Finding, Severity, Who, fingerprint
+from ecm_checker.finding import Certainty, Dimension, Edit, Entity, Finding, Severity, Who, fingerprint
 
 if TYPE_CHECKING:
     from ecm_extract.lint.workspace import Workspace
@@ -52,6 +51,7 @@ class LintRule(msgspec.Struct, frozen=True, kw_only=True):
         severity: Severity | None = None,
         consequence: str = "",
         resolution: str = "",
+        edit: Edit | None = None,
     ) -> Finding:
         """A finding of this rule.
 
@@ -64,6 +64,7 @@ class LintRule(msgspec.Struct, frozen=True, kw_only=True):
             severity: where it differs from that of the rule.
             consequence: where it differs from that of the rule, such as by what starts the launch file.
             resolution: where it is more exact than that of the rule.
+            edit: what surely mends it.
         """
         level = severity or self.severity
         what = " ".join(text.split())  # a parser's own words may go over several lines
@@ -80,6 +81,8 @@ class LintRule(msgspec.Struct, frozen=True, kw_only=True):
             fingerprint=fingerprint(self.id, entity, (package,)),
             who=self.who,
             certainty=certainty,
+            about=entity,
+            edit=edit,
         )
 
 
@@ -87,11 +90,7 @@ Check = Callable[["Workspace"], Iterator[Finding]]
 
 
 class Entry(msgspec.Struct, frozen=True):
-    """A rule of the catalogue with the function that checks it.
-
-    `rename` finds `old` and `new` in a message of the rule when the one can surely be written for the other.
-    """
+    """A rule of the catalogue with the function that checks it."""
 
     rule: LintRule
     check: Check
-    rename: re.Pattern[str] | None = None

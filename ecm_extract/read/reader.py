@@ -28,7 +28,7 @@ from ecm_extract.read.facts import PackageFacts
 from ecm_extract.read.parallel import SourceParse
 from ecm_extract.read.parsed_file import BlobFacts, ParsedFile, Task
 from ecm_extract.read.prefetch import Prefetch
-from ecm_extract.tree import FileDiagnostic, Tree, Unread, printable
+from ecm_extract.tree import FileDiagnostic, Tree, Unread, located, printable
 
 OVERLAY = "ecm.yaml"
 _NO_MANIFEST = frozenset(
@@ -235,8 +235,7 @@ class Reader:
         self.files += 1
         self.bytes += size
         for entry in diagnostics:
-            located = FileDiagnostic(entry.severity, entry.code, printable(path), entry.line, entry.message)
-            self.tree.report(located)
+            self.tree.report(located(entry, printable(path)))
 
 
 def _counting(progress: Progress | None, total: int) -> Callable[[int], None]:

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from typing import Protocol
 
 import msgspec
-from ecm_parsers.result import Severity
+from ecm_parsers.result import Diagnostic, Severity
 
 from ecm_extract.tree.unread import Unread
 
@@ -40,7 +40,10 @@ class Entry(msgspec.Struct, frozen=True):
 class FileDiagnostic(msgspec.Struct, frozen=True):
     """A diagnostic with its file, in the wire form of `diagnostics[]` (DESIGN §6); `path` is printable.
 
-    `unread` is set where it tells of something that was not read.
+    Attributes:
+        unread: set where it tells of something that was not read.
+        about: the name that was looked for, or the module that it is about; empty for none.
+        wrong, advice: the sentences of the message apart, see `ecm_parsers.result.Diagnostic`.
     """
 
     severity: Severity
@@ -49,6 +52,15 @@ class FileDiagnostic(msgspec.Struct, frozen=True):
     line: int
     message: str
     unread: Unread | None = None
+    about: str = ""
+    wrong: str = ""
+    advice: str = ""
+
+
+def located(entry: Diagnostic, path: str) -> FileDiagnostic:
+    """Return what a parser says of a file, with the file."""
+    told = entry.severity, entry.code, path, entry.line, entry.message
+    return FileDiagnostic(*told, wrong=entry.wrong, advice=entry.advice)
 
 
 class Tree(Protocol):

@@ -48,6 +48,8 @@ def parse_cmake(data: bytes, inherited: Mapping[str, str] | None = None) -> Pars
         python_packages=tuple(exports.python_packages(calls)),
         variables=evaluated.facts.variables,
         foreign=tuple(dict.fromkeys(foreign_words(calls))),
+        calls=calls,
+        commands=evaluated.facts.commands,
     )
     return Parsed(facts, evaluated.diagnostics)
 

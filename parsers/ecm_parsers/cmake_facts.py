@@ -6,6 +6,9 @@ from typing import Literal
 
 import msgspec
 
+from ecm_parsers.cmake_run import Call
+from ecm_parsers.cmake_tokens import Command
+
 TargetKind = Literal["executable", "library", "interface", "test"]
 InstallKind = Literal["targets", "programs", "directory", "files", "python"]
 InterfaceKind = Literal["msg", "srv", "action", "idl", "other"]
@@ -120,6 +123,8 @@ class CmakeFile(msgspec.Struct, frozen=True):
         python_packages: what `ament_python_install_package` names; `.` for `catkin_python_setup`.
         variables: at the end of the file, for files that run inside it.
         foreign: words given to commands of other packages, which may make targets of these names.
+        calls: the commands that run, in order, with evaluated arguments.
+        commands: all commands as written, also those of arms that do not run and of functions.
     """
 
     project: str | None = None
@@ -139,3 +144,5 @@ class CmakeFile(msgspec.Struct, frozen=True):
     python_packages: tuple[FileReference, ...] = ()
     variables: dict[str, str] = {}
     foreign: tuple[str, ...] = ()
+    calls: tuple[Call, ...] = ()
+    commands: tuple[Command, ...] = ()

@@ -38,10 +38,11 @@ class Call(msgspec.Struct, frozen=True):
 
 
 class Run(msgspec.Struct, frozen=True):
-    """The calls of a file in order, and the variables at its end."""
+    """The calls of a file in order, the variables at its end, and its commands as written, of all arms."""
 
     calls: tuple[Call, ...]
     variables: dict[str, str]
+    commands: tuple[Command, ...] = ()
 
 
 class _Place(msgspec.Struct, frozen=True):
@@ -58,7 +59,7 @@ def run(data: bytes, variables: Variables) -> Parsed[Run]:
     diagnostics = list(commands.diagnostics)
     runner = _Runner(dict(variables), diagnostics)
     runner.steps(nest(commands.facts, diagnostics), _Place())
-    return Parsed(Run(tuple(runner.calls), runner.variables), tuple(diagnostics))
+    return Parsed(Run(tuple(runner.calls), runner.variables, commands.facts), tuple(diagnostics))
 
 
 class _Runner:

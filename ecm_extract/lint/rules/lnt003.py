@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
+from itertools import pairwise
 
 from ecm_checker.contract import Evidence
-from ecm_checker.finding import Entity, Finding
+from ecm_checker.finding import Entity, Finding, Rename
+from ecm_parsers.cmake_facts import CmakeFile
 from ecm_parsers.launch.model import Node
 
+from ecm_extract.lint.catkin_targets import folded
 from ecm_extract.lint.cmake_makers import asks, brings_targets, makers
 from ecm_extract.lint.install_rules import install_rules
 from ecm_extract.lint.lines import line_of_name
@@ -28,14 +30,10 @@ RULE = LintRule(
     resolution="correct the name, or install the program",
     tier="stable",
 )
-RENAME = re.compile(r"builds no program (?P<old>\S+); it builds (?P<new>[^\s:]+)")
-
 _GOES_ON = "roslaunch reports it and goes on without the node"
 _OPEN = frozenset("${*?")
 """In a name that CMake computes, such as of each file that a pattern finds."""
-_OUTPUT = re.compile(rb"\bOUTPUT\s+\"?(?:[^\s\"()]*/)?([\w.-]+)")
-"""The last part of what a custom command makes."""
-_OUTPUT_NAME = re.compile(rb"OUTPUT_NAME\s+\"?([\w.${}-]+)")
+_OUTPUTS = frozenset({"OUTPUT", "OUTPUT_NAME"})
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
@@ -44,7 +42,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     closed = {
         package.name
         for package in workspace.packages
-        if _is_understood(package, workspace) and not asks(package, commands, workspace)
+        if _is_understood(package, workspace) and not asks(package, commands)
     }
     known: dict[str, frozenset[str]] = {}
     for path, facts in workspace.launches.items():
@@ -76,6 +74,7 @@ def _finding(name: str, package: PackageFacts, places: list[Evidence], workspace
         places,
         consequence=_GOES_ON if workspace.files.ros_of(places[0].path) == 1 else "",
         resolution=f"write {near}" if near else "",
+        edit=Rename(name, near) if near else None,
     )
 
 
@@ -95,12 +94,17 @@ def _built(package: PackageFacts, workspace: Workspace) -> set[str]:
     found = {name for target in targets for name in (target.name, target.output) if name}
     found |= {entry.executable for file in package.cmake.values() for entry in file.components if entry.executable}
     found |= {entry.name for setup in package.setups.values() for entry in setup.entry_points}
-    found |= {rule.renamed for rule in install_rules(package, workspace) if rule.kind == "PROGRAMS" and rule.renamed}
-    for path in package.cmake:
-        data = workspace.files.read(path) or b""
-        names = [*_OUTPUT_NAME.findall(data), *_OUTPUT.findall(data)]
-        found |= {match.decode().replace("${PROJECT_NAME}", package.name) for match in names}
-    return found
+    found |= {rule.renamed for rule in install_rules(package) if rule.kind == "PROGRAMS" and rule.renamed}
+    return found | {folded(name, file, package.name) for file in package.cmake.values() for name in _outputs(file)}
+
+
+def _outputs(file: CmakeFile) -> Iterator[str]:
+    """What targets are called when they are built, and the last part of what custom commands make first."""
+    for command in file.commands:
+        words = [argument.text for argument in command.args]
+        for word, following in pairwise(words):
+            if word in _OUTPUTS:
+                yield following.rpartition("/")[2]
 
 
 def _files(package: PackageFacts) -> set[str]:
@@ -124,7 +128,7 @@ def _possible(package: PackageFacts) -> set[str]:
 
 def _is_understood(package: PackageFacts, workspace: Workspace) -> bool:
     """Tell whether the build files leave no name of a program open."""
-    if any(is_refused(path, workspace) for path in package.cmake) or brings_targets(package, workspace):
+    if any(is_refused(path, workspace) for path in package.cmake) or brings_targets(package):
         return False
     targets = [target for file in package.cmake.values() for target in file.targets]
     return bool(package.cmake or package.setups) and not any(_OPEN & set(target.name) for target in targets)

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import networkx as nx
 from ecm_checker.contract import Evidence
-from ecm_checker.finding import Entity, Finding, Severity
+from ecm_checker.finding import Depend, Entity, Finding, Severity
 from ecm_parsers.xml_tree import without_comments
 
 from ecm_extract.discover import is_test_path
@@ -49,7 +49,8 @@ def check(workspace: Workspace) -> Iterator[Finding]:
             if name not in declared:
                 text = f"{package.name} uses {name}, which its package.xml does not name"
                 level: Severity = "warning" if reach.is_absent(package.name, name) else "info"
-                yield RULE.finding(text, Entity("package", name), package.name, lines[:5], severity=level)
+                entity, edit = Entity("package", name), Depend(name, "run")
+                yield RULE.finding(text, entity, package.name, lines[:5], severity=level, edit=edit)
 
 
 class _Reach:

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from ecm_checker.contract import Evidence
-from ecm_checker.finding import Entity, Finding
+from ecm_checker.finding import Entity, Finding, Rename
 from ecm_parsers.source.facts import Import
 
 from ecm_extract.link.units import File
@@ -24,7 +24,6 @@ RULE = LintRule(
     consequence="the module cannot be imported or compiled, and its node never starts",
     resolution="correct the name, or add the interface file",
 )
-RENAME = re.compile(r"has no \w+/(?P<old>\w+); it has (?P<new>\w+)")
 _KINDS = {"msg": ("",), "srv": ("", "Request", "Response", "_Request", "_Response"), "action": ("",)}
 ACTION_PARTS = ("Action", "Goal", "Result", "Feedback", "ActionGoal", "ActionResult", "ActionFeedback")
 _PYTHON = re.compile(r"(\w+)\.(msg|srv|action)")
@@ -72,4 +71,5 @@ def _missing(file: File, entry: Import, match: re.Match[str], known: set[str]) -
     near = nearest(name, [each.partition(".")[2] for each in known if each.startswith(f"{kind}.")])
     text = f"{package} has no {kind}/{name}" + (f"; it has {near}" if near else "")
     evidence = [Evidence(file.path, entry.line)]
-    yield RULE.finding(text, Entity("message", f"{package}/{kind}/{name}", near or ""), file.package, evidence)
+    entity = Entity("message", f"{package}/{kind}/{name}", near or "")
+    yield RULE.finding(text, entity, file.package, evidence, edit=Rename(name, near) if near else None)

@@ -31,7 +31,7 @@ _AT_USE = "Python stops with ImportError or AttributeError at each of these line
 _NO_NAME = "Python stops with NameError when it gets there"
 _GENERATED = frozenset({"msg", "srv", "action", "cfg"})
 _BUILDS_MODULES = re.compile(
-    rb"pybind|python_add_module|swig|sip_|boost_python|MODULE\b|generate_parameter", re.IGNORECASE
+    r"pybind|python_add_module|swig|sip_|boost_python|MODULE\b|generate_parameter", re.IGNORECASE
 )
 
 
@@ -130,8 +130,10 @@ def _compiled(package: PackageFacts) -> set[str]:
 def _is_compiled(name: str, workspace: Workspace) -> bool:
     """Tell whether the build of a package may add modules to it."""
     package = workspace.by_name.get(name)
-    texts = (workspace.files.read(path) or b"" for path in package.cmake) if package is not None else ()
-    return any(_BUILDS_MODULES.search(text) for text in texts)
+    files = package.cmake.values() if package is not None else ()
+    commands = [command for file in files for command in file.commands]
+    words = (word for each in commands for word in (each.name, *(argument.text for argument in each.args)))
+    return any(_BUILDS_MODULES.search(word) for word in words)
 
 
 def _module_name(file: File, workspace: Workspace) -> str | None:

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from ecm_checker.contract import Evidence
-from ecm_checker.finding import Entity, Finding
+from ecm_checker.finding import Entity, Finding, Rename
 from ecm_parsers.interface_facts import Field
 
 from ecm_extract.lint.near import nearest
@@ -24,7 +23,6 @@ RULE = LintRule(
     consequence="the interface package does not build, and nothing that uses it does",
     resolution="correct the type, or add the message",
 )
-RENAME = re.compile(r"defines no message (?P<old>\w+); there is \w+/(?P<new>\w+)")
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
@@ -70,4 +68,6 @@ def _of(
     text = f"{owner} defines no message {name}" + (f"; there is {better}" if better else "")
     evidence = [Evidence(path, field.line)]
     hint = f"write {better}" if better else ""
-    yield RULE.finding(text, Entity("message_field", bare, better), package.name, evidence, resolution=hint)
+    edit = Rename(name, better.partition("/")[2]) if better else None
+    entity = Entity("message_field", bare, better)
+    yield RULE.finding(text, entity, package.name, evidence, resolution=hint, edit=edit)

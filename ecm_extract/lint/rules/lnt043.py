@@ -12,6 +12,7 @@ from ecm_parsers.launch.model import Node
 from ecm_parsers.xml_tree import without_comments
 
 from ecm_extract.discover import is_test_path
+from ecm_extract.lint.cmake_makers import calls_any
 from ecm_extract.lint.install_rules import lives_in_devel_space
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace, all_actions, plain_text
@@ -27,7 +28,8 @@ RULE = LintRule(
     resolution="add install(TARGETS ...), install(PROGRAMS ...) or install(DIRECTORY ...) to CMakeLists.txt",
     tier="stable",
 )
-_MAKES_PACKAGE = re.compile(rb"^\s*(?:catkin|ament)_package\s*\(", re.MULTILINE | re.IGNORECASE)
+_MAKES_PACKAGE = frozenset({"catkin_package", "ament_package"})
+_MAY_INSTALL = frozenset({"ament_auto_package", "include"})
 _SHOWN = 5
 _DEVEL = "they run from the devel space of the machine that built them, and from nowhere else"
 _NEVER_STARTS = "launch_ros finds no such program and stops the whole launch"
@@ -48,10 +50,10 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     for package in workspace.packages:
         path = f"{package.root.path}/CMakeLists.txt".lstrip("/")
         is_python = bool(package.setups) and package.ros == 2
-        if path not in package.cmake or package.root.rosbuild or is_python or is_open(package, workspace):
+        if path not in package.cmake or package.root.rosbuild or is_python or is_open(package):
             continue
         found = list(_left_out(package, path, launched.get(package.name, set()), named, workspace))
-        if lives_in_devel_space(package, workspace):
+        if lives_in_devel_space(package):
             devel += found[:1]
         else:
             yield from found
@@ -127,13 +129,12 @@ def _missing(names: set[str], package: PackageFacts) -> set[str]:
     return {name for name in names if f"{root}{name}" in there and not _is_covered(f"{root}{name}", package)}
 
 
-def is_open(package: PackageFacts, workspace: Workspace) -> bool:
+def is_open(package: PackageFacts) -> bool:
     """Tell whether a rule installs what only CMake knows, or nothing makes a package of the folder."""
-    texts = [workspace.files.read(path) or b"" for path in package.cmake]
-    if not any(_MAKES_PACKAGE.search(text) for text in texts):
+    if not calls_any(package, _MAKES_PACKAGE):
         return True
     items = [item for file in package.cmake.values() for install in file.installs for item in install.items]
-    return any(b"ament_auto_package" in text or b"include(" in text for text in texts) or any("$" in i for i in items)
+    return calls_any(package, _MAY_INSTALL) or any("$" in item for item in items)
 
 
 def _programs(package: PackageFacts) -> set[str]:

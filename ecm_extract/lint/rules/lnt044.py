@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 from ecm_parsers.cmake_facts import CmakeFile
-from ecm_parsers.cmake_tokens import Command, parse_commands
+from ecm_parsers.cmake_tokens import Command
 
 from ecm_extract.lint.catkin_targets import folded
 from ecm_extract.lint.cmake_makers import brings_targets
@@ -35,12 +35,12 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     everywhere = {name for package in workspace.packages for name in _built(package)}
     for package in workspace.packages:
         built = _built(package)
-        if package.root.rosbuild or any("$" in name for name in built) or brings_targets(package, workspace):
+        if package.root.rosbuild or any("$" in name for name in built) or brings_targets(package):
             continue
-        is_unknown = is_open(package, workspace) or lives_in_devel_space(package, workspace)
+        is_unknown = is_open(package) or lives_in_devel_space(package)
         installed = None if is_unknown else _installed(package)
         for path, file in package.cmake.items():
-            for command in parse_commands(workspace.files.read(path) or b"").facts or ():
+            for command in file.commands:
                 for name in _exported(command, file, package):
                     reason = _reason(name, built, installed)
                     foreign = name not in built and (name in everywhere or _family(name) != _family(package.name))

@@ -8,7 +8,7 @@ from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 from ecm_parsers.cmake_facts import Target
 
-from ecm_extract.lint.install_rules import calls_of
+from ecm_extract.lint.cmake_makers import words_of
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.rules.lnt043 import installed_targets, is_open
 from ecm_extract.lint.workspace import Workspace
@@ -24,6 +24,7 @@ RULE = LintRule(
     resolution="add the library to install(TARGETS ...)",
 )
 _MAKERS = frozenset({"add_library", "cuda_add_library"})
+_SHARING = frozenset({"ament_cmake_ros", "BUILD_SHARED_LIBS"})
 _NOT_SHARED = frozenset({"STATIC", "OBJECT", "INTERFACE", "IMPORTED", "ALIAS"})
 
 
@@ -31,9 +32,9 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     """Report shared libraries, each once with an installed target that needs it."""
     for package in workspace.packages:
         installed = installed_targets(package)
-        if not installed or package.root.rosbuild or is_open(package, workspace):
+        if not installed or package.root.rosbuild or is_open(package):
             continue
-        shared = _shared(package, workspace)
+        shared = _shared(package)
         targets = {target.name: (path, target) for path, file in package.cmake.items() for target in file.targets}
         seen: set[str] = set()
         for name in sorted(installed & targets.keys()):
@@ -46,13 +47,12 @@ def check(workspace: Workspace) -> Iterator[Finding]:
                     yield RULE.finding(text, entity, package.name, [Evidence(path, target.line)], certainty="proved")
 
 
-def _shared(package: PackageFacts, workspace: Workspace) -> set[str]:
+def _shared(package: PackageFacts) -> set[str]:
     """Libraries that are files of their own; without a word for it they are in catkin, and with ament_cmake_ros."""
-    texts = [workspace.files.read(path) or b"" for path in package.cmake]
-    default = package.ros == 1 or any(b"ament_cmake_ros" in text or b"BUILD_SHARED_LIBS" in text for text in texts)
+    default = package.ros == 1 or not _SHARING.isdisjoint(words_of(package))
     found = set()
-    for path in package.cmake:
-        for call in calls_of(path, package, workspace):
+    for file in package.cmake.values():
+        for call in file.calls:
             if call.name in _MAKERS and call.args and not call.is_test and not _NOT_SHARED & set(call.args):
                 found |= {call.args[0]} if default or {"SHARED", "MODULE"} & set(call.args) else set()
     return found
