@@ -24,11 +24,12 @@ from ecm_extract.errors import TreeReadError
 from ecm_extract.exclusion import Exclusion
 from ecm_extract.read import select
 from ecm_extract.read.build_files import read_cmake, read_setups
+from ecm_extract.read.cuts import located
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.read.parallel import SourceParse
 from ecm_extract.read.parsed_file import BlobFacts, ParsedFile, Task
 from ecm_extract.read.prefetch import Prefetch
-from ecm_extract.tree import FileDiagnostic, Tree, Unread, located, printable
+from ecm_extract.tree import FileDiagnostic, Tree, Unread, printable
 
 OVERLAY = "ecm.yaml"
 _NO_MANIFEST = frozenset(
@@ -235,7 +236,7 @@ class Reader:
         self.files += 1
         self.bytes += size
         for entry in diagnostics:
-            self.tree.report(located(entry, printable(path)))
+            self.tree.report(located(path, entry))
 
 
 def _counting(progress: Progress | None, total: int) -> Callable[[int], None]:

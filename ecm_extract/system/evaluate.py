@@ -24,6 +24,7 @@ from ecm_parsers.launch.model import (
 )
 from ecm_parsers.result import Parsed
 
+from ecm_extract.read.cuts import located
 from ecm_extract.system.budget import FILE_STEPS, Budget, BudgetError
 from ecm_extract.system.files import Files
 from ecm_extract.system.instances import InstanceMaker
@@ -33,7 +34,7 @@ from ecm_extract.system.model import Given, LaunchArgument, Launched, Place, Rem
 from ecm_extract.system.scope import Scope
 from ecm_extract.system.settings import Settings
 from ecm_extract.system.substitute import Substituter, bare, hole
-from ecm_extract.tree import FileDiagnostic, Tree, located
+from ecm_extract.tree import FileDiagnostic, Tree
 
 MAX_DEPTH = 25
 MAX_SAME_FILE = 3
@@ -112,7 +113,7 @@ class Evaluator:
         if parsed is None:
             return
         for entry in parsed.diagnostics:
-            self.tree.report(located(entry, path))
+            self.tree.report(located(path, entry))
             self.result.is_complete &= entry.severity != "error"
         if parsed.facts is not None:
             self.result.files.append(path)

@@ -13,11 +13,12 @@ from ecm_parsers.launch.model import Data, ParameterFile, ParameterSource, Param
 from ecm_parsers.launch.substitution import parse_template
 from ecm_parsers.parameter_yaml import ParameterSet, parse_parameter_yaml
 
+from ecm_extract.read.cuts import located
 from ecm_extract.system.files import Files
 from ecm_extract.system.model import Place, Setting, Text, join
 from ecm_extract.system.parameter_types import rewritten, value_of
 from ecm_extract.system.substitute import Substituter
-from ecm_extract.tree import FileDiagnostic, Tree, located
+from ecm_extract.tree import FileDiagnostic, Tree
 
 MAX_DEPTH = 20
 EVERY_NODE = "/**"
@@ -100,7 +101,7 @@ class Settings:
             self._not_found(source, text)
             return self.path, ()
         for entry in parsed.diagnostics:
-            self.tree.report(located(entry, path))
+            self.tree.report(located(path, entry))
         return path, parsed.facts.sets
 
     def _not_found(self, source: ParameterFile, text: Text) -> None:

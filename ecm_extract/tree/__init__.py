@@ -1,6 +1,6 @@
 """Trees: the files of a folder or of a git ref, read the same way and never executed."""
 
-from ecm_extract.tree.base import MAX_FILE_BYTES, Entry, FileDiagnostic, Tree, blob_id, located, printable, unread_of
+from ecm_extract.tree.base import MAX_FILE_BYTES, Entry, FileDiagnostic, Tree, blob_id, printable, unread_of
 from ecm_extract.tree.checkout import left_out
 from ecm_extract.tree.open import open_ref, open_repo, open_tree
 from ecm_extract.tree.ref_hints import is_shallow
@@ -18,7 +18,6 @@ __all__ = [
     "can_declare",
     "is_shallow",
     "left_out",
-    "located",
     "merge_base",
     "newest_release",
     "open_ref",

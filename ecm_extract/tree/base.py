@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from typing import Protocol
 
 import msgspec
-from ecm_parsers.result import Diagnostic, Severity
+from ecm_parsers.result import Severity
 
 from ecm_extract.tree.unread import Unread
 
@@ -55,12 +55,6 @@ class FileDiagnostic(msgspec.Struct, frozen=True):
     about: str = ""
     wrong: str = ""
     advice: str = ""
-
-
-def located(entry: Diagnostic, path: str) -> FileDiagnostic:
-    """Return what a parser says of a file, with the file."""
-    told = entry.severity, entry.code, path, entry.line, entry.message
-    return FileDiagnostic(*told, wrong=entry.wrong, advice=entry.advice)
 
 
 class Tree(Protocol):
