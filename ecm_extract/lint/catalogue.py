@@ -15,4 +15,5 @@ def catalogue() -> tuple[Entry, ...]:
     """Return every rule, by id."""
     names = sorted(module.name for module in iter_modules(rules.__path__))
     modules = [import_module(f"{rules.__name__}.{name}") for name in names]
-    return tuple(Entry(module.RULE, module.check) for module in modules)
+    told = ((module.RULE, getattr(module, "check", None), getattr(module, "tell", None)) for module in modules)
+    return tuple(Entry(rule, check, tell) for rule, check, tell in told)

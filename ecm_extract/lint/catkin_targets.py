@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from ecm_parsers.cmake_facts import CmakeFile
 
+from ecm_extract.entities.cmake_words import folded
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
 
@@ -38,13 +39,6 @@ def build_dependencies(file: CmakeFile, package: str) -> dict[str, set[str]]:
             for name in names[0].split(";"):
                 found.setdefault(name, set()).update(names[1:])
     return found
-
-
-def folded(text: str, file: CmakeFile, package: str) -> str:
-    """Put the project and the variables of the file in; what is not known stays a reference."""
-    for name, value in (("PROJECT_NAME", package), *file.variables.items()):
-        text = text.replace(f"${{{name}}}", value) if len(text) + len(value) < MAX_HEADERS else text
-    return text
 
 
 def included(workspace: Workspace, package: PackageFacts, source: str) -> Iterator[str]:

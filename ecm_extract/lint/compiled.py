@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import PurePosixPath
 
-from ecm_extract.lint.cmake_makers import calls_any, words_of
+from ecm_extract.entities.cmake_words import calls_any, words_of
 from ecm_extract.lint.workspace import Workspace
 
 _SOURCES = frozenset({".c", ".cc", ".cpp", ".cxx"})

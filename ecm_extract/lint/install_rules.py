@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import msgspec
 from ecm_parsers.cmake_facts import CmakeFile
 
-from ecm_extract.lint.catkin_targets import folded
+from ecm_extract.entities.cmake_words import folded
 from ecm_extract.read.facts import PackageFacts
 
 _COMMANDS = frozenset({"install", "catkin_install_python"})

@@ -10,7 +10,7 @@ from ecm_checker.contract import Evidence
 from ecm_parsers.xml_tree import line_of, local_name, parse_xml
 
 from ecm_extract.discover import is_test_path
-from ecm_extract.lint.cmake_makers import calls_any, words_of
+from ecm_extract.entities.cmake_words import calls_any, words_of
 from ecm_extract.lint.install_rules import install_rules, place_of
 from ecm_extract.lint.rules.lnt043 import is_open
 from ecm_extract.lint.submodules import submodules

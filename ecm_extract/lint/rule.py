@@ -10,6 +10,7 @@ from ecm_checker.contract import Evidence
 from ecm_checker.finding import Certainty, Dimension, Edit, Entity, Finding, Severity, Who, fingerprint
 
 if TYPE_CHECKING:
+    from ecm_extract.lint.known import Known
     from ecm_extract.lint.workspace import Workspace
 
 
@@ -87,10 +88,20 @@ class LintRule(msgspec.Struct, frozen=True, kw_only=True):
 
 
 Check = Callable[["Workspace"], Iterator[Finding]]
+Tell = Callable[["Known"], Iterator[Finding]]
+"""A rule that asks whether the other side is there, of what packages provide and require alone."""
 
 
 class Entry(msgspec.Struct, frozen=True):
     """A rule of the catalogue with the function that checks it."""
 
     rule: LintRule
-    check: Check
+    check: Check | None
+    tell: Tell | None = None
+
+    def findings(self, workspace: Workspace) -> Iterator[Finding]:
+        """Yield what the rule says of a workspace."""
+        if self.tell is not None:
+            yield from self.tell(workspace.known)
+        if self.check is not None:
+            yield from self.check(workspace)

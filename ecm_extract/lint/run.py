@@ -39,7 +39,7 @@ def findings_of(
         if level == "off" or (selected and entry.rule.id not in selected):
             continue
         try:
-            for finding in (each for part in workspace.parts for each in entry.check(part)):
+            for finding in (each for part in workspace.parts for each in entry.findings(part)):
                 place = finding.evidence[0] if finding.evidence else None
                 key = (finding.fingerprint, place.path if place else "", place.line if place else 0)
                 found.setdefault(key, msgspec.structs.replace(finding, severity=level) if level else finding)

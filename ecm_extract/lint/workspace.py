@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 
 from ecm_checker.contract import Evidence
+from ecm_checker.hub.package import Package
 from ecm_checker.versions import in_range
 from ecm_parsers.launch.model import Action, Group, Include, LaunchFile, Node, Template
 
@@ -20,11 +21,14 @@ from ecm_extract.extraction_model import Options
 from ecm_extract.link.composition import composition_of
 from ecm_extract.link.linker import Linker
 from ecm_extract.lint.builds import builds
+from ecm_extract.lint.fetched import fetched_repositories
+from ecm_extract.lint.known import Known
+from ecm_extract.lint.own_packages import own_packages
 from ecm_extract.lint.service_calls import ServiceCall, request_fields, service_calls
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.settings import config_of
 from ecm_extract.system.files import Files
-from ecm_extract.system.launch_files import is_launch_file, read_launch
+from ecm_extract.system.launch_files import is_aside, is_launch_file, read_launch
 from ecm_extract.system.model import Given, Place
 from ecm_extract.system.modules import ModuleIndex
 from ecm_extract.system.system import System, evaluated_system
@@ -32,7 +36,6 @@ from ecm_extract.tree import FileDiagnostic, Tree
 
 MAX_SYSTEMS = 80
 MAX_DESCRIPTIONS = 120
-_BURIED = frozenset({"graveyard", "attic", "obsolete"})
 
 
 class Workspace:
@@ -43,11 +46,16 @@ class Workspace:
         packages: their facts. linker: with all that it found. index: of modules.
         files: as launch files and descriptions name them.
 
+        stored: documents of packages that are not in the tree.
+
     `read` is what was read of the tree, for callers that have it already.
     """
 
-    def __init__(self, tree: Tree, options: Options, read: PackagesRead | None = None) -> None:
+    def __init__(
+        self, tree: Tree, options: Options, read: PackagesRead | None = None, stored: Sequence[Package] = ()
+    ) -> None:
         self.tree = tree
+        self.stored = stored
         self._options = options
         self._is_part = False
         self.config = config = config_of(tree, options)
@@ -71,9 +79,15 @@ class Workspace:
         return [self] if len(groups) < 2 else [self._part(group) for group in groups]
 
     def _part(self, packages: list[PackageFacts]) -> Workspace:
-        part = Workspace(self.tree, self._options, PackagesRead(self.tree, packages, self._read.forms))
+        read = PackagesRead(self.tree, packages, self._read.forms)
+        part = Workspace(self.tree, self._options, read, self.stored)
         part._is_part = True
         return part
+
+    @cached_property
+    def known(self) -> Known:
+        """What its packages provide and require, with the packages that are known by their documents."""
+        return Known(own_packages(self), self.stored, self.externals | fetched_repositories(self.tree))
 
     @cached_property
     def launches(self) -> Mapping[str, LaunchFile]:
@@ -83,7 +97,7 @@ class Workspace:
             for entry in package.root.files:
                 if (
                     is_launch_file(entry.path)
-                    and not _is_buried(entry.path)
+                    and not is_aside(entry.path)
                     and not is_test_path(entry.path, package.root.path)
                 ):
                     data = self.files.read(entry.path)
@@ -151,12 +165,6 @@ class Workspace:
     def package_of(self, path: str) -> str:
         """Return the name of the package that a file belongs to; empty for none."""
         return self.files.package_of(path) or ""
-
-
-def _is_buried(path: str) -> bool:
-    """Tell whether a file lies where its authors put what is over, or in a hidden folder, where editors keep copies."""
-    folders = path.split("/")[:-1]
-    return not _BURIED.isdisjoint(folders) or any(folder.startswith(".") for folder in folders)
 
 
 def evidence_of(place: Place) -> Evidence:

@@ -155,6 +155,10 @@ class Files:
             self._parsed[key] = parser(data) if data is not None else None
         return cast("Parsed[Facts] | None", self._parsed[key])
 
+    def lines(self, path: str) -> list[bytes]:
+        """Return the lines of a file; none of one that cannot be read."""
+        return (self.read(path) or b"").splitlines()
+
     def package_path(self, name: str) -> str | None:
         """Return the folder of a package in the tree, None when the tree does not hold it."""
         return self._roots.get(name)

@@ -6,6 +6,7 @@ Source: cmake(1), ament_cmake, catkin, rosidl_cmake, pluginlib, rclcpp_component
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from typing import Final
 
 from ecm_parsers import cmake_exports as exports
 from ecm_parsers.cmake_facts import CmakeFile, Option, Subdirectory
@@ -14,6 +15,9 @@ from ecm_parsers.cmake_keywords import relative
 from ecm_parsers.cmake_run import Call, run
 from ecm_parsers.cmake_targets import components, targets
 from ecm_parsers.result import Parsed
+
+REFUSED: Final = frozenset({"cmake-syntax", "cmake-unclosed", "cmake-unbalanced"})
+"""Codes of what CMake stops at."""
 
 
 def parse_cmake(data: bytes, inherited: Mapping[str, str] | None = None) -> Parsed[CmakeFile]:
@@ -50,6 +54,7 @@ def parse_cmake(data: bytes, inherited: Mapping[str, str] | None = None) -> Pars
         foreign=tuple(dict.fromkeys(foreign_words(calls))),
         calls=calls,
         commands=evaluated.facts.commands,
+        malformed=any(each.code in REFUSED for each in evaluated.diagnostics),
     )
     return Parsed(facts, evaluated.diagnostics)
 

@@ -125,6 +125,7 @@ class CmakeFile(msgspec.Struct, frozen=True):
         foreign: words given to commands of other packages, which may make targets of these names.
         calls: the commands that run, in order, with evaluated arguments.
         commands: all commands as written, also those of arms that do not run and of functions.
+        malformed: whether CMake refuses the file.
     """
 
     project: str | None = None
@@ -146,3 +147,4 @@ class CmakeFile(msgspec.Struct, frozen=True):
     foreign: tuple[str, ...] = ()
     calls: tuple[Call, ...] = ()
     commands: tuple[Command, ...] = ()
+    malformed: bool = False

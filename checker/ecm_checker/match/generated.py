@@ -9,7 +9,9 @@ from collections.abc import Iterator
 from typing import Final
 
 PARTS: Final = ("Request", "Response", "Goal", "Result", "Feedback")
-_MADE: Final = ("", *PARTS, "Action")
+_ACTION_PARTS: Final = ("ActionGoal", "ActionResult", "ActionFeedback")
+"""Of ROS 1 (actionlib_msgs)."""
+_MADE: Final = ("", *PARTS, "Action", *_ACTION_PARTS, *(f"_{part}" for part in PARTS))
 
 
 def snake(name: str) -> str:

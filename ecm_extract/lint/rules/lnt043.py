@@ -12,7 +12,7 @@ from ecm_parsers.launch.model import Node
 from ecm_parsers.xml_tree import without_comments
 
 from ecm_extract.discover import is_test_path
-from ecm_extract.lint.cmake_makers import calls_any
+from ecm_extract.entities.cmake_words import calls_any
 from ecm_extract.lint.install_rules import lives_in_devel_space
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace, all_actions, plain_text

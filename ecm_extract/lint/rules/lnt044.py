@@ -9,8 +9,7 @@ from ecm_checker.finding import Entity, Finding
 from ecm_parsers.cmake_facts import CmakeFile
 from ecm_parsers.cmake_tokens import Command
 
-from ecm_extract.lint.catkin_targets import folded
-from ecm_extract.lint.cmake_makers import brings_targets
+from ecm_extract.entities.cmake_words import brings_targets, folded
 from ecm_extract.lint.install_rules import lives_in_devel_space
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.rules.lnt043 import installed_targets, is_open
