@@ -17,7 +17,7 @@ from ecm_checker.match.engine import Match
 from ecm_checker.match.packages import Packages
 
 from ecm_extract.lint.near import nearest
-from ecm_extract.system.launch_files import is_aside
+from ecm_extract.system.launch_files import is_aside, is_launch_file
 
 USES: Final = frozenset({"starts", "imports", "has_field_of", "depends"})
 """What rules of lint ask for: what is read off sources for them."""
@@ -57,12 +57,12 @@ class Known:
         self.elsewhere = elsewhere
 
     def asked(self, use: str) -> Iterator[Asked]:
-        """Yield the requirements of a use of the packages under lint, without files that their authors buried."""
+        """Yield the requirements of a use of the packages under lint, without launch files that their authors buried."""
         for consumer in self.packages.consumers:
             if consumer.package in self.own:
                 package = self.packages.by_name[consumer.package]
                 for requirement in consumer.requirements:
-                    if requirement.use == use and not is_aside(requirement.evidence[0].path):
+                    if requirement.use == use and not _is_buried(requirement.evidence[0].path):
                         yield Asked(package, self.packages.match(requirement, consumer))
 
     def near(self, name: str, package: str, kind: str, prefix: str = "") -> str:
@@ -92,3 +92,7 @@ class Known:
             for kind, names in package.possible.items():
                 found[package.name, kind].extend(names)
         return found
+
+
+def _is_buried(path: str) -> bool:
+    return is_launch_file(path) and is_aside(path)
