@@ -57,7 +57,7 @@ class Known:
         self.elsewhere = elsewhere
 
     def asked(self, use: str) -> Iterator[Asked]:
-        """Yield the requirements of a use of the packages under lint, without launch files that their authors buried."""
+        """Yield the requirements of a use of the packages under lint, without launch files that are put aside."""
         for consumer in self.packages.consumers:
             if consumer.package in self.own:
                 package = self.packages.by_name[consumer.package]

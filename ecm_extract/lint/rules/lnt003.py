@@ -37,7 +37,7 @@ def tell(known: Known) -> Iterator[Finding]:
 
 def _finding(package: str, name: str, group: list[Asked], known: Known) -> Finding:
     """One finding for a launch file that names the program several times."""
-    near = known.near(name, package, _KIND)
+    near = _target(known.near(name, package, _KIND))
     text = f"{package} builds no program {name}" + (f"; it builds {near}" if near else "")
     return RULE.finding(
         text,
@@ -48,3 +48,8 @@ def _finding(package: str, name: str, group: list[Asked], known: Known) -> Findi
         resolution=f"write {near}" if near else "",
         edit=Rename(name, near) if near else None,
     )
+
+
+def _target(near: str) -> str:
+    """A near name that is sure enough to be written: scripts of one folder are often alike and other programs."""
+    return near if "." not in near else ""
