@@ -69,6 +69,8 @@ class Provisions:
         for entity in self._entities:
             if entity.kind == "file" and "/" in entity.name:
                 found[entity.name.partition("/")[0]].add(entity.package)
+            elif entity.kind == "message":  # its header is generated below the name of its package
+                found[entity.package].add(entity.package)
         return {folder: frozenset(packages) for folder, packages in found.items()}
 
     def keys(self) -> Iterator[tuple[str, str]]:
