@@ -25,8 +25,9 @@ class Completeness(msgspec.Struct, frozen=True):
 
 def completeness_of(workspace: Workspace, comparison: Comparison | None) -> Completeness:
     """Return what was not read of the tree under lint, and of its base where it has one."""
+    unread = unread_of(workspace.tree.diagnostics)
     if comparison is not None:
         gaps = [part for part in comparison.unread if part.limits and part.reason not in ON_PURPOSE]
-        return Completeness(not gaps, comparison.unread)
-    unread = unread_of(workspace.tree.diagnostics)
+        unjudged = [each for each in unread if each.reason == "unjudged"]
+        return Completeness(not gaps and not unjudged, (*comparison.unread, *unjudged))
     return Completeness(not any(map(is_gap, unread)), unread)

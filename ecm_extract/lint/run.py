@@ -13,7 +13,7 @@ from ecm_extract.lint.catalogue import catalogue
 from ecm_extract.lint.refused import is_refused
 from ecm_extract.lint.rules.lnt061 import RULE as REFUSAL
 from ecm_extract.lint.workspace import Workspace
-from ecm_extract.tree import FileDiagnostic
+from ecm_extract.tree import FileDiagnostic, Unread
 
 
 def promised_findings(workspace: Workspace, selected: Collection[str] = (), *, preview: bool) -> list[Finding]:
@@ -54,7 +54,8 @@ def findings_of(
             if os.environ.get("ECM_DEBUG"):
                 raise
             message = f"{entry.rule.id} could not finish ({type(error).__name__}). The other rules are not affected."
-            workspace.tree.report(FileDiagnostic("warning", "rule-stopped", "", 0, message))
+            unread = Unread(entry.rule.id, "unjudged")
+            workspace.tree.report(FileDiagnostic("warning", "rule-stopped", "", 0, message, unread))
     return sorted(_understood(found.values(), workspace), key=_order)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 
 from ecm_checker.contract import Evidence
@@ -32,7 +32,7 @@ from ecm_extract.system.launch_files import is_aside, is_launch_file, read_launc
 from ecm_extract.system.model import Given, Place
 from ecm_extract.system.modules import ModuleIndex
 from ecm_extract.system.system import System, evaluated_system
-from ecm_extract.tree import FileDiagnostic, Tree
+from ecm_extract.tree import FileDiagnostic, Tree, Unread
 
 MAX_SYSTEMS = 80
 MAX_DESCRIPTIONS = 120
@@ -116,6 +116,7 @@ class Workspace:
         """What each launch file that no other includes starts, with the defaults of its arguments."""
         roots = [path for path in self.launches if path.rsplit("/", 1)[-1] not in self.included]
         with without_collector():
+            self.leave_out(roots[MAX_SYSTEMS:], "launch files")
             return [
                 evaluated_system(self.tree, self.files, self.index, [path], Given()) for path in roots[:MAX_SYSTEMS]
             ]
@@ -133,14 +134,21 @@ class Workspace:
     @cached_property
     def descriptions(self) -> Sequence[Description]:
         """Every robot description of its own (no file that only defines macros), with the defaults of its arguments."""
-        found = []
+        paths: list[str] = []
         for package in self.packages:
             for entry in package.root.files:
                 if entry.path.endswith((".urdf", ".xacro")) and not is_test_path(entry.path, package.root.path):
                     data = self.files.read(entry.path) or b""
                     if b"<robot" in data and b"<macro" not in data and b":macro" not in data:
-                        found.append(read_description(entry.path, {}, self.files))
-        return found[:MAX_DESCRIPTIONS]
+                        paths.append(entry.path)
+        self.leave_out(paths[MAX_DESCRIPTIONS:], "robot descriptions")
+        return [read_description(path, {}, self.files) for path in paths[:MAX_DESCRIPTIONS]]
+
+    def leave_out(self, paths: Iterable[str], what: str) -> None:
+        """Tell of files that are beyond the number that one run judges, so that nothing found is not nothing there."""
+        message = f"More {what} than one run judges; this one is left out. Lint the packages one by one."
+        for path in paths:
+            self.tree.report(FileDiagnostic("warning", "lint-bound", path, 0, message, Unread(path, "unjudged")))
 
     def assemble(self) -> None:
         """Lay the overlays over the contracts, which reports where they contradict the sources."""

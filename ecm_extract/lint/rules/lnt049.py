@@ -45,19 +45,22 @@ class Visual(NamedTuple):
 def check(workspace: Workspace) -> Iterator[Finding]:
     """Report meshes of links whose collision shape is a box, cylinder or sphere with numbers, each file once."""
     sizes: dict[tuple[str, str], float | None] = {}
-    seen = set()
+    seen, left_out = set(), set[str]()
     for package in workspace.packages:
         for entry in package.root.files:
             if not entry.path.endswith((".urdf", ".xacro")) or is_test_path(entry.path, package.root.path):
                 continue
             for visual, shape in _links(workspace.files.read(entry.path) or b""):
                 key = visual.package, visual.file
-                if key not in sizes and len(sizes) < MAX_MESHES:
+                if key not in sizes and len(sizes) >= MAX_MESHES:
+                    left_out.add(entry.path)
+                elif key not in sizes:
                     sizes[key] = _size(visual, workspace)
                 drawn = (sizes.get(key) or 0.0) * visual.scale
                 if drawn and not 1 / _TOO_FAR < drawn / shape < _TOO_FAR and key not in seen:
                     seen.add(key)
                     yield _finding(visual, drawn, shape, Evidence(entry.path, visual.line), package.name)
+    workspace.leave_out(sorted(left_out), "meshes")
 
 
 def _finding(visual: Visual, drawn: float, shape: float, place: Evidence, package: str) -> Finding:
