@@ -9,6 +9,7 @@ from ecm_checker.contract import Evidence
 from ecm_checker.hub.package import Package
 from ecm_checker.versions import in_range
 from ecm_parsers.launch.model import Action, Group, Include, LaunchFile, Node, Template
+from ecm_parsers.result import Diagnostic, Parsed
 
 from ecm_extract.assemble.contracts import assemble
 from ecm_extract.collector import without_collector
@@ -92,6 +93,15 @@ class Workspace:
     @cached_property
     def launches(self) -> Mapping[str, LaunchFile]:
         """Launch files by path; those of tests, and those that their authors have buried, are left out."""
+        return {path: read.facts for path, read in self._launches_read.items() if read.facts is not None}
+
+    @cached_property
+    def launch_problems(self) -> Mapping[str, Sequence[Diagnostic]]:
+        """What the reader of launch files says of each, by path."""
+        return {path: read.diagnostics for path, read in self._launches_read.items()}
+
+    @cached_property
+    def _launches_read(self) -> Mapping[str, Parsed[LaunchFile | None]]:
         found = {}
         for package in self.packages:
             for entry in package.root.files:
@@ -101,9 +111,8 @@ class Workspace:
                     and not is_test_path(entry.path, package.root.path)
                 ):
                     data = self.files.read(entry.path)
-                    parsed = read_launch(entry.path, data, package.ros) if data is not None else None
-                    if parsed is not None and parsed.facts is not None:
-                        found[entry.path] = parsed.facts
+                    if data is not None:
+                        found[entry.path] = read_launch(entry.path, data, package.ros)
         return found
 
     @cached_property

@@ -6,12 +6,12 @@ from collections.abc import Callable, Sequence
 from fnmatch import fnmatchcase
 from functools import cached_property
 from pathlib import PurePosixPath
-from typing import cast
-
-from ecm_parsers.result import Facts, Parsed
+from typing import TypeVar, cast
 
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.tree import Tree, left_out
+
+Read = TypeVar("Read")
 
 TREE = "tree:"
 """Prefix of a path that is in the tree, so that a path of the machine is never taken for one."""
@@ -147,13 +147,13 @@ class Files:
                     self._folders.setdefault((head or ".", PurePosixPath(last).suffix), []).append(name)
         return self._folders.get((folder, suffix), [])
 
-    def parsed(self, path: str, parser: Callable[[bytes], Parsed[Facts]]) -> Parsed[Facts] | None:
+    def parsed(self, path: str, parser: Callable[[bytes], Read]) -> Read | None:
         """Return what a parser makes of a file, once for each parser; None when the file cannot be read."""
         key = (path, parser.__qualname__)
         if key not in self._parsed:
             data = self.read(path)
             self._parsed[key] = parser(data) if data is not None else None
-        return cast("Parsed[Facts] | None", self._parsed[key])
+        return cast("Read | None", self._parsed[key])
 
     def lines(self, path: str) -> list[bytes]:
         """Return the lines of a file; none of one that cannot be read."""

@@ -9,7 +9,7 @@ from fnmatch import fnmatchcase
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Certainty, Entity, Finding, Severity
 from ecm_parsers.launch.model import Node
-from ecm_parsers.xml_tree import without_comments
+from ecm_parsers.package_references import parse_references
 
 from ecm_extract.discover import is_test_path
 from ecm_extract.entities.cmake_words import calls_any
@@ -34,7 +34,7 @@ _SHOWN = 5
 _DEVEL = "they run from the devel space of the machine that built them, and from nowhere else"
 _NEVER_STARTS = "launch_ros finds no such program and stops the whole launch"
 _NAMING = (".launch", ".launch.xml", ".xacro", ".urdf")
-_IN_SHARE = re.compile(rb"(?:\$\(find(?:-pkg-share)?\s+(\w+)\s*\)|package://(\w+))/([\w./-]+\.\w+)")
+_SUFFIX = re.compile(r"\.\w+$")
 _BUILD = frozenset({"setup.py", "conf.py"})
 _SCRIPTS = (".py", ".sh", ".bash")
 
@@ -111,8 +111,10 @@ def _named(workspace: Workspace) -> dict[str, set[str]]:
     for package in workspace.packages:
         for entry in package.root.files:
             if entry.path.endswith(_NAMING) and not is_test_path(entry.path, package.root.path):
-                for match in _IN_SHARE.finditer(without_comments(workspace.files.read(entry.path) or b"")):
-                    found.setdefault((match[1] or match[2]).decode(), set()).add(match[3].decode())
+                read = workspace.files.parsed(entry.path, parse_references)
+                for named in read.facts if read is not None else ():
+                    if _SUFFIX.search(named.path):
+                        found.setdefault(named.package, set()).add(named.path)
     return found
 
 
