@@ -24,10 +24,14 @@ _SCRIPTS = FIXTURES / "cmd_vel_robot" / "scripts"
 _TOLERANCE = 0.15
 _OFTEN = 0.5
 _HISTORY = (
-    "the first criterion was that the base does not get within 15 % of the way that was told; 1 of 5 repetitions did "
-    "get there, so the prediction was refuted by it",
-    "the second criterion was made after that result: at least half of the commands turn round, and observe says "
-    "OBS009; the base of the fixture then also began to add up its way by time and no longer by loops",
+    (
+        "the first criterion was that the base does not get within 15 % of the way that was told; 1 of 5 repetitions did "
+        "get there, so the prediction was refuted by it"
+    ),
+    (
+        "the second criterion was made after that result: at least half of the commands turn round, and observe says "
+        "OBS009; the base of the fixture then also began to add up its way by time and no longer by loops"
+    ),
     "it stands unchanged since, in commit c1949d3, and every run after that is a fresh one",
 )
 
