@@ -25,7 +25,7 @@ _TOLERANCE = 0.15
 _OFTEN = 0.5
 _HISTORY = (
     (
-        "the first criterion was that the base does not get within 15 % of the way that was told; 1 of 5 repetitions did "
+        "the first criterion was that the base does not get within 15 % of the way that was told; 1 of 5 did "
         "get there, so the prediction was refuted by it"
     ),
     (
@@ -56,7 +56,7 @@ def _case(name: str, launch: str, writers: tuple[str, ...], repetitions: int) ->
 
 
 @dataclass(frozen=True)
-class _Driven:
+class Driven:
     """One repetition: metres, commands, how many of them turn round, and errors that observe reports."""
 
     way: float
@@ -83,14 +83,14 @@ class _Driven:
         )
 
 
-def _repetition(writers: tuple[str, ...]) -> _Driven:
+def _repetition(writers: tuple[str, ...]) -> Driven:
     with master() as core:
         core.start(_SCRIPTS / "diff_drive.py")
         for name in writers:
             core.start(_SCRIPTS / f"{name}.py")
         _settle(core, len(writers))
         found = core.output(PROGRAMS / "drive_recorder.py", str(SECONDS))
-        return _Driven(float(found["way"]), int(found["commands"]), int(found["turns"]), _seen(core))
+        return Driven(float(found["way"]), int(found["commands"]), int(found["turns"]), _seen(core))
 
 
 def _settle(core: Master, writers: int) -> None:
