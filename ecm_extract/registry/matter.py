@@ -12,13 +12,15 @@ from ecm_checker.operations.engine import ready
 from ecm_checker.profiles import Embodiment, Policy, Profiles
 from ecm_checker.release import Change, CompatibilityClass, compatibility_class, required_bump
 from ecm_checker.versions import Bump, bump_between
+from ecm_checker.wire import EvidenceKind
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from ecm_extract.diff.migration import Migration
 from ecm_extract.registry import clock
-from ecm_extract.registry.evidence import Kept, Kind, evidence_of
+from ecm_extract.registry.evidence import Kept, contents_of, evidence_of
 from ecm_extract.registry.impact import Impact, impact_of
+from ecm_extract.registry.proof import Proof, proof_of, words_that_count
 from ecm_extract.registry.scope import Scope
 from ecm_extract.registry.sides import stored_side_of
 from ecm_extract.registry.tables import Release
@@ -74,6 +76,7 @@ class Matter:
             self.impact = impact_of(session, before, after, Scope(f"what is in {inputs.channel}", inputs.scope))
         kept = evidence_of(session, release.id)
         self.evidence = [each for each in kept if each.digest in inputs.evidence]
+        self._contents = contents_of(session, release)
         self.target = session.get(Release, inputs.target) if inputs.target is not None else None
 
     @property
@@ -121,23 +124,27 @@ class Matter:
         """Return the changes of a dimension that may invalidate what was built on the release before."""
         return [each for each in self.changes if each.breaking and each.dimension == dimension]
 
-    def latest(self, kind: Kind) -> Kept | None:
-        """Return the newest evidence of a kind."""
-        found = [each for each in self.evidence if each.evidence.kind == kind]
-        return found[-1] if found else None
+    def proof(self, kind: EvidenceKind) -> Proof:
+        """Return what the evidence of a kind proves."""
+        found = (each for each in self.evidence if each.evidence.kind == kind)
+        return proof_of(found, self._contents, self._running)
 
-    def confirmed(self, kind: Kind) -> list[Kept]:
-        """Return what confirms, when the newest evidence of the kind does."""
-        newest = self.latest(kind)
-        if newest is None or newest.evidence.result != "confirmed":
-            return []
-        return [each for each in self.evidence if each.evidence.kind == kind and each.evidence.result == "confirmed"]
+    @property
+    def contradictions(self) -> tuple[Kept, ...]:
+        """Observations that contradict its contract, whatever they were made for."""
+        observed = [each for each in self.evidence if each.evidence.is_observed]
+        return tuple(each for each in words_that_count(observed) if each.evidence.result == "contradicted")
+
+    @cached_property
+    def _running(self) -> frozenset[str]:
+        """Its modules that run."""
+        return frozenset(each.id for each in map(ready, self.package.contracts()) if each.runs)
 
 
 def in_channel(found: Sequence[Kept], since: str) -> tuple[str, ...]:
     """Return the digests of evidence that was collected since a release is in its channel."""
     start = clock.read(since)
-    return tuple(each.digest for each in found if each.evidence.time >= start)
+    return tuple(each.digest for each in found if each.time >= start)
 
 
 def scope_ids(session: Session, scope: Scope) -> tuple[int, ...]:

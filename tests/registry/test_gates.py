@@ -17,7 +17,7 @@ from scenario import MODULE, contract, package
 from ecm_extract.diff.migration import Migration, migration_of
 from ecm_extract.registry import clock
 from ecm_extract.registry.channels import gate_table
-from ecm_extract.registry.evidence import add_evidence, evidence_of, stated
+from ecm_extract.registry.evidence import Statement, add_evidence, evidence_of, stated
 from ecm_extract.registry.gates import Verdict, Waiver, judge, judged_again
 from ecm_extract.registry.impact import Impact, impact_of
 from ecm_extract.registry.matter import Inputs
@@ -93,8 +93,8 @@ class Bench:
 
     def show(self, *kinds: str, result: str = "confirmed", by: str = "Ada", on: str | None = "robot 7") -> None:
         with self._registry.writing() as session:
-            said: dict[str, Any] = {"by": by, "on": on, "result": result, "note": ""}
-            add_evidence(session, [stated(session, self._name, kind=kind, **said) for kind in kinds])  # type: ignore[arg-type]
+            said = [Statement(kind, by, on, result) for kind in kinds]  # type: ignore[arg-type]
+            add_evidence(session, [stated(session, self._name, each) for each in said])
 
     def judge(self, channel: str, waivers: Sequence[Waiver] = (), profiles: Profiles = _PROFILES) -> Verdict:
         with self._registry.reading() as session:

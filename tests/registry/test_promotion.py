@@ -102,16 +102,17 @@ def test_evidence_is_stated_read_and_listed(place: Path, capsys: pytest.CaptureF
         "subject": {"package": "driver", "version": "1.0.0", "module_id": "ecm.driver.drive", "contract": "sha256:0"},
         "result": "confirmed",
         "by": {"name": "robot 7", "tool": "ecm-extract", "version": "0.1.0"},
-        "begun": "2999-01-01T00:00:00Z",
+        "begun": "2026-01-01T00:00:00Z",
         "seconds": 5.0,
-        "on": {"source": "bag", "target": "run.mcap"},
+        "on": {"source": "bag", "target": "run.mcap", "senses": [], "digest": "sha256:0"},
     }
     file = write(place, {"seen.jsonl": json.dumps(record) + "\n"}) / "seen.jsonl"
     assert run(["evidence", "add", str(file)]) == 0
     assert run(["evidence", "add", str(file)]) == 0
     capsys.readouterr()
     assert run(["evidence", "list", "driver@1.0.0"]) == 0
-    assert capsys.readouterr().out.count("observation confirmed by robot 7") == 1
+    listed = capsys.readouterr().out
+    assert listed.count("observation of ecm.driver.drive confirmed by robot 7 on bag run.mcap") == 1
     bad = write(place, {"bad.jsonl": '\n{"schema": "ecm-extract/evidence/1"}\n'}) / "bad.jsonl"
     assert run(["evidence", "add", str(bad)]) == 2
     assert "bad.jsonl:2" in capsys.readouterr().err
