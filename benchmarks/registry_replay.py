@@ -21,7 +21,7 @@ from pathlib import Path
 import msgspec
 
 FOLDER = Path(__file__).parent / "registry_replay"
-PROGRAM = [sys.executable, "-m", "ecm_extract"]
+PROGRAM = [str(Path(sys.executable).with_name("ecm-extract"))]
 FIGURE = 0.80
 
 

@@ -35,6 +35,9 @@ class Answer(msgspec.Struct, frozen=True):
 
 
 def _complete_contract(matter: Matter) -> Answer:
+    if matter.package.gaps:
+        told = _listed(f"{each.path} ({each.reason})" for each in matter.package.gaps)
+        return Answer(False, f"not all of it could be read: {told}")
     gaps = [f"{each.ecm.module_id} lacks {', '.join(lacking)}" for each, lacking in _incomplete(matter)]
     against = matter.contradictions
     if against:
@@ -83,11 +86,15 @@ def _nobody_breaks(matter: Matter) -> Answer:
         return Answer(True, "it is the first release of its package")
     broken = matter.impact.broken
     where = matter.impact.scope
+    if not broken and matter.unread_users:
+        return Answer(False, f"of {where} not all could be read: {_listed(matter.unread_users)}")
+    if not broken and matter.previous is not None and matter.previous.gaps:
+        return Answer(False, f"not all of {matter.previous.version} could be read, so what it lost is not known")
     return Answer(not broken, f"of {where} it breaks {_listed(broken)}" if broken else f"nobody breaks of {where}")
 
 
 def _new_permissions_reviewed(matter: Matter) -> Answer:
-    asked = matter.breaking("permissions")
+    asked = matter.new_permissions
     if not asked:
         return Answer(True, "it asks for no new permission")
     return _shown(matter, "policy_review", f"it asks for {_listed([each.new or '' for each in asked])}")
@@ -113,7 +120,16 @@ def _policy_allows(matter: Matter) -> Answer:
 
 
 def _robot_has_resources(matter: Matter) -> Answer:
+    wanted = [each.ecm.module_id for each in matter.package.contracts() if _needs_resources(each)]
+    if wanted and matter.inputs.embodiment is None:
+        return Answer(False, f"no robot was given that has what {_listed(wanted)} need (--embodiment)")
     return _allowed(matter, "resources", "embodiment", given=matter.inputs.embodiment is not None)
+
+
+def _needs_resources(contract: Contract) -> bool:
+    wanted = contract.resources
+    fields = (wanted.sensors, wanted.actuators, wanted.compute, wanted.timing)
+    return any(each is not None and each.value for each in fields)
 
 
 def _allowed(matter: Matter, dimension: Dimension, profile: str, *, given: bool) -> Answer:

@@ -35,6 +35,10 @@ def _waive(release: str, gate: str) -> int:
     return run(["waive", release, gate, "--to", "beta", *reason])
 
 
+def _review(release: str) -> None:
+    assert run(["evidence", "state", release, "--kind", "policy_review", "--by", "Grace"]) == 0
+
+
 def test_a_breaking_release_brings_its_migration(place: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Refused without, admitted with it."""
     assert run(["promote", "driver@2.0.0", "--to", "beta"]) == 1
@@ -52,6 +56,7 @@ def test_a_waiver_lets_pass_and_stays_in_the_verdict(place: Path, capsys: pytest
     """A driver from sources has no complete contract."""
     assert _gates(capsys, "driver@1.0.0", "--to", "beta")["contract"] == "refused"
     assert _waive("driver@1.0.0", "contract") == 0
+    _review("driver@1.0.0")
     assert run(["promote", "driver@1.0.0", "--to", "beta"]) == 0
     out = capsys.readouterr().out
     assert "Ada answers for it until 2999-12-31" in out
@@ -65,6 +70,7 @@ def test_channels_are_taken_one_by_one(place: Path, capsys: pytest.CaptureFixtur
     assert run(["promote", "driver@1.0.0", "--to", "nowhere"]) == 2
     assert run(["demote", "driver@1.0.0", "--to", "sandbox", "--reason", "x"]) == 2
     _waive("driver@1.0.0", "contract")
+    _review("driver@1.0.0")
     assert run(["promote", "driver@1.0.0", "--to", "beta"]) == 0
     assert run(["demote", "driver@1.0.0", "--to", "sandbox", "--reason", "it stalls"]) == 0
     assert _gates(capsys, "driver@1.0.0", "--to", "beta")["contract"] == "waived"
