@@ -7,22 +7,19 @@ not there. Where a build was not understood, any name may be.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import pairwise
+from itertools import takewhile
 from pathlib import PurePosixPath
 from typing import Final
 
-from ecm_parsers.cmake import parse_cmake
 from ecm_parsers.cmake_facts import CmakeFile
-from ecm_parsers.cmake_tokens import Command
+from ecm_parsers.cmake_tokens import Command, parse_commands
 
-from ecm_extract.entities.cmake_words import brings_targets, folded
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.tree import Tree
 
 PROGRAM: Final = "executable"
 MESSAGE: Final = "message"
-_OUTPUTS: Final = frozenset({"OUTPUT", "OUTPUT_NAME", "RENAME"})
-"""What follows is what a target or file is called, or the first file that a custom command makes."""
+_PROGRAMS: Final = frozenset({"programs", "python"})
 _COMPUTED: Final = frozenset("${*?")
 _DEFINES: Final = frozenset({"macro", "function"})
 _SHAPES: Final = {".msg": "msg", ".idl": "msg", ".srv": "srv", ".action": "action"}
@@ -64,8 +61,8 @@ def runs_files(facts: PackageFacts) -> bool:
 def makers_of(tree: Tree) -> frozenset[str]:
     """Return the commands that CMake modules of a tree define with an `add_executable` inside, in lower case."""
     modules = [entry.path for entry in tree.files() if entry.path.endswith(".cmake")]
-    parsed = (parse_cmake(data).facts for _, data in tree.read_many(modules)) if modules else ()
-    return frozenset(name for file in parsed for name in _making(file.commands))
+    parsed = (parse_commands(data).facts for _, data in tree.read_many(modules)) if modules else ()
+    return frozenset(name for commands in parsed for name in _making(commands))
 
 
 def _programs(facts: PackageFacts) -> set[str]:
@@ -73,11 +70,12 @@ def _programs(facts: PackageFacts) -> set[str]:
     built = {name for each in targets if each.kind == PROGRAM for name in (each.name, each.output) if name}
     built |= {entry.executable for file in facts.cmake.values() for entry in file.components if entry.executable}
     built |= {entry.name for setup in facts.setups.values() for entry in setup.entry_points}
-    built |= {folded(name, file, facts.name) for file in facts.cmake.values() for name in _outputs(file)}
+    built |= {name for file in facts.cmake.values() for name in _made(file)}
     maybe = {word for file in facts.cmake.values() for word in file.foreign}
     installs = [each for file in facts.cmake.values() for each in file.installs]
     maybe |= {item for each in installs if each.kind == "targets" for item in each.items}
-    maybe |= {item.rpartition("/")[2] for each in installs if each.kind == "programs" for item in each.items}
+    built |= {each.renamed for each in installs if each.kind in _PROGRAMS and each.renamed}
+    maybe |= {item.rpartition("/")[2] for each in installs if each.kind in _PROGRAMS for item in each.items}
     return built | (maybe - {target.name for target in targets}) | {name.rpartition("/")[2] for name in _set_up(facts)}
 
 
@@ -87,11 +85,12 @@ def _set_up(facts: PackageFacts) -> set[str]:
     return scripts | {file for setup in facts.setups.values() for data in setup.data_files for file in data.files}
 
 
-def _outputs(file: CmakeFile) -> Iterator[str]:
+def _made(file: CmakeFile) -> Iterator[str]:
+    """Names of what custom commands make."""
     for command in file.commands:
-        for word, following in pairwise(argument.text for argument in command.args):
-            if word in _OUTPUTS:
-                yield following.rpartition("/")[2]
+        if command.name == "add_custom_command" and command.args[:1] == ("OUTPUT",):
+            outputs = takewhile(lambda word: not word.isupper(), command.args[1:])
+            yield from (output.rpartition("/")[2] for output in outputs)
 
 
 def _messages(facts: PackageFacts) -> set[str]:
@@ -109,7 +108,7 @@ def _is_other(path: PurePosixPath, read: set[str]) -> bool:
 
 def _tells_programs(facts: PackageFacts) -> bool:
     """Tell whether the build files leave no name of a program open."""
-    if any(file.malformed for file in facts.cmake.values()) or brings_targets(facts):
+    if any(file.malformed or file.unknown for file in facts.cmake.values()):
         return False
     targets = [target for file in facts.cmake.values() for target in file.targets]
     return bool(facts.cmake or facts.setups) and not any(_COMPUTED & set(target.name) for target in targets)

@@ -20,8 +20,8 @@ from ecm_extract.diff.sides import Sides
 from ecm_extract.entities.side import Side
 from ecm_extract.entities.workspace import read_packages, side_of
 from ecm_extract.lint.base import change_findings, new_findings
+from ecm_extract.lint.judged import judged
 from ecm_extract.lint.request import LintRequest
-from ecm_extract.lint.run import promised_findings
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.parallel_work import meanwhile
 from ecm_extract.requires.collect import consumers
@@ -56,9 +56,8 @@ def base_of(now: Tree, request: LintRequest, parsed: dict[str, Any]) -> Base:
 
     def work() -> Before:
         read = read_packages(tree, request.options(), parsed)
-        workspace = Workspace(tree, request.options(), read, request.packages())
-        found = promised_findings(workspace, request.select, preview=request.preview)
-        return Before(found, side_of(workspace.as_side()))
+        workspace = Workspace(tree, request.options(), read)
+        return Before(judged(workspace, request), side_of(workspace.as_side()))
 
     return Base(tree, info, meanwhile(work, request.jobs))
 

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
+from typing import Any, Protocol
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Finding
@@ -15,23 +14,32 @@ from ecm_extract.extraction_model import Progress
 from ecm_extract.lint.brought_in import base_of, brought_in
 from ecm_extract.lint.completeness import completeness_of
 from ecm_extract.lint.hunks import touched_lines
+from ecm_extract.lint.judged import judged
 from ecm_extract.lint.request import Linted, LintRequest, refuse_nothing
-from ecm_extract.lint.run import promised_findings
 from ecm_extract.lint.workspace import Workspace
+from ecm_extract.outside import Outside
 from ecm_extract.report.places import Places, typed_folder
 from ecm_extract.report.source_lines import source_lines
 from ecm_extract.tree import open_tree
 
 
-def linted(
-    request: LintRequest, progress: Progress | None = None, told: Callable[[RefInfo], None] = lambda _: None
-) -> Linted:
+class Listener(Protocol):
+    """Who is told what a run stands on."""
+
+    def base(self, info: RefInfo) -> None:
+        """The state that it compares with, before the work begins."""
+
+    def outside(self, known: Outside) -> None:
+        """What is known outside of the tree."""
+
+
+def linted(request: LintRequest, listener: Listener, progress: Progress | None = None) -> Linted:
     """Lint a tree.
 
     Args:
         request: what is asked.
+        listener: is told what the run stands on.
         progress: see `Options`.
-        told: called with the base, where there is one, before the work begins.
 
     Raises:
         InputError: the tree, the base or a document cannot be read, or no rule that was asked for can say anything.
@@ -43,9 +51,9 @@ def linted(
     refuse_empty(tree, [package.root for package in read.packages])
     base = base_of(tree, request, parsed) if request.base is not None else None
     if base is not None:
-        told(base.info)
-    workspace = Workspace(tree, request.options(), read, request.packages())
-    found = promised_findings(workspace, request.select, preview=request.preview)
+        listener.base(base.info)
+    workspace = Workspace(tree, request.options(), read)
+    found = judged(workspace, request, listener.outside)
     comparison = None
     if base is not None:
         change = brought_in(found, workspace, request, base)

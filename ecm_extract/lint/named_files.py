@@ -10,7 +10,6 @@ from ecm_checker.contract import Evidence
 from ecm_parsers.xml_tree import line_of, local_name, parse_xml
 
 from ecm_extract.discover import is_test_path
-from ecm_extract.entities.cmake_words import calls_any, words_of
 from ecm_extract.lint.install_rules import install_rules, place_of
 from ecm_extract.lint.rules.lnt043 import is_open
 from ecm_extract.lint.submodules import submodules
@@ -24,7 +23,7 @@ _IN_SHARE = re.compile(
     r"([\w./-]+\.(?:ya?ml|rviz|launch|xml|urdf|xacro|srdf|world|pgm|png|jpe?g|stl|dae|lua|json|perspective))"
     r"(?![\w$({.])"
 )
-_MAKES_FILES = frozenset({"add_custom_command", "configure_file"})
+_MAKING = frozenset({"add_custom_command", "configure_file"})
 _EVALUATED = frozenset({"include", "rosparam"})
 """What the evaluation of launch files looks for already."""
 
@@ -55,7 +54,7 @@ def absent_files(workspace: Workspace) -> Iterator[NamedFile]:
             if is_read and not is_test_path(entry.path, owner.root.path):
                 for name, path, place, is_url in _named(entry.path, workspace):
                     package = workspace.by_name.get(name)
-                    if package is None or not closed.setdefault(name, _is_closed(package)):
+                    if package is None or not closed.setdefault(name, _is_closed(package, workspace)):
                         continue
                     near = _elsewhere(path, package, workspace)
                     if near is not None and not f"{package.root.path}/{path}".lstrip("/").startswith(outside):
@@ -74,9 +73,10 @@ def _named(path: str, workspace: Workspace) -> Iterator[tuple[str, str, Evidence
                         yield match[1], match[2].replace("//", "/"), Evidence(path, line_of(element)), is_url
 
 
-def _is_closed(package: PackageFacts) -> bool:
+def _is_closed(package: PackageFacts, workspace: Workspace) -> bool:
     """Tell whether the files of a package are those of its tree: none is generated, all install rules are known."""
-    makes = calls_any(package, _MAKES_FILES) or any("DOWNLOAD" in word for word in words_of(package))
+    commands = [command for file in package.cmake.values() for command in file.commands]
+    makes = any(command.name in _MAKING or "DOWNLOAD" in command.args for command in commands)
     return bool(package.cmake) and not makes and (package.root.rosbuild or not is_open(package))
 
 

@@ -7,7 +7,6 @@ from pathlib import Path
 
 import msgspec
 from ecm_checker.finding import Finding
-from ecm_checker.hub.package import Package
 
 from ecm_extract.diff.model import RefInfo
 from ecm_extract.errors import InputError
@@ -16,7 +15,8 @@ from ecm_extract.lint.base import OF_CHANGES
 from ecm_extract.lint.catalogue import catalogue
 from ecm_extract.lint.completeness import Completeness
 from ecm_extract.lint.workspace import Workspace
-from ecm_extract.stored import read_stored
+from ecm_extract.outside import RULE_ID as OUTSIDE
+from ecm_extract.outside import Known
 
 
 class LintRequest(msgspec.Struct, frozen=True, kw_only=True):
@@ -29,7 +29,7 @@ class LintRequest(msgspec.Struct, frozen=True, kw_only=True):
         patch: text of a patch; only its lines count.
         select: ids of rules; empty for all.
         preview: run preview rules too.
-        known: documents of packages that are not in the tree, see `read_stored`.
+        outside: gives what is known of packages that are not in the tree; None for nothing.
         include_tests, config, jobs: see `Options`.
     """
 
@@ -39,7 +39,7 @@ class LintRequest(msgspec.Struct, frozen=True, kw_only=True):
     patch: str | None = None
     select: frozenset[str] = frozenset()
     preview: bool = False
-    known: tuple[str, ...] = ()
+    outside: Known | None = None
     include_tests: bool = False
     config: str | None = None
     jobs: int | None = None
@@ -58,14 +58,6 @@ class LintRequest(msgspec.Struct, frozen=True, kw_only=True):
     def options(self, progress: Progress | None = None) -> Options:
         """Return how its trees are read."""
         return Options(self.include_tests, self.config, self.jobs, progress)
-
-    def packages(self) -> Sequence[Package]:
-        """Return the packages that are known beside the tree.
-
-        Raises:
-            InputError: a document cannot be read.
-        """
-        return [package for spec in self.known for package in read_stored(spec).packages]
 
 
 class Linted(msgspec.Struct, frozen=True):
@@ -93,6 +85,9 @@ def refuse_nothing(request: LintRequest) -> None:
     if request.base is None and request.select and request.select <= OF_CHANGES:
         message = f"{min(request.select)} tells what a change does, and no base is given to compare with"
         raise InputError(message, "add --base REF")
+    if request.select == frozenset({OUTSIDE}) and request.outside is None:
+        message = f"{OUTSIDE} tells what packages outside of the tree do not provide, and nothing tells of these"
+        raise InputError(message, "add --registry or --documents")
     if request.select and held(request) == request.select:
         message = f"{min(request.select)} is a preview rule, which does not run by itself"
         raise InputError(message, "add --preview")

@@ -16,13 +16,6 @@ from ecm_extract.lint.workspace import Workspace
 from ecm_extract.tree import FileDiagnostic, Unread
 
 
-def promised_findings(workspace: Workspace, selected: Collection[str] = (), *, preview: bool) -> list[Finding]:
-    """Return what the rules find, with the levels of the project and of the promises that it makes."""
-    config = workspace.config
-    found = findings_of(workspace, selected, config.severity, preview=preview)
-    return [each for each in found if not config.promise or each.who in config.promise]
-
-
 def findings_of(
     workspace: Workspace,
     selected: Collection[str] = (),

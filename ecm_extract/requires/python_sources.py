@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Final
 
 from ecm_checker.hub.requirement import Given, Requirement
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
@@ -13,8 +12,6 @@ from ecm_extract.link.tuples import count_of
 from ecm_extract.link.units import File
 from ecm_extract.link.walk import dotted, expressions
 from ecm_extract.requires.place import Place, required
-
-_SHAPES: Final = frozenset({"msg", "srv", "action"})
 
 
 def python_requirements(file: File) -> Iterator[Requirement]:
@@ -46,14 +43,7 @@ def _place(file: File, line: int) -> Place:
 def _of_import(entry: Import, file: File) -> Iterator[Requirement]:
     name = absolute(entry, file)
     said = f"{entry.name} from {entry.module}" if entry.name else entry.module
-    yield required("imports", name, _place(file, entry.line), said=said, package=_home(entry))
-
-
-def _home(entry: Import) -> str | None:
-    """The package that must have what is imported: told for an interface, which no other can generate."""
-    package, _, shape = entry.module.partition(".")
-    is_interface = shape in _SHAPES and bool(entry.name) and entry.name != "*" and not entry.name.startswith("_")
-    return package if is_interface else None
+    yield required("imports", name, _place(file, entry.line), said=said)
 
 
 def absolute(entry: Import, file: File) -> str:

@@ -91,9 +91,7 @@ class _Scanner:
             if self._skip_blank() and self._text[self._pos] == "(":
                 self._pos += 1
                 return Command(name[0].lower(), tuple(self._args(name[0], line)), line)
-        wrong = "Not a CMake command"
-        told = Diagnostic("error", "cmake-syntax", self._line(), f"{wrong}; the line is skipped.", wrong=wrong)
-        self.diagnostics.append(told)
+        self._report("cmake-syntax", "Not a CMake command; the line is skipped.")
         end = self._text.find("\n", self._pos)
         self._pos = len(self._text) if end < 0 else end
         return None

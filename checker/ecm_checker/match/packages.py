@@ -14,11 +14,12 @@ from ecm_checker.hub.provision import Provision
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.match.consumer import Consumer
 from ecm_checker.match.engine import Match, is_open, match
-from ecm_checker.match.generated import python_names
+from ecm_checker.match.generated import headers, interface_package, python_names
 from ecm_checker.match.provisions import Provisions
 
 _PROGRAM: Final = "executable"
 _MESSAGE: Final = "message"
+_FILE: Final = "file"
 _SCRIPT: Final = ".py"
 
 
@@ -84,10 +85,11 @@ class Packages:
         return found
 
     def _may_be(self, requirement: Requirement) -> bool:
-        package = self.by_name.get(requirement.package or "")
+        home = requirement.package or interface_package(requirement.name) or ""
+        package = self.by_name.get(home)
         if package is not None and requirement.kind in package.open:
             return True
-        return any((requirement.package, requirement.kind, name) in self._possible for name in _spellings(requirement))
+        return any((home, requirement.kind, name) in self._possible for name in _spellings(requirement))
 
     def may_hide(self, lost: Iterable[Provision]) -> bool:
         """Whether what an earlier release provided may be in what could not be read of these packages."""
@@ -116,6 +118,7 @@ def _possible(package: Package) -> Iterator[tuple[str, Iterable[str]]]:
         yield _PROGRAM, (path.rpartition("/")[2] for path in package.files)
     for name in package.possible.get(_MESSAGE, ()):
         yield _MESSAGE, python_names(name)
+        yield _FILE, headers(name)
 
 
 def _spellings(requirement: Requirement) -> Iterator[str]:

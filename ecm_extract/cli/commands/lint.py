@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, Literal, NamedTuple
 
@@ -20,6 +21,7 @@ from ecm_extract.cli.outputs import (
     statistics_as,
     write_outputs,
 )
+from ecm_extract.cli.registries import KnownFrom, known_options, outside_packages
 from ecm_extract.errors import InputError
 
 if TYPE_CHECKING:
@@ -30,6 +32,7 @@ if TYPE_CHECKING:
     from ecm_extract.lint.completeness import Completeness
     from ecm_extract.lint.request import Linted, LintRequest
     from ecm_extract.lint.workspace import Workspace
+    from ecm_extract.outside import Known, Outside
     from ecm_extract.report.places import Places
 
 FORMATS: Final = ("text", "json", *FINDING_FORMATS)
@@ -69,12 +72,6 @@ class Shown(msgspec.Struct, frozen=True):
     shell_complete=lint_rules,
     help="Only this rule, or all that begin so: LNT0. May be repeated.",
 )
-@click.option(
-    "--known",
-    multiple=True,
-    metavar="DOCUMENTS",
-    help="Packages that are not in PATH: a document, or a folder of them. May be repeated.",
-)
 @click.option("--preview", is_flag=True, help="Also rules whose precision was not yet shown.")
 @click.option("--statistics", is_flag=True, help="Show how many findings each rule has, and how many --fix mends.")
 @click.option("--format", type=click.Choice(FORMATS), default="text", show_default=True, help="On standard output.")
@@ -92,6 +89,13 @@ class Shown(msgspec.Struct, frozen=True):
 @click.option("--include-tests", is_flag=True, help="Read test folders too.")
 @click.option("--config", metavar="FILE", help="Use this ecm.toml.  [default: the one in PATH]")
 @click.option("--jobs", type=click.IntRange(min=1), help="Worker processes.  [default: one per core]")
+@click.option(
+    "--documents",
+    multiple=True,
+    metavar="FILE|DIR",
+    help="Documents of packages that are not in PATH. May be repeated.",
+)
+@known_options
 def command(**options: Any) -> int:
     """Lint the ROS packages below PATH: launch files, parameter files, descriptions, plugins, sources.
 
@@ -106,7 +110,7 @@ def command(**options: Any) -> int:
     request = _request(options)
     refuse_statistics_as(shown.format, shown.statistics)
     with progress_bar() as progress:
-        found = linted(request, progress, _say_base)
+        found = linted(request, _Said(), progress)
     if writes:
         return _write_baseline(found.findings, baseline_of(request, baseline))
     answered = answered_findings(found, request, baseline_of(request, baseline))
@@ -124,11 +128,33 @@ def _request(options: dict[str, Any]) -> LintRequest:
         message = "--base-tip says how to take --base REF, which is not given"
         raise click.UsageError(message, click.get_current_context())
     patch = _text_of(options["patch"]) if options["patch"] is not None else None
-    return LintRequest(**{**options, "select": _selected(options["select"]), "patch": patch})
+    outside = _outside(options.pop("known"), options.pop("documents"))
+    return LintRequest(**{**options, "select": _selected(options["select"]), "patch": patch, "outside": outside})
 
 
-def _say_base(info: RefInfo) -> None:
-    click.echo(f"base: {info.ref} {(info.commit or '')[:12]} ({info.why})", err=True)
+def _outside(known: KnownFrom, documents: tuple[str, ...]) -> Known | None:
+    """What gives the packages outside of the tree, None where nothing is named."""
+    from ecm_extract.outside import gathered
+    from ecm_extract.stored import read_stored
+
+    if not known.is_asked and not documents:
+        return None
+    packages = [package for spec in documents for package in read_stored(spec).packages]
+    return gathered(packages, partial(outside_packages, known) if known.is_asked else None)
+
+
+class _Said:
+    """Says on standard error what a run stands on."""
+
+    def base(self, info: RefInfo) -> None:
+        click.echo(f"base: {info.ref} {(info.commit or '')[:12]} ({info.why})", err=True)
+
+    def outside(self, known: Outside) -> None:
+        from ecm_extract.outside import told
+        from ecm_extract.report.terminal import one_line
+
+        for line in told(known):
+            click.echo(one_line(line, 1000), err=True)
 
 
 def _selected(texts: tuple[str, ...]) -> frozenset[str]:

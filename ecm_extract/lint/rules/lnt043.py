@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from fnmatch import fnmatchcase
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Certainty, Entity, Finding, Severity
@@ -12,7 +11,6 @@ from ecm_parsers.launch.model import Node
 from ecm_parsers.package_references import parse_references
 
 from ecm_extract.discover import is_test_path
-from ecm_extract.entities.cmake_words import calls_any
 from ecm_extract.lint.install_rules import lives_in_devel_space
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace, all_actions, plain_text
@@ -29,7 +27,6 @@ RULE = LintRule(
     tier="stable",
 )
 _MAKES_PACKAGE = frozenset({"catkin_package", "ament_package"})
-_MAY_INSTALL = frozenset({"ament_auto_package", "include"})
 _SHOWN = 5
 _DEVEL = "they run from the devel space of the machine that built them, and from nowhere else"
 _NEVER_STARTS = "launch_ros finds no such program and stops the whole launch"
@@ -133,10 +130,11 @@ def _missing(names: set[str], package: PackageFacts) -> set[str]:
 
 def is_open(package: PackageFacts) -> bool:
     """Tell whether a rule installs what only CMake knows, or nothing makes a package of the folder."""
-    if not calls_any(package, _MAKES_PACKAGE):
+    names = {command.name for file in package.cmake.values() for command in file.commands}
+    if not names & _MAKES_PACKAGE or "ament_auto_package" in names:
         return True
     items = [item for file in package.cmake.values() for install in file.installs for item in install.items]
-    return calls_any(package, _MAY_INSTALL) or any("$" in item for item in items)
+    return any(file.unknown for file in package.cmake.values()) or any("$" in item for item in items)
 
 
 def _programs(package: PackageFacts) -> set[str]:
@@ -182,17 +180,9 @@ def _is_covered(path: str, package: PackageFacts) -> bool:
         for install in facts.installs:
             for item in install.items if install.kind != "targets" else ():
                 full = f"{folder}/{item}".strip("/").removesuffix("/.").removesuffix("/")
-                if path == full or _is_matched(path, full) or path.startswith(f"{full}/") or item in {".", "./", ""}:
+                if path == full or path.startswith(f"{full}/") or item in {".", "./", ""}:
                     return True
     return False
-
-
-def _is_matched(path: str, pattern: str) -> bool:
-    """Tell whether a pattern of `file(GLOB ...)` gives a path; `**` stands for any number of folders, also none."""
-    folder, recursive, name = pattern.rpartition("**/")
-    if recursive:
-        return path.startswith(folder) and fnmatchcase(path.rpartition("/")[2], name)
-    return fnmatchcase(path, pattern) and path.count("/") == pattern.count("/")
 
 
 def _finding(package: PackageFacts, path: str, what: str, names: list[str], severity: Severity) -> Finding:

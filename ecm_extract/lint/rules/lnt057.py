@@ -8,11 +8,9 @@ from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 from ecm_parsers.cmake_facts import Target
 
-from ecm_extract.entities.cmake_words import words_of
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.rules.lnt043 import installed_targets, is_open
 from ecm_extract.lint.workspace import Workspace
-from ecm_extract.read.facts import PackageFacts
 
 RULE = LintRule(
     id="LNT057",
@@ -23,9 +21,6 @@ RULE = LintRule(
     consequence="where the package is installed, it does not start: 'cannot open shared object file'",
     resolution="add the library to install(TARGETS ...)",
 )
-_MAKERS = frozenset({"add_library", "cuda_add_library"})
-_SHARING = frozenset({"ament_cmake_ros", "BUILD_SHARED_LIBS"})
-_NOT_SHARED = frozenset({"STATIC", "OBJECT", "INTERFACE", "IMPORTED", "ALIAS"})
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
@@ -34,8 +29,8 @@ def check(workspace: Workspace) -> Iterator[Finding]:
         installed = installed_targets(package)
         if not installed or package.root.rosbuild or is_open(package):
             continue
-        shared = _shared(package)
         targets = {target.name: (path, target) for path, file in package.cmake.items() for target in file.targets}
+        shared = {name for name, (_, target) in targets.items() if target.is_shared and not target.is_test}
         seen: set[str] = set()
         for name in sorted(installed & targets.keys()):
             for library in _linked(name, targets):
@@ -45,17 +40,6 @@ def check(workspace: Workspace) -> Iterator[Finding]:
                     text = f"{package.name} installs {name}, which links {library}, and does not install {library}"
                     entity = Entity("library", library)
                     yield RULE.finding(text, entity, package.name, [Evidence(path, target.line)], certainty="proved")
-
-
-def _shared(package: PackageFacts) -> set[str]:
-    """Libraries that are files of their own; without a word for it they are in catkin, and with ament_cmake_ros."""
-    default = package.ros == 1 or not _SHARING.isdisjoint(words_of(package))
-    found = set()
-    for file in package.cmake.values():
-        for call in file.calls:
-            if call.name in _MAKERS and call.args and not call.is_test and not _NOT_SHARED & set(call.args):
-                found |= {call.args[0]} if default or {"SHARED", "MODULE"} & set(call.args) else set()
-    return found
 
 
 def _linked(name: str, targets: dict[str, tuple[str, Target]]) -> Iterator[str]:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
+from ecm_parsers.cmake_tokens import parse_commands
 
 from ecm_extract.lint.install_rules import InstallRule, install_rules
 from ecm_extract.lint.near import nearest
@@ -49,9 +50,9 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     for package in workspace.packages:
         if package.root.rosbuild or not package.cmake:
             continue
-        words = _words(package)
+        words = _words(package, workspace)
         rules = list(install_rules(package))
-        yield from _slips(package, words)
+        yield from _slips(package, words, workspace)
         yield from _no_headers(package, folders)
         for rule in rules:
             yield from _unset(rule, words, package)
@@ -59,25 +60,25 @@ def check(workspace: Workspace) -> Iterator[Finding]:
                 yield from _absent(rule, paths | folders, words | outside, package, workspace)
 
 
-def _words(package: PackageFacts) -> frozenset[str] | None:
+def _words(package: PackageFacts, workspace: Workspace) -> frozenset[str] | None:
     """What the commands of a package say outside of install rules; None when files from elsewhere may say more."""
+    if any(file.unknown for file in package.cmake.values()):
+        return None
     found: set[str] = set()
-    for file in package.cmake.values():
-        for command in file.commands:
+    for path in package.cmake:
+        for command in parse_commands(workspace.files.read(path) or b"").facts:
             words = [argument.text for argument in command.args]
             found |= set() if command.name == "install" or command.name.startswith("end") else set(words)
             if command.name in _BUILDERS:
                 found |= {part for word in words for part in word.split("/")}
-            if command.name == "include" and words and words[0].endswith(".cmake"):
-                return None
     return frozenset(found)
 
 
-def _slips(package: PackageFacts, words: frozenset[str] | None) -> Iterator[Finding]:
+def _slips(package: PackageFacts, words: frozenset[str] | None, workspace: Workspace) -> Iterator[Finding]:
     """Variables that are nearly one of catkin or CMake, each once."""
     seen: set[str] = set()
-    for path, file in package.cmake.items():
-        for command in file.commands:
+    for path in package.cmake:
+        for command in parse_commands(workspace.files.read(path) or b"").facts:
             for name in {name for each in command.args for name in _VARIABLE.findall(each.text)} - seen - set(_KNOWN):
                 near = nearest(name, _KNOWN, _SLIP)
                 if near and words is not None and name not in words:
@@ -90,7 +91,7 @@ def _no_headers(package: PackageFacts, folders: frozenset[str]) -> Iterator[Find
     """A folder of headers that catkin_package exports, which it refuses when it is not there."""
     for path, file in package.cmake.items():
         folder = path.rpartition("/")[0]
-        for call in file.calls:
+        for call in file.commands:
             exports = call.name == "catkin_package" and call.args[:2] == ("INCLUDE_DIRS", "include")
             if exports and f"{folder}/include".lstrip("/") not in folders:
                 text = f"{package.name} exports the folder include, which is not there"
