@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import msgspec
@@ -10,6 +11,7 @@ from ecm_checker.finding import Finding
 from ecm_checker.hub.package import Package
 from lint_fixtures import FIXTURES
 
+from ecm_extract.cli.run import run
 from ecm_extract.extraction import extract
 from ecm_extract.extraction_model import Options
 from ecm_extract.lint.catalogue import catalogue
@@ -81,3 +83,17 @@ def test_what_is_not_known_is_not_missing(tmp_path: Path) -> None:
     """Without the document of the provider nothing is said of it."""
     alone = Workspace(open_tree(written(tmp_path, USER)), Options(jobs=1))
     assert {each.rule for each in told(alone.known)} <= {"LNT055"}
+
+
+def test_documents_are_named_on_the_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """What a launch file starts is looked for there, and one name that is not there is one finding."""
+    provider, user = written(tmp_path / "driver", DRIVER), written(tmp_path / "user", USER)
+    assert run(["extract", str(provider), "-o", str(tmp_path / "documents")]) == 0
+    assert run(["lint", str(user), "--format", "json"]) == 0
+    capsys.readouterr()
+    status = run(["lint", str(user), "--format", "json", "--documents", str(tmp_path / "documents")])
+    out, err = capsys.readouterr()
+    found = [each for each in json.loads(out)["findings"] if each["about"]["kind"] == "executable"]
+    assert (status, [each["rule"] for each in found]) == (1, ["LNT003"])
+    assert found[0]["edit"] == {"kind": "rename", "old": "arm_drvier", "new": "arm_driver"}
+    assert "known from documents: 1 packages" in err
