@@ -9,6 +9,7 @@ from pathlib import PurePosixPath
 from typing import TypeVar, cast
 
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.system.installed import Installed
 from ecm_extract.tree import Tree, left_out
 
 Read = TypeVar("Read")
@@ -30,6 +31,7 @@ class Files:
         self._tree = tree
         self._roots = {package.name: package.root.path for package in packages}
         self._ros = {package.root.path: package.ros for package in packages}
+        self._installed = Installed(packages)
         self._paths = {entry.path for entry in tree.files()}
         self._stored = {entry.path: entry.size or 0 for entry in tree.files() if entry.identity is not None}
         self._by_name: dict[str, list[str]] = {}
@@ -55,6 +57,9 @@ class Files:
         path = _normal(text[len(TREE) :])
         if path in self._paths:
             return path
+        copied = next((each for each in self._installed.sources(path) if each in self._paths), None)
+        if copied is not None:
+            return copied
         root = self._root(path)
         beside = [entry for entry in self._by_name.get(PurePosixPath(path).name, ()) if self._root(entry) == root]
         if len(beside) != 1:

@@ -152,15 +152,18 @@ def installed_targets(package: PackageFacts) -> set[str]:
 
 
 def _scripts(package: PackageFacts, started: set[str]) -> set[str]:
-    """Scripts that launch files start, or that have a #! line and are no module, and that no rule installs."""
-    found = set()
+    """Scripts that launch files start, or that have a #! line and are no module, and that no rule installs.
+
+    A program goes by its name: where one of several files of a name is installed, it is there.
+    """
+    found, covered = set[str](), set[str]()
     for entry in package.root.files:
         folder, _, name = entry.path.rpartition("/")
         facts = package.sources.get(entry.path)
         is_program = facts is not None and bool(facts.shebang) and f"{folder}/__init__.py" not in package.sources
         if (is_program or (name in started and name.endswith(_SCRIPTS))) and name not in _BUILD:
-            found |= set() if _is_covered(entry.path, package) else {name}
-    return found
+            (covered if _is_covered(entry.path, package) else found).add(name)
+    return found - covered
 
 
 def _launch_files(package: PackageFacts, workspace: Workspace) -> set[str]:
