@@ -63,6 +63,7 @@ class InstanceMaker:
             yield from self.settings.ros2((*scope.parameters, *node.parameters), made.namespace)
             return
         own = join(made.namespace, made.name or "~")
+        yield from (Setting(join(own, each.name.lstrip("/")), each.value, each.place) for each in scope.private)
         for source in node.parameters:
             yield from self.settings.ros1(source, own)
         yield from (Setting(join(own, name), value, made.place) for name, value in ros1_given(made.arguments))

@@ -11,8 +11,9 @@ from typing import Any, Literal
 import msgspec
 
 from ecm_parsers.result import Diagnostic, Parsed
+from ecm_parsers.rosparam_angles import angle
 from ecm_parsers.yaml_scalar import typed_by_pyyaml
-from ecm_parsers.yaml_tree import Entry, Mapping, Node, Scalar, parse_yaml, plain
+from ecm_parsers.yaml_tree import Entry, Mapping, Node, Scalar, Sequence, parse_yaml, plain
 
 MARKER = "ros__parameters"
 MAX_NAMESPACES = 12
@@ -151,5 +152,15 @@ def _read_values(values: Mapping, scope: _Scope, sets: list[ParameterSet]) -> No
         if isinstance(entry.value, Mapping) and entry.value.entries:
             _read_values(entry.value, _Scope(scope.node, scope.separator, name), sets)
         else:
-            value = plain(entry.value)
+            value = plain(entry.value) if scope.node is not None else _of_rosparam(entry.value)
             sets.append(ParameterSet(scope.node, name, value, parameter_type(value), entry.line, entry.column))
+
+
+def _of_rosparam(node: Node) -> Any:
+    """Plain data as rosparam reads it: angles are numbers."""
+    if isinstance(node, Sequence):
+        return [_of_rosparam(item) for item in node.items]
+    if isinstance(node, Mapping):
+        return {entry.key: _of_rosparam(entry.value) for entry in node.entries}
+    radians = angle(node)
+    return node.value if radians is None else radians
