@@ -26,6 +26,7 @@ from ecm_extract.system.model import Given, Instance, Launched
 
 PYTHON = "/usr/bin/python3"
 COMMAND = "<what a command prints>"
+_FILE = "<content of "
 _CONTENT = re.compile(r"\{find ([^}]*)\}")
 KINDS = ("node", "remap", "parameter")
 
@@ -150,9 +151,9 @@ def _placed(value: Any, root: Path) -> Any:
     if not isinstance(value, str):
         return value
     content = _CONTENT.fullmatch(value)
-    if content is not None:
-        return f"<content of {(root / content[1].lstrip('/')).resolve()}>"
-    return value.replace("tree:", f"{root}/")
+    return f"<content of {content[1]}>" if content is not None else value.replace("tree:/", f"{root}/").replace(
+        "tree:", f"{root}/"
+    )
 
 
 def _differences(told: Read, truth: Read, counts: Counter[str]) -> Iterator[str]:
@@ -185,6 +186,9 @@ def _is_same(one: Any, other: Any) -> bool:
         return len(one) == len(other) and all(map(_is_same, one, other))
     if isinstance(one, dict) and isinstance(other, dict):
         return one.keys() == other.keys() and all(_is_same(one[key], other[key]) for key in one)
+    if isinstance(one, str) and isinstance(other, str) and one.startswith(_FILE) and other.startswith(_FILE):
+        # Ours is named from the folder of the package.
+        return other.endswith(one.removeprefix(_FILE).lstrip("/"))
     return type(one) is type(other) and bool(one == other)
 
 

@@ -11,8 +11,7 @@ from typing import Any, Literal
 import msgspec
 
 from ecm_parsers.result import Diagnostic, Parsed
-from ecm_parsers.rosparam_angles import angle
-from ecm_parsers.yaml_scalar import typed_by_pyyaml
+from ecm_parsers.rosparam_angles import of_rosparam, typed_by_rosparam
 from ecm_parsers.yaml_tree import Entry, Mapping, Node, Scalar, Sequence, parse_yaml, plain
 
 MARKER = "ros__parameters"
@@ -79,7 +78,7 @@ def parse_parameter_yaml(data: bytes) -> Parsed[ParameterFile]:
     tree = parse_yaml(data)
     is_ros2 = any(_has_marker(document) for document in tree.facts)
     if not is_ros2:
-        tree = parse_yaml(data, typed_by_pyyaml)
+        tree = parse_yaml(data, typed_by_rosparam)
     diagnostics = list(tree.diagnostics)
     maps = [document for document in tree.facts if isinstance(document, Mapping)]
     if len(maps) < len(tree.facts):
@@ -162,5 +161,4 @@ def _of_rosparam(node: Node) -> Any:
         return [_of_rosparam(item) for item in node.items]
     if isinstance(node, Mapping):
         return {entry.key: _of_rosparam(entry.value) for entry in node.entries}
-    radians = angle(node)
-    return node.value if radians is None else radians
+    return of_rosparam(node)
