@@ -11,7 +11,7 @@ import pytest
 from ecm_extract.read.reader import Reader
 from ecm_extract.system.evaluate import launched
 from ecm_extract.system.files import Files
-from ecm_extract.system.model import Given
+from ecm_extract.system.model import Given, Launched
 from ecm_extract.tree import open_tree
 
 NODE = '<node pkg="p" type="t" name="n"/>'
@@ -19,8 +19,8 @@ INNER = '<launch><arg name="mode" default="plain"/><param name="mode" value="$(a
 CHOICE = '<arg name="mode" value="fake" {}="true"/><arg name="mode" value="real" {}="true"/>'
 
 
-def parameters(folder: Path, body: str) -> dict[str, Any]:
-    """What a launch file sets, by name."""
+def started(folder: Path, body: str) -> Launched:
+    """What a launch file starts."""
     files = {
         "package.xml": "<package format='2'><name>p</name><version>1.0.0</version><buildtool_depend>catkin</buildtool_depend></package>",
         "a.launch": f"<launch>{body}</launch>",
@@ -29,7 +29,12 @@ def parameters(folder: Path, body: str) -> dict[str, Any]:
     for name, text in files.items():
         (folder / name).write_text(text)
     tree = open_tree(str(folder))
-    found = launched(tree, Files(tree, Reader(tree, cached=False).read(1)), ["a.launch"], Given())
+    return launched(tree, Files(tree, Reader(tree, cached=False).read(1)), ["a.launch"], Given())
+
+
+def parameters(folder: Path, body: str) -> dict[str, Any]:
+    """What a launch file sets, by name."""
+    found = started(folder, body)
     settings = [*found.globals, *(each for instance in found.instances for each in instance.settings)]
     return {each.name: each.value for each in settings}
 
@@ -75,3 +80,24 @@ def test_angles_are_radians(text: str, value: object, tmp_path: Path) -> None:
     """rosparam turns angles into numbers, unless they are quoted or none."""
     found = parameters(tmp_path, f"<rosparam>a: {text}</rosparam>")["/a"]
     assert found == pytest.approx(value) if isinstance(value, float) else found == value
+
+
+REMAPS = [
+    ('<remap from="a" to="b" if="false"/>', {}),
+    ('<remap from="a" to="b" if="true"/><remap from="a" to="c" unless="true"/>', {"a": "b"}),
+    ('<remap from="a" to="b"/><remap from="a" to="c"/>', {"a": "c"}),
+]
+
+
+@pytest.mark.parametrize(("body", "expected"), REMAPS)
+def test_remaps_in_force(body: str, expected: dict[str, str], tmp_path: Path) -> None:
+    """A remap of a node may have a condition, and the last one of a name is in force."""
+    (instance,) = started(tmp_path, f'<node pkg="p" type="t" name="n">{body}</node>').instances
+    assert [(entry.source, entry.target) for entry in instance.remaps] == list(expected.items())
+
+
+def test_a_remap_of_the_node_replaces_that_of_the_group(tmp_path: Path) -> None:
+    """roslaunch keeps one remap for each name."""
+    node = '<node pkg="p" type="t" name="n"><remap from="a" to="own"/></node>'
+    (instance,) = started(tmp_path, f'<remap from="a" to="outer"/><remap from="z" to="y"/>{node}').instances
+    assert [(entry.source, entry.target) for entry in instance.remaps] == [("z", "y"), ("a", "own")]
