@@ -1,4 +1,4 @@
-"""Our reading of ROS 1 launch files against Debian's roslaunch: `python benchmarks/judge_roslaunch.py CLONES [--seed 0]`.
+"""Our reading of ROS 1 launch files against Debian's roslaunch: `judge_roslaunch.py CLONES... [--seed 0]`.
 
 Launch files are drawn from clones by a seed and read with their default arguments, by roslaunch's own loader
 (`apt-get install python3-roslaunch`) and by our reader; packages are those of the clone. Nothing is started, and commands
@@ -151,8 +151,10 @@ def _placed(value: Any, root: Path) -> Any:
     if not isinstance(value, str):
         return value
     content = _CONTENT.fullmatch(value)
-    return f"<content of {content[1]}>" if content is not None else value.replace("tree:/", f"{root}/").replace(
-        "tree:", f"{root}/"
+    return (
+        f"<content of {content[1]}>"
+        if content is not None
+        else value.replace("tree:/", f"{root}/").replace("tree:", f"{root}/")
     )
 
 

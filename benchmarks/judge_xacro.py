@@ -94,7 +94,7 @@ def _differences(told: dict[str, Any], truth: dict[str, Any], counts: Counter[st
         counts[f"{kind} false"] += (ours - theirs).total()
         if ours != theirs:
             missing, false = list((theirs - ours).elements()), list((ours - theirs).elements())
-            yield f"{kind}: missing {missing[:3]} of {len(missing)}, false {false[:3]} of {len(false)}; {told['problems'][:2]}"
+            yield f"{kind}: missing {len(missing)} {missing[:3]}, false {len(false)} {false[:3]}; {told['problems'][:2]}"
 
 
 def _counted(rows: list[Any]) -> Counter[str]:
@@ -102,13 +102,14 @@ def _counted(rows: list[Any]) -> Counter[str]:
 
 
 def _summary(counts: Counter[str]) -> int:
-    print(f"{counts['files equal']} of {counts['files']} files equal; {counts['refused or empty']} refused or without links")
+    print(f"{counts['files equal']} of {counts['files']} files equal; {counts['refused or empty']} refused or empty")
     bad = 0
     for kind in KINDS:
         missing, false = counts[f"{kind} missing"], counts[f"{kind} false"]
         total = counts[f"{kind} equal"] + missing + false
         bad += missing + false
-        print(f"{kind}: {counts[f'{kind} equal'] / max(total, 1):.2%} equal of {total}, missing {missing}, false {false}")
+        equal = counts[f"{kind} equal"] / max(total, 1)
+        print(f"{kind}: {equal:.2%} equal of {total}, missing {missing}, false {false}")
     return 1 if bad else 0
 
 

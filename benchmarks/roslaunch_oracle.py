@@ -47,7 +47,7 @@ def read(path):
             "package": node.package,
             "type": node.type,
             "name": node.namespace + (node.name or ""),
-            "remaps": {source: target for source, target in node.remap_args},
+            "remaps": dict(node.remap_args),
         }
         for node in config.nodes
     ]
@@ -61,7 +61,7 @@ def plain(value):
 
 
 def expired(signum, frame):
-    raise TimeoutError("takes too long")
+    raise TimeoutError
 
 
 def main():

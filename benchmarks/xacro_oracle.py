@@ -1,6 +1,6 @@
 """What xacro makes of descriptions: `xacro_oracle.py PACKAGES.json`, files on standard input, one JSON line each.
 
-PACKAGES.json maps the packages of a tree to their folders; packages that are elsewhere are not there, as for our reader.
+PACKAGES.json maps the packages of a tree to their folders; others are not there, as for our reader.
 """
 
 from __future__ import annotations
