@@ -176,6 +176,14 @@ def test_early_xacro_needs_no_prefix() -> None:
     assert expanded(body) == ("p n=6", [])
 
 
+def test_xacro_of_ros_2_needs_the_prefix() -> None:
+    """What has no prefix in a package of ROS 2 is an element of the description."""
+    body = '<macro name="part" params="n"><p n="${n}"/></macro><part n="3"/>'
+    root = Xacro(MemoryFiles({"a.xacro": robot(body)}, ros=2), {}).expand("a.xacro")
+    assert root is not None
+    assert [entry.tag for entry in root.children] == ["macro", "part"]
+
+
 def _chain(count: int, fan: int) -> str:
     macros = "".join(f'<xacro:macro name="m{at}">{f"<xacro:m{at + 1}/>" * fan}</xacro:macro>' for at in range(count))
     return f'{macros}<xacro:macro name="m{count}"><l/></xacro:macro><xacro:m0/>'
