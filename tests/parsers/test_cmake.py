@@ -3,6 +3,7 @@
 import time
 
 import pytest
+from diagnosed import is_told
 from ecm_parsers.cmake import parse_cmake, variables_below
 from ecm_parsers.cmake_facts import CmakeFile, Target
 from hypothesis import given, settings
@@ -285,4 +286,4 @@ _WORDS = [
 @given(st.lists(st.sampled_from(_WORDS), max_size=30).map(lambda words: "".join(words).encode()))
 def test_cmake_never_raises(data: bytes) -> None:
     """Any sequence of CMake text gives facts or diagnostics."""
-    parse_cmake(data)
+    assert is_told(data, parse_cmake(data))
