@@ -17,6 +17,7 @@ from ecm_extract.link.program import imported_names
 from ecm_extract.link.units import File
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.behavior_trees import behavior_tree_requirements
+from ecm_extract.requires.cpp_body import bodies
 from ecm_extract.requires.cpp_headers import header_requirements
 from ecm_extract.requires.cpp_members import member_requirements
 from ecm_extract.requires.cpp_names import name_requirements
@@ -92,8 +93,10 @@ def _of_program(workspace: Workspace) -> Iterator[tuple[str, Requirement]]:
     yield from parameter_read_requirements(workspace.program)
     yield from override_requirements(workspace.program)
     yield from result_requirements(workspace.program)
-    yield from member_requirements(workspace.objects)
-    yield from reached_requirements(workspace.objects)
+    for body in bodies(workspace.objects):
+        for read in (member_requirements, reached_requirements):
+            for found in read(body):
+                yield body.func.file.package, found
 
 
 _CPP = (header_requirements, name_requirements)
