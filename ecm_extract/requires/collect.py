@@ -47,25 +47,26 @@ def consumers(workspace: Workspace) -> list[Consumer]:
 
 def requirements(workspace: Workspace) -> Mapping[str, Sequence[Requirement]]:
     """Return what each package of a linked tree requires, in the order of files and lines."""
-    texts = SideTexts(workspace.tree, workspace.packages)
     modules: dict[str, list[LinkedModule]] = defaultdict(list)
     for module in workspace.linked:
         modules[module.module.package].append(module)
     found: dict[str, list[Requirement]] = {facts.name: [] for facts in workspace.packages}
     for facts in workspace.packages:
-        found[facts.name] += _of_package(workspace.tree, texts, facts, modules[facts.name])
+        found[facts.name] += _of_package(workspace.tree, workspace.texts, facts, modules[facts.name])
     for package, requirement in _of_program(workspace):
         found[package].append(requirement)
-    paths = frozenset(entry.path for entry in workspace.tree.files())
-    comments = comments_of(workspace.tree, (each.evidence[0].path for entries in found.values() for each in entries))
+    paths = {each.evidence[0].path for entries in found.values() for each in entries}
+    present = frozenset(entry.path for entry in workspace.tree.files())
+    kept = {path: distribution for path in paths if (distribution := kept_for(path, present))}
+    comments = comments_of(workspace.tree, paths)
     return {
-        package: _ordered(each for entry in entries for each in with_answers(_kept(entry, paths), comments))
+        package: _ordered(each for entry in entries for each in with_answers(_kept(entry, kept), comments))
         for package, entries in found.items()
     }
 
 
-def _kept(entry: Requirement, paths: frozenset[str]) -> Requirement:
-    distribution = kept_for(entry.evidence[0].path, paths)
+def _kept(entry: Requirement, kept: Mapping[str, str]) -> Requirement:
+    distribution = kept.get(entry.evidence[0].path)
     return msgspec.structs.replace(entry, kept_for=distribution) if distribution else entry
 
 

@@ -5,7 +5,7 @@ A body is walked once, and what its objects are is looked up once, for all who a
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Container, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -16,7 +16,9 @@ from ecm_extract.link.units import Func
 from ecm_extract.link.walk import expressions
 from ecm_extract.requires.foreign_classes import ForeignClasses, Inherited
 
-_TOUCHING: Final = frozenset({Call, Member, Name})
+_REACHING: Final[frozenset[type]] = frozenset({Call, Member})
+_INHERITING: Final[frozenset[type]] = _REACHING | {Name}
+"""A bare name touches something of another package only where the class inherits from there."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -24,7 +26,7 @@ class Body:
     """A function that has a body.
 
     Attributes:
-        statements: of each the names, members and calls in it, with their lines.
+        statements: of each the members and calls in it, and the names that may be inherited, with their lines.
         classes: of its objects. inherited: what its class has of others.
     """
 
@@ -44,8 +46,9 @@ def bodies(objects: Objects) -> Iterator[Body]:
                 key = (id(func.cls), func.file.package)
                 if key not in inherited:
                     inherited[key] = Inherited(func.cls, func.file.package, objects)
-                yield Body(func, objects, _statements(func), ForeignClasses(func, objects), inherited[key])
+                statements = _statements(func, _INHERITING if inherited[key].bases else _REACHING)
+                yield Body(func, objects, statements, ForeignClasses(func, objects), inherited[key])
 
 
-def _statements(func: Func) -> Sequence[Sequence[tuple[Expr, int]]]:
-    return [[each for each in expressions(statement) if type(each[0]) in _TOUCHING] for statement in func.fact.body]
+def _statements(func: Func, kinds: Container[type]) -> Sequence[Sequence[tuple[Expr, int]]]:
+    return [[each for each in expressions(statement) if type(each[0]) in kinds] for statement in func.fact.body]
