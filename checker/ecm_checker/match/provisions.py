@@ -78,6 +78,11 @@ class Provisions:
                 found[entity.package].add(entity.package)
         return {folder: frozenset(packages) for folder, packages in found.items()}
 
+    @cached_property
+    def interface_packages(self) -> frozenset[str]:
+        """Packages that generate headers and modules of interface files."""
+        return frozenset(each.package for each in self._entities if each.kind == "message")
+
     def keys(self) -> Iterator[tuple[str, str]]:
         """Yield the kinds and keys by which requirements find what is here."""
         yield from self._by_key
