@@ -25,7 +25,8 @@ from sqlalchemy.orm import Session
 
 from ecm_extract.errors import InputError
 from ecm_extract.registry.channels import channels_from
-from ecm_extract.registry.choice import Fact, NoAnswerError, Option, Place, Problem, choose
+from ecm_extract.registry.choice import NoAnswerError, choose
+from ecm_extract.registry.problem import Fact, Option, Place, Problem
 from ecm_extract.registry.releases import name_of, package_of_release
 from ecm_extract.registry.tables import Dependency, Release, Standing
 

@@ -63,11 +63,15 @@ def _of_function(func: Func, objects: Objects) -> Iterator[Requirement]:
 
 def _required(touched: _Touched, func: Func, lines: tuple[int, ...]) -> Requirement:
     place = Place(func.file.path, lines[0], f"file {func.file.path}")
-    evidence = tuple(Evidence(func.file.path, line) for line in lines)
-    if touched.count < 0:
-        return required("reads_member", touched.name, place, owner=touched.owner, evidence=evidence)
-    given = Given(count=touched.count)
-    return required("calls_method", touched.name, place, owner=touched.owner, given=given, evidence=evidence)
+    use = "reads_member" if touched.count < 0 else "calls_method"
+    given = None if touched.count < 0 else Given(count=touched.count)
+    found = required(use, touched.name, place, owner=touched.owner, scope=_scope(func), given=given)
+    return msgspec.structs.replace(found, evidence=tuple(Evidence(func.file.path, line) for line in lines))
+
+
+def _scope(func: Func) -> str:
+    """Where the class is looked for: `client::Reader` inside of `arm` may be `arm::client::Reader`."""
+    return f"{func.fact.scope}::{func.fact.name}" if func.fact.scope else ""
 
 
 class ForeignClasses:

@@ -10,7 +10,8 @@ from collections.abc import Iterator
 
 import pytest
 
-from ecm_extract.registry.choice import Fact, NoAnswerError, Option, Place, Problem, choose
+from ecm_extract.registry.choice import NoAnswerError, choose
+from ecm_extract.registry.problem import Fact, Option, Place, Problem
 
 _COUNT = 1000
 
