@@ -54,8 +54,13 @@ def _touched(statement: Sequence[tuple[Expr, int]], classes: ForeignClasses) -> 
 
 def _required(touched: _Touched, func: Func, lines: tuple[int, ...]) -> Requirement:
     place = Place(func.file.path, lines[0], f"file {func.file.path}")
+    use = "reads_member" if touched.count < 0 else "calls_method"
+    given = None if touched.count < 0 else Given(count=touched.count)
     evidence = tuple(Evidence(func.file.path, line) for line in lines)
-    if touched.count < 0:
-        return required("reads_member", touched.name, place, owner=touched.owner, evidence=evidence)
-    given = Given(count=touched.count)
-    return required("calls_method", touched.name, place, owner=touched.owner, given=given, evidence=evidence)
+    scope = _scope(func)
+    return required(use, touched.name, place, owner=touched.owner, scope=scope, given=given, evidence=evidence)
+
+
+def _scope(func: Func) -> str:
+    """Where the class is looked for: `client::Reader` inside of `arm` may be `arm::client::Reader`."""
+    return f"{func.fact.scope}::{func.fact.name}" if func.fact.scope else ""

@@ -131,6 +131,7 @@ def _keys(entity: Provision) -> Iterator[str]:
 def _of_message(entity: Provision) -> Iterator[str]:
     yield from headers(entity.name)
     yield from python_names(entity.name)
+    yield from section_owners(entity.name, "")
 
 
 def _of_constant(entity: Provision) -> Iterator[str]:
