@@ -19,7 +19,8 @@ import sys
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from tempfile import TemporaryFile
+from typing import IO, Any
 
 import yaml
 
@@ -37,7 +38,8 @@ from live_ros2.rows import KINDS, Count, compared
 from live_ros2.told import observation
 
 ASKER = Path(__file__).parent / "programs" / "asker.py"
-SETTLE_S = 40
+SETTLE_S = 20
+GIVE_UP_S = 5.0
 ANSWER_S = 200
 Starts = Mapping[str, Sequence[str]]
 
@@ -92,13 +94,34 @@ def _of_tree(path: Path, given: argparse.Namespace, starts: Starts) -> Iterator[
 
 def _run(tree: Tree, candidate: Candidate, arguments: Sequence[str]) -> Iterator[Ran]:
     domain = 10 + os.getpid() % 80
-    with running([*candidate.line, *arguments], environment(domain)):
+    with TemporaryFile("w+") as log, running([*candidate.line, *arguments], environment(domain), log) as process:
+        if _ends(process):
+            print(f"{candidate.name}: ends at once: {_last_line(log)}", flush=True)
+            return
         told = _asked(domain)
         seen = _seen(domain)
     if not told.nodes:
         print(f"{candidate.name}: makes no node", flush=True)
+    yield from _compared(tree, candidate, told, seen)
+
+
+def _ends(process: subprocess.Popen[str]) -> bool:
+    """Whether it is over within the time in which a program that lacks something gives up."""
+    try:
+        process.wait(GIVE_UP_S)
+    except subprocess.TimeoutExpired:
+        return False
+    return True
+
+
+def _last_line(log: IO[str]) -> str:
+    log.seek(0)
+    return next((line.strip() for line in reversed(log.read().splitlines()) if line.strip()), "it says nothing")
+
+
+def _compared(tree: Tree, candidate: Candidate, told: Observation, seen: Observation) -> Iterator[Ran]:
+    contracts = of_node(tree.contracts, candidate.package)
     for node in told.nodes:
-        contracts = of_node(tree.contracts, candidate.package)
         own = [each for each in contracts if is_node_of(node.name, view(each))]
         counts = compared(own, node.name, told, seen)
         modules = tuple(each.ecm.module_id for each in own)
