@@ -64,6 +64,12 @@ def _scripts(tree: Tree, package: str) -> Iterator[Candidate]:
             yield Candidate(f"{package}/{path.name}", (PYTHON, str(path)), package)
 
 
+def python_path(tree: Tree) -> str:
+    """Folders of the tree from which an installation would take Python packages."""
+    roots = sorted({str(path.parent) for path in tree.path.rglob("setup.py") if (path.parent / "package.xml").exists()})
+    return os.pathsep.join([*roots, os.environ.get("PYTHONPATH", "")])
+
+
 def _makes_a_node(text: bytes) -> bool:
     return b"rclpy" in text and b"__main__" in text
 

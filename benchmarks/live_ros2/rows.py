@@ -105,10 +105,18 @@ def _qos(counts: dict[str, Count], each: Expected, end: Endpoint) -> None:
     for policy in POLICIES:
         has = getattr(real, policy)
         says = getattr(promised, policy) if promised is not None else None
-        if has is not None and not (policy == "depth" and real.history == "keep_all"):
+        if says is not None or _is_asked_for(real, policy):
             counts["QoS recall"].add(says is not None, f"{end.role} {end.name}: {policy} {has} is not told")
         if says is not None:
             counts["QoS precision"].add(has == says, f"{end.role} {end.name}: {policy} {has}, the contract says {says}")
+
+
+def _is_asked_for(real: Qos, policy: str) -> bool:
+    """A depth says nothing where all is kept, and automatic is the liveliness of who says nothing of it."""
+    has = getattr(real, policy)
+    if policy == "depth":
+        return real.history != "keep_all"
+    return has is not None and (policy, has) != ("liveliness", "automatic")
 
 
 def _parameters(counts: dict[str, Count], promises: Iterable[Expected], real: dict[str, object]) -> None:
@@ -120,7 +128,6 @@ def _parameters(counts: dict[str, Count], promises: Iterable[Expected], real: di
         open_form = any("{" in key and re.fullmatch(_HOLE.sub(".+", re.escape(key)), name) for key in named)
         counts["parameter recall"].add(name in named or open_form, f"missed parameter {name} = {value!r}")
         if name in named:
-            counts["parameter value"].right += 0
             _value(counts["parameter value"], named[name], value)
     for name, each in named.items():
         if is_exact(each) and not _OF_EVERY_NODE.fullmatch(name):

@@ -33,7 +33,7 @@ from path_a.row import NotMeasured
 from ecm_extract.errors import EcmError
 from ecm_extract.observe.expected import is_node_of
 from ecm_extract.observe.model import Observation
-from live_ros2.candidates import Candidate, Tree, candidates, of_node, tree_of
+from live_ros2.candidates import Candidate, Tree, candidates, of_node, python_path, tree_of
 from live_ros2.rows import KINDS, Count, compared
 from live_ros2.told import observation
 
@@ -94,7 +94,8 @@ def _of_tree(path: Path, given: argparse.Namespace, starts: Starts) -> Iterator[
 
 def _run(tree: Tree, candidate: Candidate, arguments: Sequence[str]) -> Iterator[Ran]:
     domain = 10 + os.getpid() % 80
-    with TemporaryFile("w+") as log, running([*candidate.line, *arguments], environment(domain), log) as process:
+    variables = environment(domain, PYTHONPATH=python_path(tree), PYTHONDONTWRITEBYTECODE="1")
+    with TemporaryFile("w+") as log, running([*candidate.line, *arguments], variables, log) as process:
         if _ends(process):
             print(f"{candidate.name}: ends at once: {_last_line(log)}", flush=True)
             return
