@@ -14,6 +14,7 @@ from ecm_extract.diff.break_findings import RULE as BREAK
 from ecm_extract.errors import InputError
 from ecm_extract.lint.catalogue import catalogue as lint_rules
 from ecm_extract.observe.catalogue import catalogue as observe_rules
+from ecm_extract.outside import RULE_ID as OUTSIDE
 from ecm_extract.rule_ids import rule_named
 
 _INSTALLED = Path(sys.prefix) / "share" / "ecm-extract" / "rules"
@@ -34,8 +35,8 @@ def rule_names() -> Mapping[str, str]:
 
 
 def lint_rule_ids() -> frozenset[str]:
-    """Return the rules whose findings lint may show; those of diff come with `--base`."""
-    return frozenset({BREAK, *(entry.rule.id for entry in lint_rules())})
+    """Return the rules whose findings lint may show; that of diff comes with `--base`, `OUTSIDE` with `--registry`."""
+    return frozenset({BREAK, OUTSIDE, *(entry.rule.id for entry in lint_rules())})
 
 
 def page_of(name: str) -> str:

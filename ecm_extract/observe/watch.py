@@ -142,7 +142,7 @@ class Watch:
         for each in self.running:
             nodes[each.module.id].append(each.node)
         promised = (each for name, module in modules.items() for each in self.promises_of(module, nodes[name]))
-        hidden = Counter(each.interface.role for each in promised if not self._is_visible(each))
+        hidden: Counter[str] = Counter(each.interface.role for each in promised if not self._is_visible(each))
         if not self.senses("rate"):
             hidden["rate"] = sum(len(module.rates) for module in modules.values())
         return {kind: count for kind, count in hidden.items() if count}

@@ -6,6 +6,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import msgspec
+from ecm_checker.hub.package import Package
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.match.consumer import Consumer
 from ecm_parsers.source.python import parse_python
@@ -38,12 +39,18 @@ from ecm_extract.requires.rviz_files import rviz_requirements
 from ecm_extract.system.launch_files import is_launch_file
 from ecm_extract.tree import Tree
 
-MAX_BYTES = 1_000_000
-
 
 def consumers(workspace: Workspace) -> list[Consumer]:
     """Return the packages of a linked tree as consumers."""
     return [Consumer(package, entries) for package, entries in requirements(workspace).items()]
+
+
+def requiring_packages(workspace: Workspace) -> tuple[Package, ...]:
+    """Return the packages of a linked tree with what they require, and nothing of what they provide."""
+    return tuple(
+        Package(name=each.package, version=None, path="", ros=None, requires=tuple(each.requirements))
+        for each in consumers(workspace)
+    )
 
 
 def requirements(workspace: Workspace) -> Mapping[str, Sequence[Requirement]]:
@@ -109,10 +116,9 @@ def _python_launch_files(texts: SideTexts, facts: PackageFacts) -> Iterator[File
         if entry.path.endswith(".py") and entry.path not in facts.sources and is_launch_file(entry.path)
     )
     for path, data in texts.read_many(paths):
-        if len(data) <= MAX_BYTES:
-            file = File(path, facts.name, facts.ros, parse_python(data).facts)
-            file.imported = imported_names(file)
-            yield file
+        file = File(path, facts.name, facts.ros, parse_python(data).facts)
+        file.imported = imported_names(file)
+        yield file
 
 
 def _ordered(entries: Iterable[Requirement]) -> Sequence[Requirement]:

@@ -20,7 +20,6 @@ from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.entities.written_text import written
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.place import Place, required
-from ecm_extract.tree import Tree
 
 _FOUND: Final = re.compile(r"\$\((?:find|find_prefix) ([^\s$()]+)\)(/(?:.*/)?)([^/$()]+)$", re.DOTALL)
 """A file of a package: the package, the folders, the name, which stands there as a whole."""
@@ -44,9 +43,9 @@ class _Scope(msgspec.Struct, frozen=True):
         return _Scope(self.path, told)
 
 
-def launch_requirements(tree: Tree | SideTexts, facts: PackageFacts) -> Iterator[Requirement]:
+def launch_requirements(texts: SideTexts, facts: PackageFacts) -> Iterator[Requirement]:
     """Yield what the launch files of a package require."""
-    for path, file in launch_files(tree, facts):
+    for path, file in launch_files(texts, facts):
         for found in _of_actions(file.actions, _Scope(path)):
             yield msgspec.structs.replace(found, ros=file.ros)
 
@@ -81,7 +80,7 @@ def _of_include(action: Include, scope: _Scope) -> Iterator[Requirement]:
         return
     given = Given(names=tuple(name for name, _ in action.arguments), forwarded=action.pass_all)
     path = f"{found[2].lstrip('/')}{found[3]}"
-    yield required("includes_launch", found[3], place, package=found[1], given=given, said=path)
+    yield required("includes_launch", found[3], place, package=found[1], given=given, target=path)
     lines = action.argument_lines or (action.line,) * len(action.arguments)
     for (name, _), line in zip(action.arguments, lines, strict=True):
         yield required("gives_argument", name, scope.place(line), package=found[1], owner=found[3])
@@ -143,7 +142,7 @@ def _reached(remap: Remap, place: Place) -> Iterator[Requirement]:
 
 def _remap(action: Remap, scope: _Scope, package: str | None) -> Requirement:
     source, target = holed(action.source), holed(action.target)
-    return required("remaps", source, scope.place(action.line), "likely", said=target, package=package or None)
+    return required("remaps", source, scope.place(action.line), "likely", target=target, package=package or None)
 
 
 def _of_parameter(action: ParameterValue, place: Place, package: str | None) -> Iterator[Requirement]:

@@ -15,7 +15,9 @@ from ecm_extract.errors import InputError
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from ecm_checker.contract import Contract
     from ecm_checker.finding import Finding
+    from ecm_checker.wire import EvidenceKind, EvidenceRecord
 
     from ecm_extract.observe.watch import Watch
 
@@ -27,6 +29,7 @@ Examples:
   ecm-extract observe --dds --workspace src --launch my_bringup/robot.launch.py --for 30
   ecm-extract observe --bag run.mcap --contracts contracts   a recording against manifests
   ecm-extract observe --dds --once --format json             what is there, as one document
+  ecm-extract observe --dds --registry --environment robot_7     against what the robot runs; gates get the evidence
 """
 
 
@@ -40,6 +43,10 @@ class Request(msgspec.Struct, frozen=True, kw_only=True):
     contracts: tuple[str, ...]
     workspace: str | None
     launch: tuple[str, ...]
+    registry: str | None
+    release: tuple[str, ...]
+    environment: str | None
+    kind: EvidenceKind
     seconds: float
     once: bool
     format: str
@@ -64,6 +71,22 @@ class Request(msgspec.Struct, frozen=True, kw_only=True):
     metavar="FILE|NAME:=VALUE",
     multiple=True,
     help="Expect what this launch file of the workspace starts, under its own names; may be repeated.",
+)
+@click.option(
+    "--registry",
+    is_flag=False,
+    flag_value="",
+    metavar="[URL|FILE]",
+    help="Keep the evidence in this registry, where gates use it.  [default: ECM_REGISTRY, else the user's own]",
+)
+@click.option("--release", multiple=True, metavar="RELEASE", help="Expect this release of the registry; repeatable.")
+@click.option("--environment", metavar="NAME", help="Expect what this environment of the registry runs.")
+@click.option(
+    "--kind",
+    type=click.Choice(["observation", "validation", "upgrade_test", "rollback_test"]),
+    default="observation",
+    show_default=True,
+    help="What the run shows of the releases, for the evidence.",
 )
 @click.option(
     "--for", "seconds", type=click.FloatRange(min=0), default=10.0, show_default=True, help="Seconds to listen."
@@ -110,10 +133,29 @@ def _watch(request: Request) -> Watch:
     from ecm_extract.observe.watch import Watch
 
     promised = Promised(request.contracts, request.workspace, request.launch, not request.no_cache)
-    contracts = promised_contracts(promised)
+    contracts = (*promised_contracts(promised), *_stored_contracts(request))
+    _require_subject(contracts, request)
     bags = (*request.bag, *request.files)
     target = Target(request.ros1, request.dds, bags, request.seconds, request.once)
     return Watch(last_shown(observations(target)), contracts, launched=bool(request.launch))
+
+
+def _stored_contracts(request: Request) -> tuple[Contract, ...]:
+    """Contracts of the releases that the registry is asked for."""
+    if not request.release and request.environment is None:
+        return ()
+    from ecm_extract.cli.registries import open_registry
+    from ecm_extract.registry.promised import contracts_of_releases
+
+    with open_registry(request.registry or None) as registry, registry.reading() as session:
+        return contracts_of_releases(session, request.release, request.environment)
+
+
+def _require_subject(contracts: Sequence[Contract], request: Request) -> None:
+    """Evidence is about releases; without any there is nothing to keep."""
+    if request.registry is not None and not contracts:
+        message = "--registry keeps evidence of releases, and none is named"
+        raise InputError(message, "add --release PACKAGE@VERSION or --environment NAME, or name contracts otherwise")
 
 
 def _print(watch: Watch, findings: Sequence[Finding], request: Request) -> None:
@@ -141,14 +183,36 @@ def _rendered(watch: Watch, findings: Sequence[Finding], form: str) -> str:
 
 
 def _keep(watch: Watch, findings: Sequence[Finding], request: Request) -> None:
-    if request.evidence is not None:
-        from ecm_extract.observe.evidence import document, records
-
-        _write(request.evidence, document(records(watch, findings, request.witness or _user())), "a")
+    if request.evidence is not None or request.registry is not None:
+        _keep_evidence(watch, findings, request)
     if request.complete is not None:
         from ecm_extract.observe.complete import overlay_text
 
         _write(request.complete, overlay_text(watch), "w")
+
+
+def _keep_evidence(watch: Watch, findings: Sequence[Finding], request: Request) -> None:
+    """The file first: a registry that refuses them loses none."""
+    from ecm_extract.observe.evidence import Run, document, records
+
+    found = records(watch, findings, Run(request.witness or _user(), request.kind))
+    if request.evidence is not None:
+        _write(request.evidence, document(found), "a")
+    if request.registry is not None:
+        _register(found, request)
+
+
+def _register(found: Sequence[EvidenceRecord], request: Request) -> None:
+    from ecm_extract.cli.registries import open_registry
+    from ecm_extract.registry.evidence import add_evidence
+    from ecm_extract.registry.texts import added_lines
+    from ecm_extract.report.terminal import one_line
+
+    with open_registry(request.registry or None) as registry, registry.writing() as session:
+        added = add_evidence(session, found)
+    if not request.quiet:
+        for line in added_lines(added):
+            click.echo(one_line(line, 1000), err=True)
 
 
 def _write(name: str, text: str, mode: Literal["a", "w"]) -> None:
