@@ -72,7 +72,7 @@ def _record(watch: Watch, module: View, findings: Sequence[Finding], looked: Loo
         schema="ecm-extract/evidence/1",
         kind="observation",
         subject=EvidenceSubject(module.package, identity.version, module.id, contract_digest(module.contract)),
-        result=_result(watch, bool(nodes or count.seen), against),
+        result=_result(watch, count, against) if nodes or count.seen else "not_seen",
         by=by,
         begun=watch.seen.begun,
         seconds=watch.seen.seconds,
@@ -84,13 +84,13 @@ def _record(watch: Watch, module: View, findings: Sequence[Finding], looked: Loo
     )
 
 
-def _result(watch: Watch, present: bool, against: Sequence[Finding]) -> EvidenceResult:
-    if not present:
-        return "not_seen"
+def _result(watch: Watch, count: _Count, against: Sequence[Finding]) -> EvidenceResult:
+    """Of a module that was seen; a part of what it promises, or nothing at all, confirms nothing."""
     severities = {each.severity for each in against}
     if "error" in severities:
         return "contradicted"
-    return "doubtful" if "warning" in severities or watch.seen.gaps else "confirmed"
+    whole = 0 < count.promised == count.seen
+    return "confirmed" if whole and "warning" not in severities and not watch.seen.gaps else "doubtful"
 
 
 def _counted(watch: Watch, module: View, nodes: Sequence[str]) -> _Count:
