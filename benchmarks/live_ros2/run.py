@@ -26,12 +26,10 @@ import yaml
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from ecm_checker.view import view
 from path_a.ros2 import LOOPBACK, PYTHON, environment, require, running
 from path_a.row import NotMeasured
 
 from ecm_extract.errors import EcmError
-from ecm_extract.observe.expected import is_node_of
 from ecm_extract.observe.model import Observation
 from live_ros2.candidates import Candidate, Tree, candidates, of_node, python_path, tree_of
 from live_ros2.rows import KINDS, Count, compared
@@ -101,8 +99,8 @@ def _run(tree: Tree, candidate: Candidate, arguments: Sequence[str]) -> Iterator
             return
         told = _asked(domain)
         seen = _seen(domain)
-    if not told.nodes:
-        print(f"{candidate.name}: makes no node", flush=True)
+        if not told.nodes:
+            print(f"{candidate.name}: makes no node: {_last_line(log)}", flush=True)
     yield from _compared(tree, candidate, told, seen)
 
 
@@ -121,9 +119,8 @@ def _last_line(log: IO[str]) -> str:
 
 
 def _compared(tree: Tree, candidate: Candidate, told: Observation, seen: Observation) -> Iterator[Ran]:
-    contracts = of_node(tree.contracts, candidate.package)
     for node in told.nodes:
-        own = [each for each in contracts if is_node_of(node.name, view(each))]
+        own = of_node(tree, candidate, node.name)
         counts = compared(own, node.name, told, seen)
         modules = tuple(each.ecm.module_id for each in own)
         result = Ran(candidate.name, tree.path.name, node.name, modules, counts)
