@@ -62,6 +62,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("trees", nargs="+", type=Path)
     parser.add_argument("--most", type=int, default=8, help="programs that run of one tree")
+    parser.add_argument("--tries", type=int, default=24, help="programs that are tried of one tree")
     parser.add_argument("--only", action="append", default=[], help="PACKAGE/PROGRAM; may be repeated")
     parser.add_argument("--starts", type=Path, help="YAML: PACKAGE/PROGRAM: [arguments that it needs to run]")
     parser.add_argument("--json", type=Path)
@@ -86,8 +87,13 @@ def _of_tree(path: Path, given: argparse.Namespace, starts: Starts) -> Iterator[
         print(f"{path.name}: {error}", flush=True)
         return
     found = [each for each in candidates(tree) if not given.only or each.name in given.only]
-    for candidate in found[: given.most]:
-        yield from _run(tree, candidate, starts.get(candidate.name, ()))
+    count = 0
+    for candidate in found[: given.tries]:
+        ran = list(_run(tree, candidate, starts.get(candidate.name, ())))
+        yield from ran
+        count += bool(ran)
+        if count == given.most:
+            return
 
 
 def _run(tree: Tree, candidate: Candidate, arguments: Sequence[str]) -> Iterator[Ran]:
