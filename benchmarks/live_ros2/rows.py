@@ -9,10 +9,9 @@ from dataclasses import dataclass, field
 from ecm_checker.contract import Contract, Qos
 from ecm_checker.view import view
 
-from ecm_extract.observe.expected import Expected, is_exact, on_node
+from ecm_extract.observe.expected import Expected, graph_keys, is_exact, on_node
 from ecm_extract.observe.model import Endpoint, Observation
 from ecm_extract.observe.standard import is_standard
-from ecm_extract.observe.watch import graph_keys
 
 POLICIES = ("reliability", "durability", "history", "depth", "deadline_ms", "lifespan_ms", "liveliness", "lease_ms")
 _HOLE = re.compile(r"\\\{[^{}]*\\\}")
