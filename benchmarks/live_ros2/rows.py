@@ -62,7 +62,8 @@ def compared(contracts: Sequence[Contract], node: str, told: Observation, seen: 
     promises = [each for module in contracts for each in on_node(view(module), node)]
     ends = [end for end in told.endpoints if end.node == node and not is_standard(end.role, end.name, node)]
     _endpoints(counts, promises, ends)
-    _parameters(counts, promises, {each.name: each.value for each in told.parameters if each.node == node})
+    if node not in {gap.what for gap in told.gaps}:
+        _parameters(counts, promises, {each.name: each.value for each in told.parameters if each.node == node})
     _observed(counts["seen by observe"], ends, [end for end in seen.endpoints if end.node == node])
     return counts
 

@@ -129,6 +129,7 @@ def _compared(tree: Tree, candidate: Candidate, told: Observation, seen: Observa
         own = of_node(tree, candidate, node.name)
         counts = compared(own, node.name, told, seen)
         modules = tuple(each.ecm.module_id for each in own)
+        print("".join(f"{gap.what} {gap.why}\n" for gap in told.gaps), end="")
         result = Ran(candidate.name, tree.path.name, node.name, modules, counts)
         print(_shown(result), flush=True)
         yield result

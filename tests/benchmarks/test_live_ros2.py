@@ -71,7 +71,9 @@ def test_actions_are_one_endpoint() -> None:
     assert [(end.role, end.name, end.type) for end in told.endpoints] == [
         ("action_server", "/dock", "demo/action/Dock")
     ]
-    assert told.parameters == ()
+    assert (told.parameters, [gap.what for gap in told.gaps]) == ((), ["/n"])
+    rate = contract(interface("parameter", "/n/rate", "rate"))
+    assert compared([rate], "/n", told, told)["parameter precision"].whole == 0
 
 
 def test_what_observe_does_not_see_is_told() -> None:
