@@ -28,6 +28,7 @@ from ecm_extract.requires.dependencies import dependency_requirements
 from ecm_extract.requires.descriptions import description_requirements
 from ecm_extract.requires.endpoints import endpoint_requirements
 from ecm_extract.requires.ignored import comments_of, with_answers
+from ecm_extract.requires.interface_types import interface_requirements
 from ecm_extract.requires.kept import kept_for
 from ecm_extract.requires.launch_files import launch_requirements
 from ecm_extract.requires.parameter_files import parameter_file_requirements
@@ -67,7 +68,7 @@ def requirements(workspace: Workspace) -> Mapping[str, Sequence[Requirement]]:
     paths = frozenset(entry.path for entry in workspace.tree.files())
     comments = comments_of(workspace.tree, (each.evidence[0].path for entries in found.values() for each in entries))
     return {
-        package: _ordered(each for entry in entries for each in with_answers(_kept(entry, paths), comments))
+        package: ordered(each for entry in entries for each in with_answers(_kept(entry, paths), comments))
         for package, entries in found.items()
     }
 
@@ -87,6 +88,7 @@ def _of_package(
     yield from behavior_tree_requirements(facts)
     yield from policy_requirements(facts)
     yield from dependency_requirements(facts)
+    yield from interface_requirements(facts)
     yield from rviz_requirements(tree, facts)
     for file in _python_launch_files(texts, facts):
         yield from python_requirements(file)
@@ -121,7 +123,8 @@ def _python_launch_files(texts: SideTexts, facts: PackageFacts) -> Iterator[File
         yield file
 
 
-def _ordered(entries: Iterable[Requirement]) -> Sequence[Requirement]:
+def ordered(entries: Iterable[Requirement]) -> tuple[Requirement, ...]:
+    """Return requirements in the order of files and lines, each once."""
     return tuple(sorted(dict.fromkeys(entries), key=_order))
 
 
