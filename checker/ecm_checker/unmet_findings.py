@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable, Iterator
 
+from ecm_checker.any_rule import Said
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Certainty, Entity, Finding
 from ecm_checker.hub.kinds import kinds
 from ecm_checker.hub.provision import Provision
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.match.packages import Unmet
-from ecm_checker.rule import PackageMatter, Rule
+from ecm_checker.rule import Rule
 
 _SHOWN = 3
 
@@ -31,17 +32,19 @@ def _finding(rule: Rule, group: list[Unmet]) -> Finding:
     home = provided[0].package if provided else wanted.package
     lines = [at for each in group for at in each.requirement.evidence]
     lines += [Evidence(each.path, each.line) for each in provided]
-    packages = [*([home] if home else []), *sorted({each.consumer for each in group})]
+    packages = tuple(dict.fromkeys([*([home] if home else []), *sorted({each.consumer for each in group})]))
     kind = kinds()[wanted.kind]
-    matter = PackageMatter(
+    said = Said(
         text=_text(group, wanted, home),
         consequence=kind.silence,
         entity=Entity(wanted.kind, wanted.name),
         who=kind.who,
-        packages=tuple(dict.fromkeys(packages)),
+        owners=packages,
+        subjects=tuple(f"ecm.{name}" for name in packages),
         evidence=tuple(dict.fromkeys(lines)),
+        certainty=_certainty(group),
     )
-    return rule.package_finding(matter, _certainty(group))
+    return rule.found(said)
 
 
 def _provided(group: list[Unmet]) -> list[Provision]:
@@ -55,10 +58,20 @@ def _text(group: list[Unmet], wanted: Requirement, home: str | None) -> str:
     more = f" and {len(lines) - _SHOWN} more" if len(lines) > _SHOWN else ""
     of = f" of {home}" if home else ""
     breach = group[0].match.breach
-    state = f"has another {breach}" if breach else "is not there"
+    state = f"has another {breach}" if breach else _absence(group)
     kind = wanted.kind.replace("_", " ")
     return f"{kind} {wanted.name}{of} {state}, and {', '.join(lines[:_SHOWN])}{more} {wanted.phrase}"
 
 
+def _absence(group: list[Unmet]) -> str:
+    return "is not in what could be read" if _is_hidden(group) else "is not there"
+
+
+def _is_hidden(group: list[Unmet]) -> bool:
+    return all(each.hidden and not each.match.found for each in group)
+
+
 def _certainty(group: list[Unmet]) -> Certainty:
+    if _is_hidden(group):
+        return "unknown"
     return "proved" if any(each.requirement.certainty == "proved" for each in group) else "likely"

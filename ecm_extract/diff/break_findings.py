@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterable
 from typing import Final
 
 import msgspec
 from ecm_checker.contract import Evidence
-from ecm_checker.finding import Certainty, Finding, Severity
+from ecm_checker.finding import Certainty, Entity, Finding, Severity
 from ecm_checker.hub.kinds import kinds
 from ecm_checker.release import Change, fingerprint_of
 
@@ -26,10 +27,10 @@ def findings_of(uses: Iterable[Use]) -> tuple[Finding, ...]:
 
 def grouped_uses(uses: Iterable[Use]) -> list[tuple[Located, list[Use]]]:
     """Return changes with the lines that each breaks, in the order of the lines."""
-    grouped: dict[int, tuple[Located, list[Use]]] = {}
+    grouped: dict[object, list[Use]] = defaultdict(list)
     for use in uses:
-        grouped.setdefault(id(use.located), (use.located, []))[1].append(use)
-    return list(grouped.values())
+        grouped[use.located.key].append(use)
+    return [(readers[0].located, readers) for readers in grouped.values()]
 
 
 def line_of(use: Use) -> Evidence:
@@ -59,6 +60,7 @@ def finding_of(located: Located, uses: Iterable[Use]) -> Finding:
         fingerprint=fingerprint_of(change),
         who=kinds()[change.kind].who,
         certainty=certainty,
+        about=Entity(change.kind, change.old or "", change.new or "", change.owner),
     )
 
 

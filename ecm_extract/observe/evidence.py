@@ -5,21 +5,33 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Iterable, Sequence
 from importlib.metadata import version
-from typing import Literal
 
 import msgspec
-from ecm_checker.contract import Contract
-from ecm_checker.encode import encode
 from ecm_checker.finding import Finding
 from ecm_checker.view import View
-from ecm_checker.wire import EvidenceFinding, EvidenceRecord, EvidenceSubject, LookedAt, Witness
+from ecm_checker.wire import (
+    EvidenceFinding,
+    EvidenceKind,
+    EvidenceRecord,
+    EvidenceResult,
+    EvidenceSubject,
+    LookedAt,
+    Witness,
+)
 
-from ecm_extract.observe.expected import is_exact
+from ecm_extract.contract_digest import contract_digest
+from ecm_extract.observe.expected import graph_keys, is_exact
 from ecm_extract.observe.model import Observation
-from ecm_extract.observe.watch import Watch, graph_keys
+from ecm_extract.observe.watch import Watch
 
 _TOOL = "ecm-extract"
-Result = Literal["confirmed", "contradicted", "doubtful", "not_seen"]
+
+
+class Run(msgspec.Struct, frozen=True):
+    """What a run was: who looked, by name, and what it shows of the release."""
+
+    witness: str
+    kind: EvidenceKind = "observation"
 
 
 class _Count(msgspec.Struct, frozen=True):
@@ -27,17 +39,18 @@ class _Count(msgspec.Struct, frozen=True):
     seen: int
 
 
-def records(watch: Watch, findings: Sequence[Finding], witness: str) -> tuple[EvidenceRecord, ...]:
+def records(watch: Watch, findings: Sequence[Finding], run: Run) -> tuple[EvidenceRecord, ...]:
     """Return a record for each module that can run.
 
     Args:
         watch: what was seen, beside contracts.
         findings: what `compare` said of it.
-        witness: name of who looked.
+        run: what it was.
     """
     looked = LookedAt(watch.seen.source, watch.seen.target, watch.seen.senses, digest(watch.seen))
-    by = Witness(witness, _TOOL, version(_TOOL))
-    return tuple(_record(watch, module, findings, looked, by) for module in watch.modules)
+    by = Witness(run.witness, _TOOL, version(_TOOL))
+    found = (_record(watch, module, findings, looked, by) for module in watch.modules)
+    return tuple(msgspec.structs.replace(each, kind=run.kind) for each in found)
 
 
 def document(found: Iterable[EvidenceRecord]) -> str:
@@ -50,11 +63,6 @@ def digest(seen: Observation) -> str:
     return seen.digest or _hashed(msgspec.json.encode(seen, order="deterministic"))
 
 
-def contract_digest(contract: Contract) -> str:
-    """SHA-256 over the canonical JSON of a contract."""
-    return _hashed(msgspec.json.encode(encode(contract), order="sorted"))
-
-
 def _record(watch: Watch, module: View, findings: Sequence[Finding], looked: LookedAt, by: Witness) -> EvidenceRecord:
     nodes = tuple(each.node for each in watch.running if each.module is module)
     against = [each for each in findings if module.id in each.subjects or not set(nodes).isdisjoint(each.subjects)]
@@ -64,7 +72,7 @@ def _record(watch: Watch, module: View, findings: Sequence[Finding], looked: Loo
         schema="ecm-extract/evidence/1",
         kind="observation",
         subject=EvidenceSubject(module.package, identity.version, module.id, contract_digest(module.contract)),
-        result=_result(watch, bool(nodes or count.seen), against),
+        result=_result(watch, module, count, against) if nodes or count.seen else "not_seen",
         by=by,
         begun=watch.seen.begun,
         seconds=watch.seen.seconds,
@@ -76,21 +84,22 @@ def _record(watch: Watch, module: View, findings: Sequence[Finding], looked: Loo
     )
 
 
-def _result(watch: Watch, present: bool, against: Sequence[Finding]) -> Result:
-    if not present:
-        return "not_seen"
+def _result(watch: Watch, module: View, count: _Count, against: Sequence[Finding]) -> EvidenceResult:
+    """Of a module that was seen; a part of what it promises, and what may be another module, confirm nothing."""
     severities = {each.severity for each in against}
     if "error" in severities:
         return "contradicted"
-    return "doubtful" if "warning" in severities or watch.seen.gaps else "confirmed"
+    whole = 0 < count.promised == count.seen and module.id not in watch.rivals
+    return "confirmed" if whole and "warning" not in severities and not watch.seen.gaps else "doubtful"
 
 
 def _counted(watch: Watch, module: View, nodes: Sequence[str]) -> _Count:
-    """Endpoints with a fixed name and a role that the source can see, on its nodes or, without nodes, anywhere."""
+    """Endpoints with a fixed name and a role that the source can see, on its nodes, or of nodes that nobody told."""
     promises = [each for each in watch.promises_of(module, nodes) if is_exact(each)]
     keys = [graph_keys(each) for each in promises]
+    seen = watch.keys_of(nodes)
     visible = [each for each in keys if any(role in watch.visible_roles for role, _ in each)]
-    return _Count(len(visible), sum(any(key in watch.by_name for key in each) for each in visible))
+    return _Count(len(visible), sum(any(key in seen for key in each) for each in visible))
 
 
 def _finding(each: Finding) -> EvidenceFinding:

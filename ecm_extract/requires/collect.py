@@ -6,6 +6,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import msgspec
+from ecm_checker.hub.package import Package
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.match.consumer import Consumer
 from ecm_parsers.source.python import parse_python
@@ -17,6 +18,7 @@ from ecm_extract.link.program import imported_names
 from ecm_extract.link.units import File
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.behavior_trees import behavior_tree_requirements
+from ecm_extract.requires.cpp_body import bodies
 from ecm_extract.requires.cpp_headers import header_requirements
 from ecm_extract.requires.cpp_members import member_requirements
 from ecm_extract.requires.cpp_names import name_requirements
@@ -27,6 +29,7 @@ from ecm_extract.requires.dependencies import dependency_requirements
 from ecm_extract.requires.descriptions import description_requirements
 from ecm_extract.requires.endpoints import endpoint_requirements
 from ecm_extract.requires.ignored import comments_of, with_answers
+from ecm_extract.requires.interface_types import interface_requirements
 from ecm_extract.requires.kept import kept_for
 from ecm_extract.requires.launch_files import launch_requirements
 from ecm_extract.requires.parameter_files import parameter_file_requirements
@@ -38,35 +41,42 @@ from ecm_extract.requires.rviz_files import rviz_requirements
 from ecm_extract.system.launch_files import is_launch_file
 from ecm_extract.tree import Tree
 
-MAX_BYTES = 1_000_000
-
 
 def consumers(workspace: Workspace) -> list[Consumer]:
     """Return the packages of a linked tree as consumers."""
     return [Consumer(package, entries) for package, entries in requirements(workspace).items()]
 
 
+def requiring_packages(workspace: Workspace) -> tuple[Package, ...]:
+    """Return the packages of a linked tree with what they require, and nothing of what they provide."""
+    return tuple(
+        Package(name=each.package, version=None, path="", ros=None, requires=tuple(each.requirements))
+        for each in consumers(workspace)
+    )
+
+
 def requirements(workspace: Workspace) -> Mapping[str, Sequence[Requirement]]:
     """Return what each package of a linked tree requires, in the order of files and lines."""
-    texts = SideTexts(workspace.tree, workspace.packages)
     modules: dict[str, list[LinkedModule]] = defaultdict(list)
     for module in workspace.linked:
         modules[module.module.package].append(module)
     found: dict[str, list[Requirement]] = {facts.name: [] for facts in workspace.packages}
     for facts in workspace.packages:
-        found[facts.name] += _of_package(workspace.tree, texts, facts, modules[facts.name])
+        found[facts.name] += _of_package(workspace.tree, workspace.texts, facts, modules[facts.name])
     for package, requirement in _of_program(workspace):
         found[package].append(requirement)
-    paths = frozenset(entry.path for entry in workspace.tree.files())
-    comments = comments_of(workspace.tree, (each.evidence[0].path for entries in found.values() for each in entries))
+    paths = {each.evidence[0].path for entries in found.values() for each in entries}
+    present = frozenset(entry.path for entry in workspace.tree.files())
+    kept = {path: distribution for path in paths if (distribution := kept_for(path, present))}
+    comments = comments_of(workspace.tree, paths)
     return {
-        package: _ordered(each for entry in entries for each in with_answers(_kept(entry, paths), comments))
+        package: ordered(each for entry in entries for each in with_answers(_kept(entry, kept), comments))
         for package, entries in found.items()
     }
 
 
-def _kept(entry: Requirement, paths: frozenset[str]) -> Requirement:
-    distribution = kept_for(entry.evidence[0].path, paths)
+def _kept(entry: Requirement, kept: Mapping[str, str]) -> Requirement:
+    distribution = kept.get(entry.evidence[0].path)
     return msgspec.structs.replace(entry, kept_for=distribution) if distribution else entry
 
 
@@ -80,6 +90,7 @@ def _of_package(
     yield from behavior_tree_requirements(facts)
     yield from policy_requirements(facts)
     yield from dependency_requirements(facts)
+    yield from interface_requirements(facts)
     yield from rviz_requirements(tree, facts)
     for file in _python_launch_files(texts, facts):
         yield from python_requirements(file)
@@ -94,8 +105,10 @@ def _of_program(workspace: Workspace) -> Iterator[tuple[str, Requirement]]:
     yield from parameter_read_requirements(workspace.program)
     yield from override_requirements(workspace.program)
     yield from result_requirements(workspace.program)
-    yield from member_requirements(workspace.objects)
-    yield from reached_requirements(workspace.objects)
+    for body in bodies(workspace.objects):
+        for read in (member_requirements, reached_requirements):
+            for found in read(body):
+                yield body.func.file.package, found
 
 
 _CPP = (header_requirements, name_requirements)
@@ -109,13 +122,13 @@ def _python_launch_files(texts: SideTexts, facts: PackageFacts) -> Iterator[File
         if entry.path.endswith(".py") and entry.path not in facts.sources and is_launch_file(entry.path)
     )
     for path, data in texts.read_many(paths):
-        if len(data) <= MAX_BYTES:
-            file = File(path, facts.name, facts.ros, parse_python(data).facts)
-            file.imported = imported_names(file)
-            yield file
+        file = File(path, facts.name, facts.ros, parse_python(data).facts)
+        file.imported = imported_names(file)
+        yield file
 
 
-def _ordered(entries: Iterable[Requirement]) -> Sequence[Requirement]:
+def ordered(entries: Iterable[Requirement]) -> tuple[Requirement, ...]:
+    """Return requirements in the order of files and lines, each once."""
     return tuple(sorted(dict.fromkeys(entries), key=_order))
 
 

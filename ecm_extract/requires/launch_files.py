@@ -7,23 +7,35 @@ in it is nobody's until the launch is evaluated: its parts that are known only a
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import PurePosixPath
 from typing import Final
 
 import msgspec
+from ecm_checker.contract import Evidence
 from ecm_checker.hub.requirement import Given, Requirement
-from ecm_parsers.launch.model import Action, Group, Include, Node, ParameterFile, ParameterValue, Remap, Template
+from ecm_parsers.launch.model import (
+    Action,
+    Group,
+    Include,
+    LaunchFile,
+    Node,
+    ParameterFile,
+    ParameterValue,
+    Remap,
+    Template,
+)
 
 from ecm_extract.entities.launch import launch_files
 from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.entities.written_text import written
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.requires.name_lines import line_of_name
 from ecm_extract.requires.place import Place, required
-from ecm_extract.tree import Tree
 
 _FOUND: Final = re.compile(r"\$\((?:find|find_prefix) ([^\s$()]+)\)(/(?:.*/)?)([^/$()]+)$", re.DOTALL)
 """A file of a package: the package, the folders, the name, which stands there as a whole."""
+_STARTS: Final = "starts"
 HOLE: Final = "{}"
 MANAGED: Final = "node_names"
 """Parameter by which a lifecycle manager is told its nodes (nav2_lifecycle_manager, nav2_util)."""
@@ -44,10 +56,21 @@ class _Scope(msgspec.Struct, frozen=True):
         return _Scope(self.path, told)
 
 
-def launch_requirements(tree: Tree | SideTexts, facts: PackageFacts) -> Iterator[Requirement]:
+def launch_requirements(texts: SideTexts, facts: PackageFacts) -> Iterator[Requirement]:
     """Yield what the launch files of a package require."""
-    for path, file in launch_files(tree, facts):
-        for found in _of_actions(file.actions, _Scope(path)):
+    for path, file in launch_files(texts, facts):
+        lines = next((data.splitlines() for _, data in texts.read_many([path])), [])
+        yield from requirements_of_file(path, file, lines)
+
+
+def requirements_of_file(path: str, file: LaunchFile, lines: Sequence[bytes]) -> Iterator[Requirement]:
+    """Yield what one launch file requires; `lines` are its content, by which the line of a program's name is told."""
+    for found in _of_actions(file.actions, _Scope(path)):
+        if found.use == _STARTS:
+            at = found.evidence[0]
+            evidence = (Evidence(path, line_of_name(lines, at.line, found.name)),)
+            yield msgspec.structs.replace(found, ros=file.ros, evidence=evidence)
+        else:
             yield msgspec.structs.replace(found, ros=file.ros)
 
 
@@ -81,7 +104,7 @@ def _of_include(action: Include, scope: _Scope) -> Iterator[Requirement]:
         return
     given = Given(names=tuple(name for name, _ in action.arguments), forwarded=action.pass_all)
     path = f"{found[2].lstrip('/')}{found[3]}"
-    yield required("includes_launch", found[3], place, package=found[1], given=given, said=path)
+    yield required("includes_launch", found[3], place, package=found[1], given=given, target=path)
     lines = action.argument_lines or (action.line,) * len(action.arguments)
     for (name, _), line in zip(action.arguments, lines, strict=True):
         yield required("gives_argument", name, scope.place(line), package=found[1], owner=found[3])
@@ -91,7 +114,7 @@ def _of_node(action: Node, scope: _Scope) -> Iterator[Requirement]:
     package, executable = plain(action.package), plain(action.executable)
     place = scope.place(action.line)
     if package and executable:
-        yield required("starts", executable, place, package=package)
+        yield required(_STARTS, executable, place, package=package)
     plugin = plain(action.plugin)
     if plugin:
         yield required("loads_plugin", plugin, place)
@@ -143,7 +166,7 @@ def _reached(remap: Remap, place: Place) -> Iterator[Requirement]:
 
 def _remap(action: Remap, scope: _Scope, package: str | None) -> Requirement:
     source, target = holed(action.source), holed(action.target)
-    return required("remaps", source, scope.place(action.line), "likely", said=target, package=package or None)
+    return required("remaps", source, scope.place(action.line), "likely", target=target, package=package or None)
 
 
 def _of_parameter(action: ParameterValue, place: Place, package: str | None) -> Iterator[Requirement]:

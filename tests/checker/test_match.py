@@ -15,6 +15,9 @@ from ecm_checker.match.consumer import Consumer
 from ecm_checker.match.engine import match
 from ecm_checker.match.packages import Packages, broken
 from ecm_checker.match.provisions import Provisions
+from ecm_checker.rules.ver008 import RULE
+from ecm_checker.unmet_findings import unmet_findings
+from ecm_checker.wire import NotRead
 
 
 def provision(kind: str, name: str, owner: str = "", path: str = "a.hpp", **more: Any) -> Provision:
@@ -36,6 +39,8 @@ JOINT = provision("class", "arm::Joint", bases=("Arm",))
 MOVE = provision("method", "move", "arm::Arm", forms=(Form(("int",), 1, "void", ("to",), virtual=True),))
 ARM_LAUNCH = provision("launch_file", "arm.launch", path="arm.launch")
 SIDE = provision("launch_argument", "side", "arm.launch", path="arm.launch", default="left")
+MODE = provision("message", "arm_msgs/msg/Mode", package="arm_msgs")
+OFF = provision("constant", "OFF", "arm_msgs/msg/Mode", package="arm_msgs")
 STATES: dict[str, tuple[list[Provision], Requirement, str]] = {
     "a program that is there": (
         [provision("executable", "arm_node")],
@@ -156,6 +161,14 @@ def test_a_name_of_another_package_needs_its_header(included: tuple[Requirement,
     assert match(wanted, consumer, Provisions([HEADER, ARM]), {"arm"}).state == state
 
 
+@pytest.mark.parametrize(("name", "state"), [("OFF", "met"), ("ON", "unknown")])
+def test_cpp_names_a_constant_of_a_message(name: str, state: str) -> None:
+    """The header of a message is generated below the name of its package, and belongs to it as any other."""
+    wanted = requirement("names_symbol", f"arm_msgs::msg::Mode::{name}")
+    consumer = Consumer("user", [requirement("includes", "arm_msgs/msg/mode.hpp"), wanted])
+    assert match(wanted, consumer, Provisions([MODE, OFF]), {"arm_msgs"}).state == state
+
+
 def package(name: str, provides: list[Provision], requires: list[Requirement]) -> Package:
     return Package(
         name=name,
@@ -177,6 +190,27 @@ def test_what_was_met_and_is_no_longer_is_broken() -> None:
     assert not list(broken(user, before, before))
 
 
+def test_nothing_is_missing_in_what_was_not_read() -> None:
+    """A file of the provider is too large: a name that is not found is unknown, and a release may have broken it."""
+    user = Packages([package("user", [], [requirement("starts", "arm_node", package="arm")])])
+    before = Packages([package("arm", [provision("executable", "arm_node")], [])])
+    gap = NotRead("arm/src/big.cpp", "too-large", carries=True)
+    partly = Packages([msgspec.structs.replace(package("arm", [], []), unread=(gap,))])
+    (found,) = broken(user, before, partly)
+    assert found.hidden
+    (finding,) = unmet_findings(RULE, [found])
+    assert (finding.severity, finding.certainty) == ("warning", "unknown")
+    assert "is not in what could be read" in finding.message
+
+
+def test_what_a_project_leaves_out_is_no_gap() -> None:
+    """Only what nobody asked to leave out makes a package unknown."""
+    user = package("user", [], [requirement("starts", "arm_node", package="arm")])
+    left = NotRead("arm/old", "excluded", carries=True)
+    arm = msgspec.structs.replace(package("arm", [], []), unread=(left,))
+    assert [each.requirement.name for each in Packages([user, arm]).unmet()] == ["arm_node"]
+
+
 def test_packages_ask_each_other() -> None:
     """A program that the other one does not have is told; a plugin may come from anywhere."""
     wanted = [requirement("starts", "gone", package="arm"), requirement("loads_plugin", "else::Where")]
@@ -191,3 +225,22 @@ def test_a_program_may_be_a_file_of_its_package() -> None:
     held = msgspec.structs.replace(arm, files={"arm/scripts/drive.py": ""})
     assert [each.requirement.name for each in Packages([user, arm]).unmet()] == ["drive.py"]
     assert not list(Packages([user, held]).unmet())
+
+
+@pytest.mark.parametrize(
+    ("more", "unmet"),
+    [
+        ({}, ["drive", "arm.msg.Grip"]),
+        ({"possible": {"executable": ("drive",)}}, ["arm.msg.Grip"]),
+        ({"possible": {"message": ("arm/msg/Grip",)}}, ["drive"]),
+        ({"open": ("executable", "message")}, []),
+        ({"files": {"arm/drive.py": ""}}, ["arm.msg.Grip"]),
+        ({"files": {"arm/drive.py": ""}, "runs_files": False}, ["drive", "arm.msg.Grip"]),
+    ],
+)
+def test_what_a_build_may_make_is_not_missing(more: dict[str, Any], unmet: list[str]) -> None:
+    """A program that is not installed, an interface that a build lists, anything of a build that is not understood."""
+    wanted = [requirement("starts", "drive", package="arm"), requirement("imports", "arm.msg.Grip")]
+    arm = package("arm", [provision("message", "arm/msg/Mode")], [])
+    found = Packages([package("user", [], wanted), msgspec.structs.replace(arm, **more)]).unmet()
+    assert [each.requirement.name for each in found] == unmet

@@ -12,7 +12,6 @@ import msgspec
 
 from ecm_checker.contract import Confidence, Contract, Evidence, Qos
 from ecm_checker.encode import decode as decode_contract
-from ecm_checker.encode import encode as encode_contract
 from ecm_checker.hub.provision import Form, Key, Provision
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.json_data import json_data
@@ -59,6 +58,10 @@ class Hub(msgspec.Struct, frozen=True, kw_only=True):
         files: git blob id of each file by path, empty where it is not known; files that concern all packages of the
             tree, as its changelogs do, are of each.
         notes: sentences of changelogs, by path.
+        possible: names by kind that its build may make beside what it provides, such as programs that it does not
+            install.
+        open: kinds of which it may have any name, as where its build is not understood.
+        runs_files: whether any of its files may be started by its name.
     """
 
     manifest: str | None = None
@@ -69,6 +72,9 @@ class Hub(msgspec.Struct, frozen=True, kw_only=True):
     interfaces: dict[str, Any] = {}
     files: dict[str, str] = {}
     notes: dict[str, tuple[str, ...]] = {}
+    possible: dict[str, tuple[str, ...]] = {}
+    open: tuple[str, ...] = ()
+    runs_files: bool = True
 
 
 class Package(Hub, frozen=True, kw_only=True):
@@ -87,6 +93,11 @@ class Package(Hub, frozen=True, kw_only=True):
     modules: tuple[Module, ...] = ()
     diagnostics: tuple[Diagnostic, ...] = ()
     unread: tuple[NotRead, ...] = ()
+
+    @property
+    def gaps(self) -> tuple[NotRead, ...]:
+        """What could declare interfaces of it and was not read."""
+        return tuple(each for each in self.unread if each.is_gap)
 
     def contracts(self) -> tuple[Contract, ...]:
         """Return the contracts of its modules."""
@@ -192,6 +203,8 @@ def decode_documents(data: bytes) -> Extract | PackageDocument:
         msgspec.ValidationError: a key is missing or has a wrong type; the message names its path.
         msgspec.DecodeError: it is not JSON.
     """
+    if data.startswith(_EXTRACT):  # as they are written; to look for the schema first would read them twice
+        return msgspec.json.decode(data, type=Extract)
     schema = msgspec.json.decode(data, type=_Head).schema
     model = _MODELS.get(schema)
     if model is None:
@@ -200,9 +213,7 @@ def decode_documents(data: bytes) -> Extract | PackageDocument:
     return msgspec.json.decode(data, type=model)
 
 
-def encode_modules(contracts: tuple[Contract, ...]) -> list[dict[str, Any]]:
-    """Return contracts as they stand in a document of a package."""
-    return [encode_contract(contract) for contract in contracts]
+_EXTRACT: Final = f'{{\n "schema": "{EXTRACT_SCHEMA}",'.encode()
 
 
 class _Head(msgspec.Struct):

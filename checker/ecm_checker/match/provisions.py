@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import Final
 
 from ecm_checker.hub.kinds import kinds, uses
-from ecm_checker.hub.provision import HOLE, Provision
+from ecm_checker.hub.provision import HOLE, Key, Provision
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.match.consumer import Consumer
 from ecm_checker.match.generated import headers, python_names, section_owners
@@ -37,10 +37,15 @@ class Provisions:
         self._entities = tuple(entities)
         self._whole = whole
         self.bound: frozenset[str] = whole.bound if whole is not None else bound
-        self._by_key: dict[tuple[str, str], list[Provision]] = defaultdict(list)
+
+    @cached_property
+    def _by_key(self) -> Mapping[tuple[str, str], Sequence[Provision]]:
+        """Made when something is looked for: where nothing changed nothing is."""
+        found: dict[tuple[str, str], list[Provision]] = defaultdict(list)
         for entity in self._entities:
             for key in dict.fromkeys((*_keys(entity), *self._heirs(entity))):
-                self._by_key[entity.kind, key].append(entity)
+                found[entity.kind, key].append(entity)
+        return found
 
     def _heirs(self, entity: Provision) -> Iterator[str]:
         """Classes that hand their arguments on to an `__init__` are called in its place."""
@@ -69,7 +74,14 @@ class Provisions:
         for entity in self._entities:
             if entity.kind == "file" and "/" in entity.name:
                 found[entity.name.partition("/")[0]].add(entity.package)
+            elif entity.kind == "message":  # its header is generated below the name of its package
+                found[entity.package].add(entity.package)
         return {folder: frozenset(packages) for folder, packages in found.items()}
+
+    @cached_property
+    def interface_packages(self) -> frozenset[str]:
+        """Packages that generate headers and modules of interface files."""
+        return frozenset(each.package for each in self._entities if each.kind == "message")
 
     def keys(self) -> Iterator[tuple[str, str]]:
         """Yield the kinds and keys by which requirements find what is here."""
@@ -91,12 +103,13 @@ class Provisions:
         row = uses()[requirement.use]
         names = NAMES[row.names]
         site = Site(requirement, consumer, self.folders, self.bound, self.bases, self.ways)
-        found: dict[int, Provision] = {}
+        found: dict[Key, Provision] = {}
         for kind in row.of:
             for key in names.keys(requirement):
                 for entity in self.of(kind, key):
-                    if row.facet in {"", entity.facet} and id(entity) not in found and names.meant(site, entity):
-                        found[id(entity)] = entity
+                    fits = row.facet in {"", entity.facet} and entity.key not in found
+                    if fits and names.meant(site, entity):
+                        found[entity.key] = entity
         return list(found.values())
 
 
@@ -118,6 +131,7 @@ def _keys(entity: Provision) -> Iterator[str]:
 def _of_message(entity: Provision) -> Iterator[str]:
     yield from headers(entity.name)
     yield from python_names(entity.name)
+    yield from section_owners(entity.name, "")
 
 
 def _of_constant(entity: Provision) -> Iterator[str]:

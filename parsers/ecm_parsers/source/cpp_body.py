@@ -301,7 +301,7 @@ class BodyReader:
             self._add("do", node, value)
 
     def _counted(self, node: Node, counter: Expr) -> None:
-        """`++index;` and `index--;`"""
+        """What `++index;` and `index--;` give the index."""
         operator = node.child_by_field_name("operator")
         sign = "+" if operator is not None and operator.type == "++" else "-"
         self._add("set", node, Op(sign, (counter, Number(1))), counter)

@@ -175,9 +175,7 @@ def _if(scan: Scan, node: Node) -> None:
     """A condition with its block; with alternatives it is a choice among conditions, of which the first one holds."""
     test = _tested(scan, node.child_by_field_name("condition"))
     then = scan.inner(node.child_by_field_name("consequence"), 1)
-    cases = [Case((test,), then)]
-    for clause in node.children_by_field_name("alternative"):
-        cases.append(_alternative(scan, clause))
+    cases = [Case((test,), then), *[_alternative(scan, clause) for clause in node.children_by_field_name("alternative")]]
     if len(cases) == 1 or (len(cases) == 2 and not cases[1].tests):
         scan.frame.flow.add(Branch(test, then, cases[1].body if len(cases) == 2 else ()))
     else:
@@ -210,10 +208,8 @@ def _otherwise(scan: Scan, node: Node) -> Block:
 
 def _match(scan: Scan, node: Node) -> None:
     subject = _tested(scan, node.child_by_field_name("subject"))
-    cases: list[Case] = []
-    for clause in parts(node.child_by_field_name("body") or node):
-        if clause.type == "case_clause":
-            cases.append(_case(scan, clause))
+    clauses = [clause for clause in parts(node.child_by_field_name("body") or node) if clause.type == "case_clause"]
+    cases = [_case(scan, clause) for clause in clauses]
     scan.frame.flow.add(Switch(subject, tuple(cases), False))
 
 
