@@ -99,7 +99,7 @@ def _resolved(name: str) -> str:
 
 def extracted(root: Path) -> Mapping[Place, tuple[Told, ...]]:
     """What the tool tells of each line that makes a publisher, by the name of the file."""
-    packages = Reader(open_tree(root), False, (), None).read(1, None)
+    packages = Reader(open_tree(root), False, (), False).read(1, None)
     found: dict[Place, dict[Told, None]] = defaultdict(dict)
     for module in Linker(packages, form_table()).link():
         for entry in module.lines:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from executed.draw import Draw, Names
 
 STUBS = {
@@ -192,7 +194,7 @@ class CppProgram(Draw):
         self.add("    std::map<std::string, std::string> table_;")
         self.add("};")
 
-    def _forms(self):
+    def _forms(self) -> tuple[Callable[[], None], ...]:
         return (
             self.publish, self.publish, self.publish, self._let, self._let, self._let_number, self._let_list,
             self._let_table, self._change_text, self._change_text, self._change_list, self._change_table, self._if,
@@ -224,7 +226,11 @@ class CppProgram(Draw):
     def text(self, depth: int = 3) -> str:
         if depth <= 0 or self.chance(0.25):
             return self._simple()
-        inner, number = lambda: self.text(depth - 1), self.number
+        number = self.number
+
+        def inner() -> str:
+            return self.text(depth - 1)
+
         forms = [
             lambda: f'{inner()} + "/" + {inner()}',
             lambda: f'({inner()} + "_" + std::to_string({number()}))',

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from typing import Iterator, TypeVar
+from typing import TypeVar
 
 WORDS = ("scan", "odom", "cmd", "left", "right", "arm", "base", "image", "map", "goal")
 _T = TypeVar("_T")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from executed.draw import Draw, Names
 
 STUBS = {
@@ -135,7 +137,7 @@ class PythonProgram(Draw):
         self.publish()
         self.indent = 0
 
-    def _forms(self):
+    def _forms(self) -> tuple[Callable[[], None], ...]:
         return (
             self.publish, self.publish, self.publish, self._let, self._let, self._let_number, self._let_list,
             self._let_table, self._add_to, self._change_list, self._change_list, self._change_table, self._if, self._if,
@@ -159,7 +161,11 @@ class PythonProgram(Draw):
             simple += ["self.own", "self.base", "self.LABEL", "self.items[0]", 'self.table["a"]']
         if depth <= 0 or self.chance(0.25):
             return self.one(simple)
-        inner, number = lambda: self.text(depth - 1), self.number
+        number = self.number
+
+        def inner() -> str:
+            return self.text(depth - 1)
+
         forms = [
             lambda: f'{inner()} + "/" + {inner()}',
             lambda: f'f"{{{self.one(simple + ["x"]) if False else self._plain(simple)}}}/{{{number()}}}"',

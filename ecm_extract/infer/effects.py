@@ -99,7 +99,8 @@ class Effects:
         last = callee.name if isinstance(callee, Member) else callee.id.rsplit("::", 1)[-1] if isinstance(callee, Name) else ""
         passed = [(index, arg) for index, arg in enumerate(call.args) if self._passes(arg)]
         named = [(name, arg) for name, arg in call.keywords if self._passes(arg)]
-        if not (passed or named) or last in self.calls.reading or last in self.calls.changing:
+        changing = isinstance(callee, Member) and last in self.calls.changing
+        if not (passed or named) or last in self.calls.reading or changing:
             return
         target = self.targets.target(call, env)
         if target is None and self.targets.keeps(last):

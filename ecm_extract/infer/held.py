@@ -99,23 +99,25 @@ class State:
         holds: variable -> the things that it may hold, of which one is true.
         path: the undecided branches on the way, one number each.
         live: whether the way is one that a run can take; the others tell what code that is never reached would do.
+        called: whether functions of the tree were called on it, which may have given members anything they give them.
     """
 
     holds: Layers = field(default_factory=Layers)
     path: tuple[int, ...] = ()
     live: bool = True
+    called: bool = False
 
     def having(self, changes: Mapping[str, tuple[Held, ...]]) -> State:
         """The same state with other things in some variables."""
-        return State(self.holds.having(changes), self.path, self.live) if changes else self
+        return State(self.holds.having(changes), self.path, self.live, self.called) if changes else self
 
     def on(self, branch: int) -> State:
         """The same state beyond a branch that nobody can decide."""
-        return State(self.holds, (*self.path, branch), self.live)
+        return State(self.holds, (*self.path, branch), self.live, self.called)
 
     def along(self, path: tuple[int, ...]) -> State:
         """The same state on another path."""
-        return State(self.holds, path, self.live)
+        return State(self.holds, path, self.live, self.called)
 
 
 def joined_states(states: Iterable[State | None]) -> State | None:
@@ -131,11 +133,12 @@ def joined_states(states: Iterable[State | None]) -> State | None:
 
 def _joined(one: State, other: State) -> State:
     if one.holds is other.holds:
-        return State(one.holds, _common(one.path, other.path), one.live or other.live)
+        path = _common(one.path, other.path)
+        return State(one.holds, path, one.live or other.live, one.called or other.called)
     met: dict[tuple[int, int], tuple[Held, ...]] = {}
     holds: dict[str, tuple[Held, ...]] = {}
     for name in dict.fromkeys((*one.holds, *other.holds)):
-        left, right = one.holds.get(name) or (_given(name),), other.holds.get(name) or (_given(name),)
+        left, right = one.holds.get(name) or (_given(name, one),), other.holds.get(name) or (_given(name, other),)
         if left is right:
             holds[name] = left
             continue
@@ -143,11 +146,12 @@ def _joined(one: State, other: State) -> State:
         if key not in met:
             met[key] = _ways(name, left, right)
         holds[name] = met[key]
-    return State(Layers(holds), _common(one.path, other.path), one.live or other.live)
+    path = _common(one.path, other.path)
+    return State(Layers(holds), path, one.live or other.live, one.called or other.called)
 
 
-def _given(name: str) -> Held:
-    return Held("given", name)
+def _given(name: str, state: State) -> Held:
+    return Held("shared" if state.called and name.startswith(".") else "given", name)
 
 
 def _ways(name: str, left: tuple[Held, ...], right: tuple[Held, ...]) -> tuple[Held, ...]:

@@ -16,7 +16,7 @@ from ecm_parsers.source.facts import Statement
 from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Later, Leave, Loop, Step, Switch
 
 from ecm_extract.infer.effects import Effect, Effects, Targets, bare_names, is_plain
-from ecm_extract.infer.held import Held, State, joined_states
+from ecm_extract.infer.held import Held, How, State, joined_states
 from ecm_extract.infer.places import own_names
 from ecm_extract.link.walk import children
 
@@ -165,7 +165,8 @@ class Interpreter:
             return self._attempt(step, state)
         if isinstance(step, Later):
             return self._run_later(step, state)
-        return self._leave(step, state)
+        self._leave(step, state)
+        return None
 
     def _shadow(self, block: Block, state: State | None) -> None:
         """Follow code that no run reaches, so that what it would do is known too."""
@@ -288,7 +289,7 @@ class Interpreter:
             return self._blur(loop, state)
         if loop.each >= 0:
             return self._over(loop, state)
-        return self._while(loop, state) if loop.test is not None else self._endless(loop, state)
+        return self._while(loop, state) if loop.test is not None else self._blur(loop, state)
 
     def _over(self, loop: Loop, state: State) -> State | None:
         each = self.body[loop.each]
@@ -332,7 +333,7 @@ class Interpreter:
         """Run rounds while the condition is decided."""
         assert loop.test is not None
         self._enter()
-        current: State | None = state
+        current = state
         for count in range(MAX_ROUNDS + 1):
             holds = True if loop.first and not count else self.judge.truth(loop.test, self._env(current))
             if holds is False:
@@ -340,15 +341,12 @@ class Interpreter:
                     self._shadow(loop.body, current)
                 return self._exit(loop, current)
             if holds is None or count == MAX_ROUNDS or self._steps > MAX_STEPS:
-                current = self._blur(loop, current)
-                return self._exit(loop, current)
-            current = self._round(loop, current)
-            if current is None:
+                return self._exit(loop, self._blur(loop, current))
+            after = self._round(loop, current)
+            if after is None:
                 return self._exit(loop, None)
+            current = after
         return self._exit(loop, current)
-
-    def _endless(self, loop: Loop, state: State) -> State | None:
-        return self._blur(loop, state)
 
     def _element(self, each: Statement, at: int, state: State) -> State:
         return self._bind(each.target, Held("each", "", each.value, self._env(state), at), state)
@@ -550,7 +548,7 @@ class Interpreter:
         key = self.effects.key(statement.target)
         if not (self.python and key and statement.type.endswith("=")):
             return state
-        before = state.holds.get(key) or (Held("given", key),)
+        before = self._known(key, state, None)
         if all(held.how == "value" and is_plain(held.expr) for held in before):
             return state
         alike = self._all_alike(key, state)
@@ -585,8 +583,9 @@ class Interpreter:
         if not root:
             return state
         if isinstance(target, Op) and target.op == "[]" and self.effects.key(target.operands[0]) == root:
-            stored = Held("stored", root, target.operands[1], held.env, held.at, held.expr, state.holds.get(root, ()))
-            new = stored if held.how == "value" else Held("lost", root, before=state.holds.get(root, ()))
+            before = self._known(root, state, held.env)
+            stored = Held("stored", root, target.operands[1], held.env, held.at, held.expr, before)
+            new = stored if held.how == "value" else Held("lost", root, before=before)
             return self._in_place(root, new, state)
         return self._in_place(root, Held("lost", root, before=state.holds.get(root, ())), state)
 
@@ -654,7 +653,7 @@ class Interpreter:
         return state
 
     def _apply(self, effect: Effect, at: int, env: Env, state: State) -> State:
-        before = state.holds.get(effect.key) or (Held("given", effect.key, env=env),)
+        before = self._known(effect.key, state, env)
         if effect.kind == "handed" and all(self._keeps_its_text(held) for held in before):
             return state
         how = effect.kind
@@ -734,7 +733,13 @@ class Interpreter:
         for key in open_:
             known = self.run.shown[key]
             known += [held for held in state.holds[key] if held.how not in {"given", "shared"} and held not in known]
-        return state.having({key: (Held("shared", key),) for key in open_})
+        after = state.having({key: (Held("shared", key),) for key in open_})
+        return State(after.holds, after.path, after.live, True)
+
+    def _known(self, key: str, state: State, env: Env | None) -> tuple[Held, ...]:
+        """What a variable holds, which a function may have not given anything yet."""
+        how: How = "shared" if state.called and key.startswith(".") and key.count(".") == 1 else "given"
+        return state.holds.get(key) or (Held(how, key, env=env),)
 
 
 def comprehensions(expr: Expr | None) -> Iterator[Comprehension]:

@@ -36,7 +36,7 @@ def key_of(expr: Expr | None, own: Set[str], member: bool) -> str:
         member: a name that is not the function's own is a member of `this`.
     """
     if isinstance(expr, Name):
-        if expr.id in own or "::" in expr.id or not member:
+        if expr.id in own or "::" in expr.id or expr.id.startswith("#") or not member:
             return expr.id if expr != _THIS else ""
         return "" if expr == _THIS else f".{expr.id}"
     if isinstance(expr, Member):

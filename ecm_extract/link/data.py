@@ -53,9 +53,10 @@ def data_of(expr: Expr | None, env: Env, folder: Folder, depth: int = 0) -> Any:
 
 
 def _data(expr: Expr, env: Env, folder: Folder, depth: int) -> Any:
-    wrapped = _wrapped(expr)
-    if wrapped is not None:
-        return as_number(data_of(wrapped, env, folder, depth + 1), last_name(getattr(expr.callee, "id", "")))
+    if isinstance(expr, Call) and isinstance(expr.callee, Name) and len(expr.args) == 1:
+        kind = last_name(expr.callee.id)
+        if kind in _WRAPPERS:  # `ParameterValue(x)`, `double(x)`
+            return as_number(data_of(expr.args[0], env, folder, depth + 1), kind)
     if isinstance(expr, Op) and expr.op == "?:" and folder.flow.truth(expr.operands[0], env) is None:
         return UNKNOWN
     items = _items(expr, env, folder)
@@ -67,12 +68,6 @@ def _data(expr: Expr, env: Env, folder: Folder, depth: int) -> Any:
         if found_ is not None:
             return found_
     return _known(folder.fold(expr, env))
-
-
-def _wrapped(expr: Expr) -> Expr | None:
-    """What a conversion holds: `ParameterValue(x)`, `double(x)`."""
-    named = isinstance(expr, Call) and isinstance(expr.callee, Name) and last_name(expr.callee.id) in _WRAPPERS
-    return expr.args[0] if named and isinstance(expr, Call) and len(expr.args) == 1 else None
 
 
 def _items(expr: Expr, env: Env, folder: Folder) -> Sequence[Bound] | None:

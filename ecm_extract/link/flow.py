@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections import defaultdict
 from collections.abc import Collection, Mapping, Sequence
 from typing import TYPE_CHECKING
@@ -22,6 +23,8 @@ if TYPE_CHECKING:
 
 MAX_RUNS = 500
 """Runs with arguments that are remembered."""
+MAX_FRAMES = 6_000
+"""Calls within calls: our own bounds (MAX_DEPTH, MAX_RUNNING, MAX_NESTING) end before that, Python's default does not."""
 MAX_RUNNING = 8
 """Runs within runs: what a function is called with may be what another function does."""
 _Key = tuple[int, int, int, int]
@@ -32,6 +35,7 @@ class Flow:
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
+        sys.setrecursionlimit(max(sys.getrecursionlimit(), MAX_FRAMES))
         self._runs: dict[_Key, tuple[Env, Run]] = {}
         self._running: set[_Key] = set()
         self._effects: dict[int, Effects] = {}
@@ -93,10 +97,12 @@ class Flow:
         key = effects.key(expr)
         if not key:
             return []
-        found = [state.holds.get(key, ()) for state in self.states(env)]
-        if not any(found):
+        states = self.states(env)
+        found = [state.holds.get(key, ()) for state in states]
+        shared = key.startswith(".") and key.count(".") == 1 and any(state.called for state in states)
+        if not any(found) and not shared:
             return []
-        return [ways or (Held("given", key),) for ways in found]
+        return [ways or (Held("shared" if shared else "given", key),) for ways in found]
 
     def effects(self, func: Func) -> Effects:
         """Return who knows the effects of a function's statements."""

@@ -42,6 +42,7 @@ from ecm_extract.link.scope import Scope
 from ecm_extract.link.steps import Steps
 from ecm_extract.link.values import (
     MAX_ALTERNATIVES,
+    TOO_MANY,
     Hole,
     Value,
     alternatives,
@@ -79,7 +80,7 @@ class Folder:
         self.cuts = 0
         self.cycles = 0
         self.steps = Steps(sum(len(func.fact.body) for group in program.functions.values() for func in group))
-        self._active: set[tuple[int, str, int]] = set()
+        self._active: set[tuple[int, str, int, int]] = set()
         self._answers: dict[_Asked, tuple[Env, tuple[Value, ...]]] = {}
 
     def fold(self, expr: Expr | None, env: Env) -> tuple[Value, ...]:
@@ -90,7 +91,10 @@ class Folder:
             self.cuts += 1
             return (unknown("value"),)
         with self.steps:
-            return self._by_kind(expr, env)
+            values = self._by_kind(expr, env)
+        if any(TOO_MANY.parts[0] in value.parts for value in values):
+            self.steps.leave_out(env)
+        return values
 
     def _by_kind(self, expr: Expr, env: Env) -> tuple[Value, ...]:
         match expr:
@@ -116,7 +120,7 @@ class Folder:
 
     def guarded(self, label: str, env: Env, work: Callable[[], tuple[Value, ...]]) -> tuple[Value, ...]:
         """Break cycles such as `x = f(x)` in a loop or members that are set from each other."""
-        key = (id(env.func), label, env.at)
+        key = (id(env.func), label, env.at, id(env.state))
         if key in self._active or len(self._active) > 60:
             self.cuts += 1
             self.cycles += 1

@@ -205,8 +205,9 @@ class ListFolder:
             return found if isinstance(found, list) else None
         data_ = [data_in(value) for value in self.folder.fold(index, env)]
         at = data_[0] if len(data_) == 1 else UNKNOWN
-        known = isinstance(at, int) and -len(items) <= at < len(items)
-        return self.items(items[at].expr, items[at].env.deeper(env.depth + 1)) if known else None
+        if not isinstance(at, int) or not -len(items) <= at < len(items):
+            return None
+        return self.items(items[at].expr, items[at].env.deeper(env.depth + 1))
 
     def _of_variable(self, expr: Name | Member, env: Env) -> list[Bound] | None:
         ways = self.folder.flow.ways(expr, env)
@@ -347,8 +348,9 @@ class ListFolder:
             return self.structure(made, held.env.deeper(env.depth + 1)) if env.depth < MAX_DEPTH else None
         if isinstance(made, Items):
             return [Bound(item, held.env) for item in made.items]
-        plainly = isinstance(made, Call) and isinstance(made.callee, Name) and not made.keywords
-        cls = self.folder.objects.class_written(made.callee.id, held.env) if plainly else None
+        if not isinstance(made, Call) or not isinstance(made.callee, Name) or made.keywords:
+            return None
+        cls = self.folder.objects.class_written(made.callee.id, held.env)
         simple = cls is not None and not any(method.is_constructor for method in cls.methods)
         return [Bound(item, held.env) for item in made.args] if simple else None
 
@@ -653,8 +655,9 @@ def _character(text: Any, at: Any) -> Any:
 
 def _range(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
     values = [lists.folder.fold(arg, env) for arg in call.args]
-    data = [found[0].data if len(found) == 1 and is_proved(found[0]) else None for found in values]
-    if not 1 <= len(data) <= 3 or any(type(entry) is not int for entry in data) or 0 in data[2:]:
+    known = [found[0].data for found in values if len(found) == 1 and is_proved(found[0])]
+    data = [entry for entry in known if isinstance(entry, int)]
+    if not 1 <= len(data) <= 3 or len(data) != len(values) or 0 in data[2:]:
         return None
     numbers = range(*data)
     return [Bound(Number(number), env) for number in numbers] if len(numbers) <= MAX_ITEMS else None

@@ -254,7 +254,8 @@ class QosReader:
         if field is not None:
             return field
         constant = self.folder.scope.constant(name, env)
-        return self._policies(constant[0].value, env, level + 1) if constant is not None else self._unseen(expr, env)
+        value = constant[0].value if constant is not None else None
+        return self._policies(value, env, level + 1) if value is not None else self._unseen(expr, env)
 
     def _field(self, name: str, expr: Name | Member, env: Env, level: int) -> dict[str, Any] | None:
         """What a data member, its own or of a base, is declared with, and what methods set on it; None for no such."""

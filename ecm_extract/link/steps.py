@@ -46,6 +46,10 @@ class Steps:
         self._cut[_place(self._asked or env)] = None
         return False
 
+    def leave_out(self, env: Env) -> None:
+        """Remember a place whose values are not all computed; within a question it is the place that asked."""
+        self._cut[_place(self._asked if self.depth and self._asked is not None else env)] = None
+
     def __enter__(self) -> None:
         self.depth += 1
 

@@ -236,7 +236,10 @@ def _pattern(scan: Scan, node: Node) -> Expr:
 
 
 def _try(scan: Scan, node: Node) -> None:
-    body, handlers, other, final = (), [], (), ()
+    handlers: list[Block] = []
+    body: Block = ()
+    other: Block = ()
+    final: Block = ()
     for child in parts(node):
         if child.type == "block":
             body = scan.inner(child)
