@@ -1,4 +1,4 @@
-"""Are values what programs do? `python benchmarks/executed_values.py [--programs N] [--seed S] [--language L] [--show N]`.
+"""Are values what programs do? `python benchmarks/executed_values.py [--programs N] [--seed S] [--language L]`.
 
 Programs are drawn (executed/), run for real with python or g++, once without and once with an argument, and read by
 the tool. For each line that made publishers:

@@ -54,6 +54,8 @@ class CppProgram(Draw):
         super().__init__(seed)
         self.space = space
         self.this = False
+        self.reads: list[str] = []
+        self.global_name = ""
 
     def source(self) -> str:
         self.add('#include "rclcpp/rclcpp.hpp"')
@@ -88,9 +90,7 @@ class CppProgram(Draw):
 
     def _helper(self, index: int) -> None:
         more = f' = "{self.word()}"' if self.chance(0.4) else ""
-        self.add(
-            f"inline std::string helper{index}(std::string given, int number, const std::string & extra{more}) {{"
-        )
+        self.add(f"inline std::string helper{index}(std::string given, int number, const std::string & extra{more}) {{")
         with self.block():
             self.names = Names(["given"], ["number"])
             self.reads = ["extra"]
@@ -111,19 +111,24 @@ class CppProgram(Draw):
     def _switched(self) -> None:
         self.add("switch (number) {")
         for number in range(self.random.randint(1, 3)):
-            self.add(f"    case {number}: {self.one(('return ' + self.text(1) + ';', 'given = ' + self.text(1) + '; break;', 'given += ' + self.text(0) + ';'))}")
+            self.add(
+                f"    case {number}: {self.one(('return ' + self.text(1) + ';', 'given = ' + self.text(1) + '; break;', 'given += ' + self.text(0) + ';'))}"  # noqa: E501
+            )
         if self.chance(0.5):
             self.add(f"    default: return {self.text(1)};")
         self.add("}")
 
     def _built(self) -> None:
         self.add("std::string result;")
-        self.add('for (int index = 0; index < number; ++index) { result += given + std::to_string(index); }')
+        self.add("for (int index = 0; index < number; ++index) { result += given + std::to_string(index); }")
         self.names.texts.append("result")
 
     def _changed_argument(self) -> None:
-        self.add(self.one((f"given += {self.text(1)};", f"given.append({self.text(1)});",
-                           f"given.insert(0, {self.text(1)});")))
+        self.add(
+            self.one(
+                (f"given += {self.text(1)};", f"given.append({self.text(1)});", f"given.insert(0, {self.text(1)});")
+            )
+        )
 
     def _kind(self) -> None:
         self.add("inline std::string label(Kind kind) {")
@@ -134,7 +139,9 @@ class CppProgram(Draw):
         self.add("    }")
         self.add("}")
         self.add("inline void fill(std::string & out, const std::string & key) {")
-        self.add(f"    {self.one(('out = key;', 'out += key;', 'out.append(key);', 'if (out.empty()) { out = key; }'))}")
+        self.add(
+            f"    {self.one(('out = key;', 'out += key;', 'out.append(key);', 'if (out.empty()) { out = key; }'))}"
+        )
         self.add("}")
         self.add("inline void extend(std::vector<std::string> & out) {")
         self.add(f'    out.push_back("{self.word()}");')
@@ -160,7 +167,7 @@ class CppProgram(Draw):
         self.add(" public:")
         more = f', "{self.word()}"' if self.chance(0.5) else ""
         self.add("    Program(const std::string & name, int count)")
-        self.add(f'        : Base(name{more}), own_({self.one(("name", "std::to_string(count)"))}) {{')
+        self.add(f"        : Base(name{more}), own_({self.one(('name', 'std::to_string(count)'))}) {{")
         self.indent = 2
         self.add(f'items_.push_back("{self.word()}");')
         if self.chance(0.5):
@@ -177,7 +184,7 @@ class CppProgram(Draw):
         self.add(f'    {_PUBLISH}(topic + "/" + std::to_string(many), 10);')
         self.add("}")
         self.add("void rename() {")
-        self.add(f'    {self.one(("own_ += " + chr(34) + "_r" + chr(34) + ";", ""))}')
+        self.add(f"    {self.one(('own_ += ' + chr(34) + '_r' + chr(34) + ';', ''))}")
         self.add("}")
         self.add("void start(int argc) {")
         self.indent = 2
@@ -196,10 +203,34 @@ class CppProgram(Draw):
 
     def _forms(self) -> tuple[Callable[[], None], ...]:
         return (
-            self.publish, self.publish, self.publish, self._let, self._let, self._let_number, self._let_list,
-            self._let_table, self._change_text, self._change_text, self._change_list, self._change_table, self._if,
-            self._if, self._for, self._for_range, self._rows, self._while, self._switch, self._swap, self._lambda,
-            self._reference, self._stream, self._call_method, self._set_member, self._fill, self._print, self._kinds,
+            self.publish,
+            self.publish,
+            self.publish,
+            self._let,
+            self._let,
+            self._let_number,
+            self._let_list,
+            self._let_table,
+            self._change_text,
+            self._change_text,
+            self._change_list,
+            self._change_table,
+            self._if,
+            self._if,
+            self._for,
+            self._for_range,
+            self._rows,
+            self._while,
+            self._switch,
+            self._swap,
+            self._lambda,
+            self._reference,
+            self._stream,
+            self._call_method,
+            self._set_member,
+            self._fill,
+            self._print,
+            self._kinds,
             self._set_global,
         )
 
@@ -213,8 +244,6 @@ class CppProgram(Draw):
 
     # --- expressions ---------------------------------------------------------------------------------------
 
-    reads: list[str] = []
-    global_name = ""
 
     def _simple(self) -> str:
         simple = [f'std::string("{self.word()}")', *self.names.texts, *self.names.texts, *self.reads]
@@ -243,10 +272,18 @@ class CppProgram(Draw):
             lambda: f"label(Kind::{self.one(('FIRST', 'SECOND', 'THIRD'))})",
         ]
         if self.this:
-            forms += [lambda: f"helper{self.small() % 3}({inner()}, {number()}, {inner()})", lambda: "full()",
-                      lambda: "leaf()", lambda: "items_.back()", lambda: f"named({number()})",
-                      lambda: f"named({inner()})", lambda: f"twice({inner()})", lambda: f"twice({number()})",
-                      lambda: "items_.at(0)", lambda: 'table_.at("a")']
+            forms += [
+                lambda: f"helper{self.small() % 3}({inner()}, {number()}, {inner()})",
+                lambda: "full()",
+                lambda: "leaf()",
+                lambda: "items_.back()",
+                lambda: f"named({number()})",
+                lambda: f"named({inner()})",
+                lambda: f"twice({inner()})",
+                lambda: f"twice({number()})",
+                lambda: "items_.at(0)",
+                lambda: 'table_.at("a")',
+            ]
         if self.names.lists:
             name = self.one(self.names.lists)
             forms += [lambda: f"{name}[0]", lambda: f"{name}.back()", lambda: f"{name}.at(0)"]
@@ -260,21 +297,28 @@ class CppProgram(Draw):
         if self.chance(0.7):
             return self.one(base)
         left, right = self.one(base), self.one(base)
-        forms = [f"({left} + {right})", f"({left} * {right})", f"({left} - {right})", f"({left} / ({right} * {right} + 1))"]
+        forms = [
+            f"({left} + {right})",
+            f"({left} * {right})",
+            f"({left} - {right})",
+            f"({left} / ({right} * {right} + 1))",
+        ]
         forms += [f"static_cast<int>({name}.size())" for name in [*self.names.lists, *self.names.texts]]
         return self.one(forms)
 
     def test(self) -> str:
         if self.this and self.chance(0.15):
             return "argc > 1"
-        return self.one([
-            f"{self.number()} {self.one(('<', '==', '>=', '!='))} {self.number()}",
-            f"{self._simple()} == {self._simple()}",
-            f"{self._simple()} != \"{self.word()}\"",
-            f"{self._simple()}.empty()",
-            f"!({self.number()} > 1) && {self._simple()} != {self._simple()}",
-            f"{self._simple()}.find(\"{self.one('abcde')}\") != std::string::npos",
-        ])
+        return self.one(
+            [
+                f"{self.number()} {self.one(('<', '==', '>=', '!='))} {self.number()}",
+                f"{self._simple()} == {self._simple()}",
+                f'{self._simple()} != "{self.word()}"',
+                f"{self._simple()}.empty()",
+                f"!({self.number()} > 1) && {self._simple()} != {self._simple()}",
+                f'{self._simple()}.find("{self.one("abcde")}") != std::string::npos',
+            ]
+        )
 
     # --- statements ----------------------------------------------------------------------------------------
 
@@ -305,11 +349,15 @@ class CppProgram(Draw):
 
     def _let_list(self) -> None:
         name = self.fresh("list")
-        self.add(self.one((
-            f"std::vector<std::string> {name}{{{self.text(1)}, {self.text(1)}}};",
-            f"std::vector<std::string> {name} = {{{self.text(1)}, {self.text(1)}}};",
-            f"std::vector<std::string> {name}(2, {self.text(1)});",
-        )))
+        self.add(
+            self.one(
+                (
+                    f"std::vector<std::string> {name}{{{self.text(1)}, {self.text(1)}}};",
+                    f"std::vector<std::string> {name} = {{{self.text(1)}, {self.text(1)}}};",
+                    f"std::vector<std::string> {name}(2, {self.text(1)});",
+                )
+            )
+        )
         self.names.lists.append(name)
 
     def _let_table(self) -> None:
@@ -321,34 +369,64 @@ class CppProgram(Draw):
         if not self.names.texts:
             return self._let()
         name = self.one(self.names.texts)
-        self.add(self.one((
-            f"{name} += {self.text(1)};", f"{name}.append({self.text(1)});", f"{name}.insert(0, {self.text(1)});",
-            f"{name}.replace(0, 1, {self.text(1)});", f"{name}.erase(0, 1);", f"{name}.push_back('x');",
-            f"if (!{name}.empty()) {{ {name}.pop_back(); }}", f"{name}.clear();", f"{name}.assign({self.text(1)});",
-            f"std::transform({name}.begin(), {name}.end(), {name}.begin(), ::toupper);", f"{name}.resize(2, 'y');",
-            f"std::replace({name}.begin(), {name}.end(), 'a', 'o');", f"if (!{name}.empty()) {{ {name}[0] = 'z'; }}",
-        )))
+        self.add(
+            self.one(
+                (
+                    f"{name} += {self.text(1)};",
+                    f"{name}.append({self.text(1)});",
+                    f"{name}.insert(0, {self.text(1)});",
+                    f"{name}.replace(0, 1, {self.text(1)});",
+                    f"{name}.erase(0, 1);",
+                    f"{name}.push_back('x');",
+                    f"if (!{name}.empty()) {{ {name}.pop_back(); }}",
+                    f"{name}.clear();",
+                    f"{name}.assign({self.text(1)});",
+                    f"std::transform({name}.begin(), {name}.end(), {name}.begin(), ::toupper);",
+                    f"{name}.resize(2, 'y');",
+                    f"std::replace({name}.begin(), {name}.end(), 'a', 'o');",
+                    f"if (!{name}.empty()) {{ {name}[0] = 'z'; }}",
+                )
+            )
+        )
+        return None
 
     def _change_list(self) -> None:
         if not self.names.lists:
             return self._let_list()
         name = self.one(self.names.lists)
-        self.add(self.one((
-            f"{name}.push_back({self.text(1)});", f"{name}.emplace_back({self.text(1)});",
-            f"{name}.insert({name}.begin(), {self.text(1)});", f"{name}[0] = {self.text(1)};", f"extend({name});",
-            f"std::sort({name}.begin(), {name}.end());", f"std::reverse({name}.begin(), {name}.end());",
-            f"if ({name}.size() > 1) {{ {name}.pop_back(); }}", f"{name}.back() += {self.text(0)};",
-            f"for (auto & entry : {name}) {{ entry += \"_e\"; }}",
-        )))
+        self.add(
+            self.one(
+                (
+                    f"{name}.push_back({self.text(1)});",
+                    f"{name}.emplace_back({self.text(1)});",
+                    f"{name}.insert({name}.begin(), {self.text(1)});",
+                    f"{name}[0] = {self.text(1)};",
+                    f"extend({name});",
+                    f"std::sort({name}.begin(), {name}.end());",
+                    f"std::reverse({name}.begin(), {name}.end());",
+                    f"if ({name}.size() > 1) {{ {name}.pop_back(); }}",
+                    f"{name}.back() += {self.text(0)};",
+                    f'for (auto & entry : {name}) {{ entry += "_e"; }}',
+                )
+            )
+        )
+        return None
 
     def _change_table(self) -> None:
         if not self.names.tables:
             return self._let_table()
         name = self.one(self.names.tables)
-        self.add(self.one((
-            f'{name}["{self.one("abc")}"] = {self.text(1)};', f'{name}.insert({{"c", {self.text(1)}}});',
-            f'{name}.emplace("b", {self.text(1)});', f'{name}["a"] += {self.text(0)};',
-        )))
+        self.add(
+            self.one(
+                (
+                    f'{name}["{self.one("abc")}"] = {self.text(1)};',
+                    f'{name}.insert({{"c", {self.text(1)}}});',
+                    f'{name}.emplace("b", {self.text(1)});',
+                    f'{name}["a"] += {self.text(0)};',
+                )
+            )
+        )
+        return None
 
     def _if(self) -> None:
         if self.nested >= 3:
@@ -368,6 +446,7 @@ class CppProgram(Draw):
                 self._let()
                 self.add("return;")
             self.add("}")
+        return None
 
     def _for(self) -> None:
         if self.nested >= 3:
@@ -391,6 +470,7 @@ class CppProgram(Draw):
                 self.publish()
             self.reads = keep
         self.add("}")
+        return None
 
     def _for_range(self) -> None:
         if self.nested >= 3:
@@ -403,6 +483,7 @@ class CppProgram(Draw):
             self.statements(self._forms(), 2)
             self.publish()
         self.add("}")
+        return None
 
     def _rows(self) -> None:
         if self.nested >= 3:
@@ -416,6 +497,7 @@ class CppProgram(Draw):
             self.publish()
             self.reads = self.reads[:-2]
         self.add("}")
+        return None
 
     def _while(self) -> None:
         if self.nested >= 3:
@@ -428,6 +510,7 @@ class CppProgram(Draw):
             self.publish()
             self.add(f"{name}++;")
         self.add("}")
+        return None
 
     def _switch(self) -> None:
         if self.nested >= 3:
@@ -449,20 +532,24 @@ class CppProgram(Draw):
                 self.publish()
             self.indent -= 1
         self.add("}")
+        return None
 
     def _swap(self) -> None:
         if len(self.names.texts) < 2:
             return self._let()
         first, second = self.random.sample(self.names.texts, 2)
         self.add(f"std::swap({first}, {second});")
+        return None
 
     def _lambda(self) -> None:
         name = self.fresh("make")
         texts = self.names.texts
         if texts and self.chance(0.4):
-            self.add(f'auto {name} = [&](const std::string & more) {{ {self.one(texts)} += more; return more; }};')
+            self.add(f"auto {name} = [&](const std::string & more) {{ {self.one(texts)} += more; return more; }};")
         else:
-            self.add(f'auto {name} = [{self.one("&=")}, this](const std::string & more) mutable {{ return more + {self.text(1)}; }};')
+            self.add(
+                f"auto {name} = [{self.one('&=')}, this](const std::string & more) mutable {{ return more + {self.text(1)}; }};"  # noqa: E501
+            )
         if self.chance(0.5):
             self._let()
         self.add(f"{_PUBLISH}({name}({self.text(0)}), 10);")
@@ -471,9 +558,17 @@ class CppProgram(Draw):
         if not self.names.texts:
             return self._let()
         name, other = self.fresh("text"), self.one(self.names.texts)
-        self.add(self.one((f"std::string & {name} = {other};", f"auto & {name} = {other};",
-                           f"std::string * pointer_{name} = &{other}; std::string {name} = *pointer_{name}; *pointer_{name} += \"_p\";")))
+        self.add(
+            self.one(
+                (
+                    f"std::string & {name} = {other};",
+                    f"auto & {name} = {other};",
+                    f'std::string * pointer_{name} = &{other}; std::string {name} = *pointer_{name}; *pointer_{name} += "_p";',  # noqa: E501
+                )
+            )
+        )
         self.names.texts.append(name)
+        return None
 
     def _stream(self) -> None:
         name = self.fresh("stream")
@@ -485,19 +580,31 @@ class CppProgram(Draw):
         self.add("rename();")
 
     def _set_member(self) -> None:
-        self.add(self.one((f"own_ = {self.text(1)};", f"own_ += {self.text(0)};", f"own_.append({self.text(0)});",
-                           f"items_.push_back({self.text(0)});", f'table_["a"] = {self.text(0)};',
-                           f"this->own_ = {self.text(1)};")))
+        self.add(
+            self.one(
+                (
+                    f"own_ = {self.text(1)};",
+                    f"own_ += {self.text(0)};",
+                    f"own_.append({self.text(0)});",
+                    f"items_.push_back({self.text(0)});",
+                    f'table_["a"] = {self.text(0)};',
+                    f"this->own_ = {self.text(1)};",
+                )
+            )
+        )
 
     def _fill(self) -> None:
         if not self.names.texts:
             return self._let()
         self.add(f"fill({self.one(self.names.texts)}, {self.text(0)});")
+        return None
 
     def _print(self) -> None:
         name = self.fresh("buffer")
         self.add(f"char {name}[64];")
-        self.add(f'snprintf({name}, sizeof({name}), "{self.one(("%s_%d", "%s/%02d", "%s%i"))}", ({self.text(0)}).c_str(), {self.number()});')
+        self.add(
+            f'snprintf({name}, sizeof({name}), "{self.one(("%s_%d", "%s/%02d", "%s%i"))}", ({self.text(0)}).c_str(), {self.number()});'  # noqa: E501
+        )
         self.add(f"{_PUBLISH}({name}, 10);")
 
     def _kinds(self) -> None:
@@ -511,8 +618,10 @@ class CppProgram(Draw):
             self.add(f"    {_PUBLISH}(label(kind), 10);")
             self.add("}")
         self.add("}")
+        return None
 
     def _set_global(self) -> None:
         if not self.global_name:
             return self.publish()
         self.add(f"{self.global_name} {self.one(('=', '+='))} {self.text(1)};")
+        return None

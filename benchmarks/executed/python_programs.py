@@ -41,7 +41,7 @@ class PythonProgram(Draw):
         self.helpers = [self._helper(index) for index in range(3)]
         self._classes()
         self.add("def main():")
-        self.add(f'    node = Program({self._argument()})')
+        self.add(f"    node = Program({self._argument()})")
         self.add("    node.start()")
         self.add("if __name__ == '__main__':")
         self.add("    main()")
@@ -65,9 +65,7 @@ class PythonProgram(Draw):
             self.names = Names(["given", "extra"], ["number"])
             keep, self.left = self.left, 3
             self.this = False
-            self.one(
-                (self._early, self._chosen, self._mapped, self._built, self._changed_argument)
-            )()
+            self.one((self._early, self._chosen, self._mapped, self._built, self._changed_argument))()
             self.add(f"return {self.text(2)}")
             self.left = keep
         return name
@@ -83,7 +81,7 @@ class PythonProgram(Draw):
 
     def _mapped(self) -> None:
         self.add(f'names = {{"{self.word()}": "one", "{self.word()}": "two"}}')
-        self.add(f'extra = names.get(given, {self.text(0)})')
+        self.add(f"extra = names.get(given, {self.text(0)})")
 
     def _built(self) -> None:
         self.add('result = ""')
@@ -111,7 +109,7 @@ class PythonProgram(Draw):
         self.indent = 2
         more = f', prefix="{self.word()}"' if self.chance(0.5) else ""
         self.add(f"super().__init__(name{more})")
-        self.add(f'self.own = {self.one(("name", "name.upper()", "str(count)"))}')
+        self.add(f"self.own = {self.one(('name', 'name.upper()', 'str(count)'))}")
         self.add(f'self.items = ["{self.word()}", name]')
         if self.chance(0.5):
             self.add("self.items.append(self.own)")
@@ -139,10 +137,33 @@ class PythonProgram(Draw):
 
     def _forms(self) -> tuple[Callable[[], None], ...]:
         return (
-            self.publish, self.publish, self.publish, self._let, self._let, self._let_number, self._let_list,
-            self._let_table, self._add_to, self._change_list, self._change_list, self._change_table, self._if, self._if,
-            self._for, self._for_range, self._for_pairs, self._while, self._try, self._swap, self._nested, self._lambda,
-            self._alias, self._comprehension, self._call_method, self._set_member, self._set_constant,
+            self.publish,
+            self.publish,
+            self.publish,
+            self._let,
+            self._let,
+            self._let_number,
+            self._let_list,
+            self._let_table,
+            self._add_to,
+            self._change_list,
+            self._change_list,
+            self._change_table,
+            self._if,
+            self._if,
+            self._for,
+            self._for_range,
+            self._for_pairs,
+            self._while,
+            self._try,
+            self._swap,
+            self._nested,
+            self._lambda,
+            self._alias,
+            self._comprehension,
+            self._call_method,
+            self._set_member,
+            self._set_constant,
         )
 
     def _body(self) -> None:
@@ -168,7 +189,7 @@ class PythonProgram(Draw):
 
         forms = [
             lambda: f'{inner()} + "/" + {inner()}',
-            lambda: f'f"{{{self.one(simple + ["x"]) if False else self._plain(simple)}}}/{{{number()}}}"',
+            lambda: f'f"{{{self.one([*simple, "x"]) if False else self._plain(simple)}}}/{{{number()}}}"',
             lambda: f'f"{{{self._plain(simple)}}}_{{{self._plain_number()}:02d}}"',
             lambda: f'"%s_%d" % ({inner()}, {number()})',
             lambda: f'"%s_%02d" % ({inner()}, {number()})',
@@ -188,15 +209,27 @@ class PythonProgram(Draw):
         ]
         if self.names.lists:
             name = self.one(self.names.lists)
-            forms += [lambda: f"{name}[0]", lambda: f"{name}[-1]", lambda: f'"_".join({name})',
-                      lambda: f'"_".join([x + "1" for x in {name}])', lambda: f'"_".join(sorted({name}))']
+            forms += [
+                lambda: f"{name}[0]",
+                lambda: f"{name}[-1]",
+                lambda: f'"_".join({name})',
+                lambda: f'"_".join([x + "1" for x in {name}])',
+                lambda: f'"_".join(sorted({name}))',
+            ]
         if self.names.tables:
             table = self.one(self.names.tables)
-            forms += [lambda: f'{table}["{self.one("ab")}"]', lambda: f'{table}.get("{self.one("abc")}", "none")',
-                      lambda: f'"_".join({table}.values())']
+            forms += [
+                lambda: f'{table}["{self.one("ab")}"]',
+                lambda: f'{table}.get("{self.one("abc")}", "none")',
+                lambda: f'"_".join({table}.values())',
+            ]
         if self.this:
-            forms += [lambda: "self.full()", lambda: "self.leaf()", lambda: "self.items[-1]",
-                      lambda: '"_".join(self.items)']
+            forms += [
+                lambda: "self.full()",
+                lambda: "self.leaf()",
+                lambda: "self.items[-1]",
+                lambda: '"_".join(self.items)',
+            ]
         return self.one(forms)()
 
     def _callable(self) -> bool:
@@ -213,8 +246,13 @@ class PythonProgram(Draw):
         if self.chance(0.7):
             return self.one(base)
         left, right = self.one(base), self.one(base)
-        forms = [f"({left} + {right})", f"({left} * {right})", f"({left} - {right})", f"({left} // ({right} + 1))",
-                 f"({left} % 3)"]
+        forms = [
+            f"({left} + {right})",
+            f"({left} * {right})",
+            f"({left} - {right})",
+            f"({left} // ({right} + 1))",
+            f"({left} % 3)",
+        ]
         forms += [f"len({name})" for name in [*self.names.lists, *self.names.texts]]
         return self.one(forms)
 
@@ -224,7 +262,7 @@ class PythonProgram(Draw):
         forms = [
             f"{self.number()} {self.one(('<', '==', '>=', '!='))} {self.number()}",
             f"{self._simple()} == {self._simple()}",
-            f"{self._simple()}.startswith(\"{self.one('abcdeflmors')}\")",
+            f'{self._simple()}.startswith("{self.one("abcdeflmors")}")',
             f"not {self._simple()}",
             f"{self.number()} > 1 and {self._simple()} != {self._simple()}",
         ]
@@ -271,26 +309,46 @@ class PythonProgram(Draw):
         if not self.names.texts:
             return self._let()
         self.add(f"{self.one(self.names.texts)} += {self.text(1)}")
+        return None
 
     def _change_list(self) -> None:
         if not self.names.lists:
             return self._let_list()
         name = self.one(self.names.lists)
-        self.add(self.one((
-            f"{name}.append({self.text(1)})", f"{name}.insert(0, {self.text(1)})", f"{name}.extend([{self.text(1)}])",
-            f"{name}.reverse()", f"{name}.sort()", f"{name}[0] = {self.text(1)}", f"{name} += [{self.text(1)}]",
-            f"self.fill({name})", f"{name}.pop(0) if len({name}) > 1 else None", f"del {name}[2:]",
-            f"{name} = {name}[:2] + [{self.text(1)}]",
-        )))
+        self.add(
+            self.one(
+                (
+                    f"{name}.append({self.text(1)})",
+                    f"{name}.insert(0, {self.text(1)})",
+                    f"{name}.extend([{self.text(1)}])",
+                    f"{name}.reverse()",
+                    f"{name}.sort()",
+                    f"{name}[0] = {self.text(1)}",
+                    f"{name} += [{self.text(1)}]",
+                    f"self.fill({name})",
+                    f"{name}.pop(0) if len({name}) > 1 else None",
+                    f"del {name}[2:]",
+                    f"{name} = {name}[:2] + [{self.text(1)}]",
+                )
+            )
+        )
+        return None
 
     def _change_table(self) -> None:
         if not self.names.tables:
             return self._let_table()
         name = self.one(self.names.tables)
-        self.add(self.one((
-            f'{name}["{self.one("abc")}"] = {self.text(1)}', f'{name}.update({{"b": {self.text(1)}}})',
-            f'{name}.setdefault("c", {self.text(1)})', f'{name}["a"] += {self.text(0)}',
-        )))
+        self.add(
+            self.one(
+                (
+                    f'{name}["{self.one("abc")}"] = {self.text(1)}',
+                    f'{name}.update({{"b": {self.text(1)}}})',
+                    f'{name}.setdefault("c", {self.text(1)})',
+                    f'{name}["a"] += {self.text(0)}',
+                )
+            )
+        )
+        return None
 
     def _if(self) -> None:
         if self.nested >= 3:
@@ -308,6 +366,7 @@ class PythonProgram(Draw):
             with self.block():
                 self._let()
                 self.add("return")
+        return None
 
     def _for(self) -> None:
         if self.nested >= 3:
@@ -323,6 +382,7 @@ class PythonProgram(Draw):
                 self.add(f"if {self.test()}:")
                 self.add(f"    {self.one(('break', 'continue'))}")
                 self.publish()
+        return None
 
     def _for_range(self) -> None:
         if self.nested >= 3:
@@ -333,6 +393,7 @@ class PythonProgram(Draw):
             self.names.numbers.append(name)
             self.statements(self._forms(), 2)
             self.publish()
+        return None
 
     def _for_pairs(self) -> None:
         if self.nested >= 3:
@@ -345,6 +406,7 @@ class PythonProgram(Draw):
         with self.block():
             self.names.texts += [key, value]
             self.publish()
+        return None
 
     def _while(self) -> None:
         if self.nested >= 3:
@@ -356,6 +418,7 @@ class PythonProgram(Draw):
             self.names.numbers.append(name)
             self.publish()
             self.add(f"{name} += 1")
+        return None
 
     def _try(self) -> None:
         if self.nested >= 3:
@@ -368,12 +431,14 @@ class PythonProgram(Draw):
         self.add("except KeyError:")
         self.add(f"    {name} = {self.text(1)}")
         self.names.texts.append(name)
+        return None
 
     def _swap(self) -> None:
         if len(self.names.texts) < 2:
             return self._let()
         first, second = self.random.sample(self.names.texts, 2)
         self.add(f"{first}, {second} = {second}, {first}")
+        return None
 
     def _nested(self) -> None:
         if not self.names.texts:
@@ -383,16 +448,17 @@ class PythonProgram(Draw):
         if self.chance(0.4):
             self.add(f"    nonlocal {text}")
             self.add(f'    {text} = {text} + "_" + more')
-        self.add(f'    return {text} + more')
+        self.add(f"    return {text} + more")
         self.add(f'self.create_publisher(String, {name}("{self.word()}"), 10)')
         self.add(f"self.create_publisher(String, {text}, 10)")
+        return None
 
     def _lambda(self) -> None:
         name = self.fresh("make")
-        self.add(f'{name} = lambda x: x + {self.text(1)}')
+        self.add(f"{name} = lambda x: x + {self.text(1)}")
         if self.chance(0.5):
             self._let()
-        self.add(f'self.create_publisher(String, {name}({self.text(0)}), 10)')
+        self.add(f"self.create_publisher(String, {name}({self.text(0)}), 10)")
 
     def _alias(self) -> None:
         if not self.names.lists:
@@ -401,6 +467,7 @@ class PythonProgram(Draw):
         self.add(f"{name} = {other}")
         self.add(f"{name}.append({self.text(1)})")
         self.names.lists.append(name)
+        return None
 
     def _comprehension(self) -> None:
         name = self.fresh("list")
@@ -413,8 +480,16 @@ class PythonProgram(Draw):
         self.add("self.rename()")
 
     def _set_member(self) -> None:
-        self.add(self.one((f"self.own = {self.text(1)}", f"self.own += {self.text(0)}",
-                           f"self.items.append({self.text(0)})", f'self.table["a"] = {self.text(0)}')))
+        self.add(
+            self.one(
+                (
+                    f"self.own = {self.text(1)}",
+                    f"self.own += {self.text(0)}",
+                    f"self.items.append({self.text(0)})",
+                    f'self.table["a"] = {self.text(0)}',
+                )
+            )
+        )
 
     def _set_constant(self) -> None:
         if any("global" in line for line in self.lines):

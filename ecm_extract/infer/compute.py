@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import os.path
 import re
 from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
@@ -208,14 +207,37 @@ def _from(text: str, position: int = 0, count: int | None = None) -> str:
     return text[position:] if count is None or count == -1 else text[position : position + count]
 
 
-
 _PYTHON: Final[Mapping[str, Callable[..., Any]]] = MappingProxyType(
     {
         name: getattr(str, name)
-        for name in (
-            "lower upper strip lstrip rstrip replace split startswith endswith title capitalize removeprefix removesuffix "
-            "zfill partition rpartition rsplit find rfind count index swapcase isdigit isalpha isidentifier casefold"
-        ).split()
+        for name in [
+            "lower",
+            "upper",
+            "strip",
+            "lstrip",
+            "rstrip",
+            "replace",
+            "split",
+            "startswith",
+            "endswith",
+            "title",
+            "capitalize",
+            "removeprefix",
+            "removesuffix",
+            "zfill",
+            "partition",
+            "rpartition",
+            "rsplit",
+            "find",
+            "rfind",
+            "count",
+            "index",
+            "swapcase",
+            "isdigit",
+            "isalpha",
+            "isidentifier",
+            "casefold",
+        ]
     }
 )
 _CPP: Final[Mapping[str, Callable[..., Any]]] = MappingProxyType(
@@ -254,7 +276,6 @@ def _erase(text: str, position: int = 0, count: int | None = None) -> str:
     return text[:position] + text[position + len(_from(text, position, count)) :]
 
 
-
 _CHANGED: Final[Mapping[str, Callable[..., Any]]] = MappingProxyType(
     {
         "append": lambda text, more: text + more,
@@ -269,8 +290,3 @@ _CHANGED: Final[Mapping[str, Callable[..., Any]]] = MappingProxyType(
         "str": lambda text, more: more + "",
     }
 )
-
-
-def path_joined(parts: Sequence[str]) -> str:
-    """Return what `os.path.join` makes of texts."""
-    return os.path.join(*parts)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Iterator, Mapping, Set
+from collections.abc import Iterator, Set
 from dataclasses import dataclass
 from functools import cache
 from importlib import resources
@@ -96,7 +96,13 @@ class Effects:
         callee = call.callee
         if isinstance(callee, Member):
             yield from self._on_receiver(call, callee, statement)
-        last = callee.name if isinstance(callee, Member) else callee.id.rsplit("::", 1)[-1] if isinstance(callee, Name) else ""
+        last = (
+            callee.name
+            if isinstance(callee, Member)
+            else callee.id.rsplit("::", 1)[-1]
+            if isinstance(callee, Name)
+            else ""
+        )
         passed = [(index, arg) for index, arg in enumerate(call.args) if self._passes(arg)]
         named = [(name, arg) for name, arg in call.keywords if self._passes(arg)]
         changing = isinstance(callee, Member) and last in self.calls.changing
@@ -189,5 +195,3 @@ def is_plain(expr: Expr | None) -> bool:
     if isinstance(expr, Text | Number | Constant | Template | Lambda):
         return True
     return isinstance(expr, Op) and expr.op in {"%", "-", "*", "/", "//", "==", "!=", "<", ">", "!", "format"}
-
-

@@ -553,7 +553,9 @@ class Interpreter:
             return state
         alike = self._all_alike(key, state)
         others = (alike | self._holding(alike, state) | {self._derived.get(key, "")}) - {key, ""}
-        handed = {name: (Held("handed", name, before=state.holds[name]),) for name in others - {key} if name in state.holds}
+        handed = {
+            name: (Held("handed", name, before=state.holds[name]),) for name in others - {key} if name in state.holds
+        }
         return state.having(handed)
 
     def _refer(self, target: Expr | None, value: Expr | None, at: int, env: Env, state: State) -> State:
@@ -661,7 +663,7 @@ class Interpreter:
         return self._in_place(effect.key, Held(how, name, effect.call, env, at, before=before), state)
 
     def _keeps_its_text(self, held: Held) -> bool:
-        """Whether nobody who gets a value can change it: texts and numbers of Python, literals that `auto` points to."""
+        """Whether nobody who gets a value can change it: texts and numbers of Python, literals of C++."""
         if held.how != "value" or not is_plain(held.expr):
             return False
         written = self.body[held.at].type if 0 <= held.at < len(self.body) else ""

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 MAX_RUNS = 500
 """Runs with arguments that are remembered."""
 MAX_FRAMES = 6_000
-"""Calls within calls: our own bounds (MAX_DEPTH, MAX_RUNNING, MAX_NESTING) end before that, Python's default does not."""
+"""Calls within calls: our own bounds (MAX_DEPTH, MAX_RUNNING, MAX_NESTING) end before that, the default does not."""
 MAX_RUNNING = 8
 """Runs within runs: what a function is called with may be what another function does."""
 _Key = tuple[int, int, int, int]
@@ -262,5 +262,3 @@ def _same(one: Value, other: Value, python: bool) -> bool | None:
         return None
     found = operate("==", data_in(one), data_in(other), python)
     return None if found is UNKNOWN else bool(found)
-
-

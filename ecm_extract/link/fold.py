@@ -46,7 +46,6 @@ from ecm_extract.link.values import (
     Hole,
     Value,
     alternatives,
-    circular,
     computed,
     constant,
     data_in,
@@ -118,13 +117,18 @@ class Folder:
                 return (unknown(expr.text),)
         return (unknown("value"),)
 
-    def guarded(self, label: str, env: Env, work: Callable[[], tuple[Value, ...]]) -> tuple[Value, ...]:
-        """Break cycles such as `x = f(x)` in a loop or members that are set from each other."""
+    def guarded(
+        self, label: str, env: Env, work: Callable[[], tuple[Value, ...]], circle: Value | None = None
+    ) -> tuple[Value, ...]:
+        """Break cycles such as `x = f(x)` in a loop or members that are set from each other.
+
+        `circle` is what a question is answered with that comes from itself; an unknown value where none is given.
+        """
         key = (id(env.func), label, env.at, id(env.state))
         if key in self._active or len(self._active) > 60:
             self.cuts += 1
             self.cycles += 1
-            return (circular(label),)
+            return (circle or unknown(label),)
         self._active.add(key)
         try:
             return work()
@@ -320,6 +324,8 @@ _OPERATORS: Final[Mapping[str, _Work]] = MappingProxyType(
         "-": Folder._minus,
         "[]": Folder._subscript,
         "format": Folder._formatted,
-        "&": lambda folder, expr, env: folder.fold(expr.operands[0], env) if len(expr.operands) == 1 else (unknown("value"),),
+        "&": lambda folder, expr, env: (
+            folder.fold(expr.operands[0], env) if len(expr.operands) == 1 else (unknown("value"),)
+        ),
     }
 )

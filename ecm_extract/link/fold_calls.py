@@ -82,7 +82,18 @@ CPP_TEXT_METHODS = frozenset(
 )
 TEXT_METHODS = frozenset(
     {"lower", "upper", "strip", "lstrip", "rstrip", "replace", "startswith", "endswith", "title", "capitalize", "count"}
-    | {"removeprefix", "removesuffix", "zfill", "find", "rfind", "swapcase", "isdigit", "isalpha", "isidentifier", "index"}
+    | {
+        "removeprefix",
+        "removesuffix",
+        "zfill",
+        "find",
+        "rfind",
+        "swapcase",
+        "isdigit",
+        "isalpha",
+        "isidentifier",
+        "index",
+    }
 )
 _PYTHON_FUNCTIONS: Mapping[str, Callable[[list[Any]], Any]] = MappingProxyType(
     {
@@ -163,7 +174,13 @@ class CallFolder:
 
     def _text_of(self, value: Value, python: bool) -> Value:
         text = shown(value.data, python) if value.data is not None else ""
-        return value if value.data is None else unknown("value") if text is UNKNOWN else value._replace(parts=(text,), data=None)
+        return (
+            value
+            if value.data is None
+            else unknown("value")
+            if text is UNKNOWN
+            else value._replace(parts=(text,), data=None)
+        )
 
     def _repeated(self, call: Invocation, env: Env) -> tuple[Value, ...]:
         """`std::string(3, 'x')`, `std::string(text, 0, 4)`."""
@@ -213,7 +230,9 @@ class CallFolder:
         if not made:
             return None
         held, body = made[0], made[0].expr
-        plain = isinstance(body, Lambda) and body.body is not None and not any("=" in p or "*" in p for p in body.params)
+        plain = (
+            isinstance(body, Lambda) and body.body is not None and not any("=" in p or "*" in p for p in body.params)
+        )
         own = held.env is not None and held.env.func is env.func
         if len(helds) > 1 or not plain or not own or not isinstance(body, Lambda) or len(body.params) != len(call.args):
             return (unknown(call.last),)
@@ -253,7 +272,9 @@ class CallFolder:
             return None
         options = [subject, *(self.folder.fold(arg, env) for arg in call.args)]
         found = self.folder.combined(options, lambda data: method(call.last, data[0], data[1:], python), call.last)
-        owned = all(value.confidence == "pattern" for value in found) and self.folder.objects.callee(call, env) is not None
+        owned = (
+            all(value.confidence == "pattern" for value in found) and self.folder.objects.callee(call, env) is not None
+        )
         return None if owned else found
 
     def _beside(self, expr: Expr, leaf: str, env: Env) -> tuple[Value, ...]:

@@ -79,7 +79,13 @@ class HeldFolder:
         if "." not in key:
             return self.folder.names.around(name, entry) or (unknown(name),)
         owner = entry.this or entry.func.cls
-        if first and entry.func.is_constructor and key.startswith(".") and key.count(".") == 1 and entry.func.cls is not None:
+        if (
+            first
+            and entry.func.is_constructor
+            and key.startswith(".")
+            and key.count(".") == 1
+            and entry.func.cls is not None
+        ):
             return self.at_first(name, entry) or (unknown(name),)
         if key.startswith(".") and key.count(".") == 1 and owner is not None:
             found = self.folder.members.member_value(name, owner, entry)
@@ -244,7 +250,9 @@ def _as_declared(values: tuple[Value, ...], statement: Statement | None) -> tupl
 
 def _cast(value: Value, name: str) -> Value:
     data = as_number(value.data, name)
-    return value if data is value.data else constant(data)._replace(confidence=value.confidence, template=value.template)
+    return (
+        value if data is value.data else constant(data)._replace(confidence=value.confidence, template=value.template)
+    )
 
 
 def _with_character(data: list[object]) -> object:
@@ -252,4 +260,3 @@ def _with_character(data: list[object]) -> object:
     if not isinstance(text, str) or not isinstance(index, int) or not isinstance(char, str):
         return UNKNOWN
     return text[:index] + char + text[index + 1 :] if len(char) == 1 and 0 <= index < len(text) else UNKNOWN
-

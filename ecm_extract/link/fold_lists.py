@@ -61,6 +61,7 @@ class ListFolder:
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
         self._searching: set[tuple[int, str]] = set()
+        self._asked: set[Held] = set()
 
     def elements(self, expr: Expr | None, env: Env, index: Expr | None = None) -> tuple[Value, ...]:
         """Return the values that the elements of a list, or the one at an index or key, can have."""
@@ -176,7 +177,11 @@ class ListFolder:
         found: list[Bound] = []
         for item in expr.items:
             spread = isinstance(item, Op) and item.op == "*" and len(item.operands) == 1
-            more = self.items(item.operands[0], env.before(env.at)) if spread and isinstance(item, Op) else [Bound(item, env)]
+            more = (
+                self.items(item.operands[0], env.before(env.at))
+                if spread and isinstance(item, Op)
+                else [Bound(item, env)]
+            )
             if more is None:
                 return None
             found += more
@@ -221,7 +226,11 @@ class ListFolder:
         found = self.sources(expr, env)
         if found:
             return self.folder.held.items(*found[0]) if len(found) == 1 else None
-        return self._default(expr, env) if isinstance(expr, Member) else self._default(expr, env) or self._constant(expr, env)
+        return (
+            self._default(expr, env)
+            if isinstance(expr, Member)
+            else self._default(expr, env) or self._constant(expr, env)
+        )
 
     def sources(self, expr: Name | Member, env: Env) -> list[tuple[Held, Env]]:
         """Return what methods leave a member with that is a list."""
@@ -316,7 +325,7 @@ class ListFolder:
         return self._returned(call, env)
 
     def _made(self, call: Invocation, env: Env) -> list[Bound] | None:
-        """`vector{a, b}`, `vector<T>(other)`, `vector<T>(count, value)`; braces and parentheses are told apart by types."""
+        """`vector{a, b}`, `vector<T>(other)`, `vector<T>(count, value)`; types tell braces from parentheses."""
         args = call.args
         if len(args) == 1 and (isinstance(args[0], Items) or self.items(args[0], env) is not None):
             return self.items(args[0], env)
@@ -325,7 +334,9 @@ class ListFolder:
             if len(count) == 1 and isinstance(count[0], int) and not isinstance(count[0], bool):
                 texts = "string" in "".join(call.types) or "string" in call.statement.type
                 return [Bound(args[1], env)] * count[0] if texts and 0 <= count[0] <= MAX_ITEMS else None
-        iterates = any(isinstance(arg, Call) and isinstance(arg.callee, Member) and arg.callee.name in _ENDS for arg in args)
+        iterates = any(
+            isinstance(arg, Call) and isinstance(arg.callee, Member) and arg.callee.name in _ENDS for arg in args
+        )
         return None if iterates else [Bound(arg, env) for arg in args]
 
     def _returned(self, call: Invocation, env: Env) -> list[Bound] | None:
@@ -384,7 +395,9 @@ class ListFolder:
         if name == "insert" and len(args) == 2:
             return [*items[:at], Bound(args[1], env), *items[at:]]
         inside = -len(items) <= at < len(items)
-        return [item for index, item in enumerate(items) if index != at % len(items)] if name == "pop" and inside else None
+        return (
+            [item for index, item in enumerate(items) if index != at % len(items)] if name == "pop" and inside else None
+        )
 
     def _place(self, expr: Expr, items: list[Bound], env: Env) -> int | None:
         if isinstance(expr, Call) and isinstance(expr.callee, Member) and not expr.args:
@@ -479,10 +492,24 @@ class ListFolder:
 
     def held_entries(self, held: Held, env: Env) -> list[Entry] | None:
         """Return the entries of a table that a variable holds; None when they are not all known."""
+        if env.depth > MAX_DEPTH or held in self._asked:
+            self.folder.cuts += 1
+            return None
+        self._asked.add(held)
+        try:
+            return self._kept_entries(held, env.deeper(env.depth + 1))
+        finally:
+            self._asked.discard(held)
+
+    def _kept_entries(self, held: Held, env: Env) -> list[Entry] | None:
         inner = held.env.deeper(env.depth + 1) if held.env is not None else env.deeper(env.depth + 1)
         if held.how == "value":
             declared = self._declared(held)
-            return self._pairs(held.expr, inner) if declared and isinstance(held.expr, Items) else self.entries(held.expr, inner)
+            return (
+                self._pairs(held.expr, inner)
+                if declared and isinstance(held.expr, Items)
+                else self.entries(held.expr, inner)
+            )
         if held.how == "made":
             return [] if self._declared(held) else None
         if held.how == "given":
@@ -523,7 +550,11 @@ class ListFolder:
         if field.default is None:
             return [] if last_name(plain(field.type)) in _TABLES else None
         place = Env(env.func, 0, depth=env.depth + 1, this=cls)
-        return self._pairs(field.default, place) if isinstance(field.default, Items) else self.entries(field.default, place)
+        return (
+            self._pairs(field.default, place)
+            if isinstance(field.default, Items)
+            else self.entries(field.default, place)
+        )
 
     def _changed_entries(self, entries: list[Entry], held: Held, env: Env) -> list[Entry] | None:
         """`update`, `setdefault`, `insert`, `emplace`: those of C++ keep what a key has."""
@@ -627,7 +658,9 @@ def _row(*parts: Bound) -> Bound:
     """A tuple of elements that are evaluated in different places."""
     names = [f"#{index}" for index in range(len(parts))]
     place = parts[0].env
-    state = State().having({name: (Held("value", name, part.expr, part.env),) for name, part in zip(names, parts, strict=True)})
+    state = State().having(
+        {name: (Held("value", name, part.expr, part.env),) for name, part in zip(names, parts, strict=True)}
+    )
     return Bound(Items(tuple([Name(name) for name in names])), place.within(state, place.at))
 
 
@@ -680,7 +713,9 @@ def _reversed(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | No
 
 
 def _enumerated(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
-    start = next((value for name, value in call.keywords if name == "start"), call.args[1] if len(call.args) > 1 else Number(0))
+    start = next(
+        (value for name, value in call.keywords if name == "start"), call.args[1] if len(call.args) > 1 else Number(0)
+    )
     items = lists.items(call.args[0], env) if call.args else None
     if items is None or not isinstance(start, Number) or not isinstance(start.value, int):
         return None

@@ -23,6 +23,7 @@ from ecm_extract.link.values import (
     MAX_ALTERNATIVES,
     Value,
     alternatives,
+    circular,
     demoted,
     is_circle,
     lowered,
@@ -125,7 +126,8 @@ class MemberFolder:
             return known
         cuts = self.folder.cuts
         label = f"{cls.qualified}.{name}"
-        values = self.folder.guarded(label, Env(env.func), lambda: self._member_value(name, cls, env))
+        place, itself = Env(env.func), circular(name)
+        values = self.folder.guarded(label, place, lambda: self._member_value(name, cls, env), itself)
         if anyone and cuts == self.folder.cuts:
             self._known[id(cls), name] = values
         return values

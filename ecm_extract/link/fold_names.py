@@ -64,7 +64,7 @@ class NameFolder:
         return self._given(name, env) or self._captured(name, env) or self._outside(name, env)
 
     def _captured(self, name: str, env: Env) -> tuple[Value, ...]:
-        """A variable of the function that the one at hand is declared in: of who calls it there, else if it has one value."""
+        """A variable of the function around the one at hand: of who calls it there, else if it has one value."""
         flow = self.folder.flow
         outer = flow.enclosing(env.func)
         if outer is None or name not in flow.effects(outer).own:
@@ -150,7 +150,7 @@ class NameFolder:
         return Env(module, depth=env.depth + 1) if module is not None and module is not env.func else None
 
     def _is_shared(self, name: str, file: File) -> bool:
-        """Tell whether functions of a module may change one of its variables: they assign it, or call a method of it."""
+        """Tell whether functions of a module may change a variable of it: they assign it, or call a method of it."""
         flow = self.folder.flow
         for func in self.folder.program.functions_in(file):
             if name in func.fact.shared:

@@ -74,7 +74,9 @@ class Objects:
     def _assigned_type(self, name: str, env: Env) -> str:
         """The type of what a variable is given; a type needs no run, since it does not change on the way."""
         body = env.func.fact.body
-        given = [at for at in self.scope.locals_of(env.func).get(name, ()) if at < env.at and body[at].value is not None]
+        given = [
+            at for at in self.scope.locals_of(env.func).get(name, ()) if at < env.at and body[at].value is not None
+        ]
         for at in reversed(given):
             value = body[at].value
             written = self.type_of(value, env.before(at)) if value is not None else ""

@@ -6,7 +6,7 @@ for a class that passes a constructor argument or template argument on: each pla
 
 from __future__ import annotations
 
-from collections import defaultdict, deque
+from collections import deque
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 

@@ -61,7 +61,7 @@ CPP_ROWS = [
     ),
     ("scope of a block", f'std::string t = "a"; {{ std::string t = "b"; }} {PUB}(t, 10);', {"/a": "folded"}),
     ("another name", f'std::string t = "a"; auto & r = t; r += "b"; {PUB}(t, 10);', {"/{{t}}": "pattern"}),
-    ("overloads", f"{PUB}(spelled(std::string(\"x\")), 10);", {"/textx": "folded"}),
+    ("overloads", f'{PUB}(spelled(std::string("x")), 10);', {"/textx": "folded"}),
     (
         "counted",
         f'for (int i = 0; i < 2; ++i) {{ {PUB}("arm" + std::to_string(i), 10); }}',
@@ -145,7 +145,9 @@ def test_python_names_are_what_they_are_when_the_call_runs(
 ) -> None:
     """A name is told as one only where exactly one is possible; what is not modelled is unknown, never stale."""
     lines = body.replace("{{}}", "{}").replace("; ", "\n") if ":" not in body else body
-    indented = "\n".join(f"        {line}" for line in lines.replace("pub(", "self.create_publisher(String, ").split("\n"))
+    indented = "\n".join(
+        f"        {line}" for line in lines.replace("pub(", "self.create_publisher(String, ").split("\n")
+    )
     for_calls = indented.replace("self.create_publisher(String, ", "self.create_publisher(String, topic=")
     names = _names(workspace.package({"pkg/demo.py": PYTHON.format(body=for_calls.replace("{{}}", "{}"))}))
     if expected is None:

@@ -12,7 +12,7 @@ from ecm_parsers.source.cpp_vexing import as_arguments, loop_macro
 from ecm_parsers.source.cpp_writes import written
 from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Name, Number, Op, Opaque
 from ecm_parsers.source.facts import Function, Statement, StatementKind
-from ecm_parsers.source.flow import Attempt, Block, Branch, Case, FlowWriter, Leave, Later, Loop, Switch
+from ecm_parsers.source.flow import Attempt, Block, Branch, Case, FlowWriter, Later, Leave, Loop, Switch
 
 if TYPE_CHECKING:
     from tree_sitter import Node

@@ -175,7 +175,10 @@ def _if(scan: Scan, node: Node) -> None:
     """A condition with its block; with alternatives it is a choice among conditions, of which the first one holds."""
     test = _tested(scan, node.child_by_field_name("condition"))
     then = scan.inner(node.child_by_field_name("consequence"), 1)
-    cases = [Case((test,), then), *[_alternative(scan, clause) for clause in node.children_by_field_name("alternative")]]
+    cases = [
+        Case((test,), then),
+        *[_alternative(scan, clause) for clause in node.children_by_field_name("alternative")],
+    ]
     if len(cases) == 1 or (len(cases) == 2 and not cases[1].tests):
         scan.frame.flow.add(Branch(test, then, cases[1].body if len(cases) == 2 else ()))
     else:

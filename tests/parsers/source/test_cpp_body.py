@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ecm_parsers.source.cpp import parse_cpp
-from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member, Name, Number, Op, Opaque, Text
+from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member, Name, Number, Op, Text
 from ecm_parsers.source.facts import Function, Statement
 
 

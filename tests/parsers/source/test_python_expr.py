@@ -151,7 +151,10 @@ def test_expression_is_written_in_the_common_vocabulary(source: str, expected: E
     [
         (
             "v = lambda a: x(a)",
-            (Statement("do", 1, call("x", A), deferred=True), Statement("set", 1, Lambda(("",), ("a",), call("x", A)), Name("v"))),
+            (
+                Statement("do", 1, call("x", A), deferred=True),
+                Statement("set", 1, Lambda(("",), ("a",), call("x", A)), Name("v")),
+            ),
         ),
         (
             "v = [x(a) for a in xs if b(a)]",
