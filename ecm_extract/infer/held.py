@@ -29,8 +29,8 @@ class Held:
             around the function or by its caller; `shared` with functions that may have given it anything they give it;
             `lost`: nobody knows; `read` from a ROS parameter (`expr` its name, `more` its
             default); `changed` by a method (`expr` the call); `stored`: an element (`expr` the place, `more` the
-            value); `out`: written by a function that got it (`expr` the call, `name` its parameter there); `handed` to somebody
-            who may have changed what it consists of.
+            value); `out`: written by a function that got it (`expr` the call, `name` its parameter there); `handed` to
+            somebody who may have changed what it consists of.
         name: the variable, for messages and patterns; of `out` the parameter.
         env: where the expressions are evaluated.
         at: statement that made it so; -1 for none.

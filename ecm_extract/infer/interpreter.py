@@ -260,8 +260,8 @@ class Interpreter:
                 self._shadow(handler, state)
         elif step.handlers:
             caught = joined_states([state, *raised])
-            for handler in step.handlers:
-                outs.append(self._block(handler, caught.on(self._new())) if caught is not None else None)
+            start = caught if caught is not None else state
+            outs += [self._block(handler, start.on(self._new())) for handler in step.handlers]
         met = joined_states(outs)
         if met is None:
             self._block(step.final, (joined_states([state, *raised]) or state).on(self._new()))
