@@ -12,7 +12,7 @@ from ecm_extract.infer.held import State
 from ecm_extract.link.calls import Invocation, invocation
 from ecm_extract.link.units import Cls, Func
 
-MAX_DEPTH = 48
+MAX_DEPTH = 32
 """Nesting of evaluations beyond which a value counts as unknown."""
 
 

@@ -99,9 +99,9 @@ class Flow:
             return []
         states = self.states(env)
         found = [state.holds.get(key, ()) for state in states]
-        shared = key.startswith(".") and key.count(".") == 1 and any(state.called for state in states)
-        if not any(found) and not shared:
+        if not any(found):
             return []
+        shared = key.startswith(".") and key.count(".") == 1 and any(state.called for state in states)
         return [ways or (Held("shared" if shared else "given", key),) for ways in found]
 
     def effects(self, func: Func) -> Effects:

@@ -56,7 +56,7 @@ class NameFolder:
         if ways:
             return self.folder.held.of(ways, env)
         key = self.folder.flow.effects(env.func).key(Name(name))
-        first = self.folder.held.at_first(name, env) if key.startswith(".") and env.state is not None else ()
+        first = self.folder.held.at_first(name, env) if key.startswith(".") and is_fresh(env) else ()
         return first or self.around(name, env) or (unknown(name),)
 
     def around(self, name: str, env: Env) -> tuple[Value, ...]:
@@ -194,6 +194,11 @@ class NameFolder:
             inner = Env(self._file_env(file, env).func, depth=env.depth + 1)
             return demoted(self.folder.fold(constant.value, inner))
         return ()
+
+
+def is_fresh(env: Env) -> bool:
+    """Tell whether a place is one on which no function of the tree was called before."""
+    return env.state is not None and not env.state.called
 
 
 def _is_fixed(constant: Constant) -> bool:
