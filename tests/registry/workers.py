@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from pathlib import Path
 
@@ -41,6 +42,13 @@ def read(url: str, count: int) -> int:
                 assert verify(session).problems == ()
                 who_uses(session, "driver", Asked(), EVERYTHING)
     return count
+
+
+def end_at(job: int) -> str:
+    """A worker that dies of one job, as when the system takes its memory."""
+    if str(job) == os.environ["ECM_TEST_BAD"]:
+        os._exit(9)
+    return str(job)
 
 
 if __name__ == "__main__":

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
@@ -14,10 +13,8 @@ import msgspec
 from ecm_extract.cli.registries import open_registry, registry_option, require_extra
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-    from concurrent.futures import Executor
-
     from ecm_extract.registry.index import Job, Outcome
+    from ecm_extract.registry.workers import Workers
 
 _EPILOG: Final = """\b
 Examples:
@@ -77,23 +74,26 @@ def publish(source: str, tag: str | None, jobs: int | None, url: str | None) -> 
 @click.argument("repositories", nargs=-1, required=True, metavar="REPOSITORY...")
 @click.option("--tags", metavar="PATTERN", help="Only tags like this, e.g. `1.*`.  [default: all but pre-releases]")
 @click.option("--jobs", type=click.IntRange(min=1), help="Worker processes.  [default: one per core]")
+@click.option("--dask", metavar="ADDRESS", help="Let the workers of this Dask scheduler do it.")
 @registry_option
-def index(repositories: tuple[str, ...], tags: str | None, jobs: int | None, url: str | None) -> int:
+def index(repositories: tuple[str, ...], tags: str | None, jobs: int | None, dask: str | None, url: str | None) -> int:
     """Store all releases of clones, oldest first: each tag that names a version.
 
     May be stopped at any time and run again: what is stored is not read again. What was skipped is told with its
-    reason; the exit status is 1 when a tag could not be read.
+    reason; the exit status is 1 when a tag could not be read. The workers of a cluster need the clones under the same
+    paths, and a registry on a server.
     """
     with open_registry(url) as registry:
         from ecm_extract.registry.index import run, split_known
         from ecm_extract.registry.place import registry_url
 
+        place = registry_url(url)
+        workers = _workers(jobs, dask, place)
         todo, known = split_known(registry, _jobs(repositories, tags))
-        total, count, done = len(todo), _workers(jobs), list(known)
-        with _executor(min(count, total)) as executor:
-            for number, outcome in enumerate(run(registry_url(url), todo, executor), 1):
-                _say_outcome(outcome, f"{number}/{total}")
-                done.append(outcome)
+        done = list(known)
+        for number, outcome in enumerate(run(place, todo, workers), 1):
+            _say_outcome(outcome, f"{number}/{len(todo)}")
+            done.append(outcome)
     return _say_sum(done)
 
 
@@ -103,20 +103,16 @@ def _jobs(repositories: Sequence[str], tags: str | None) -> list[Job]:
     return [job for each in repositories for job in jobs_of(Path(each), tags)]
 
 
-def _workers(jobs: int | None) -> int:
-    return jobs or os.cpu_count() or 1
+def _workers(jobs: int | None, dask: str | None, url: str) -> Workers:
+    from ecm_extract.registry.workers import Here, Processes
 
+    if dask is not None:
+        from ecm_extract.registry.cluster import Cluster, require_shared
 
-@contextmanager
-def _executor(count: int) -> Iterator[Executor | None]:
-    if count <= 1:
-        yield None
-        return
-    from concurrent.futures import ProcessPoolExecutor
-    from multiprocessing import get_context
-
-    with ProcessPoolExecutor(count, mp_context=get_context("spawn")) as executor:
-        yield executor
+        require_shared(url)
+        return Cluster(dask)
+    count = jobs or os.cpu_count() or 1
+    return Processes(count) if count > 1 else Here()
 
 
 def _say_outcome(outcome: Outcome, place: str) -> None:
