@@ -55,10 +55,20 @@ def _text(group: list[Unmet], wanted: Requirement, home: str | None) -> str:
     more = f" and {len(lines) - _SHOWN} more" if len(lines) > _SHOWN else ""
     of = f" of {home}" if home else ""
     breach = group[0].match.breach
-    state = f"has another {breach}" if breach else "is not there"
+    state = f"has another {breach}" if breach else _absence(group)
     kind = wanted.kind.replace("_", " ")
     return f"{kind} {wanted.name}{of} {state}, and {', '.join(lines[:_SHOWN])}{more} {wanted.phrase}"
 
 
+def _absence(group: list[Unmet]) -> str:
+    return "is not in what could be read" if _is_hidden(group) else "is not there"
+
+
+def _is_hidden(group: list[Unmet]) -> bool:
+    return all(each.hidden and not each.match.found for each in group)
+
+
 def _certainty(group: list[Unmet]) -> Certainty:
+    if _is_hidden(group):
+        return "unknown"
     return "proved" if any(each.requirement.certainty == "proved" for each in group) else "likely"
