@@ -108,7 +108,7 @@ def impact_of(session: Session, old: Side, new: Side, scope: Scope, beside: Sequ
     request = _request(before, after)
     located = located_changes(request, *sides)
     broken = BrokenNames(located, *sides)
-    consumers = [] if broken.is_empty() else consumers_of(session, broken.keys(), scope)
+    consumers = [] if broken.is_empty() else consumers_of(session, broken.sought(), scope)
     replaced = {new.package.name, *(each.package.name for each in beside)}
     others = [each for each in consumers if each.package not in replaced]
     uses = [*_own(new, broken), *_uses([*others, *map(_consumer, beside)], broken)]

@@ -115,7 +115,29 @@ class RequirementRow(Base):
     name: Mapped[str]
     line: Mapped[int]
     certainty: Mapped[str]
-    __table_args__ = (Index("requirement_of_package", "package", "kind"), {"sqlite_with_rowid": False})
+    __table_args__ = (
+        Index("requirement_of_package", "package", "kind"),
+        Index("requirement_of_use", "use"),
+        {"sqlite_with_rowid": False},
+    )
+
+
+class Name(Base):
+    """A name that some part provides, with the words by which it is searched; the database keeps their index."""
+
+    __tablename__ = "name"
+    id: Mapped[int] = mapped_column(primary_key=True)
+    name: Mapped[str] = mapped_column(unique=True)
+    words: Mapped[str]
+
+
+class Gap(Base):
+    """A file or folder of a release that was not read, so that it may use any name."""
+
+    __tablename__ = "gap"
+    release_id: Mapped[int] = mapped_column(ForeignKey("release.id"), primary_key=True)
+    path: Mapped[str] = mapped_column(primary_key=True)
+    reason: Mapped[str]
 
 
 class RequirementKey(Base):

@@ -33,8 +33,14 @@ def test_tables_are_what_the_revisions_make(url: str) -> None:
     Registry.create(url).close()
     engine = open_engine(registry_url(url))
     with engine.connect() as connection:
-        assert compare_metadata(MigrationContext.configure(connection), Base.metadata) == []
+        context = MigrationContext.configure(connection, opts={"include_object": _is_ours})
+        assert compare_metadata(context, Base.metadata) == []
     engine.dispose()
+
+
+def _is_ours(_object: object, name: str, *_rest: object) -> bool:
+    """The index of words is the database's own: tables of FTS5, or an index over an expression."""
+    return not name.startswith(("name_search", "name_words"))
 
 
 def test_making_a_registry_again_loses_nothing(registry: Registry, url: str, tmp_path: Path) -> None:

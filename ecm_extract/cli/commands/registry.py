@@ -21,6 +21,7 @@ Examples:
   ecm-extract registry init
   ecm-extract registry publish src/my_robot@1.2.0
   ecm-extract registry index clones/*
+  ecm-extract registry search cmd_vel
   ecm-extract registry who-uses nav2_controller FollowPath
 """
 
@@ -172,6 +173,37 @@ def show(release: str, form: str, url: str | None) -> None:
     click.echo(f"{'modules:':12}{len(package.modules)}")
     click.echo(f"{'provides:':12}{len(package.provides)} names")
     click.echo(f"{'requires:':12}{len(package.requires)} names")
+
+
+@command.command()
+@click.argument("texts", nargs=-1, required=True, metavar="TEXT...")
+@click.option("--kind", help="Only names of this kind: topic, parameter, message, package, ...")
+@click.option("--environment", metavar="NAME", help="Search only what this environment runs.")
+@click.option("--limit", type=click.IntRange(min=1), default=100, show_default=True, help="Names that are told.")
+@_format
+@registry_option
+def search(
+    texts: tuple[str, ...], kind: str | None, environment: str | None, limit: int, form: str, url: str | None
+) -> None:
+    """Find public names by their words: `cmd_vel` finds `/robot/cmd_vel_smoothed`, `navigate` finds `NavigateToPose`.
+
+    A name must have every TEXT in it, and words that are written together stand together; the last may go on.
+    Searched is the newest release of each package.
+    """
+    with open_registry(url) as registry, registry.reading() as session:
+        from ecm_extract.registry.scope import EVERYTHING, environment_scope
+        from ecm_extract.registry.search import search
+
+        scope = environment_scope(session, environment) if environment else EVERYTHING
+        found = search(session, texts, scope, kind)
+    if form == "json":
+        click.echo(_json({"schema": "ecm-extract/search/1", "count": len(found), "names": found[:limit]}))
+        return
+    for each in found[:limit]:
+        of, typed = f" of {each.owner}" if each.owner else "", f" ({each.type})" if each.type else ""
+        click.echo(_plain(f"{each.kind} {each.name}{of}{typed}  {each.package}@{each.version}"))
+    if len(found) > limit:
+        click.echo(f"and {len(found) - limit} more; add a word, --kind or --limit", err=True)
 
 
 @command.command(name="who-uses")
