@@ -20,12 +20,13 @@ from ecm_checker.profiles import Call, Embodiment, Policy, Profiles, Runtime
 
 from ecm_extract.check_inputs import Subject, Told, launched_contracts, silent, subject
 from ecm_extract.errors import InputError
+from ecm_extract.outside import Known, outside_findings, told
 
 
 class Given(msgspec.Struct, frozen=True):
     """Profiles that the user gave, launch files to compose by, and how trees are read.
 
-    `cache`: it may be used. `told`: takes what is said of a tree that was read.
+    `cache`: it may be used. `told`: takes what is said of a tree that was read. `known`: gives what others provide.
     """
 
     embodiment: Embodiment | None = None
@@ -35,6 +36,7 @@ class Given(msgspec.Struct, frozen=True):
     cache: bool = True
     launch: tuple[str, ...] = ()
     told: Told = silent
+    known: Known | None = None
 
     @property
     def profiles(self) -> Profiles:
@@ -60,6 +62,9 @@ def decide(operation: str, paths: Sequence[str], given: Given, dimensions: Dimen
     Raises:
         InputError: paths or profiles do not fit the operation.
     """
+    if given.known is not None and (operation != "system" or given.launch):
+        message = "a registry tells what packages provide, which is asked of a system from its sources or documents"
+        raise InputError(message, "leave --registry out, or write: check PATH --registry")
     if given.launch:
         return _launched(operation, paths, given, dimensions)
     subjects = [subject(path, given.cache, given.told) for path in paths]
@@ -67,7 +72,7 @@ def decide(operation: str, paths: Sequence[str], given: Given, dimensions: Dimen
     if operation == "system":
         packages = _packages(subjects)
         decided = system(_flat(groups), given.profiles, dimensions, together=together, packages=packages)
-        return _with_unasked(decided, subjects)
+        return _with_unasked(_with_outside(decided, subjects, given), subjects)
     if operation == "upgrade":
         return _with_unasked(_upgrade(subjects, given, dimensions), subjects)
     return _DECISIONS[operation](groups, given, dimensions)
@@ -153,6 +158,18 @@ def _packages(subjects: Sequence[Subject]) -> Packages | None:
     """The packages that have documents; None where nothing has any."""
     found = [package for each in subjects for package in each.packages]
     return Packages(found) if found else None
+
+
+def _with_outside(decided: Report, subjects: Sequence[Subject], given: Given) -> Report:
+    """A report that knows what others provide."""
+    if given.known is None:
+        return decided
+    inside = [package for each in subjects for package in each.packages]
+    outside = given.known(inside)
+    asked = "signature" in decided.dimensions
+    found = [*decided.findings, *(outside_findings(inside, outside) if asked else ())]
+    whole = report("system", found, given.profiles, decided.dimensions)
+    return msgspec.structs.replace(whole, not_asked=(*decided.not_asked, *told(outside)))
 
 
 def _with_unasked(decided: Report, subjects: Sequence[Subject]) -> Report:

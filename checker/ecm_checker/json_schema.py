@@ -19,7 +19,7 @@ _DOCUMENTS: Final[dict[str, tuple[type[msgspec.Struct], str, str]]] = {
     "manifest": (wire.Manifest, wire.MANIFEST_SCHEMA, "ECM contract of one module"),
     "package": (package.PackageDocument, package.PACKAGE_SCHEMA, "What one package provides and requires"),
     "extract": (package.Extract, wire.EXTRACT_SCHEMA, "What ecm-extract read off one source tree"),
-    "evidence": (wire.EvidenceRecord, wire.EVIDENCE_SCHEMA, "What was observed of one module of a release"),
+    "evidence": (wire.EvidenceRecord, wire.EVIDENCE_SCHEMA, "What was observed, tested or reviewed of a release"),
     "embodiment": (profiles.Embodiment, "ecm-extract/embodiment/1", "What a robot has"),
     "policy": (profiles.Policy, "ecm-extract/policy/1", "What governance allows"),
     "runtime": (profiles.Runtime, "ecm-extract/runtime/1", "What is installed and holds"),

@@ -6,9 +6,10 @@ Keys are never changed without a new schema number. They differ from the contrac
 
 from __future__ import annotations
 
-from typing import Final, Literal
+from typing import Final, Literal, TypeAlias
 
 import msgspec
+from msgspec import UNSET, UnsetType
 
 from ecm_checker.contract import (
     Behavior,
@@ -91,11 +92,11 @@ class Origin(msgspec.Struct, frozen=True):
 
 
 class Witness(msgspec.Struct, frozen=True):
-    """Who says so: a person or a robot by name, and the tool with its version."""
+    """Who says so: a person or a robot by name, and the tool with its version where one was used."""
 
     name: str
-    tool: str
-    version: str
+    tool: str = ""
+    version: str = ""
 
 
 class LookedAt(msgspec.Struct, frozen=True):
@@ -114,12 +115,19 @@ class LookedAt(msgspec.Struct, frozen=True):
 
 
 class EvidenceSubject(msgspec.Struct, frozen=True):
-    """The module of a release that it is about; `contract` is `sha256:` over its contract as canonical JSON."""
+    """What it is about: a release of a package, or one of its modules.
+
+    Attributes:
+        version: of the package; None where it declares none, and then no registry knows the release.
+        module_id: of the module; None for the package as a whole.
+        contract: `sha256:` over what was in front of the witness, as canonical JSON: the contract of the module without
+            the repository and commit that it was read from, or the document of the package. None where nobody knows.
+    """
 
     package: str
     version: str | None
-    module_id: str
-    contract: str
+    module_id: str | None = None
+    contract: str | None = None
 
 
 class EvidenceFinding(msgspec.Struct, frozen=True):
@@ -132,27 +140,41 @@ class EvidenceFinding(msgspec.Struct, frozen=True):
     message: str
 
 
+EvidenceKind: TypeAlias = Literal["observation", "validation", "upgrade_test", "policy_review", "rollback_test"]
+EvidenceResult: TypeAlias = Literal["confirmed", "contradicted", "doubtful", "not_seen"]
+
+
 class EvidenceRecord(msgspec.Struct, frozen=True, kw_only=True):
-    """What was observed of one module of a release: who, when, on what, with which result.
+    """What was observed, tested or reviewed of a release: who, when, on what, with which result.
 
     Attributes:
-        result: `confirmed`: it ran as its contract says, as far as the source can see; `contradicted`: something that
-            it did is proved against its contract; `doubtful`: a warning, or a part that could not be read;
-            `not_seen`: it did not run.
+        kind: `observation` of a live system or a recording; `validation` of resources or recovery on a robot;
+            `upgrade_test`; `policy_review`; `rollback_test`.
+        result: `confirmed`: it ran as its contract says, as far as the source can see, or the test or review was
+            passed; `contradicted`: something that it did is proved against its contract, or it was not passed;
+            `doubtful`: a warning, or a part that could not be read; `not_seen`: it did not run.
         begun: ISO 8601 in UTC. seconds: how long it was looked at.
+        on: what was looked at; in words where a person states it.
         nodes: that it ran as.
         promised, seen: endpoints of the contract that the source can see at all, and those that it saw.
+        findings: what spoke against the contract. note: in words.
     """
 
     schema: Literal["ecm-extract/evidence/1"]
-    kind: Literal["observation"]
+    kind: EvidenceKind
     subject: EvidenceSubject
-    result: Literal["confirmed", "contradicted", "doubtful", "not_seen"]
+    result: EvidenceResult
     by: Witness
     begun: str
-    seconds: float
-    on: LookedAt
-    nodes: tuple[str, ...]
-    promised: int
-    seen: int
-    findings: tuple[EvidenceFinding, ...]
+    on: LookedAt | str | None = None
+    seconds: float | UnsetType = UNSET
+    nodes: tuple[str, ...] | UnsetType = UNSET
+    promised: int | UnsetType = UNSET
+    seen: int | UnsetType = UNSET
+    findings: tuple[EvidenceFinding, ...] | UnsetType = UNSET
+    note: str | UnsetType = UNSET
+
+    @property
+    def is_observed(self) -> bool:
+        """Whether a contract was compared with what ran."""
+        return self.kind == "observation" or self.promised is not UNSET

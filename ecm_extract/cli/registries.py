@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import os
+from collections.abc import Callable, Sequence
 from functools import wraps
 from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
@@ -11,9 +12,11 @@ import click
 from ecm_extract.errors import InputError
 
 if TYPE_CHECKING:
+    from ecm_checker.hub.package import Package
     from ecm_checker.profiles import Profiles
     from sqlalchemy.orm import Session
 
+    from ecm_extract.outside import Outside
     from ecm_extract.registry.fit import Fit
     from ecm_extract.registry.scope import Scope
     from ecm_extract.registry.store import Registry
@@ -25,6 +28,19 @@ class ProfileFiles(NamedTuple):
     embodiment: str | None
     policy: str | None
     runtime: str | None
+
+
+class KnownFrom(NamedTuple):
+    """Where `lint` and `check` ask what is outside of the tree: a registry, and which of its releases are there."""
+
+    registry: str | None
+    environment: str | None
+    distribution: str | None
+
+    @property
+    def is_asked(self) -> bool:
+        """Whether a registry is named, on the command line or by the environment."""
+        return any(each is not None for each in self) or bool(os.environ.get("ECM_REGISTRY"))
 
 
 _NEEDED: Final = frozenset({"sqlalchemy", "alembic", "zstandard", "resolvelib", "mako"})
@@ -42,6 +58,35 @@ def scope_options(function: Callable[..., Any]) -> Callable[..., Any]:
     environment = click.option("--environment", metavar="NAME", help="Ask what this environment runs.")
     distribution = click.option("--distribution", metavar="FILE", help="Ask what a distribution.yaml or .repos lists.")
     return environment(distribution(function))
+
+
+def known_options(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Add the options that make known what is outside of the tree; the function gets them as `known`."""
+
+    @wraps(function)
+    def with_known(registry: str | None, environment: str | None, distribution: str | None, **rest: Any) -> Any:
+        return function(known=KnownFrom(registry, environment, distribution), **rest)
+
+    option = click.option(
+        "--registry",
+        is_flag=False,
+        flag_value="",
+        metavar="[URL|FILE]",
+        help="Ask this registry what packages outside of the tree provide.  [default: ECM_REGISTRY, else none]",
+    )
+    return option(scope_options(with_known))
+
+
+def outside_packages(known: KnownFrom, inside: Sequence[Package]) -> Outside:
+    """Return what the registry knows outside of packages.
+
+    Raises:
+        InputError: there is no registry, or no such set of releases.
+    """
+    with open_registry(known.registry or None) as registry, registry.reading() as session:
+        from ecm_extract.registry.outside import outside_of
+
+        return outside_of(session, inside, scope_of(session, known.environment, known.distribution))
 
 
 def scope_of(session: Session, environment: str | None, distribution: str | None) -> Scope:

@@ -7,7 +7,7 @@ where feasible.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Final, Literal
+from typing import Final, Literal, TypeAlias
 
 import msgspec
 from ecm_checker.contract import Evidence
@@ -40,6 +40,10 @@ _SAME: Final[Mapping[str, tuple[str, ...]]] = {
 """Languages in which consumers write a name as it is."""
 
 
+_Key: TypeAlias = tuple[str, str, str, str, str | None, str | None]
+_Name: TypeAlias = tuple[str, str, str, str | None]
+
+
 class Edit(msgspec.Struct, frozen=True):
     """What a consumer in a language writes: `find` and, in its place, `write`."""
 
@@ -49,7 +53,11 @@ class Edit(msgspec.Struct, frozen=True):
 
 
 class Adapter(msgspec.Struct, frozen=True):
-    """What keeps the old name alive meanwhile: a remap, or a parameter that is copied."""
+    """What keeps the old name alive meanwhile: a remap, or a parameter that is copied.
+
+    It stands for a name that has another one and is otherwise as it was: no remap changes a type, and no pattern is
+    remapped.
+    """
 
     kind: Literal["remap", "copy_parameter"]
     old: str
@@ -77,9 +85,9 @@ class Step(msgspec.Struct, frozen=True):
     evidence_new: Evidence | None = None
 
     @property
-    def key(self) -> tuple[str, str, str, str | None, str | None]:
+    def key(self) -> _Key:
         """What makes it the step of a change."""
-        return self.package, self.kind, self.owner, self.old, self.new
+        return self.package, self.kind, self.change, self.owner, self.old, self.new
 
 
 class Migration(msgspec.Struct, frozen=True, kw_only=True):
@@ -93,7 +101,8 @@ class Migration(msgspec.Struct, frozen=True, kw_only=True):
 
 def migration_of(old: str, new: str, changes: Sequence[Change]) -> Migration:
     """Return the migration over changes: those that break and those that are announced."""
-    return Migration(old=old, new=new, steps=tuple(map(_step, filter(_is_step, changes))))
+    adapters = _adapters(changes)
+    return Migration(old=old, new=new, steps=tuple(_step(each, adapters) for each in changes if _is_step(each)))
 
 
 def _is_step(change: Change) -> bool:
@@ -101,14 +110,17 @@ def _is_step(change: Change) -> bool:
 
 
 def uncovered(migration: Migration, changes: Sequence[Change]) -> Iterator[Change]:
-    """Yield breaking changes of which a migration tells nothing."""
-    told = {step.key for step in migration.steps if step.instead}
+    """Yield breaking changes of which a migration tells nothing, or for which its adapter does not stand."""
+    told = {step.key: step for step in migration.steps if step.instead.strip()}
+    adapters = _adapters(changes)
     for change in changes:
-        if change.breaking and _step(change).key not in told:
+        wanted = _step(change, adapters)
+        step = told.get(wanted.key)
+        if change.breaking and (step is None or step.adapter not in (None, wanted.adapter)):
             yield change
 
 
-def _step(change: Change) -> Step:
+def _step(change: Change, adapters: Mapping[_Name, Adapter]) -> Step:
     renamed = bool(change.old and change.new and change.old != change.new)
     return Step(
         package=change.package,
@@ -119,7 +131,7 @@ def _step(change: Change) -> Step:
         new=change.new,
         instead=instead(change) or "remove it",
         edits=tuple(_edits(change.kind, change.old or "", change.new or "")) if renamed else (),
-        adapter=_adapter(change) if renamed else None,
+        adapter=adapters.get(_name_of(change)) if change.change == "renamed" else None,
         evidence_old=change.evidence_old,
         evidence_new=change.evidence_new,
     )
@@ -133,8 +145,28 @@ def _edits(kind: str, old: str, new: str) -> Iterator[Edit]:
     yield from (Edit(language, old, new) for language in _SAME.get(kind, ()))
 
 
+def _name_of(change: Change) -> _Name:
+    return change.package, change.kind, change.owner, change.old
+
+
+def _adapters(changes: Sequence[Change]) -> Mapping[_Name, Adapter]:
+    """The adapters of names that have another one, and of which nothing else breaks."""
+    others = {_name_of(each) for each in changes if each.breaking and each.change != "renamed"}
+    others |= {
+        (each.package, kind, each.owner, each.old)
+        for each in changes
+        if each.kind == "qos" and each.breaking
+        for kind in _ENDPOINTS
+    }
+    renamed = (each for each in changes if each.change == "renamed" and _name_of(each) not in others)
+    found = ((_name_of(each), _adapter(each)) for each in renamed)
+    return {name: adapter for name, adapter in found if adapter is not None}
+
+
 def _adapter(change: Change) -> Adapter | None:
     old, new = change.old or "", change.new or ""
+    if not old or not new or "{" in f"{old}{new}":
+        return None
     if change.kind in _ENDPOINTS:
         return Adapter("remap", old, new)
     return Adapter("copy_parameter", old, new) if change.kind == "parameter" else None

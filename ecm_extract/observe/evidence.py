@@ -5,21 +5,33 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Iterable, Sequence
 from importlib.metadata import version
-from typing import Literal
 
 import msgspec
-from ecm_checker.contract import Contract
-from ecm_checker.encode import encode
 from ecm_checker.finding import Finding
 from ecm_checker.view import View
-from ecm_checker.wire import EvidenceFinding, EvidenceRecord, EvidenceSubject, LookedAt, Witness
+from ecm_checker.wire import (
+    EvidenceFinding,
+    EvidenceKind,
+    EvidenceRecord,
+    EvidenceResult,
+    EvidenceSubject,
+    LookedAt,
+    Witness,
+)
 
+from ecm_extract.contract_digest import contract_digest
 from ecm_extract.observe.expected import is_exact
 from ecm_extract.observe.model import Observation
 from ecm_extract.observe.watch import Watch, graph_keys
 
 _TOOL = "ecm-extract"
-Result = Literal["confirmed", "contradicted", "doubtful", "not_seen"]
+
+
+class Run(msgspec.Struct, frozen=True):
+    """What a run was: who looked, by name, and what it shows of the release."""
+
+    witness: str
+    kind: EvidenceKind = "observation"
 
 
 class _Count(msgspec.Struct, frozen=True):
@@ -27,17 +39,18 @@ class _Count(msgspec.Struct, frozen=True):
     seen: int
 
 
-def records(watch: Watch, findings: Sequence[Finding], witness: str) -> tuple[EvidenceRecord, ...]:
+def records(watch: Watch, findings: Sequence[Finding], run: Run) -> tuple[EvidenceRecord, ...]:
     """Return a record for each module that can run.
 
     Args:
         watch: what was seen, beside contracts.
         findings: what `compare` said of it.
-        witness: name of who looked.
+        run: what it was.
     """
     looked = LookedAt(watch.seen.source, watch.seen.target, watch.seen.senses, digest(watch.seen))
-    by = Witness(witness, _TOOL, version(_TOOL))
-    return tuple(_record(watch, module, findings, looked, by) for module in watch.modules)
+    by = Witness(run.witness, _TOOL, version(_TOOL))
+    found = (_record(watch, module, findings, looked, by) for module in watch.modules)
+    return tuple(msgspec.structs.replace(each, kind=run.kind) for each in found)
 
 
 def document(found: Iterable[EvidenceRecord]) -> str:
@@ -48,11 +61,6 @@ def document(found: Iterable[EvidenceRecord]) -> str:
 def digest(seen: Observation) -> str:
     """What the source gives, else SHA-256 over everything that was seen."""
     return seen.digest or _hashed(msgspec.json.encode(seen, order="deterministic"))
-
-
-def contract_digest(contract: Contract) -> str:
-    """SHA-256 over the canonical JSON of a contract."""
-    return _hashed(msgspec.json.encode(encode(contract), order="sorted"))
 
 
 def _record(watch: Watch, module: View, findings: Sequence[Finding], looked: LookedAt, by: Witness) -> EvidenceRecord:
@@ -76,7 +84,7 @@ def _record(watch: Watch, module: View, findings: Sequence[Finding], looked: Loo
     )
 
 
-def _result(watch: Watch, present: bool, against: Sequence[Finding]) -> Result:
+def _result(watch: Watch, present: bool, against: Sequence[Finding]) -> EvidenceResult:
     if not present:
         return "not_seen"
     severities = {each.severity for each in against}

@@ -27,6 +27,11 @@ def read(text: str) -> datetime:
     return datetime.strptime(text, _FORM).replace(tzinfo=UTC)
 
 
+def is_to_come(time: datetime) -> bool:
+    """Whether a time is later than now by more than clocks differ."""
+    return time - now() > _TOLERANCE
+
+
 def after(newest: str, present: datetime) -> str:
     """Return the time of the next entry of a log.
 

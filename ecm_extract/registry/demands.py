@@ -15,10 +15,12 @@ from ecm_checker.fields import missing_fields
 from ecm_checker.finding import Dimension
 from ecm_checker.operations.engine import examine, ready
 from ecm_checker.versions import BUMPS
+from ecm_checker.wire import EvidenceKind
 
 from ecm_extract.diff.migration import uncovered
-from ecm_extract.registry.evidence import Kept, Kind
+from ecm_extract.registry.evidence import Kept
 from ecm_extract.registry.matter import Matter
+from ecm_extract.registry.proof import Proof, witnesses
 from ecm_extract.registry.releases import name_of
 
 _SHOWN: Final = 3
@@ -33,11 +35,14 @@ class Answer(msgspec.Struct, frozen=True):
 
 
 def _complete_contract(matter: Matter) -> Answer:
+    if matter.package.gaps:
+        told = _listed(f"{each.path} ({each.reason})" for each in matter.package.gaps)
+        return Answer(False, f"not all of it could be read: {told}")
     gaps = [f"{each.ecm.module_id} lacks {', '.join(lacking)}" for each, lacking in _incomplete(matter)]
-    against = [each for each in matter.evidence if each.evidence.result == "contradicted"]
-    newest = matter.latest("observation")
-    if newest in against:
-        return Answer(False, "its contract was contradicted when it was observed", (newest.digest,))
+    against = matter.contradictions
+    if against:
+        told = _listed(each.evidence.subject.module_id or matter.package.name for each in against)
+        return Answer(False, f"when it was observed, its contract was contradicted: {told}", _digests(against))
     return Answer(not gaps, _listed(gaps) or "all required fields are filled")
 
 
@@ -81,11 +86,15 @@ def _nobody_breaks(matter: Matter) -> Answer:
         return Answer(True, "it is the first release of its package")
     broken = matter.impact.broken
     where = matter.impact.scope
+    if not broken and matter.unread_users:
+        return Answer(False, f"of {where} not all could be read: {_listed(matter.unread_users)}")
+    if not broken and matter.previous is not None and matter.previous.gaps:
+        return Answer(False, f"not all of {matter.previous.version} could be read, so what it lost is not known")
     return Answer(not broken, f"of {where} it breaks {_listed(broken)}" if broken else f"nobody breaks of {where}")
 
 
 def _new_permissions_reviewed(matter: Matter) -> Answer:
-    asked = matter.breaking("permissions")
+    asked = matter.new_permissions
     if not asked:
         return Answer(True, "it asks for no new permission")
     return _shown(matter, "policy_review", f"it asks for {_listed([each.new or '' for each in asked])}")
@@ -96,10 +105,9 @@ def _policy_reviewed(matter: Matter) -> Answer:
 
 
 def _second_reviewer(matter: Matter) -> Answer:
-    found = matter.confirmed("policy_review")
-    names = {each.evidence.by.name for each in found}
-    digests = tuple(each.digest for each in found)
-    return Answer(len(names) > 1, f"reviewed by {_listed(sorted(names)) or 'nobody'}; two must", digests)
+    found = matter.proof("policy_review").confirmed
+    names = sorted(witnesses(found).values())
+    return Answer(len(names) > 1, f"reviewed by {_listed(names) or 'nobody'}; two must", _digests(found))
 
 
 def _policy_given(matter: Matter) -> Answer:
@@ -112,7 +120,16 @@ def _policy_allows(matter: Matter) -> Answer:
 
 
 def _robot_has_resources(matter: Matter) -> Answer:
+    wanted = [each.ecm.module_id for each in matter.package.contracts() if _needs_resources(each)]
+    if wanted and matter.inputs.embodiment is None:
+        return Answer(False, f"no robot was given that has what {_listed(wanted)} need (--embodiment)")
     return _allowed(matter, "resources", "embodiment", given=matter.inputs.embodiment is not None)
+
+
+def _needs_resources(contract: Contract) -> bool:
+    wanted = contract.resources
+    fields = (wanted.sensors, wanted.actuators, wanted.compute, wanted.timing)
+    return any(each is not None and each.value for each in fields)
 
 
 def _allowed(matter: Matter, dimension: Dimension, profile: str, *, given: bool) -> Answer:
@@ -164,10 +181,9 @@ def _rollback_tested(matter: Matter) -> Answer:
 
 
 def _rollback_traced(matter: Matter) -> Answer:
-    traced = [each for each in matter.confirmed("rollback_test") if _is_traced(each, matter.inputs.digest)]
-    digests = tuple(each.digest for each in traced)
+    traced = [each for each in matter.proof("rollback_test").confirmed if _is_traced(each, matter.inputs.digest)]
     if traced:
-        return Answer(True, "the test of the way back names this very content and what it ran on", digests)
+        return Answer(True, "the test of the way back names this very content and what it ran on", _digests(traced))
     wanted = f"sha256:{matter.inputs.digest}"
     return Answer(False, f"no test of the way back names this content ({wanted}) and what it ran on")
 
@@ -176,15 +192,29 @@ def _is_traced(kept: Kept, digest: str) -> bool:
     return kept.evidence.subject.contract == f"sha256:{digest}" and bool(kept.evidence.on)
 
 
-def _shown(matter: Matter, kind: Kind, why: str) -> Answer:
-    """Whether evidence of a kind confirms; the newest counts."""
-    found, name = matter.confirmed(kind), kind.replace("_", " ")
-    if found:
-        return Answer(True, f"{why}: {name} by {found[-1].evidence.by.name}", tuple(each.digest for each in found))
-    newest = matter.latest(kind)
-    if newest is None:
-        return Answer(False, f"{why}: no {name} since it came to {matter.inputs.source}")
-    return Answer(False, f"{why}: the newest {name} says {newest.evidence.result}", (newest.digest,))
+def _shown(matter: Matter, kind: EvidenceKind, why: str) -> Answer:
+    """Whether evidence of a kind confirms the release, and nobody contradicts."""
+    proof, name = matter.proof(kind), kind.replace("_", " ")
+    if proof.holds:
+        told = _listed(witnesses(proof.confirmed).values())
+        return Answer(True, f"{why}: {name} by {told}", _digests(proof.confirmed))
+    return Answer(False, f"{why}: {_unproved(matter, proof, name)}", _digests((*proof.against, *proof.doubtful)))
+
+
+def _unproved(matter: Matter, proof: Proof, name: str) -> str:
+    if proof.against:
+        return f"the newest {name} by {_listed(witnesses(proof.against).values())} says contradicted"
+    if proof.confirmed:
+        return f"no {name} confirms {_listed(proof.unproved)}"
+    if proof.doubtful:
+        return f"the newest {name} by {_listed(witnesses(proof.doubtful).values())} says doubtful"
+    if proof.elsewhere:
+        return f"the {name} is of another content than is stored"
+    return f"no {name} since it came to {matter.inputs.source}"
+
+
+def _digests(kept: Iterable[Kept]) -> tuple[str, ...]:
+    return tuple(each.digest for each in kept)
 
 
 def _listed(texts: Iterable[str]) -> str:

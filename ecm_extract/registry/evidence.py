@@ -1,80 +1,47 @@
-"""Evidence: something observed, tested or reviewed of a release (`ecm-extract/evidence/1`)."""
+"""Evidence of releases as it is kept: something observed, tested or reviewed (`ecm-extract/evidence/1`)."""
 
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any, Final, Literal
+from typing import Final
 
 import msgspec
+from ecm_checker.wire import EvidenceKind, EvidenceRecord, EvidenceResult, EvidenceSubject, Witness
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
+from ecm_extract.contract_digest import contract_digest
 from ecm_extract.errors import InputError
 from ecm_extract.registry import audit, clock
-from ecm_extract.registry.releases import find_release, name_of
-from ecm_extract.registry.tables import EvidenceRow
+from ecm_extract.registry.releases import find_release, name_of, package_of_release
+from ecm_extract.registry.tables import EvidenceRow, Release
 
-Kind = Literal["observation", "validation", "upgrade_test", "policy_review", "rollback_test"]
-Result = Literal["confirmed", "contradicted", "doubtful", "not_seen"]
-SCHEMA: Final = "ecm-extract/evidence/1"
 _MAX_BYTES: Final = 50_000_000
-
-
-class Witness(msgspec.Struct, frozen=True):
-    """Who says so: a person or a robot, and the tool with its version where one was used."""
-
-    name: str
-    tool: str = ""
-    version: str = ""
-
-
-class Subject(msgspec.Struct, frozen=True):
-    """What it is about: a release, or one of its modules; `contract` is `sha256:` over what was in front of them."""
-
-    package: str
-    version: str
-    module_id: str | None = None
-    contract: str | None = None
-
-
-class Evidence(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
-    """Who saw what, when, on what, with which result.
-
-    Attributes:
-        kind: `observation` of a live system or a bag; `validation` of resources or recovery on a robot;
-            `upgrade_test`; `policy_review`; `rollback_test`.
-        begun: ISO 8601.
-        on: what it was seen on, as data: a robot, a bag, a ticket.
-        note: in words.
-    """
-
-    schema: Literal["ecm-extract/evidence/1"] = "ecm-extract/evidence/1"
-    kind: Kind
-    subject: Subject
-    result: Result
-    by: Witness
-    begun: str
-    on: Any = None
-    note: str = ""
-
-    @property
-    def time(self) -> datetime:
-        """When it began."""
-        found = datetime.fromisoformat(self.begun)
-        return found if found.tzinfo is not None else found.replace(tzinfo=UTC)
 
 
 class Kept(msgspec.Struct, frozen=True):
     """Evidence as it is stored: the record, and the SHA-256 of its document."""
 
     digest: str
-    evidence: Evidence
+    evidence: EvidenceRecord
+
+    @property
+    def time(self) -> datetime:
+        """When it began."""
+        return _time(self.evidence)
 
 
-def read_evidence(file: str) -> list[bytes]:
+class Added(msgspec.Struct, frozen=True):
+    """A record that was kept: the release that it is about, and whether it names the content that is stored of it."""
+
+    release: str
+    names_content: bool
+
+
+def read_evidence(file: str) -> list[EvidenceRecord]:
     """Return the records of a file, one JSON document a line.
 
     Raises:
@@ -89,65 +56,108 @@ def read_evidence(file: str) -> list[bytes]:
     except OSError as error:
         message = f"cannot read {file}: {error.strerror}"
         raise InputError(message) from error
-    for number, line in enumerate(lines, 1):
-        if line.strip():
-            _checked(line, f"{file}:{number}")
-    return [line for line in lines if line.strip()]
+    return [_decoded(line, f"{file}:{number}") for number, line in enumerate(lines, 1) if line.strip()]
 
 
-def _checked(data: bytes, where: str) -> Evidence:
+def _decoded(data: bytes, where: str) -> EvidenceRecord:
     try:
-        found = msgspec.json.decode(data, type=Evidence)
-        _ = found.time
+        found = msgspec.json.decode(data, type=EvidenceRecord)
+        _ = _time(found)
     except (msgspec.MsgspecError, ValueError) as error:
         message = f"{where}: {error}"
         raise InputError(message, "evidence is what `ecm-extract observe` writes: ecm-extract/evidence/1") from error
     return found
 
 
-def add_evidence(session: Session, records: Iterable[bytes]) -> list[str]:
-    """Keep records, each with the release that it is about, and return these; what is there already stays once.
+def add_evidence(session: Session, records: Iterable[EvidenceRecord]) -> list[Added]:
+    """Keep records, each with the release that it is about; what is there already stays once.
+
+    Args:
+        session: one that writes.
+        records: all of them are kept, or none.
 
     Raises:
-        InputError: a release is not stored.
+        InputError: a release is not stored, a record names nobody, or it begins later than now.
     """
-    about = []
-    for data in records:
-        found = _checked(data, "evidence")
-        release = find_release(session, f"{found.subject.package}@{found.subject.version}")
-        canonical = msgspec.json.encode(msgspec.json.decode(data), order="deterministic")
-        digest = hashlib.sha256(canonical).hexdigest()
-        if session.get(EvidenceRow, (digest, release.id)) is None:
-            session.add(EvidenceRow(digest=digest, release_id=release.id, document=canonical.decode()))
-            audit.append(session, "evidence", name_of(release), {"digest": digest, "kind": found.kind})
-        about.append(name_of(release))
-    return about
+    return [_add(session, each) for each in records]
+
+
+def _add(session: Session, record: EvidenceRecord) -> Added:
+    _require_sound(record)
+    release = find_release(session, f"{record.subject.package}@{record.subject.version}")
+    canonical = msgspec.json.encode(record, order="deterministic")
+    digest = hashlib.sha256(canonical).hexdigest()
+    if session.get(EvidenceRow, (digest, release.id)) is None:
+        session.add(EvidenceRow(digest=digest, release_id=release.id, document=canonical.decode()))
+        audit.append(session, "evidence", name_of(release), {"digest": digest, "kind": record.kind})
+    return Added(name_of(release), names_content(record, contents_of(session, release)))
+
+
+def _require_sound(record: EvidenceRecord) -> None:
+    subject = record.subject
+    if not subject.version:
+        message = f"the record is about {subject.package} without a version"
+        raise InputError(message, "observe contracts that have a version, or those of the registry: --release")
+    if not record.by.name.strip():
+        message = f"the record about {subject.package}@{subject.version} does not say who saw it"
+        raise InputError(message, "name a person or a robot")
+    if clock.is_to_come(_time(record)):
+        message = f"the record about {subject.package}@{subject.version} begins at {record.begun}, which is to come"
+        raise InputError(message, "set the clock of the machine that recorded it, and look again")
+
+
+def contents_of(session: Session, release: Release) -> dict[str | None, str]:
+    """Return what is stored of a release as evidence names it: of each module by its id, of the package under None."""
+    modules = package_of_release(session, release).contracts()
+    return {None: f"sha256:{release.digest}", **{each.ecm.module_id: contract_digest(each) for each in modules}}
+
+
+def names_content(record: EvidenceRecord, contents: Mapping[str | None, str]) -> bool:
+    """Whether a record is about this very content, and not about another one under the same version."""
+    return record.subject.contract is not None and record.subject.contract == contents.get(record.subject.module_id)
 
 
 def evidence_of(session: Session, release_id: int) -> Sequence[Kept]:
     """Return what is known of a release, oldest first."""
     rows = session.scalars(select(EvidenceRow).filter_by(release_id=release_id))
-    found = [Kept(row.digest, msgspec.json.decode(row.document, type=Evidence)) for row in rows]
-    return sorted(found, key=lambda each: (each.evidence.time, each.digest))
+    found = [Kept(row.digest, msgspec.json.decode(row.document, type=EvidenceRecord)) for row in rows]
+    return sorted(found, key=in_time)
 
 
-def stated(session: Session, spec: str, *, kind: Kind, by: str, on: str | None, result: Result, note: str) -> bytes:
-    """Return a record that a person states of the content that is stored of a release.
+def in_time(kept: Kept) -> tuple[datetime, bool, str]:
+    """Return the order of records; of two of one moment, as of one recording, the one that contradicts is the later."""
+    return kept.time, kept.evidence.result == "contradicted", kept.digest
 
-    Args:
-        session: one that reads.
-        spec: the release.
-        kind: what was done.
-        by: who did it.
-        on: on what.
-        result: what came of it.
-        note: in words.
+
+class Statement(msgspec.Struct, frozen=True):
+    """What a person says was done: by whom, on what, what came of it, and in words."""
+
+    kind: EvidenceKind
+    by: str
+    on: str | None = None
+    result: EvidenceResult = "confirmed"
+    note: str = ""
+
+
+def stated(session: Session, spec: str, said: Statement) -> EvidenceRecord:
+    """Return a record of what a person states of the content that is stored of a release.
 
     Raises:
         InputError: the release is not stored.
     """
     release = find_release(session, spec)
-    subject = Subject(release.package, release.version, None, f"sha256:{release.digest}")
-    begun = clock.written(clock.now())
-    record = Evidence(kind=kind, subject=subject, result=result, by=Witness(by), begun=begun, on=on, note=note)
-    return msgspec.json.encode({"schema": SCHEMA, **msgspec.to_builtins(record)})
+    return EvidenceRecord(
+        schema="ecm-extract/evidence/1",
+        kind=said.kind,
+        subject=EvidenceSubject(release.package, release.version, None, f"sha256:{release.digest}"),
+        result=said.result,
+        by=Witness(said.by),
+        begun=clock.written(clock.now()),
+        on=said.on,
+        note=said.note,
+    )
+
+
+def _time(record: EvidenceRecord) -> datetime:
+    found = datetime.fromisoformat(record.begun)
+    return found if found.tzinfo is not None else found.replace(tzinfo=UTC)

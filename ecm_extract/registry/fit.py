@@ -12,7 +12,6 @@ from typing import Final, Literal
 import msgspec
 from ecm_checker.case import Case
 from ecm_checker.finding import Finding
-from ecm_checker.hub.package import Package
 from ecm_checker.match.packages import Packages
 from ecm_checker.operations.engine import examine, ready
 from ecm_checker.outcome import Outcome, decide, worst
@@ -23,7 +22,8 @@ from sqlalchemy.orm import Session
 
 from ecm_extract.registry.dependencies import dependencies_of
 from ecm_extract.registry.impact import Impact, Side, impact_of
-from ecm_extract.registry.releases import name_of, package_of_release
+from ecm_extract.registry.outside import outside_of
+from ecm_extract.registry.releases import name_of
 from ecm_extract.registry.scope import Scope
 from ecm_extract.registry.sides import TwoSides
 from ecm_extract.registry.tables import Dependency, Release
@@ -144,15 +144,11 @@ def _state(session: Session, version: str | None, wanted: str, name: str) -> Sta
 
 
 def _unmet(session: Session, sides: Sequence[Side], stay: dict[str, Release]) -> list[Finding]:
-    """Names that the releases need of packages that are there, and that those do not provide."""
-    wanted = {entry.package for side in sides for entry in side.package.requires if entry.package}
-    providers: list[Package] = [
-        msgspec.structs.replace(package_of_release(session, release), requires=())
-        for name, release in stay.items()
-        if name in wanted
-    ]
-    packages = Packages([*providers, *(each.package for each in sides)])
-    return examine("system", Case((), together=True, packages=packages))
+    """Names that the releases need of each other, or of packages that are there, and that those do not provide."""
+    packages = [each.package for each in sides]
+    there = Scope("", tuple(each.id for each in stay.values()))
+    outside = outside_of(session, packages, there)
+    return examine("system", Case((), together=True, packages=Packages([*outside.packages, *packages])))
 
 
 def _installed(sides: Sequence[Side], profiles: Profiles) -> Iterator[Finding]:

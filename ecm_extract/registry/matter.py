@@ -6,29 +6,34 @@ from collections.abc import Iterator, Sequence
 from functools import cached_property
 
 import msgspec
+from ecm_checker.contract import Contract
 from ecm_checker.contract_changes import changes as contract_changes
 from ecm_checker.hub.package import Package
 from ecm_checker.operations.engine import ready
 from ecm_checker.profiles import Embodiment, Policy, Profiles
 from ecm_checker.release import Change, CompatibilityClass, compatibility_class, required_bump
 from ecm_checker.versions import Bump, bump_between
+from ecm_checker.wire import EvidenceKind
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from ecm_extract.diff.migration import Migration
 from ecm_extract.registry import clock
-from ecm_extract.registry.evidence import Kept, Kind, evidence_of
+from ecm_extract.registry.evidence import Kept, contents_of, evidence_of
 from ecm_extract.registry.impact import Impact, impact_of
+from ecm_extract.registry.proof import Proof, proof_of, words_that_count
+from ecm_extract.registry.releases import name_of, package_of_release
 from ecm_extract.registry.scope import Scope
 from ecm_extract.registry.sides import stored_side_of
-from ecm_extract.registry.tables import Release
+from ecm_extract.registry.tables import Dependency, Release
 
 
 class Inputs(msgspec.Struct, frozen=True, kw_only=True):
     """What a verdict was made of; each of it is stored, or stands here.
 
     Attributes:
-        release, previous: ids; None for the first release of a package. digest: of the release's document.
+        release, previous: ids; `previous` is what it takes the place of: the newest older release of the channel or
+            above, else the one before it; None for the first release of a package. digest: of the release's document.
         source, channel: from which channel to which. since: when it came to the first of them.
         scope: ids of the releases that may not break. target: the release to roll back to.
         evidence: digests. migration: None where it has none.
@@ -65,6 +70,7 @@ class Matter:
         release = session.get_one(Release, inputs.release)
         after = stored_side_of(session, release)
         self.inputs = inputs
+        self._session = session
         self.package = after.package
         self.previous: Package | None = None
         self.impact: Impact | None = None
@@ -74,6 +80,7 @@ class Matter:
             self.impact = impact_of(session, before, after, Scope(f"what is in {inputs.channel}", inputs.scope))
         kept = evidence_of(session, release.id)
         self.evidence = [each for each in kept if each.digest in inputs.evidence]
+        self._contents = contents_of(session, release)
         self.target = session.get(Release, inputs.target) if inputs.target is not None else None
 
     @property
@@ -98,9 +105,27 @@ class Matter:
         before = {each.ecm.module_id: each for each in self.previous.contracts()}
         for contract in self.package.contracts():
             old = before.get(contract.ecm.module_id)
-            if old is not None:
+            if old is None:
+                yield from _brought(contract)
+            else:
                 found = contract_changes(ready(old), ready(contract))
                 yield from (each for each in found if each.dimension != "signature")
+
+    @property
+    def new_permissions(self) -> list[Change]:
+        """Permissions that it asks for and that the release before did not; of a first release all are new."""
+        if self.previous is not None:
+            return self.breaking("permissions")
+        found = (change for each in self.package.contracts() for change in _brought(each))
+        return [each for each in found if each.dimension == "permissions"]
+
+    @cached_property
+    def unread_users(self) -> tuple[str, ...]:
+        """Releases in its scope that depend on it and could not be read as a whole."""
+        query = select(Release).join(Dependency, Dependency.release_id == Release.id)
+        query = query.where(Dependency.package == self.package.name, Release.id.in_(self.inputs.scope))
+        users = self._session.scalars(query.order_by(Release.package))
+        return tuple(name_of(each) for each in users if package_of_release(self._session, each).gaps)
 
     @property
     def compatibility_class(self) -> CompatibilityClass:
@@ -121,23 +146,34 @@ class Matter:
         """Return the changes of a dimension that may invalidate what was built on the release before."""
         return [each for each in self.changes if each.breaking and each.dimension == dimension]
 
-    def latest(self, kind: Kind) -> Kept | None:
-        """Return the newest evidence of a kind."""
-        found = [each for each in self.evidence if each.evidence.kind == kind]
-        return found[-1] if found else None
+    def proof(self, kind: EvidenceKind) -> Proof:
+        """Return what the evidence of a kind proves."""
+        found = (each for each in self.evidence if each.evidence.kind == kind)
+        return proof_of(found, self._contents, self._running)
 
-    def confirmed(self, kind: Kind) -> list[Kept]:
-        """Return what confirms, when the newest evidence of the kind does."""
-        newest = self.latest(kind)
-        if newest is None or newest.evidence.result != "confirmed":
-            return []
-        return [each for each in self.evidence if each.evidence.kind == kind and each.evidence.result == "confirmed"]
+    @property
+    def contradictions(self) -> tuple[Kept, ...]:
+        """Observations that contradict its contract, whatever they were made for."""
+        observed = [each for each in self.evidence if each.evidence.is_observed]
+        return tuple(each for each in words_that_count(observed) if each.evidence.result == "contradicted")
+
+    @cached_property
+    def _running(self) -> frozenset[str]:
+        """Its modules that run."""
+        return frozenset(each.id for each in map(ready, self.package.contracts()) if each.runs)
+
+
+def _brought(contract: Contract) -> Iterator[Change]:
+    """Permissions and resources that come with a module that was not there."""
+    empty = Contract(contract.ecm)
+    found = contract_changes(ready(empty), ready(contract))
+    yield from (each for each in found if each.dimension in {"permissions", "resources"})
 
 
 def in_channel(found: Sequence[Kept], since: str) -> tuple[str, ...]:
     """Return the digests of evidence that was collected since a release is in its channel."""
     start = clock.read(since)
-    return tuple(each.digest for each in found if each.evidence.time >= start)
+    return tuple(each.digest for each in found if each.time >= start)
 
 
 def scope_ids(session: Session, scope: Scope) -> tuple[int, ...]:

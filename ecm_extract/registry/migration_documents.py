@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from pathlib import Path
 from typing import Final
 
@@ -44,7 +45,8 @@ def keep_migration(session: Session, spec: str, migration: Migration) -> str:
     release = find_release(session, spec)
     document = msgspec.json.encode(migration, order="deterministic").decode()
     session.merge(MigrationRow(release_id=release.id, document=document))
-    audit.append(session, "migration", name_of(release), {"steps": len(migration.steps)})
+    digest = hashlib.sha256(document.encode()).hexdigest()
+    audit.append(session, "migration", name_of(release), {"steps": len(migration.steps), "digest": digest})
     return name_of(release)
 
 

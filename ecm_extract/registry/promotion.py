@@ -56,17 +56,18 @@ class Submitted(msgspec.Struct, frozen=True):
 
 
 def _inputs(session: Session, release: Release, standing: Standing, submitted: Submitted) -> Inputs:
-    previous = release_before(session, release)
+    target = _target(session, release, submitted)
+    previous = target if target is not None else _id_before(session, release)
     evidence = evidence_of(session, release.id)
     return Inputs(
         release=release.id,
         digest=release.digest,
-        previous=previous.id if previous else None,
+        previous=previous,
         source=standing.channel or "",
         channel=submitted.channel,
         since=standing.since,
         scope=scope_ids(session, _scope(session, submitted)),
-        target=_target(session, release, submitted),
+        target=target,
         evidence=in_channel(evidence, standing.since),
         migration=migration_of_release(session, release.id),
         embodiment=submitted.profiles.embodiment,
@@ -94,6 +95,12 @@ def _target(session: Session, release: Release, submitted: Submitted) -> int | N
         .where(Standing.channel.in_(_from(submitted.table, submitted.channel)))
     )
     return session.scalars(query.order_by(Release.rank.desc()).limit(1)).first()
+
+
+def _id_before(session: Session, release: Release) -> int | None:
+    """Where nothing older is in the channel, the release is compared with the one before it, wherever that is."""
+    previous = release_before(session, release)
+    return previous.id if previous is not None else None
 
 
 def _require_step(release: Release, standing: Standing, channel: str, table: Table) -> None:

@@ -13,7 +13,8 @@ import msgspec
 from ecm_checker.case import Case
 from ecm_checker.finding import Finding
 from ecm_checker.hub.package import Package
-from ecm_checker.match.packages import Packages
+from ecm_checker.match.generated import interface_package
+from ecm_checker.match.packages import Packages, Unmet
 from ecm_checker.operations.engine import examine, ready
 from ecm_checker.operations.system import system
 from ecm_checker.profiles import NO_PROFILES, Profiles
@@ -119,6 +120,12 @@ def resolve(
         InputError: a requested package is not stored, or there is no such channel.
     """
     return _Resolution(session, wishes, profiles, _channels(profiles, channel)).run()
+
+
+def _is_clash(unmet: Unmet, user: Place, provider: Place) -> bool:
+    wanted = unmet.requirement
+    home = wanted.package or interface_package(wanted.name)
+    return unmet.consumer == user.family and home == provider.family and wanted.certainty == "proved"
 
 
 def _channels(profiles: Profiles, channel: str | None) -> frozenset[str] | None:
@@ -253,12 +260,11 @@ class _Resolution:
         if not self._once(user, provider):
             return
         given = msgspec.structs.replace(self._package(provider), requires=())
-        unmet = next(Packages([given, self._package(user)]).unmet(), None)
-        if unmet is not None and unmet.requirement.certainty == "proved" and unmet.consumer == user.family:
-            wanted = unmet.requirement
-            if wanted.package == provider.family:
-                at = wanted.evidence[0]
-                self._clashes[user, provider] = f"{at.path}:{at.line} {wanted.phrase}, which is not there"
+        unmet = Packages([given, self._package(user)]).unmet()
+        wanted = next((each.requirement for each in unmet if _is_clash(each, user, provider)), None)
+        if wanted is not None:
+            at = wanted.evidence[0]
+            self._clashes[user, provider] = f"{at.path}:{at.line} {wanted.phrase}, which is not there"
 
     def _check_together(self, one: Place, other: Place) -> None:
         """Whether two requested packages run together."""

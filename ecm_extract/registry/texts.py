@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import msgspec
 from ecm_checker.json_data import json_data
 
+from ecm_extract.registry.evidence import Added
 from ecm_extract.registry.fit import Fit
 from ecm_extract.registry.gates import Verdict
 from ecm_extract.registry.impact import Break, Impact
@@ -41,6 +42,15 @@ def verdict_text(verdict: Verdict) -> str:
 def lock_text(lock: Lock, *, explain: bool) -> str:
     """Return what was chosen; also who asked for it, and why nothing better was, when asked to explain."""
     return "\n".join(one_line(line, 600) for line in _lock(lock, explain=explain)) + "\n"
+
+
+def added_lines(added: Sequence[Added]) -> Iterator[str]:
+    """Yield how many records were kept of each release, and how many of them cannot confirm it."""
+    for release in dict.fromkeys(each.release for each in added):
+        names = [each.names_content for each in added if each.release == release]
+        other = names.count(False)
+        told = f", {other} of them about another content than is stored: they confirm nothing of it" if other else ""
+        yield f"{release}: {len(names)} records{told}"
 
 
 def as_json(document: msgspec.Struct) -> str:

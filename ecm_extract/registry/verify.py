@@ -1,4 +1,4 @@
-"""Whether all that is stored is as it was stored: contents by their hash, the audit log by its chain."""
+"""Whether what is stored is as it was stored: contents by their hash, the audit log by its chain, decisions by it."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from sqlalchemy.orm import Session
 from ecm_extract.errors import ToolError
 from ecm_extract.registry import audit
 from ecm_extract.registry.contents import unpack
+from ecm_extract.registry.decisions import undecided
 from ecm_extract.registry.parts import requirements_of
 from ecm_extract.registry.publish import make_ready
 from ecm_extract.registry.releases import name_of
@@ -28,6 +29,7 @@ class Verified(msgspec.Struct, frozen=True):
 def verify(session: Session) -> Verified:
     """Look at everything that is stored."""
     problems = [*audit.broken_links(session), *_releases(session), *_unlogged(session), *_parts(session)]
+    problems += undecided(session)
     releases = session.scalar(select(func.count()).select_from(Release)) or 0
     entries = session.scalar(select(func.count()).select_from(AuditEntry)) or 0
     return Verified(releases, entries, tuple(problems))

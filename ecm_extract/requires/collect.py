@@ -6,6 +6,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import msgspec
+from ecm_checker.hub.package import Package
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.match.consumer import Consumer
 from ecm_parsers.source.python import parse_python
@@ -42,6 +43,14 @@ from ecm_extract.tree import Tree
 def consumers(workspace: Workspace) -> list[Consumer]:
     """Return the packages of a linked tree as consumers."""
     return [Consumer(package, entries) for package, entries in requirements(workspace).items()]
+
+
+def requiring_packages(workspace: Workspace) -> tuple[Package, ...]:
+    """Return the packages of a linked tree with what they require, and nothing of what they provide."""
+    return tuple(
+        Package(name=each.package, version=None, path="", ros=None, requires=tuple(each.requirements))
+        for each in consumers(workspace)
+    )
 
 
 def requirements(workspace: Workspace) -> Mapping[str, Sequence[Requirement]]:

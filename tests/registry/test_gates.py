@@ -17,7 +17,7 @@ from scenario import MODULE, contract, package
 from ecm_extract.diff.migration import Migration, migration_of
 from ecm_extract.registry import clock
 from ecm_extract.registry.channels import gate_table
-from ecm_extract.registry.evidence import add_evidence, evidence_of, stated
+from ecm_extract.registry.evidence import Statement, add_evidence, evidence_of, stated
 from ecm_extract.registry.gates import Verdict, Waiver, judge, judged_again
 from ecm_extract.registry.impact import Impact, impact_of
 from ecm_extract.registry.matter import Inputs
@@ -93,16 +93,19 @@ class Bench:
 
     def show(self, *kinds: str, result: str = "confirmed", by: str = "Ada", on: str | None = "robot 7") -> None:
         with self._registry.writing() as session:
-            said: dict[str, Any] = {"by": by, "on": on, "result": result, "note": ""}
-            add_evidence(session, [stated(session, self._name, kind=kind, **said) for kind in kinds])  # type: ignore[arg-type]
+            said = [Statement(kind, by, on, result) for kind in kinds]  # type: ignore[arg-type]
+            add_evidence(session, [stated(session, self._name, each) for each in said])
 
-    def judge(self, channel: str, waivers: Sequence[Waiver] = (), profiles: Profiles = _PROFILES) -> Verdict:
+    def judge(
+        self, channel: str, waivers: Sequence[Waiver] = (), profiles: Profiles = _PROFILES, scope: Sequence[str] = ()
+    ) -> Verdict:
         with self._registry.reading() as session:
             release = find_release(session, self._name)
-            old, panel = find_release(session, "delivery@1.0.0"), find_release(session, "panel")
+            old = find_release(session, "delivery@1.0.0")
+            asked = tuple(find_release(session, each).id for each in scope or ("panel",))
             inputs = Inputs(
                 release=release.id, digest=release.digest, previous=old.id, source="sandbox", channel=channel,
-                since=release.stored, scope=(panel.id,), target=old.id,
+                since=release.stored, scope=asked, target=old.id,
                 evidence=tuple(each.digest for each in evidence_of(session, release.id)),
                 migration=self.migration, embodiment=profiles.embodiment, policy=profiles.policy,
                 at=clock.written(clock.now()),

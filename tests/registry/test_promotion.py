@@ -35,6 +35,10 @@ def _waive(release: str, gate: str) -> int:
     return run(["waive", release, gate, "--to", "beta", *reason])
 
 
+def _review(release: str) -> None:
+    assert run(["evidence", "state", release, "--kind", "policy_review", "--by", "Grace"]) == 0
+
+
 def test_a_breaking_release_brings_its_migration(place: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Refused without, admitted with it."""
     assert run(["promote", "driver@2.0.0", "--to", "beta"]) == 1
@@ -52,6 +56,7 @@ def test_a_waiver_lets_pass_and_stays_in_the_verdict(place: Path, capsys: pytest
     """A driver from sources has no complete contract."""
     assert _gates(capsys, "driver@1.0.0", "--to", "beta")["contract"] == "refused"
     assert _waive("driver@1.0.0", "contract") == 0
+    _review("driver@1.0.0")
     assert run(["promote", "driver@1.0.0", "--to", "beta"]) == 0
     out = capsys.readouterr().out
     assert "Ada answers for it until 2999-12-31" in out
@@ -65,6 +70,7 @@ def test_channels_are_taken_one_by_one(place: Path, capsys: pytest.CaptureFixtur
     assert run(["promote", "driver@1.0.0", "--to", "nowhere"]) == 2
     assert run(["demote", "driver@1.0.0", "--to", "sandbox", "--reason", "x"]) == 2
     _waive("driver@1.0.0", "contract")
+    _review("driver@1.0.0")
     assert run(["promote", "driver@1.0.0", "--to", "beta"]) == 0
     assert run(["demote", "driver@1.0.0", "--to", "sandbox", "--reason", "it stalls"]) == 0
     assert _gates(capsys, "driver@1.0.0", "--to", "beta")["contract"] == "waived"
@@ -102,16 +108,17 @@ def test_evidence_is_stated_read_and_listed(place: Path, capsys: pytest.CaptureF
         "subject": {"package": "driver", "version": "1.0.0", "module_id": "ecm.driver.drive", "contract": "sha256:0"},
         "result": "confirmed",
         "by": {"name": "robot 7", "tool": "ecm-extract", "version": "0.1.0"},
-        "begun": "2999-01-01T00:00:00Z",
+        "begun": "2026-01-01T00:00:00Z",
         "seconds": 5.0,
-        "on": {"source": "bag", "target": "run.mcap"},
+        "on": {"source": "bag", "target": "run.mcap", "senses": [], "digest": "sha256:0"},
     }
     file = write(place, {"seen.jsonl": json.dumps(record) + "\n"}) / "seen.jsonl"
     assert run(["evidence", "add", str(file)]) == 0
     assert run(["evidence", "add", str(file)]) == 0
     capsys.readouterr()
     assert run(["evidence", "list", "driver@1.0.0"]) == 0
-    assert capsys.readouterr().out.count("observation confirmed by robot 7") == 1
+    listed = capsys.readouterr().out
+    assert listed.count("observation of ecm.driver.drive confirmed by robot 7 on bag run.mcap") == 1
     bad = write(place, {"bad.jsonl": '\n{"schema": "ecm-extract/evidence/1"}\n'}) / "bad.jsonl"
     assert run(["evidence", "add", str(bad)]) == 2
     assert "bad.jsonl:2" in capsys.readouterr().err

@@ -13,7 +13,7 @@ import msgspec
 from ecm_checker.finding import Who
 
 World = Literal["graph", "package"]
-Breach = Literal["gone", "type", "signature", "layout", "duty", "default"]
+Breach = Literal["gone", "type", "signature", "layout", "duty"]
 
 
 class Kind(msgspec.Struct, frozen=True):

@@ -7,7 +7,7 @@ gone because it is not here (paper, "Contract Model"; DESIGN §3).
 from __future__ import annotations
 
 from collections.abc import Collection
-from typing import Literal
+from typing import Final, Literal
 
 import msgspec
 
@@ -16,8 +16,10 @@ from ecm_checker.hub.provision import Provision
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.match.consumer import Consumer
 from ecm_checker.match.fit import misfit
+from ecm_checker.match.generated import interface_package
 from ecm_checker.match.provisions import Provisions
 
+_GENERATED: Final = frozenset({"message"})
 State = Literal["met", "dangling", "incompatible", "unknown"]
 
 
@@ -56,8 +58,18 @@ def match(requirement: Requirement, consumer: Consumer, provisions: Provisions, 
         return Match(requirement, "met", tuple(each for each, _ in found))
     if found:
         return Match(requirement, "incompatible", tuple(each for each, _ in found), breaches[0])
-    closed = requirement.package in known and not is_open(requirement) and _tells_all(requirement, provisions)
+    closed = (
+        _home(requirement, provisions) in known and not is_open(requirement) and _tells_all(requirement, provisions)
+    )
     return Match(requirement, "dangling" if closed else "unknown")
+
+
+def _home(requirement: Requirement, provisions: Provisions) -> str | None:
+    """The package that alone can provide the name: the one that is named, or that generates what is imported."""
+    if requirement.package is not None or not _GENERATED & set(uses()[requirement.use].of):
+        return requirement.package
+    package = interface_package(requirement.name)
+    return package if package in provisions.interface_packages else None
 
 
 def _tells_all(requirement: Requirement, provisions: Provisions) -> bool:

@@ -9,7 +9,8 @@ from collections.abc import Iterator
 from typing import Final
 
 PARTS: Final = ("Request", "Response", "Goal", "Result", "Feedback")
-_MADE: Final = ("", *PARTS, "Action")
+_MADE: Final = ("", *PARTS, "Action", "ActionGoal", "ActionResult", "ActionFeedback")
+_SHAPES: Final = frozenset({"msg", "srv", "action"})
 
 
 def snake(name: str) -> str:
@@ -60,3 +61,16 @@ def section_owners(interface: str, section: str) -> Iterator[str]:
             yield f"{head}{part}"
     if part and shape == "action":
         yield f"{package}.msg.{name}{part}"
+
+
+def interface_package(name: str) -> str | None:
+    """Return the package that alone can generate a name, as it is imported or included; None for any other name.
+
+    Modules and headers that a build makes for itself (`_Grip`, `detail/`, `grip__struct.hpp`) tell nothing.
+    """
+    is_header = name.endswith(".hpp")
+    parts = name.removesuffix(".hpp").split("/") if is_header else name.split(".")
+    if len(parts) != 3 or parts[1] not in _SHAPES:
+        return None
+    made = parts[2].isidentifier() and not parts[2].startswith("_") and "__" not in parts[2]
+    return parts[0] if made else None

@@ -85,7 +85,14 @@ class Provisions:
         for entity in self._entities:
             if entity.kind == "file" and "/" in entity.name:
                 found[entity.name.partition("/")[0]].add(entity.package)
+            elif entity.kind == "message":  # its header is generated below the name of its package
+                found[entity.package].add(entity.package)
         return {folder: frozenset(packages) for folder, packages in found.items()}
+
+    @cached_property
+    def interface_packages(self) -> frozenset[str]:
+        """Packages that generate headers and modules of interface files."""
+        return frozenset(each.package for each in self._entities if each.kind == "message")
 
     def sought(self) -> Iterator[Sought]:
         """Yield by what the requirements are found that may mean what is here."""

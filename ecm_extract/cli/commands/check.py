@@ -20,6 +20,7 @@ from ecm_extract.cli.outputs import (
     write_outputs,
 )
 from ecm_extract.cli.overlays import WRONG_INPUT, tell_overlay_problems
+from ecm_extract.cli.registries import KnownFrom, known_options, outside_packages
 from ecm_extract.errors import InputError
 
 if TYPE_CHECKING:
@@ -65,6 +66,7 @@ class Request(msgspec.Struct, frozen=True, kw_only=True):
     launch: tuple[str, ...]
     no_cache: bool
     quiet: bool
+    known: KnownFrom
 
 
 @click.command(short_help="Decide whether modules can be installed, composed, upgraded.", epilog=_EPILOG)
@@ -96,6 +98,7 @@ class Request(msgspec.Struct, frozen=True, kw_only=True):
 @click.option("--freeze", is_flag=True, help="Pin the content hash of this checker and exit.")
 @click.option("--no-cache", is_flag=True, help="Take nothing from the cache and add nothing to it.")
 @click.option("-q", "--quiet", is_flag=True, help="Print no summary.")
+@known_options
 @click.pass_context
 def command(ctx: click.Context, /, **options: Any) -> None:
     """Check the contracts that PATHS name; the first word may be the operation.
@@ -154,6 +157,7 @@ def _given(request: Request, diagnostics: list[LocatedDiagnostic]) -> Given:
         not request.no_cache,
         request.launch,
         diagnostics.extend,
+        partial(outside_packages, request.known) if request.known.is_asked else None,
     )
 
 

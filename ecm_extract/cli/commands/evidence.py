@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from ecm_extract.cli.registries import open_registry, registry_option
+
+if TYPE_CHECKING:
+    from ecm_checker.wire import EvidenceRecord
 
 _KINDS = ("observation", "validation", "upgrade_test", "policy_review", "rollback_test")
 _RESULTS = ("confirmed", "contradicted", "doubtful", "not_seen")
@@ -24,12 +27,13 @@ def add(files: tuple[str, ...], url: str | None) -> None:
     """Keep the records of files, one JSON document a line (`ecm-extract/evidence/1`); all of them or none."""
     with open_registry(url) as registry:
         from ecm_extract.registry.evidence import add_evidence, read_evidence
+        from ecm_extract.registry.texts import added_lines
 
         records = [record for file in files for record in read_evidence(file)]
         with registry.writing() as session:
-            about = add_evidence(session, records)
-    for release in dict.fromkeys(about):
-        click.echo(f"{_plain(release)}: {about.count(release)} records")
+            added = add_evidence(session, records)
+    for line in added_lines(added):
+        click.echo(_plain(line))
 
 
 @command.command()
@@ -43,10 +47,10 @@ def add(files: tuple[str, ...], url: str | None) -> None:
 def state(release: str, url: str | None, **said: Any) -> None:
     """State evidence of RELEASE: it names the content that is stored of it now."""
     with open_registry(url) as registry:
-        from ecm_extract.registry.evidence import add_evidence, stated
+        from ecm_extract.registry.evidence import Statement, add_evidence, stated
 
         with registry.writing() as session:
-            add_evidence(session, [stated(session, release, **said)])
+            add_evidence(session, [stated(session, release, Statement(**said))])
     click.echo(f"{_plain(release)}: {said['kind']} {said['result']}")
 
 
@@ -62,9 +66,19 @@ def list_(release: str, url: str | None) -> None:
         found = evidence_of(session, find_release(session, release).id)
     for each in found:
         record = each.evidence
-        on = f" on {record.on}" if record.on else ""
-        text = f"{record.begun} {record.kind} {record.result} by {record.by.name}{on} {record.note}"
-        click.echo(_plain(f"{each.digest[:12]} {text}".rstrip()))
+        click.echo(_plain(f"{each.digest[:12]} {_told(record)}"))
+
+
+def _told(record: EvidenceRecord) -> str:
+    about = f" of {record.subject.module_id}" if record.subject.module_id else ""
+    said = f"{record.begun} {record.kind}{about} {record.result} by {record.by.name}{_on(record)}"
+    return f"{said} {record.note}" if record.note else said
+
+
+def _on(record: EvidenceRecord) -> str:
+    if not record.on:
+        return ""
+    return f" on {record.on}" if isinstance(record.on, str) else f" on {record.on.source} {record.on.target}"
 
 
 def _plain(text: str) -> str:

@@ -21,6 +21,7 @@ from ecm_extract.cli.outputs import (
     statistics_as,
     write_outputs,
 )
+from ecm_extract.cli.registries import KnownFrom, known_options, outside_packages
 from ecm_extract.errors import InputError
 
 if TYPE_CHECKING:
@@ -35,6 +36,7 @@ if TYPE_CHECKING:
     from ecm_extract.extraction_model import Options, Progress
     from ecm_extract.lint.completeness import Completeness
     from ecm_extract.lint.workspace import Workspace
+    from ecm_extract.outside import Outside
     from ecm_extract.report.places import Places
     from ecm_extract.tree import Tree
 
@@ -68,6 +70,7 @@ class Request(msgspec.Struct, frozen=True):
     include_tests: bool
     config: str | None
     jobs: int | None
+    known: KnownFrom
 
 
 @click.command(short_help="Report what will break somebody, on the line that does.", epilog=_EPILOG)
@@ -104,6 +107,7 @@ class Request(msgspec.Struct, frozen=True):
 @click.option("--include-tests", is_flag=True, help="Read test folders too.")
 @click.option("--config", metavar="FILE", help="Use this ecm.toml.  [default: the one in PATH]")
 @click.option("--jobs", type=click.IntRange(min=1), help="Worker processes.  [default: one per core]")
+@known_options
 def command(**options: Any) -> int:
     """Lint the ROS packages below PATH: launch files, parameter files, descriptions, plugins, sources.
 
@@ -116,7 +120,7 @@ def command(**options: Any) -> int:
     if request.base_tip and request.base is None:
         message = "--base-tip says how to take --base REF, which is not given"
         raise click.UsageError(message, click.get_current_context())
-    _refuse_change_rules_alone(request)
+    _refuse_rules_without_matter(request)
     with progress_bar() as progress:
         findings, workspace, read = _findings(request, progress)
     if request.write_baseline:
@@ -143,13 +147,17 @@ def _selected(texts: tuple[str, ...]) -> frozenset[str]:
     return rules_meant(texts, lint_rule_ids())
 
 
-def _refuse_change_rules_alone(request: Request) -> None:
-    """A rule that tells of a change finds nothing in a tree alone, which must not look like nothing there."""
+def _refuse_rules_without_matter(request: Request) -> None:
+    """A rule that has nothing to look at finds nothing, which must not look like nothing there."""
     from ecm_extract.lint.base import OF_CHANGES
+    from ecm_extract.outside import RULE_ID as OUTSIDE
 
     if request.base is None and request.select and request.select <= OF_CHANGES:
         message = f"{min(request.select)} tells what a change does, and no base is given to compare with"
         raise InputError(message, "add --base REF")
+    if request.select == frozenset({OUTSIDE}) and not request.known.is_asked:
+        message = f"{OUTSIDE} tells what packages outside of the tree do not provide, and nothing tells of these"
+        raise InputError(message, "add --registry")
 
 
 class Linted(NamedTuple):
@@ -214,15 +222,40 @@ def _options(request: Request, progress: Progress | None) -> Options:
     return Options(request.include_tests, request.config, request.jobs, progress)
 
 
-def _run(workspace: Workspace, request: Request) -> list[Finding]:
+def _run(workspace: Workspace, request: Request, *, say: bool = True) -> list[Finding]:
     from ecm_extract.lint.run import findings_of
 
     if request.select and _held(request) == request.select:
         message = f"{min(request.select)} is a preview rule, which does not run by itself"
         raise InputError(message, "add --preview")
     config = workspace.config
-    found = findings_of(workspace, request.select, config.severity, preview=request.preview)
+    found = [
+        *findings_of(workspace, request.select, config.severity, preview=request.preview),
+        *_outside(workspace, request, say=say),
+    ]
     return [each for each in found if not config.promise or each.who in config.promise]
+
+
+def _outside(workspace: Workspace, request: Request, *, say: bool) -> list[Finding]:
+    """What the registry tells of names that packages outside of the tree must provide."""
+    from ecm_extract.outside import RULE_ID, outside_findings
+    from ecm_extract.requires.collect import requiring_packages
+
+    if not request.known.is_asked or (request.select and RULE_ID not in request.select):
+        return []
+    inside = requiring_packages(workspace.as_side())
+    outside = outside_packages(request.known, inside)
+    if say:
+        _say_outside(outside)
+    return list(outside_findings(inside, outside))
+
+
+def _say_outside(outside: Outside) -> None:
+    from ecm_extract.outside import told
+    from ecm_extract.report.terminal import one_line
+
+    for line in told(outside):
+        click.echo(one_line(line, 1000), err=True)
 
 
 class Base(NamedTuple):
@@ -244,7 +277,7 @@ def _base(now: Tree, request: Request, parsed: dict[str, Any]) -> Base:
 
     def work() -> tuple[list[Finding], Side]:
         workspace = _workspace(_read(tree, _options(request, None), parsed), request)
-        return _run(workspace, request), side_of(workspace.as_side())
+        return _run(workspace, request, say=False), side_of(workspace.as_side())
 
     return Base(tree, info, meanwhile(work, request.jobs))
 

@@ -15,7 +15,9 @@ from ecm_extract.errors import InputError
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from ecm_checker.contract import Contract
     from ecm_checker.finding import Finding
+    from ecm_checker.wire import EvidenceKind, EvidenceRecord
 
     from ecm_extract.observe.watch import Watch
 
@@ -27,6 +29,7 @@ Examples:
   ecm-extract observe --dds --workspace src --launch my_bringup/robot.launch.py --for 30
   ecm-extract observe --bag run.mcap --contracts contracts   a recording against manifests
   ecm-extract observe --dds --once --format json             what is there, as one document
+  ecm-extract observe --dds --registry --environment robot_7     against what the robot runs; gates get the evidence
 """
 
 
@@ -40,6 +43,10 @@ class Request(msgspec.Struct, frozen=True, kw_only=True):
     contracts: tuple[str, ...]
     workspace: str | None
     launch: tuple[str, ...]
+    registry: str | None
+    release: tuple[str, ...]
+    environment: str | None
+    kind: EvidenceKind
     seconds: float
     once: bool
     format: str
@@ -64,6 +71,22 @@ class Request(msgspec.Struct, frozen=True, kw_only=True):
     metavar="FILE|NAME:=VALUE",
     multiple=True,
     help="Expect what this launch file of the workspace starts, under its own names; may be repeated.",
+)
+@click.option(
+    "--registry",
+    is_flag=False,
+    flag_value="",
+    metavar="[URL|FILE]",
+    help="Keep the evidence in this registry, where gates use it.  [default: ECM_REGISTRY, else the user's own]",
+)
+@click.option("--release", multiple=True, metavar="RELEASE", help="Expect this release of the registry; repeatable.")
+@click.option("--environment", metavar="NAME", help="Expect what this environment of the registry runs.")
+@click.option(
+    "--kind",
+    type=click.Choice(["observation", "validation", "upgrade_test", "rollback_test"]),
+    default="observation",
+    show_default=True,
+    help="What the run shows of the releases, for the evidence.",
 )
 @click.option(
     "--for", "seconds", type=click.FloatRange(min=0), default=10.0, show_default=True, help="Seconds to listen."
@@ -97,9 +120,10 @@ def command(ctx: click.Context, /, **options: Any) -> None:
     findings = compare(watch)
     _print(watch, findings, request)
     _keep(watch, findings, request)
-    _refuse_if_nothing_was_seen(watch)
     if _fails(findings, request.fail_on):
         ctx.exit(1)
+    _refuse_if_nothing_was_compared(watch)
+    _refuse_gaps(watch)
 
 
 def _watch(request: Request) -> Watch:
@@ -109,10 +133,29 @@ def _watch(request: Request) -> Watch:
     from ecm_extract.observe.watch import Watch
 
     promised = Promised(request.contracts, request.workspace, request.launch, not request.no_cache)
-    contracts = promised_contracts(promised)
+    contracts = (*promised_contracts(promised), *_stored_contracts(request))
+    _require_subject(contracts, request)
     bags = (*request.bag, *request.files)
     target = Target(request.ros1, request.dds, bags, request.seconds, request.once)
     return Watch(last_shown(observations(target)), contracts, launched=bool(request.launch))
+
+
+def _stored_contracts(request: Request) -> tuple[Contract, ...]:
+    """Contracts of the releases that the registry is asked for."""
+    if not request.release and request.environment is None:
+        return ()
+    from ecm_extract.cli.registries import open_registry
+    from ecm_extract.registry.promised import contracts_of_releases
+
+    with open_registry(request.registry or None) as registry, registry.reading() as session:
+        return contracts_of_releases(session, request.release, request.environment)
+
+
+def _require_subject(contracts: Sequence[Contract], request: Request) -> None:
+    """Evidence is about releases; without any there is nothing to keep."""
+    if request.registry is not None and not contracts:
+        message = "--registry keeps evidence of releases, and none is named"
+        raise InputError(message, "add --release PACKAGE@VERSION or --environment NAME, or name contracts otherwise")
 
 
 def _print(watch: Watch, findings: Sequence[Finding], request: Request) -> None:
@@ -140,14 +183,36 @@ def _rendered(watch: Watch, findings: Sequence[Finding], form: str) -> str:
 
 
 def _keep(watch: Watch, findings: Sequence[Finding], request: Request) -> None:
-    if request.evidence is not None:
-        from ecm_extract.observe.evidence import document, records
-
-        _write(request.evidence, document(records(watch, findings, request.witness or _user())), "a")
+    if request.evidence is not None or request.registry is not None:
+        _keep_evidence(watch, findings, request)
     if request.complete is not None:
         from ecm_extract.observe.complete import overlay_text
 
         _write(request.complete, overlay_text(watch), "w")
+
+
+def _keep_evidence(watch: Watch, findings: Sequence[Finding], request: Request) -> None:
+    """The file first: a registry that refuses them loses none."""
+    from ecm_extract.observe.evidence import Run, document, records
+
+    found = records(watch, findings, Run(request.witness or _user(), request.kind))
+    if request.evidence is not None:
+        _write(request.evidence, document(found), "a")
+    if request.registry is not None:
+        _register(found, request)
+
+
+def _register(found: Sequence[EvidenceRecord], request: Request) -> None:
+    from ecm_extract.cli.registries import open_registry
+    from ecm_extract.registry.evidence import add_evidence
+    from ecm_extract.registry.texts import added_lines
+    from ecm_extract.report.terminal import one_line
+
+    with open_registry(request.registry or None) as registry, registry.writing() as session:
+        added = add_evidence(session, found)
+    if not request.quiet:
+        for line in added_lines(added):
+            click.echo(one_line(line, 1000), err=True)
 
 
 def _write(name: str, text: str, mode: Literal["a", "w"]) -> None:
@@ -169,11 +234,24 @@ def _user() -> str:
         return f"?@{platform.node()}"
 
 
-def _refuse_if_nothing_was_seen(watch: Watch) -> None:
-    """Contracts of which nothing runs were not confirmed, so silence would be a wrong all-clear."""
-    if watch.modules and not watch.present and not watch.launched:
+def _refuse_if_nothing_was_compared(watch: Watch) -> None:
+    """Silence about an empty place, or about contracts of which nothing runs, would be a wrong all-clear."""
+    hint = "is it the right master, domain or recording? --launch gives nodes their real names"
+    if watch.is_empty and not watch.seen.gaps:
+        message = f"nothing is there: {watch.seen.source} {watch.seen.target}"
+        raise InputError(message, hint)
+    if watch.modules and not watch.present:
         message = f"nothing of the {len(watch.modules)} modules with a contract was seen, so nothing was compared"
-        raise InputError(message, "is it the right master, domain or recording? --launch gives nodes their real names")
+        raise InputError(message, hint)
+
+
+def _refuse_gaps(watch: Watch) -> None:
+    """A run without findings that could not read everything is none without findings."""
+    gaps = watch.seen.gaps
+    if gaps:
+        more = f", and {len(gaps) - 1} more" if len(gaps) > 1 else ""
+        message = f"not everything could be read: {gaps[0].what}: {gaps[0].why}{more}"
+        raise InputError(message, "what was found holds; that nothing else is wrong was not shown (OBS020)")
 
 
 def _fails(findings: Sequence[Finding], threshold: str) -> bool:
