@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ecm_checker.hub.provision import HOLE
 from ecm_checker.match.spelling import graph_name_matches, parameter_name_matches, text_pattern
-from hypothesis import given
+from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 _PIECES = st.sampled_from(["a", "b", "fps", "_", ".", "/", "~/", HOLE])
@@ -12,6 +12,7 @@ _OFFERED = st.lists(_PIECES, min_size=1, max_size=6).map("".join)
 _USED = st.lists(st.sampled_from(["a", "b", "fps", "_", ".", "/", "~/", "{x}"]), min_size=1, max_size=6).map("".join)
 
 
+@settings(deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(_OFFERED, st.lists(_OFFERED, max_size=3), _USED)
 def test_whatever_matches_has_the_text(offered: str, others: list[str], used: str) -> None:
     """So that nothing is lost where names are narrowed down by it."""

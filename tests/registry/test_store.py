@@ -118,7 +118,7 @@ def test_who_uses_tells_the_lines(registry: Registry, tmp_path: Path) -> None:
     published(registry, packages(tmp_path / "b", panel("1.0.0")))
     with registry.reading() as session:
         found = who_uses(session, "driver", Asked(), EVERYTHING)
-    lines = {(name.kind, name.name, user.package, user.version) for name in found for user in name.users}
+    lines = {(name.kind, name.name, user.package, user.version) for name in found.names for user in name.users}
     assert ("topic", "/state", "panel", "1.0.0") in lines
     assert ("parameter", "rate", "panel", "1.0.0") in lines
     assert not [each for each in lines if each[3] == "0.9.0"]

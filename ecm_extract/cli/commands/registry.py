@@ -215,10 +215,11 @@ def search(
 @registry_option
 def who_uses(
     release: str, name: str | None, kind: str | None, environment: str | None, form: str, url: str | None
-) -> None:
+) -> int:
     """Tell who uses what a package provides: all its names, or NAME, or the names that end in NAME.
 
-    RELEASE is `PACKAGE@VERSION`, or PACKAGE for its newest one. Asked is the newest release of each package.
+    RELEASE is `PACKAGE@VERSION`, or PACKAGE for its newest one. Asked is the newest release of each package. Status
+    1 when more may use it than is known: what was not read, and names that are computed.
     """
     with open_registry(url) as registry, registry.reading() as session:
         from ecm_extract.registry.questions import Asked, who_uses
@@ -227,14 +228,18 @@ def who_uses(
         scope = environment_scope(session, environment) if environment else EVERYTHING
         found = who_uses(session, release, Asked(name, kind), scope)
     if form == "json":
-        click.echo(_json({"schema": "ecm-extract/who-uses/1", "release": release, "names": found}))
-        return
-    for each in found:
+        click.echo(_json({"schema": "ecm-extract/who-uses/1", "release": release, **msgspec.structs.asdict(found)}))
+        return int(bool(found.doubts))
+    for each in found.names:
         click.echo(_plain(f"{each.kind} {each.name}{f' of {each.owner}' if each.owner else ''}"))
         for user in each.users:
             for at in user.lines:
                 fits = "" if user.fits else "  (does not fit)"
                 click.echo(_plain(f"  {user.package}@{user.version} {at.path}:{at.line} {at.what}{fits}"))
+    from ecm_extract.registry.texts import doubts_text
+
+    click.echo(doubts_text(found.doubts), nl=False, err=True)
+    return int(bool(found.doubts))
 
 
 @command.command()
