@@ -143,11 +143,14 @@ def main() -> None:
     parser.add_argument("registry")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--dask", metavar="ADDRESS", help="of a scheduler, in the place of processes here")
+    parser.add_argument("--newest", type=int, help="releases of each repository, in the place of what the list says")
     parser.add_argument("--first", type=int, help="so many repositories of the list")
     options = parser.parse_args()
     url = registry_url(options.registry)
     with Registry.create(url) as registry:
-        todo, known = split_known(registry, jobs_in(read_list(options.list), options.clones, options.first))
+        listed = read_list(options.list)
+        listed = msgspec.structs.replace(listed, newest=options.newest or listed.newest)
+        todo, known = split_known(registry, jobs_in(listed, options.clones, options.first))
         begun = spent()
         workers = Cluster(options.dask) if options.dask else Processes(options.jobs)
         done = [*known, *index(url, todo, workers)]
