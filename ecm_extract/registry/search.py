@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Final
 
 import msgspec
-from sqlalchemy import Select, func, select, text
+from sqlalchemy import Row, Select, func, select, text
 from sqlalchemy.orm import Session
 
 from ecm_extract.errors import InputError
+from ecm_extract.registry.groups import grouped
 from ecm_extract.registry.scope import Scope
 from ecm_extract.registry.tables import Holds, Name, ProvisionRow, Release
 from ecm_extract.registry.words import words_of
@@ -41,8 +42,13 @@ def search(session: Session, texts: Sequence[str], scope: Scope, kind: str | Non
         InputError: a text has no word in it.
     """
     phrases = [_words(each) for each in texts]
-    rows = session.execute(_query(_matching(session, phrases), scope, kind))
-    found = {FoundName(row.name, row.kind, row.owner, row.package, row.version, row.type or "") for row in rows}
+    names = session.scalars(_matching(session, phrases)).all()
+    releases = {each.id: each for each in session.scalars(select(Release).where(Release.id.in_(scope.query())))}
+    found = {
+        FoundName(row.name, row.kind, row.owner, release.package, release.version, row.type or "")
+        for row in _provided(session, names, kind)
+        if (release := releases.get(row.release_id)) is not None
+    }
     return sorted(
         found, key=lambda each: (len(words_of(each.name)), len(each.name), each.name, each.package, each.owner)
     )
@@ -56,23 +62,22 @@ def _words(searched: str) -> list[str]:
     return found
 
 
-def _matching(session: Session, phrases: Sequence[Sequence[str]]) -> Select[int]:
+def _matching(session: Session, phrases: Sequence[Sequence[str]]) -> Select[str]:
     if session.get_bind().dialect.name == "sqlite":
         words = " AND ".join(f'"{" ".join(phrase)}" *' for phrase in phrases)
-        return select(Name.id).where(Name.id.in_(_FTS5.bindparams(words=words)))
+        return select(Name.name).where(Name.id.in_(_FTS5.bindparams(words=words)))
     words = " & ".join(f"({' <-> '.join(phrase)}:*)" for phrase in phrases)
-    return select(Name.id).where(
+    return select(Name.name).where(
         func.to_tsvector(text("'simple'"), Name.words).op("@@")(func.to_tsquery("simple", words))
     )
 
 
-def _query(matching: Select[int], scope: Scope, kind: str | None) -> Select[str, str, str, str | None, str, str]:
+def _provided(
+    session: Session, names: Sequence[str], kind: str | None
+) -> Iterator[Row[str, str, str, str | None, int]]:
+    """Rows of all releases: those of a name are few, and asked for by the name alone they are found by its index."""
     columns = ProvisionRow.name, ProvisionRow.kind, ProvisionRow.owner, ProvisionRow.type
-    query = (
-        select(*columns, Release.package, Release.version)
-        .join(Name, Name.name == ProvisionRow.name)
-        .join(Holds, Holds.part_id == ProvisionRow.part_id)
-        .join(Release, Release.id == Holds.release_id)
-        .where(Name.id.in_(matching), Release.id.in_(scope.query()))
-    )
-    return query if kind is None else query.where(ProvisionRow.kind == kind)
+    for group in grouped(names):
+        query = select(*columns, Holds.release_id).join(Holds, Holds.part_id == ProvisionRow.part_id)
+        query = query.where(ProvisionRow.name.in_(group))
+        yield from session.execute(query if kind is None else query.where(ProvisionRow.kind == kind))
