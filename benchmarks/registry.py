@@ -22,11 +22,11 @@ from sqlalchemy import func, select, text
 
 from ecm_extract.errors import EcmError
 from ecm_extract.registry.impact import impact_of
+from ecm_extract.registry.name_search import search
 from ecm_extract.registry.place import registry_url
 from ecm_extract.registry.questions import Asked, who_uses
 from ecm_extract.registry.releases import find_release, list_releases, release_before
 from ecm_extract.registry.scope import EVERYTHING
-from ecm_extract.registry.search import search
 from ecm_extract.registry.sides import stored_side_of
 from ecm_extract.registry.store import Registry
 from ecm_extract.registry.tables import Base, Release

@@ -7,7 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ecm_parsers.cmake_facts import CmakeFile, Command, Option, Subdirectory, Target, Unknown
+import msgspec
+from ecm_parsers.cmake_facts import REFUSED, CmakeFile, Command, Option, Subdirectory, Target, Unknown
 
 from ecm_extract.cmake import exports
 from ecm_extract.cmake.calls import Call
@@ -26,7 +27,9 @@ def stated(evaluation: Evaluation) -> dict[str, CmakeFile]:
         calls[call.path].append(call)
     made = targets(evaluation.calls)
     unread = {path: tuple(each for each in evaluation.unread if each.path == path) for path in calls}
-    return {path: _file(tuple(own), made.get(path, ()), unread[path]) for path, own in calls.items()}
+    refused = {path for path, told in evaluation.diagnostics.items() if any(each.code in REFUSED for each in told)}
+    found = {path: _file(tuple(own), made.get(path, ()), unread[path]) for path, own in calls.items()}
+    return {path: msgspec.structs.replace(file, malformed=path in refused) for path, file in found.items()}
 
 
 def _file(calls: tuple[Call, ...], made: tuple[Target, ...], unread: tuple[Unread, ...]) -> CmakeFile:

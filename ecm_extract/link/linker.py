@@ -11,6 +11,7 @@ from ecm_checker.contract import Evidence, Interface, Qos, Role
 from ecm_parsers.source.expr import Expr, Items, Text
 
 from ecm_extract.link.activation import Activation
+from ecm_extract.link.built import files_of
 from ecm_extract.link.claims import Claim, claims_of
 from ecm_extract.link.data import UNKNOWN, stated_type
 from ecm_extract.link.diagnoses import SUMMARIES, Diagnosis, diagnoses
@@ -36,7 +37,7 @@ from ecm_extract.link.names import (
 )
 from ecm_extract.link.node_names import NodeName, NodeNames
 from ecm_extract.link.observe import Observation, observation_forms, observations
-from ecm_extract.link.parameters import Parameters
+from ecm_extract.link.parameters import Home, Parameters
 from ecm_extract.link.program import Program
 from ecm_extract.link.qos import QosReader
 from ecm_extract.link.references import References, Unit
@@ -47,7 +48,6 @@ from ecm_extract.link.site import Site
 from ecm_extract.link.sites import Sites, overrides
 from ecm_extract.link.stamps import Stamp, stamps
 from ecm_extract.link.types import Types
-from ecm_extract.link.units import File
 from ecm_extract.link.values import Value, literal, settled, unknown
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.tree import Tree
@@ -84,7 +84,7 @@ class Linker:
 
     def __init__(self, packages: Sequence[PackageFacts], forms: FormTable) -> None:
         self.packages = packages
-        files = _files(packages)
+        files = files_of(packages)
         self.program = Program(files, Sight(packages, files))
         self.parameters = Parameters(forms)
         self.folder = Folder(self.program, Scope(self.program), self.parameters)
@@ -154,15 +154,18 @@ class Linker:
             for call in self.sites.calls.get(name, ()):
                 if len(call.args) == 3 and isinstance(call.args[0], Text) and call.func.cls is not None:
                     env = self.sites.root_env(call.func, self.sites.position(call))
-                    self.parameters.declare(call.args[0].value, call.func.cls.qualified, (call.args[1], env))
+                    self.parameters.declare(call.args[0].value, call.func.cls, (call.args[1], env))
 
     def _declare_defaults(self, sites: Iterable[Site]) -> None:
         for site in sites:
             default = next(positions(site.form.default, site.call), None)
             name = name_argument(site.form, site.call)
             if default is not None and name is not None and stated_type(default) is None:
+                owner = (site.owner,) if site.owner is not None else ()
+                homes: tuple[Home, ...] = (site.root.file.package, site.root.file, *owner)
                 for value in self.sites.names(site):
-                    self.parameters.declare(value.text, site.root.file.package, (default, site.env))
+                    for home in homes:
+                        self.parameters.declare(value.text, home, (default, site.env))
 
     def _linked(
         self, module: Module, found: Mapping[int, list[Interface]], nodes: Mapping[int, NodeName]
@@ -303,12 +306,6 @@ class Linker:
 def _role(role: Role, kind: str | None) -> Role:
     """A client that a template makes for an action type is an action client, whatever the helper is called."""
     return "action_client" if role == "service_client" and kind is not None and "/action/" in kind else role
-
-
-def _files(packages: Iterable[PackageFacts]) -> list[File]:
-    return [
-        File(path, package.name, package.ros, facts) for package in packages for path, facts in package.sources.items()
-    ]
 
 
 def _ordered(modules: Iterable[Module]) -> list[Module]:

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Final, Literal
 
 import msgspec
 
 TargetKind = Literal["executable", "library", "interface", "test"]
 InstallKind = Literal["targets", "programs", "directory", "files", "python"]
 InterfaceKind = Literal["msg", "srv", "action", "idl", "other"]
+
+
+REFUSED: Final = frozenset({"cmake-syntax", "cmake-unclosed", "cmake-unbalanced"})
+"""Codes of what CMake stops at."""
 
 
 class Target(msgspec.Struct, frozen=True):
@@ -26,6 +30,7 @@ class Target(msgspec.Struct, frozen=True):
         conditions: under which it is built, as written; those that are decided are left out.
         by_default: whether a build without settings of its own builds it; None where that is not known.
         is_shared: whether a library is a file of its own that programs load; None where that is not known.
+        include_folders: in which its headers are looked for, relative as the sources.
         optional: the sources that such a build does not have. is_open: whether it may have others.
     """
 
@@ -41,6 +46,7 @@ class Target(msgspec.Struct, frozen=True):
     optional: tuple[str, ...] = ()
     is_open: bool = False
     is_shared: bool | None = False
+    include_folders: tuple[str, ...] = ()
 
 
 class Component(msgspec.Struct, frozen=True):
@@ -160,6 +166,7 @@ class CmakeFile(msgspec.Struct, frozen=True):
         commands: that run, but those that only set variables.
         unknown: places that may build more than is known.
         foreign: words given to commands of other packages, which may make targets of these names.
+        malformed: whether CMake refuses the file.
     """
 
     project: str | None = None
@@ -180,3 +187,4 @@ class CmakeFile(msgspec.Struct, frozen=True):
     commands: tuple[Command, ...] = ()
     unknown: tuple[Unknown, ...] = ()
     foreign: tuple[str, ...] = ()
+    malformed: bool = False

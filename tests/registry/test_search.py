@@ -9,8 +9,8 @@ from sample import driver, packages, panel, published
 
 from ecm_extract.cli.run import run as main
 from ecm_extract.errors import InputError
+from ecm_extract.registry.name_search import search
 from ecm_extract.registry.scope import EVERYTHING, Scope
-from ecm_extract.registry.search import search
 from ecm_extract.registry.store import Registry
 from ecm_extract.registry.words import searched_words, words_of
 

@@ -191,8 +191,8 @@ def search(
     Searched is the newest release of each package.
     """
     with open_registry(url) as registry, registry.reading() as session:
+        from ecm_extract.registry.name_search import search
         from ecm_extract.registry.scope import EVERYTHING, environment_scope
-        from ecm_extract.registry.search import search
 
         scope = environment_scope(session, environment) if environment else EVERYTHING
         found = search(session, texts, scope, kind)
