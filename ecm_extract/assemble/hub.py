@@ -13,6 +13,7 @@ from ecm_checker.json_data import json_data
 
 from ecm_extract.entities.collect import public_entities
 from ecm_extract.entities.interfaces import interface_name
+from ecm_extract.entities.launch import launch_files
 from ecm_extract.entities.listed import listed, shared_files
 from ecm_extract.entities.notes import read_notes
 from ecm_extract.entities.possible import makers_of, open_kinds, possible_names, runs_files
@@ -30,9 +31,11 @@ def hubs(workspace: Workspace, jobs: int | None) -> Mapping[str, Hub]:
         workspace: the linked tree.
         jobs: with one nothing is forked; else requirements are read off in another process.
     """
+    for facts in workspace.packages:
+        launch_files(workspace.texts, facts)  # before the fork: both processes ask for them
     required: Callable[[], Mapping[str, Sequence[Requirement]]] = meanwhile(lambda: requirements(workspace), jobs)
     provisions: dict[str, list[Provision]] = defaultdict(list)
-    for entity in public_entities(workspace.tree, workspace.packages, workspace.linked).values():
+    for entity in public_entities(workspace).values():
         provisions[entity.package].append(entity)
     kept = _kept(workspace)
     found = required()

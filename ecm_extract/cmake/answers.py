@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 from ecm_extract.cmake.file_commands import exists, is_directory
 from ecm_extract.cmake.known import commands
 from ecm_extract.cmake.run import Run
+
+_MAKERS: Final = frozenset({"add_executable", "add_library"})
 
 
 class Answers:
@@ -23,7 +27,7 @@ class Answers:
     def is_command(self, name: str) -> bool | None:
         """Tell whether a command is there."""
         lower = name.lower()
-        if lower in commands() or lower in self._run.functions:
+        if lower in commands() | _MAKERS or lower in self._run.functions:
             return True
         return None if self._run.outside.has_any else False
 

@@ -16,12 +16,13 @@ _WILD: Final = frozenset("*?[")
 def built_sources(files: Mapping[str, CmakeFile]) -> frozenset[str] | None:
     """Return the paths of all that the targets of a package may be made of; None where that is not known.
 
-    A source that is named without a suffix is there with each that it may have.
+    Files without any target say nothing: something else builds the package. A source that is named without a suffix
+    is there with each that it may have.
     """
     if any(file.unknown or file.foreign for file in files.values()):
         return None
     targets = [(path, target) for path, file in files.items() for target in file.targets]
-    if any(target.is_open or "$" in target.name or _has_pattern(target) for _, target in targets):
+    if not targets or any(target.is_open or "$" in target.name or _has_pattern(target) for _, target in targets):
         return None
     return frozenset(name for path, target in targets for name in paths_of(target, path))
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
 import msgspec
@@ -11,6 +11,7 @@ from ecm_parsers.cmake_facts import Component, Target, TargetKind
 
 from ecm_extract.cmake.calls import Call
 from ecm_extract.cmake.genex import has_genex
+from ecm_extract.cmake.include_folders import include_folders
 from ecm_extract.cmake.keywords import first, split
 from ecm_extract.cmake.state import both, either
 from ecm_extract.cmake.values import is_known
@@ -49,6 +50,7 @@ _BUILDERS: dict[str, TargetKind] = {
 _SOURCE_WORDS = frozenset({"FILE_SET", "BASE_DIRS", "FILES", "HEADERS", "TYPE"})
 _OWN_FOLDER = (3, 13)
 _LINKERS = frozenset({"target_link_libraries", "ament_target_dependencies", "ament_auto_target_link_libraries"})
+_GROWING = _LINKERS | {"target_sources", "target_include_directories"}
 _TEST = re.compile(r"\w*add_(\w*_)?(gtest|gmock|rostest|nosetests|pytest|test|google_benchmark)\w*")
 _TEST_KEYWORDS = frozenset(
     {
@@ -86,17 +88,31 @@ def targets(calls: Sequence[Call]) -> dict[str, tuple[Target, ...]]:
     for call in calls:
         for target in _built(call):
             _add(found, target, call)
-        name = call.args[0] if call.args else ""
-        if name in found:
-            _grow(found[name], call)
-        elif call.name == "set_target_properties":
-            for each, output in _outputs(call.args).items():
-                if each in found:
-                    found[each].output = output
+        for name in _grown(call):
+            if name in found:
+                _grow(found[name], call)
+    for call in calls:
+        if call.name == "include_directories":
+            _look_in(call, found.values())
     by_path: dict[str, list[Target]] = {}
     for growing in found.values():
         by_path.setdefault(growing.call.path, []).append(growing.target())
     return {path: tuple(made) for path, made in by_path.items()}
+
+
+def _grown(call: Call) -> tuple[str, ...]:
+    """Names of the targets that a call says more of."""
+    if call.name == "set_target_properties" and "PROPERTIES" in call.args:
+        return call.args[: call.args.index("PROPERTIES")]
+    return call.args[:1] if call.name in _GROWING else ()
+
+
+def _look_in(call: Call, made: Iterable[_Growing]) -> None:
+    """The folders of a whole folder of the build, and those below it."""
+    for target in made:
+        folder = target.call.folder
+        if not call.folder or folder == call.folder or folder.startswith(f"{call.folder}/"):
+            target.include_folders += include_folders(call.texts, call, target.call.path)
 
 
 @dataclass
@@ -108,6 +124,7 @@ class _Growing:
     sources: _Sources
     links: list[str] = field(default_factory=list)
     output: str = ""
+    include_folders: list[str] = field(default_factory=list)
 
     def target(self) -> Target:
         """Return what all calls together say."""
@@ -118,6 +135,7 @@ class _Growing:
             optional=tuple(path for path in self.sources.every if path not in self.sources.default),
             is_open=self.sources.is_open,
             output=self.output,
+            include_folders=tuple(dict.fromkeys(self.include_folders)),
         )
 
 
@@ -166,6 +184,8 @@ def _grow(target: _Growing, call: Call) -> None:
             relative = by_default if target.first.by_default else True if by_default is not None else None
             target.sources.add(added, relative)
             target.sources.is_open |= any(has_genex(text) or not is_known(text) for text in texts)
+    elif call.name == "target_include_directories":
+        target.include_folders += include_folders(call.texts[1:], call, target.call.path)
     elif call.name == "set_target_properties":
         target.output = _outputs(call.args).get(target.first.name, target.output)
 

@@ -108,6 +108,8 @@ class Xacro:
         self._count()
         self._place = (path, line_of(element))
         name = local_name(element)
+        if not is_xacro(element.tag) and not self.files.may_be_early(path):
+            return [self._plain(element, path, symbols)]
         if is_control(element):
             handler = _HANDLERS.get(name)
             return handler(self, element, path, symbols) if handler else self._call(name, element, path, symbols)

@@ -33,6 +33,9 @@ class Files(Protocol):
     def globbed(self, text: str) -> list[str]:
         """Return the paths in the tree that a marked path with `*`, `?` and `[...]` means, in order."""
 
+    def ros_of(self, path: str) -> int | None:
+        """Return the ROS version of the package that a file belongs to, None where that is not known."""
+
 
 class XacroFiles:
     """Looks files up for one expansion; each YAML file is read once."""
@@ -44,6 +47,10 @@ class XacroFiles:
     def read(self, path: str) -> bytes | None:
         """Return the bytes of a file of the tree."""
         return self._files.read(path)
+
+    def may_be_early(self, path: str) -> bool:
+        """Tell whether a file may be of the xacro that needs no prefix, which ROS 2 never had."""
+        return self._files.ros_of(path) != 2
 
     def find(self, name: str, beside: str) -> str | None:
         """Return the path of the file that `name` means in the file `beside`, None when the tree does not hold it."""

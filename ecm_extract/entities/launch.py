@@ -39,8 +39,15 @@ def launch_entities(facts: PackageFacts, launches: Sequence[tuple[str, LaunchFil
             yield msgspec.structs.replace(base, name=read.name, default=written(read.default), line=read.line)
 
 
-def launch_files(texts: SideTexts, facts: PackageFacts) -> Iterator[tuple[str, LaunchFile]]:
-    """Yield the launch files of a package that can be read, by path, without those of tests."""
+def launch_files(texts: SideTexts, facts: PackageFacts) -> Sequence[tuple[str, LaunchFile]]:
+    """Return the launch files of a package that can be read, by path, without those of tests; each is parsed once."""
+    known = texts.launches.get(facts.root.path)
+    if known is None:
+        known = texts.launches[facts.root.path] = tuple(_parsed(texts, facts))
+    return known
+
+
+def _parsed(texts: SideTexts, facts: PackageFacts) -> Iterator[tuple[str, LaunchFile]]:
     paths = [
         entry.path
         for entry in facts.root.files

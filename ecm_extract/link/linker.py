@@ -11,6 +11,7 @@ from ecm_checker.contract import Evidence, Interface, Qos, Role
 from ecm_parsers.source.expr import Expr, Items, Text
 
 from ecm_extract.link.activation import Activation
+from ecm_extract.link.built import files_of
 from ecm_extract.link.claims import Claim, claims_of
 from ecm_extract.link.data import UNKNOWN, stated_type
 from ecm_extract.link.diagnoses import SUMMARIES, Diagnosis, diagnoses
@@ -47,7 +48,6 @@ from ecm_extract.link.site import Site
 from ecm_extract.link.sites import Sites, overrides
 from ecm_extract.link.stamps import Stamp, stamps
 from ecm_extract.link.types import Types
-from ecm_extract.link.units import File
 from ecm_extract.link.values import Value, literal, settled, unknown
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.tree import Tree
@@ -84,7 +84,7 @@ class Linker:
 
     def __init__(self, packages: Sequence[PackageFacts], forms: FormTable) -> None:
         self.packages = packages
-        files = _files(packages)
+        files = files_of(packages)
         self.program = Program(files, Sight(packages, files))
         self.parameters = Parameters(forms)
         self.folder = Folder(self.program, Scope(self.program), self.parameters)
@@ -306,12 +306,6 @@ class Linker:
 def _role(role: Role, kind: str | None) -> Role:
     """A client that a template makes for an action type is an action client, whatever the helper is called."""
     return "action_client" if role == "service_client" and kind is not None and "/action/" in kind else role
-
-
-def _files(packages: Iterable[PackageFacts]) -> list[File]:
-    return [
-        File(path, package.name, package.ros, facts) for package in packages for path, facts in package.sources.items()
-    ]
 
 
 def _ordered(modules: Iterable[Module]) -> list[Module]:

@@ -15,13 +15,14 @@ from ecm_extract.link.walk import calls_in
 
 @dataclass(slots=True, eq=False, repr=False)
 class File:
-    """One source file: its path, the package it belongs to, its facts."""
+    """One source file: its path, the package it belongs to, its facts, where its target looks for headers."""
 
     path: str
     package: str
     ros: int | None
     facts: SourceFile
     imported: dict[str, str] = field(default_factory=dict)
+    include_folders: tuple[str, ...] = ()
 
     @property
     def language(self) -> str:

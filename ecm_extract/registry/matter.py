@@ -8,6 +8,7 @@ from functools import cached_property
 import msgspec
 from ecm_checker.contract import Contract
 from ecm_checker.contract_changes import changes as contract_changes
+from ecm_checker.fields import runs_by_itself
 from ecm_checker.hub.package import Package
 from ecm_checker.operations.engine import ready
 from ecm_checker.profiles import Embodiment, Policy, Profiles
@@ -160,7 +161,7 @@ class Matter:
     @cached_property
     def _running(self) -> frozenset[str]:
         """Its modules that run."""
-        return frozenset(each.id for each in map(ready, self.package.contracts()) if each.runs)
+        return frozenset(each.ecm.module_id for each in self.package.contracts() if runs_by_itself(each.ecm.kind))
 
 
 def _brought(contract: Contract) -> Iterator[Change]:

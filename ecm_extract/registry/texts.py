@@ -12,7 +12,7 @@ from ecm_extract.registry.evidence import Added
 from ecm_extract.registry.fit import Fit
 from ecm_extract.registry.gates import Verdict
 from ecm_extract.registry.impact import Break, Impact
-from ecm_extract.registry.resolution import Lock
+from ecm_extract.registry.lock import Lock
 from ecm_extract.registry.users import User
 from ecm_extract.report.terminal import one_line
 

@@ -197,7 +197,10 @@ class Evaluator:
             scope.parameters.append(action)
             return
         settings = Settings(self.tree, self.files, file.path, self._substituter(file, scope))
-        self.result.globals += settings.ros1(action, scope.namespace)
+        if isinstance(action, ParameterValue) and settings.is_private(action):
+            scope.private += settings.ros1(action, "/")
+        else:
+            self.result.globals += settings.ros1(action, scope.namespace)
 
     # --- actions that start something --------------------------------------------------------------------------
 
@@ -227,7 +230,7 @@ class Evaluator:
 
     def _included(self, file: _File, action: Include, scope: Scope, found: str) -> None:
         substituter = self._substituter(file, scope)
-        given = {name: substituter.text(value) for name, value in action.arguments}
+        given = _given(action, substituter)
         inner = scope
         if file.facts.ros == 1:
             inner = scope.inner()
@@ -281,6 +284,17 @@ class _File:
         self.path = path
         self.facts = facts
         self.stack = stack
+
+
+def _given(action: Include, substituter: Substituter) -> dict[str, Text]:
+    """Return the arguments that a file is given; one with a condition that is not decided is not known."""
+    found: dict[str, Text] = {}
+    conditions = action.argument_conditions or (None,) * len(action.arguments)
+    for (name, value), condition in zip(action.arguments, conditions, strict=True):
+        holds = substituter.truth(condition)
+        if holds is not False:
+            found[name] = substituter.text(value) if holds else hole(name)
+    return found
 
 
 def _keep_declared(scope: Scope, taken: Scope) -> None:

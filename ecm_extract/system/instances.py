@@ -45,7 +45,7 @@ class InstanceMaker:
             namespace=namespace,
             ros=self.ros,
             place=Place(self.path, node.line),
-            remaps=(*scope.remaps, *self._remaps(node.remaps)),
+            remaps=self._in_force((*scope.remaps, *self._remaps(node.remaps))),
             container=container,
             conditional=" and ".join(self._conditions(node, scope)),
             respawn=self._flag(node.respawn),
@@ -63,6 +63,7 @@ class InstanceMaker:
             yield from self.settings.ros2((*scope.parameters, *node.parameters), made.namespace)
             return
         own = join(made.namespace, made.name or "~")
+        yield from (Setting(join(own, each.name.lstrip("/")), each.value, each.place) for each in scope.private)
         for source in node.parameters:
             yield from self.settings.ros1(source, own)
         yield from (Setting(join(own, name), value, made.place) for name, value in ros1_given(made.arguments))
@@ -88,8 +89,17 @@ class InstanceMaker:
 
     def _remaps(self, remaps: tuple[Remap, ...]) -> Iterator[Remapping]:
         for entry in remaps:
+            if self.substituter.truth(entry.condition) is False:
+                continue
             source, target = self.substituter.text(entry.source).text, self.substituter.text(entry.target).text
             yield Remapping(source, target, Place(self.path, entry.line))
+
+    def _in_force(self, remaps: tuple[Remapping, ...]) -> tuple[Remapping, ...]:
+        """In ROS 1 the last remap of a name replaces those before it; rcl tries all in order."""
+        if self.ros == 2:
+            return remaps
+        last = {entry.source: at for at, entry in enumerate(remaps)}
+        return tuple(entry for at, entry in enumerate(remaps) if last[entry.source] == at)
 
     def _conditions(self, node: Node, scope: Scope) -> Iterator[str]:
         yield from scope.conditions

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 
 from ecm_parsers.launch.model import ParameterSource
 
-from ecm_extract.system.model import Remapping, Text
+from ecm_extract.system.model import Remapping, Setting, Text
 
 
 @dataclass(slots=True)
@@ -15,6 +15,7 @@ class Scope:
 
     Attributes:
         namespace: absolute. remaps: of the scope, in order. parameters: of the scope (ROS 2), in order.
+        private: parameters of each node that starts here (ROS 1), named from the node.
         arguments, environment: values by name.
         conditions: that are known at launch only and under which everything here happens.
         outermost: state outside of all groups; None for that state itself.
@@ -27,6 +28,7 @@ class Scope:
     environment: dict[str, Text] = field(default_factory=dict)
     conditions: tuple[str, ...] = ()
     outermost: Scope | None = None
+    private: list[Setting] = field(default_factory=list)
 
     def inner(self) -> Scope:
         """Return a copy that a group changes without changing this one."""
@@ -38,6 +40,7 @@ class Scope:
             dict(self.environment),
             self.conditions,
             self.outermost or self,
+            list(self.private),
         )
 
     def later(self) -> Scope:

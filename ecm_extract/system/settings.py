@@ -64,6 +64,10 @@ class Settings:
             node = entry.node if entry.node is None or not root else _below(root, entry.node)
             yield Setting(entry.name, value, Place(path, entry.line), node or EVERY_NODE)
 
+    def is_private(self, source: ParameterValue) -> bool:
+        """Tell whether a value of ROS 1 is one of each node that starts after it: `~name` outside of a node."""
+        return self.substituter.text(source.name).text.startswith("~")
+
     def ros1(self, source: ParameterSource, namespace: str) -> Iterator[Setting]:
         """Yield what a source puts on the parameter server, with absolute names below a namespace."""
         if self.substituter.truth(source.condition) is False:

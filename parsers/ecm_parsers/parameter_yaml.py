@@ -11,8 +11,8 @@ from typing import Any, Literal
 import msgspec
 
 from ecm_parsers.result import Diagnostic, Parsed
-from ecm_parsers.yaml_scalar import typed_by_pyyaml
-from ecm_parsers.yaml_tree import Entry, Mapping, Node, Scalar, parse_yaml, plain
+from ecm_parsers.rosparam_angles import of_rosparam, typed_by_rosparam
+from ecm_parsers.yaml_tree import Entry, Mapping, Node, Scalar, Sequence, parse_yaml, plain
 
 MARKER = "ros__parameters"
 MAX_NAMESPACES = 12
@@ -78,7 +78,7 @@ def parse_parameter_yaml(data: bytes) -> Parsed[ParameterFile]:
     tree = parse_yaml(data)
     is_ros2 = any(_has_marker(document) for document in tree.facts)
     if not is_ros2:
-        tree = parse_yaml(data, typed_by_pyyaml)
+        tree = parse_yaml(data, typed_by_rosparam)
     diagnostics = list(tree.diagnostics)
     maps = [document for document in tree.facts if isinstance(document, Mapping)]
     if len(maps) < len(tree.facts):
@@ -151,5 +151,14 @@ def _read_values(values: Mapping, scope: _Scope, sets: list[ParameterSet]) -> No
         if isinstance(entry.value, Mapping) and entry.value.entries:
             _read_values(entry.value, _Scope(scope.node, scope.separator, name), sets)
         else:
-            value = plain(entry.value)
+            value = plain(entry.value) if scope.node is not None else _of_rosparam(entry.value)
             sets.append(ParameterSet(scope.node, name, value, parameter_type(value), entry.line, entry.column))
+
+
+def _of_rosparam(node: Node) -> Any:
+    """Plain data as rosparam reads it: angles are numbers."""
+    if isinstance(node, Sequence):
+        return [_of_rosparam(item) for item in node.items]
+    if isinstance(node, Mapping):
+        return {entry.key: _of_rosparam(entry.value) for entry in node.entries}
+    return of_rosparam(node)

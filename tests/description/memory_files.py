@@ -11,7 +11,8 @@ from fnmatch import fnmatchcase
 class MemoryFiles:
     """Files by path; a package is a top folder."""
 
-    def __init__(self, texts: Mapping[str, str | bytes]) -> None:
+    def __init__(self, texts: Mapping[str, str | bytes], ros: int | None = None) -> None:
+        self._ros = ros
         self._texts = {path: text.encode() if isinstance(text, str) else text for path, text in texts.items()}
 
     def share(self, package: str) -> str | None:
@@ -35,6 +36,10 @@ class MemoryFiles:
         pattern = text.removeprefix("tree:")
         fitting = (path for path in self._texts if path.count("/") == pattern.count("/"))
         return sorted(path for path in fitting if fnmatchcase(path, pattern))
+
+    def ros_of(self, path: str) -> int | None:
+        del path
+        return self._ros
 
 
 def robot(body: str) -> str:

@@ -97,7 +97,7 @@ QUIET = [
         {
             "CMakeLists.txt": CATKIN.format("") + LOOP,
             "src/go.cpp": MAIN,
-            "launch/a.launch": started("drive"),
+            "launch/a.launch": started("go"),
         },
     ),
     (

@@ -24,10 +24,11 @@ from ecm_extract.registry.evidence import Statement, add_evidence, stated
 from ecm_extract.registry.gates import Waiver
 from ecm_extract.registry.migration_documents import keep_migration
 from ecm_extract.registry.promotion import waive
-from ecm_extract.registry.resolution import NoResolutionError, Wish, resolve
+from ecm_extract.registry.resolution import NoResolutionError, resolve
 from ecm_extract.registry.store import Registry
 from ecm_extract.registry.tables import EvidenceRow, MigrationRow, Release, Standing, WaiverRow
 from ecm_extract.registry.verify import verify
+from ecm_extract.registry.wishes import Wish
 
 GAP = NotRead("delivery/grasp.py", "too-large", carries=True)
 

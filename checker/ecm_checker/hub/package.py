@@ -203,12 +203,17 @@ def decode_documents(data: bytes) -> Extract | PackageDocument:
         msgspec.ValidationError: a key is missing or has a wrong type; the message names its path.
         msgspec.DecodeError: it is not JSON.
     """
+    if data.startswith(_EXTRACT):  # as they are written; to look for the schema first would read them twice
+        return msgspec.json.decode(data, type=Extract)
     schema = msgspec.json.decode(data, type=_Head).schema
     model = _MODELS.get(schema)
     if model is None:
         message = f"its schema is {schema or 'not told'}; this version reads {' and '.join(_MODELS)}"
         raise SchemaError(message)
     return msgspec.json.decode(data, type=model)
+
+
+_EXTRACT: Final = f'{{\n "schema": "{EXTRACT_SCHEMA}",'.encode()
 
 
 class _Head(msgspec.Struct):

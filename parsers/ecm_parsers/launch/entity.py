@@ -43,9 +43,17 @@ def of_xml(element: etree._Element) -> Entity:
         str(element.tag).rpartition("}")[2].replace("-", "_"),
         {str(name): str(value) for name, value in element.attrib.items()},
         tuple(below),
-        (element.text or "") if not below else text_of(element),
+        _around_comments(element) if not below else text_of(element),
         line_of(element),
     )
+
+
+def _around_comments(element: etree._Element) -> str:
+    """Text before, between and after comments; these leave their line ends, so that lines can be counted."""
+    parts = [element.text or ""]
+    for comment in element:
+        parts += ["\n" * str(comment.text or "").count("\n"), comment.tail or ""]
+    return "".join(parts)
 
 
 def of_yaml(tag: str, node: Node, line: int, depth: int = 0) -> Entity:

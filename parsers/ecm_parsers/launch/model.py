@@ -175,12 +175,14 @@ class Include(_Action, frozen=True, kw_only=True):
     Attributes:
         path: of the file. arguments: (name, value) that it is given.
         argument_lines: their 1-based lines; empty where they have none of their own.
+        argument_conditions: under which each is given; empty where none has one.
         namespace: below which it runs; empty for none. pass_all: it sees all arguments of this file.
     """
 
     path: Template
     arguments: tuple[tuple[str, Template], ...] = ()
     argument_lines: tuple[int, ...] = ()
+    argument_conditions: tuple[Template | None, ...] = ()
     namespace: Template = ()
     pass_all: bool = False
 

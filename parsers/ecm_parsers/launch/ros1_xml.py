@@ -50,7 +50,7 @@ class Ros1Reader:
             "group": self._group,
             "include": self._include,
             "node": self._node,
-            "test": lambda _: None,
+            "test": self._test,
             "machine": lambda _: None,
             "master": lambda _: None,
         }
@@ -139,6 +139,7 @@ class Ros1Reader:
             path=template(entity, "file"),
             arguments=tuple((child.attributes["name"], template(child, "value", "default")) for child in given),
             argument_lines=tuple(child.line for child in given),
+            argument_conditions=tuple(condition(child) for child in given),
             namespace=template(entity, "ns"),
             pass_all=(entity.get("pass_all_args") or "").lower() in {"true", "1"},
         )
@@ -162,6 +163,14 @@ class Ros1Reader:
             required=optional(entity, "required"),
         )
         return nodelet(node) if entity.get("pkg") == "nodelet" else node
+
+    def _test(self, entity: Entity) -> Group:
+        """A test is started by rostest only; its parameters are set all the same, below its name."""
+        name = template(entity, "name", "test-name")
+        inner = tuple(each for each in self.actions(entity) if isinstance(each, ParameterValue | ParameterFile))
+        below = PushNamespace(line=entity.line, namespace=name)
+        actions = _below(entity, (below, *inner)) if inner else ()
+        return Group(line=entity.line, condition=condition(entity), actions=actions)
 
 
 def nodelet(node: Node) -> Node:

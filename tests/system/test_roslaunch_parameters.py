@@ -1,0 +1,103 @@
+"""Parameters of ROS 1 launch files as roslaunch's own loader sets them."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from ecm_extract.read.reader import Reader
+from ecm_extract.system.evaluate import launched
+from ecm_extract.system.files import Files
+from ecm_extract.system.model import Given, Launched
+from ecm_extract.tree import open_tree
+
+NODE = '<node pkg="p" type="t" name="n"/>'
+INNER = '<launch><arg name="mode" default="plain"/><param name="mode" value="$(arg mode)"/></launch>'
+CHOICE = '<arg name="mode" value="fake" {}="true"/><arg name="mode" value="real" {}="true"/>'
+
+
+def started(folder: Path, body: str) -> Launched:
+    """What a launch file starts."""
+    files = {
+        "package.xml": "<package format='2'><name>p</name><version>1.0.0</version><buildtool_depend>catkin</buildtool_depend></package>",
+        "a.launch": f"<launch>{body}</launch>",
+        "inner.launch": INNER,
+    }
+    for name, text in files.items():
+        (folder / name).write_text(text)
+    tree = open_tree(str(folder))
+    return launched(tree, Files(tree, Reader(tree, cached=False).read(1)), ["a.launch"], Given())
+
+
+def parameters(folder: Path, body: str) -> dict[str, Any]:
+    """What a launch file sets, by name."""
+    found = started(folder, body)
+    settings = [*found.globals, *(each for instance in found.instances for each in instance.settings)]
+    return {each.name: each.value for each in settings}
+
+
+@pytest.mark.parametrize(
+    ("body", "expected"),
+    [
+        (f'<include file="$(find p)/inner.launch">{CHOICE.format("unless", "if")}</include>', {"/mode": "real"}),
+        (f'<include file="$(find p)/inner.launch">{CHOICE.format("if", "unless")}</include>', {"/mode": "fake"}),
+        (f'<param name="~rate" value="5"/>{NODE}', {"/n/rate": 5}),
+        (
+            f'<group ns="g"><param name="~rate" value="5"/>{NODE}</group><node pkg="p" type="t" name="m"/>',
+            {"/g/n/rate": 5},
+        ),
+        (f'{NODE}<param name="~rate" value="5"/>', {}),
+        ('<test test-name="check" pkg="p" type="t"><param name="limit" value="2"/></test>', {"/check/limit": 2}),
+        (
+            '<test test-name="check" name="node" ns="g" pkg="p" type="t"><rosparam>a: 1</rosparam></test>',
+            {"/g/node/a": 1},
+        ),
+        ('<test test-name="check" pkg="p" type="t"/>', {}),
+        ("<rosparam>\n<!-- first -->\na: 1\n<!-- of\n two -->\nb: 2</rosparam>", {"/a": 1, "/b": 2}),
+    ],
+)
+def test_what_roslaunch_sets(body: str, expected: dict[str, Any], tmp_path: Path) -> None:
+    """Arguments have conditions, `~` is every later node's, tests have parameters, comments part no text."""
+    assert parameters(tmp_path, body) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("!degrees 90", math.pi / 2),
+        ("!radians pi/2", math.pi / 2),
+        ("deg(180)", math.pi),
+        ("rad(2*pi)", 2 * math.pi),
+        ("'deg(180)'", "deg(180)"),
+        ("degrees", "degrees"),
+        ("deg(robot)", "deg(robot)"),
+    ],
+)
+def test_angles_are_radians(text: str, value: object, tmp_path: Path) -> None:
+    """rosparam turns angles into numbers, unless they are quoted or none."""
+    found = parameters(tmp_path, f"<rosparam>a: {text}</rosparam>")["/a"]
+    assert found == pytest.approx(value) if isinstance(value, float) else found == value
+
+
+REMAPS = [
+    ('<remap from="a" to="b" if="false"/>', {}),
+    ('<remap from="a" to="b" if="true"/><remap from="a" to="c" unless="true"/>', {"a": "b"}),
+    ('<remap from="a" to="b"/><remap from="a" to="c"/>', {"a": "c"}),
+]
+
+
+@pytest.mark.parametrize(("body", "expected"), REMAPS)
+def test_remaps_in_force(body: str, expected: dict[str, str], tmp_path: Path) -> None:
+    """A remap of a node may have a condition, and the last one of a name is in force."""
+    (instance,) = started(tmp_path, f'<node pkg="p" type="t" name="n">{body}</node>').instances
+    assert [(entry.source, entry.target) for entry in instance.remaps] == list(expected.items())
+
+
+def test_a_remap_of_the_node_replaces_that_of_the_group(tmp_path: Path) -> None:
+    """roslaunch keeps one remap for each name."""
+    node = '<node pkg="p" type="t" name="n"><remap from="a" to="own"/></node>'
+    (instance,) = started(tmp_path, f'<remap from="a" to="outer"/><remap from="z" to="y"/>{node}').instances
+    assert [(entry.source, entry.target) for entry in instance.remaps] == [("z", "y"), ("a", "own")]
