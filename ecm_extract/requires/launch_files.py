@@ -25,10 +25,10 @@ from ecm_parsers.launch.model import (
     Remap,
     Template,
 )
+from ecm_parsers.launch.templates import holed, plain_text, written
 
 from ecm_extract.entities.launch import launch_files
 from ecm_extract.entities.side_texts import SideTexts
-from ecm_extract.entities.written_text import written
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.name_lines import line_of_name
 from ecm_extract.requires.place import Place, required
@@ -36,7 +36,6 @@ from ecm_extract.requires.place import Place, required
 _FOUND: Final = re.compile(r"\$\((?:find|find_prefix) ([^\s$()]+)\)(/(?:.*/)?)([^/$()]+)$", re.DOTALL)
 """A file of a package: the package, the folders, the name, which stands there as a whole."""
 _STARTS: Final = "starts"
-HOLE: Final = "{}"
 MANAGED: Final = "node_names"
 """Parameter by which a lifecycle manager is told its nodes (nav2_lifecycle_manager, nav2_util)."""
 _BELOW_NODE: Final = 2
@@ -194,13 +193,4 @@ def _of_file(path: Template, place: Place) -> Iterator[Requirement]:
 
 def plain(template: Template) -> str:
     """Return a template without substitutions as text; empty for any other."""
-    return "".join(part for part in template if isinstance(part, str)) if _is_plain(template) else ""
-
-
-def holed(template: Template) -> str:
-    """Return a template with `{}` for each substitution."""
-    return "".join(part if isinstance(part, str) else HOLE for part in template)
-
-
-def _is_plain(template: Template) -> bool:
-    return all(isinstance(part, str) for part in template)
+    return plain_text(template) or ""

@@ -206,9 +206,8 @@ def _cpp(site: Site, entity: Provision) -> bool:
 
 
 def _is_type(message: Provision, written: str) -> bool:
-    """Whether `a_msgs::State`, `a_msgs::msg::State` or a name below it is written."""
-    name = written.replace("::", ".")
-    return any(name == owner or name.startswith(f"{owner}.") for owner in section_owners(message.name, ""))
+    """Whether `a_msgs::State` or `a_msgs::msg::State` is written; names below it are those of its constants."""
+    return written.replace("::", ".") in section_owners(message.name, "")
 
 
 def _reaches(site: Site, package: str) -> bool:
