@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import lzma
 import subprocess
 import sys
 from pathlib import Path
@@ -11,7 +12,7 @@ import pytest
 from corpus_repos import REPOSITORY, driver, make_clone, reader, renamed_topic
 from ecm_corpus.blind import Run, results_document, run_blind, write_outcome
 from ecm_corpus.chain import broken_links
-from ecm_corpus.contracts import digest, packed, stored, unpacked
+from ecm_corpus.documents import SUFFIX, digest, keep, kept, packed, stored, unpacked
 from ecm_corpus.guard import BlindnessError
 from ecm_corpus.interface import Composition, InterfaceCase, Source
 from ecm_corpus.results import Results
@@ -48,16 +49,16 @@ def test_the_rebuilt_contracts_are_those_that_were_stored(tmp_path: Path, golden
     outcome = run_blind([renamed_topic(tmp_path)], Run(tmp_path))
     state = outcome.results.cases[0].states["a"]
     for side in ("old/driver", "new/driver", "consumer/reader"):
-        golden(f"corpus/{side.replace('/', '_')}.json", outcome.files[state.contracts[side]].decode())  # type: ignore[operator]
+        golden(f"corpus/{side.replace('/', '_')}.json", outcome.files[state.documents[side]].decode())  # type: ignore[operator]
 
 
 def test_the_store_holds_what_the_results_name_and_nothing_else(tmp_path: Path) -> None:
     outcome = run_blind([renamed_topic(tmp_path / "clones")], Run(tmp_path / "clones"))
-    (tmp_path / "out" / "contracts").mkdir(parents=True)
-    (tmp_path / "out" / "contracts" / "old.json").write_text("[]")
+    (tmp_path / "out" / "documents").mkdir(parents=True)
+    (tmp_path / "out" / "documents" / f"old{SUFFIX}").write_bytes(b"")
     write_outcome(outcome, tmp_path / "out")
-    named = {name for case in outcome.results.cases for s in case.states.values() for name in s.contracts.values()}
-    assert {file.stem for file in (tmp_path / "out" / "contracts").iterdir()} == named
+    named = {name for case in outcome.results.cases for s in case.states.values() for name in s.documents.values()}
+    assert kept(tmp_path / "out" / "documents").keys() == named
     read = msgspec.json.decode((tmp_path / "out" / "results.json").read_bytes(), type=Results)
     assert read == outcome.results
 
@@ -66,16 +67,17 @@ def test_the_checker_says_the_same_of_stored_contracts(tmp_path: Path) -> None:
     outcome = run_blind([renamed_topic(tmp_path)], Run(tmp_path))
     for state in outcome.results.cases[0].states.values():
         sides: dict[str, list[object]] = {}
-        for name, mark in state.contracts.items():
+        for name, mark in state.documents.items():
             sides.setdefault(name.partition("/")[0], []).extend(unpacked(outcome.files[mark]))
         assert check_findings(sides) == state.findings["check"]  # type: ignore[arg-type]
 
 
-def test_a_store_file_that_was_changed_is_refused(tmp_path: Path) -> None:
+@pytest.mark.parametrize("change", [b"", b"[]", lzma.compress(b"[]")])
+def test_a_store_file_that_was_changed_is_refused(tmp_path: Path, change: bytes) -> None:
     data = packed(())
-    (tmp_path / f"{digest(data)}.json").write_bytes(data)
+    keep(digest(data), data, tmp_path)
     assert stored(digest(data), tmp_path) == data
-    (tmp_path / f"{digest(data)}.json").write_bytes(data + b" ")
+    kept(tmp_path)[digest(data)].write_bytes(change)
     with pytest.raises(InputError, match="was changed"):
         stored(digest(data), tmp_path)
 

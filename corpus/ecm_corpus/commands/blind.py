@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 _EPILOG = """\b
 Examples:
   ecm-extract blind R-bdda1fa --clones ~/clones          one case, results to standard output
-  ecm-extract blind --all --clones ~/clones -o corpus    all of them, and the contracts that they rest on
+  ecm-extract blind --all --clones ~/clones -o corpus    all of them, and the documents that they rest on
 """
 
 
@@ -25,7 +25,7 @@ Examples:
     "--clones", required=True, metavar="DIR", help="Folder with local clones, as OWNER/NAME or OWNER/NAME.git."
 )
 @click.option("--corpus", metavar="DIR", help="Folder with the cases.  [default: the one of the checkout]")
-@click.option("-o", "--output", metavar="DIR", help="Write results.json and contracts/ here, not to standard output.")
+@click.option("-o", "--output", metavar="DIR", help="Write results.json and documents/ here, not to standard output.")
 @click.option("--jobs", type=click.IntRange(min=1), help="Cases at a time.  [default: one per core]")
 @click.option("--no-cache", is_flag=True, help="Take nothing from the cache and add nothing to it.")
 @click.pass_context
