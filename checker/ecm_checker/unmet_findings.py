@@ -10,10 +10,12 @@ from ecm_checker.finding import Certainty, Entity, Finding
 from ecm_checker.hub.kinds import kinds
 from ecm_checker.hub.provision import Provision
 from ecm_checker.hub.requirement import Requirement
+from ecm_checker.match.fit import left_out
 from ecm_checker.match.packages import Unmet
 from ecm_checker.rule import PackageMatter, Rule
 
 _SHOWN = 3
+_ADVISED = "it warns at each call, and does what its authors advise against"
 
 
 def unmet_findings(rule: Rule, unmet: Iterable[Unmet]) -> Iterator[Finding]:
@@ -35,7 +37,7 @@ def _finding(rule: Rule, group: list[Unmet]) -> Finding:
     kind = kinds()[wanted.kind]
     matter = PackageMatter(
         text=_text(group, wanted, home),
-        consequence=kind.silence,
+        consequence=_ADVISED if group[0].match.breach == "advice" else kind.silence,
         entity=Entity(wanted.kind, wanted.name),
         who=kind.who,
         packages=tuple(dict.fromkeys(packages)),
@@ -54,10 +56,17 @@ def _text(group: list[Unmet], wanted: Requirement, home: str | None) -> str:
     lines = [f"{at.path}:{at.line}" for each in group for at in each.requirement.evidence]
     more = f" and {len(lines) - _SHOWN} more" if len(lines) > _SHOWN else ""
     of = f" of {home}" if home else ""
-    breach = group[0].match.breach
-    state = f"has another {breach}" if breach else "is not there"
     kind = wanted.kind.replace("_", " ")
-    return f"{kind} {wanted.name}{of} {state}, and {', '.join(lines[:_SHOWN])}{more} {wanted.phrase}"
+    return f"{kind} {wanted.name}{of} {_state(group[0])}, and {', '.join(lines[:_SHOWN])}{more} {wanted.phrase}"
+
+
+def _state(unmet: Unmet) -> str:
+    """What is wrong with the name, in words."""
+    breach, given = unmet.match.breach, unmet.requirement.given
+    if breach == "advice" and given is not None:
+        names = dict.fromkeys(name for each in unmet.match.found for name in left_out(given, each))
+        return f"warns of calls without {', '.join(names)}"
+    return f"has another {breach}" if breach else "is not there"
 
 
 def _certainty(group: list[Unmet]) -> Certainty:

@@ -8,7 +8,7 @@ from typing import Final
 
 import msgspec
 from ecm_checker.hub.provision import Provision
-from ecm_parsers.source.expr import Call, Expr, Number, Text
+from ecm_parsers.source.expr import Call, Constant, Expr, Number, Text
 from ecm_parsers.source.facts import Function, SourceFile
 
 from ecm_extract.entities.public_files import python_modules, stub_modules
@@ -22,6 +22,9 @@ _LABEL: Final = re.compile(r"[A-Z][A-Z0-9_]+")
 """How values of an enum are written, and other constants of a class."""
 _MODULE: Final = "<module>"
 _WARN: Final = frozenset({"warnings.warn", "warn"})
+_ASKING: Final = frozenset({"explicit", "explicitly", "must", "please", "required", "should", "specify"})
+_REFUSING: Final = frozenset({"cannot", "ignored", "ignoring", "instead", "not", "obsolete", "removed", "unused"})
+"""Words of warnings that ask for an argument, and of those that rather speak against one."""
 
 
 def python_entities(facts: PackageFacts) -> Iterator[Provision]:
@@ -96,6 +99,32 @@ def _warning(function: Function) -> str | None:
     return None
 
 
+def advised(function: Function) -> tuple[str, ...]:
+    """Return the optional parameters that a function asks for by a warning under a condition.
+
+    A warning that something is given which should not be speaks otherwise.
+    """
+    texts = [_text_of(statement.value) for statement in function.body if statement.depth > 0]
+    asked = {word for text in texts if _asks(text) for word in re.findall(r"\w+", text)}
+    return tuple(entry.name for entry in function.params if _is_none(entry.default) and entry.name in asked)
+
+
+def _asks(text: str) -> bool:
+    words = {word.lower() for word in re.findall(r"\w+", text)}
+    return not words.isdisjoint(_ASKING) and words.isdisjoint(_REFUSING) and "deprecat" not in text.lower()
+
+
+def _text_of(value: Expr | None) -> str:
+    """What a call of `warnings.warn` says; empty for any other expression."""
+    if not isinstance(value, Call) or dotted_name(value.callee) not in _WARN:
+        return ""
+    return "".join(part.value for arg in value.args[:1] for part in _texts(arg))
+
+
+def _is_none(default: Expr | None) -> bool:
+    return isinstance(default, Constant) and default.name == "null"
+
+
 def _texts(expr: Expr) -> Iterator[Text]:
     if isinstance(expr, Text):
         yield expr
@@ -125,6 +154,7 @@ def _function(package: str, path: str, dotted: str, function: Function, classes:
         name=function.name if is_method else f"{dotted}.{function.name}",
         forms=(form,),
         deprecated="marked deprecated" if form.deprecated else _warning(function),
+        advised=advised(function),
         path=path,
         line=function.line,
     )

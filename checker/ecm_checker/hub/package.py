@@ -43,6 +43,7 @@ class Provided(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
     bases: tuple[str, ...] = ()
     qos: Qos | None = None
     ros: int | None = None
+    advised: tuple[str, ...] = ()
     open: bool = False
     written: str = ""
 
@@ -136,6 +137,7 @@ def provided(provision: Provision) -> Provided:
         bases=provision.bases,
         qos=provision.qos,
         ros=provision.ros,
+        advised=provision.advised,
         open=provision.open,
         written=provision.written,
     )
@@ -163,6 +165,7 @@ def provision(package: str, row: Provided) -> Provision:
         bases=row.bases,
         qos=row.qos,
         ros=row.ros,
+        advised=row.advised,
         deprecated=row.deprecated,
         confidence=row.confidence,
         open=row.open,

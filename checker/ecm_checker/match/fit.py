@@ -19,8 +19,17 @@ def misfit(requirement: Requirement, provision: Provision) -> Breach | None:
     given = requirement.given
     if given is None or not provision.forms:
         return None
+    if requirement.use == "calls":
+        return "advice" if left_out(given, provision) else None
     check = _CHECKS.get(requirement.use)
     return "signature" if check is not None and not any(check(given, form) for form in provision.forms) else None
+
+
+def left_out(given: Given, provision: Provision) -> tuple[str, ...]:
+    """Return the arguments that a function asks for by a warning, and a call of it does not give."""
+    places = {name: at for form in provision.forms for at, name in enumerate(form.names)}
+    count = given.count or 0
+    return tuple(name for name in provision.advised if name not in given.names and places.get(name, -1) >= count)
 
 
 def _is_other_type(requirement: Requirement, provision: Provision) -> bool:
