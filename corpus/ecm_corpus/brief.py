@@ -16,6 +16,7 @@ from ecm_checker.contract import Contract, Interface
 from ecm_checker.delta import gained, lost
 from ecm_checker.view import view
 
+from ecm_corpus.again import sides_of
 from ecm_corpus.documents import stored, unpacked
 from ecm_corpus.results import CaseResult, Results, StateResult
 from ecm_corpus.verdict import CONSUMER, NEW, OLD, contracts
@@ -45,10 +46,10 @@ def briefs(case: CaseResult, results: Results, store: Path) -> list[Brief]:
     Args:
         case: whose states are asked about.
         results: all of them, to take unrelated modules from.
-        store: folder of the contracts.
+        store: folder of the documents.
 
     Raises:
-        InputError: contracts that the results name are not in the store.
+        InputError: documents that the results name are not in the store.
     """
     found = [_of_state(case.case, name, state, store) for name, state in case.states.items()]
     found += _unrelated(case, results, store)
@@ -87,10 +88,7 @@ def _some_package(case: CaseResult) -> str | None:
 
 
 def _sides(state: StateResult, store: Path) -> dict[str, list[Contract]]:
-    sides: dict[str, list[Contract]] = {}
-    for name, mark in sorted(state.documents.items()):
-        sides.setdefault(name.partition("/")[0], []).extend(contracts(unpacked(stored(mark, store))))
-    return sides
+    return {side: contracts(packages) for side, packages in sides_of(state, store).items()}
 
 
 def _brief(origin: str, lines: Iterable[str]) -> Brief:

@@ -10,6 +10,7 @@ from pathlib import Path
 import msgspec
 import pytest
 from corpus_repos import REPOSITORY, driver, make_clone, reader, renamed_topic
+from ecm_corpus.again import judged_again
 from ecm_corpus.blind import Run, results_document, run_blind, write_outcome
 from ecm_corpus.chain import broken_links
 from ecm_corpus.documents import SUFFIX, digest, keep, kept, packed, stored, unpacked
@@ -44,8 +45,8 @@ def test_two_runs_give_the_same_bytes(tmp_path: Path) -> None:
     assert one.files == two.files == three.files
 
 
-def test_the_rebuilt_contracts_are_those_that_were_stored(tmp_path: Path, golden: object) -> None:
-    """A case rebuilt from its clone gives, byte for byte, the contracts under version control."""
+def test_the_rebuilt_documents_are_those_that_were_stored(tmp_path: Path, golden: object) -> None:
+    """A case rebuilt from its clone gives, byte for byte, the documents under version control."""
     outcome = run_blind([renamed_topic(tmp_path)], Run(tmp_path))
     state = outcome.results.cases[0].states["a"]
     for side in ("old/driver", "new/driver", "consumer/reader"):
@@ -63,13 +64,25 @@ def test_the_store_holds_what_the_results_name_and_nothing_else(tmp_path: Path) 
     assert read == outcome.results
 
 
-def test_the_checker_says_the_same_of_stored_contracts(tmp_path: Path) -> None:
+def test_the_checker_says_the_same_of_stored_documents(tmp_path: Path) -> None:
     outcome = run_blind([renamed_topic(tmp_path)], Run(tmp_path))
     for state in outcome.results.cases[0].states.values():
         sides: dict[str, list[object]] = {}
         for name, mark in state.documents.items():
             sides.setdefault(name.partition("/")[0], []).extend(unpacked(outcome.files[mark]))
         assert check_findings(sides) == state.findings["check"]  # type: ignore[arg-type]
+
+
+def test_what_is_judged_again_from_the_store_is_the_same(tmp_path: Path) -> None:
+    """Nothing but the documents is needed; what is not the checker's finding of today is replaced."""
+    outcome = run_blind([renamed_topic(tmp_path / "clones")], Run(tmp_path / "clones"))
+    write_outcome(outcome, tmp_path / "out")
+    results = outcome.results
+    first = results.cases[0]
+    quiet = msgspec.structs.replace(first.states["a"], findings={**first.states["a"].findings, "check": ()})
+    changed = msgspec.structs.replace(first, states={**first.states, "a": quiet})
+    again = judged_again(msgspec.structs.replace(results, cases=(changed,)), tmp_path / "out" / "documents")
+    assert again == results
 
 
 @pytest.mark.parametrize("change", [b"", b"[]", lzma.compress(b"[]")])

@@ -5,8 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from ecm_corpus.again import sides_of
 from ecm_corpus.chain import broken_links
-from ecm_corpus.documents import kept, stored, unpacked
+from ecm_corpus.documents import kept
 from ecm_corpus.folder import interfaces, narratives, read_results
 from ecm_corpus.results import CaseResult
 from ecm_corpus.verdict import check_findings
@@ -35,7 +36,4 @@ def test_the_store_holds_what_the_results_name() -> None:
 def test_the_checker_says_the_same_today(case: CaseResult) -> None:
     """What was decided from the stored contracts is decided again, to the last finding."""
     for state in case.states.values():
-        sides: dict[str, list[object]] = {}
-        for name, mark in state.documents.items():
-            sides.setdefault(name.partition("/")[0], []).extend(unpacked(stored(mark, CORPUS / "documents")))
-        assert check_findings(sides) == state.findings["check"]  # type: ignore[arg-type]
+        assert check_findings(sides_of(state, CORPUS / "documents")) == state.findings["check"]
