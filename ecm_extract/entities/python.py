@@ -8,7 +8,7 @@ from typing import Final
 
 import msgspec
 from ecm_checker.hub.provision import Provision
-from ecm_parsers.source.expr import Call, Constant, Expr, Number, Text
+from ecm_parsers.source.expr import Call, Constant, Expr, Name, Number, Op, Text
 from ecm_parsers.source.facts import Function, SourceFile
 
 from ecm_extract.entities.public_files import python_modules, stub_modules
@@ -22,9 +22,6 @@ _LABEL: Final = re.compile(r"[A-Z][A-Z0-9_]+")
 """How values of an enum are written, and other constants of a class."""
 _MODULE: Final = "<module>"
 _WARN: Final = frozenset({"warnings.warn", "warn"})
-_ASKING: Final = frozenset({"explicit", "explicitly", "must", "please", "required", "should", "specify"})
-_REFUSING: Final = frozenset({"cannot", "ignored", "ignoring", "instead", "not", "obsolete", "removed", "unused"})
-"""Words of warnings that ask for an argument, and of those that rather speak against one."""
 
 
 def python_entities(facts: PackageFacts) -> Iterator[Provision]:
@@ -100,29 +97,32 @@ def _warning(function: Function) -> str | None:
 
 
 def advised(function: Function) -> tuple[str, ...]:
-    """Return the optional parameters that a function asks for by a warning under a condition.
-
-    A warning that something is given which should not be speaks otherwise.
-    """
-    texts = [_text_of(statement.value) for statement in function.body if statement.depth > 0]
-    asked = {word for text in texts if _asks(text) for word in re.findall(r"\w+", text)}
-    return tuple(entry.name for entry in function.params if _is_none(entry.default) and entry.name in asked)
-
-
-def _asks(text: str) -> bool:
-    words = {word.lower() for word in re.findall(r"\w+", text)}
-    return not words.isdisjoint(_ASKING) and words.isdisjoint(_REFUSING) and "deprecat" not in text.lower()
-
-
-def _text_of(value: Expr | None) -> str:
-    """What a call of `warnings.warn` says; empty for any other expression."""
-    if not isinstance(value, Call) or dotted_name(value.callee) not in _WARN:
-        return ""
-    return "".join(part.value for arg in value.args[:1] for part in _texts(arg))
+    """Return the optional parameters that a function warns of when they are left out: `if size is None: warn(..)`."""
+    optional = {entry.name for entry in function.params if _is_none(entry.default)}
+    missing: dict[int, str] = {}
+    found: list[str] = []
+    for statement in function.body:
+        missing = {depth: name for depth, name in missing.items() if depth < statement.depth}
+        if _tested(statement.value) in optional:
+            missing[statement.depth] = _tested(statement.value)
+        elif _is_warning(statement.value):
+            found += missing.values()
+    return tuple(dict.fromkeys(found))
 
 
-def _is_none(default: Expr | None) -> bool:
-    return isinstance(default, Constant) and default.name == "null"
+def _tested(value: Expr | None) -> str:
+    """The name that is compared with None; empty for any other expression."""
+    if isinstance(value, Op) and value.op == "==" and isinstance(value.operands[0], Name):
+        return value.operands[0].id if _is_none(value.operands[1]) else ""
+    return ""
+
+
+def _is_none(value: Expr | None) -> bool:
+    return isinstance(value, Constant) and value.name == "null"
+
+
+def _is_warning(value: Expr | None) -> bool:
+    return isinstance(value, Call) and dotted_name(value.callee) in _WARN
 
 
 def _texts(expr: Expr) -> Iterator[Text]:

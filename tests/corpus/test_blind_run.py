@@ -27,7 +27,7 @@ def test_an_upgrade_names_the_consumer_that_keeps_the_old_name(tmp_path: Path) -
     broken = [finding for finding in states["a"].findings["diff"] if finding.severity == "error"]
     assert [finding.rule for finding in broken] == ["VER001"]
     assert broken[0].evidence[0].path == "reader/reader/main.py"
-    assert [f.rule for f in states["a"].findings["check"] if f.severity == "error"] == ["SIG010"]
+    assert [f.rule for f in states["a"].findings["check"] if f.severity == "error"] == ["SIG010", "VER008"]
 
 
 def test_the_consumer_that_followed_is_quiet(tmp_path: Path) -> None:

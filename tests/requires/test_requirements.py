@@ -55,13 +55,6 @@ LAUNCH_XML = """<launch>
   </node>
 </launch>
 """
-NODELET = """<launch>
-  <node pkg="nodelet" type="nodelet" name="mux" args="load arm/Mux manager">
-    <remap from="mux/output" to="/cmd_vel"/>
-    <param name="rate" value="3"/>
-  </node>
-</launch>
-"""
 PARAMETERS = """arm_node:
   ros__parameters:
     rate: 3
@@ -173,7 +166,7 @@ CASES: dict[str, tuple[int, dict[str, str], list[dict[str, Any]]]] = {
             {"use": "reads_field", "owner": "arm_msgs.msg.Force", "name": "value", "line": 8},
             {"use": "takes_result", "name": "arm_lib.tools.count", "line": 9},
             {"use": "gives_keyword", "name": "arm_lib.tools.Gripper", "line": 10},
-            {"use": "calls", "name": "arm_lib.tools.Gripper", "line": 10, "given": {"count": 0, "names": ("speed",)}},
+            {"use": "calls", "name": "arm_lib.tools.Gripper", "line": 10},
             {"use": "uses_name", "name": "arm_lib.other.reset", "line": 11},
         ],
     ),
@@ -190,15 +183,6 @@ CASES: dict[str, tuple[int, dict[str, str], list[dict[str, Any]]]] = {
             {"use": "reads_file", "package": "arm_bringup", "name": "config/arm.yaml", "line": 8},
             {"use": "gives_parameter", "package": "hand", "name": "force", "line": 10},
             {"use": "remaps", "package": "hand", "name": "~/state", "said": "arm/state", "line": 11},
-        ],
-    ),
-    "nodelet": (
-        1,
-        {"launch/user.launch": NODELET},
-        [
-            {"use": "loads_plugin", "name": "arm/Mux", "line": 2},
-            {"use": "remaps", "package": "arm", "name": "mux/output", "said": "/cmd_vel", "line": 3},
-            {"use": "gives_parameter", "package": "arm", "name": "rate", "line": 4},
         ],
     ),
     "parameters": (

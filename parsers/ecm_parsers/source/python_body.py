@@ -133,8 +133,23 @@ def _branch(scan: Scan, node: Node) -> None:
             scan.block(child, 1)
         elif kind in _CLAUSES:
             _clause(scan, child)
-        else:
+        elif not _is_none_test(scan, child):
             scan.do(child)
+
+
+def _is_none_test(scan: Scan, node: Node) -> bool:
+    """Emit a condition that asks whether a name is None, where its block is all that depends on it."""
+    if node.type != "comparison_operator" or not scan.raw(node).endswith(b"None") or _has_clauses(node.parent):
+        return False
+    value = scan.expr(node)
+    if not isinstance(value, Op) or value.op != "==" or not isinstance(value.operands[0], Name):
+        return False
+    scan.emit("do", node, value)
+    return True
+
+
+def _has_clauses(branch: Node | None) -> bool:
+    return branch is None or any(child.type in _CLAUSES for child in branch.named_children)
 
 
 def _clause(scan: Scan, node: Node) -> None:
