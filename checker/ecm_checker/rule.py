@@ -45,6 +45,7 @@ class PackageMatter(msgspec.Struct, frozen=True):
         text: what is so. consequence: what happens when it is ignored.
         entity: what it is about. who: what breaks.
         packages: the one that provides first. evidence: lines of all sides.
+        severity: where it differs from that of the rule.
     """
 
     text: str
@@ -53,6 +54,7 @@ class PackageMatter(msgspec.Struct, frozen=True):
     who: Who
     packages: tuple[str, ...]
     evidence: tuple[Evidence, ...]
+    severity: Severity | None = None
 
 
 class Rule(msgspec.Struct, frozen=True, kw_only=True):
@@ -108,7 +110,8 @@ class Rule(msgspec.Struct, frozen=True, kw_only=True):
     def package_finding(self, told: PackageMatter, certainty: Certainty) -> Finding:
         """A finding of this rule about packages as a whole; what is not proved is at most a warning."""
         ids = tuple(f"ecm.{name}" for name in told.packages)
-        found = self._made(told.text, told.entity, told.packages, ids, told.evidence, certainty, self.severity)
+        level = told.severity or self.severity
+        found = self._made(told.text, told.entity, told.packages, ids, told.evidence, certainty, level)
         return msgspec.structs.replace(found, message=f"{told.text}: {told.consequence}", who=told.who)
 
     def _made(

@@ -1,7 +1,8 @@
 """Documents of packages as data: the packages of a side, each in a file that is named by what it holds.
 
-Only what the pinned checker reads is kept: contracts, provisions and requirements. The commit that a package was read
-at is in the results, not in the file, so that a package that did not change between two refs is kept once.
+Only what the pinned checker reads is kept: contracts, provisions, requirements and names of files. The
+commit that a package was read at is in the results, not in the file, so that a package that did not change between two
+refs is kept once.
 """
 
 from __future__ import annotations
@@ -30,14 +31,14 @@ SUFFIX: Final = ".json.xz"
 
 def document(extracted: PackageContracts) -> Package:
     """What the checker may ask of a package that was extracted just now."""
-    return msgspec.structs.replace(
-        package_of(extracted), modules=_modules(extracted.modules), interfaces={}, files={}, notes={}
-    )
+    whole = package_of(extracted)
+    files = dict.fromkeys(whole.files, "")
+    return msgspec.structs.replace(whole, modules=_modules(extracted.modules), interfaces={}, files=files, notes={})
 
 
-def instances(name: str, contracts: Iterable[Contract]) -> Package:
-    """Contracts of no package, such as those of nodes that a launch file starts, under a name of their own."""
-    return Package(name=name, version=None, path="", ros=None, modules=_modules(contracts))
+def instances(started: Package, contracts: Iterable[Contract]) -> Package:
+    """What launch files start together, with the contracts of its nodes."""
+    return msgspec.structs.replace(started, modules=_modules(contracts))
 
 
 def packed(packages: Iterable[Package]) -> bytes:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import Final
 
 import msgspec
 from ecm_checker.finding import Finding
@@ -25,12 +24,11 @@ from ecm_extract.lint.run import findings_of
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.system.contracts import instance_contracts
 from ecm_extract.system.model import Given
+from ecm_extract.system.started import STARTED, started_package
 from ecm_extract.system.system import read_system
 from ecm_extract.tree import Tree
 from ecm_extract.tree.joined import JoinedTree
 
-NODES: Final = "nodes"
-"""Name under which the nodes that launch files start are kept."""
 Side = dict[str, tuple[Package, ...]]
 """The packages of a side by name."""
 
@@ -59,7 +57,7 @@ def _composition(state: Composition, clones: Path, options: Options) -> Judged:
     documents = {TREE: _kept(tree, options, packages)}
     if state.launch:
         started = read_system(tree, [_inside(path, state) for path in state.launch], Given(), options)
-        documents[LAUNCHED] = {NODES: (instances(NODES, instance_contracts(started)),)}
+        documents[LAUNCHED] = {STARTED: (instances(started_package(started), instance_contracts(started)),)}
     workspace = Workspace(tree, options)
     lint = [finding for finding in findings_of(workspace, preview=True) if _is_within(finding, workspace, packages)]
     return _judged("composition", _commits(sources_of(state), clones), documents, {"lint": ordered(lint)})

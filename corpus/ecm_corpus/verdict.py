@@ -33,7 +33,8 @@ def check_findings(sides: Sides) -> tuple[Finding, ...]:
         return ordered(_upgrade(sides[OLD], sides[NEW], sides.get(CONSUMER, ())))
     packages = Packages(sides.get(TREE, ()))
     if LAUNCHED in sides:
-        return ordered(system(contracts(sides[LAUNCHED]), together=True, packages=packages).findings)
+        nodes, started = contracts(sides[LAUNCHED]), Packages(sides[LAUNCHED])
+        return ordered(system(nodes, together=True, packages=packages, started=started).findings)
     return ordered(system(contracts(sides.get(TREE, ())), packages=packages).findings)
 
 

@@ -23,8 +23,10 @@ from ecm_extract.requires.cpp_names import name_requirements
 from ecm_extract.requires.cpp_overrides import override_requirements
 from ecm_extract.requires.cpp_reached import reached_requirements
 from ecm_extract.requires.cpp_results import result_requirements
+from ecm_extract.requires.cpp_switches import switch_requirements
 from ecm_extract.requires.dependencies import dependency_requirements
 from ecm_extract.requires.descriptions import description_requirements
+from ecm_extract.requires.diagnostics import diagnostic_requirements
 from ecm_extract.requires.endpoints import endpoint_requirements
 from ecm_extract.requires.ignored import comments_of, with_answers
 from ecm_extract.requires.kept import kept_for
@@ -79,6 +81,7 @@ def _of_package(
     yield from description_requirements(texts, facts)
     yield from behavior_tree_requirements(facts)
     yield from policy_requirements(facts)
+    yield from diagnostic_requirements(facts)
     yield from dependency_requirements(facts)
     yield from rviz_requirements(tree, facts)
     for file in _python_launch_files(texts, facts):
@@ -94,6 +97,7 @@ def _of_program(workspace: Workspace) -> Iterator[tuple[str, Requirement]]:
     yield from parameter_read_requirements(workspace.program)
     yield from override_requirements(workspace.program)
     yield from result_requirements(workspace.program)
+    yield from switch_requirements(workspace.program)
     yield from member_requirements(workspace.objects)
     yield from reached_requirements(workspace.objects)
 

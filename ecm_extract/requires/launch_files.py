@@ -128,9 +128,9 @@ def _names(action: Node, place: Place) -> Iterator[Requirement]:
     name = plain(action.name or ())
     if name:
         yield required("names_node", name, place)
-    target = plain(action.target or ()).rpartition("/")[2]
-    if target:
-        yield required("loads_into", target, place, "likely")
+    target = plain(action.target or ())
+    if target.rpartition("/")[2]:
+        yield required("loads_into", target.rpartition("/")[2], place, "likely", said=target)
 
 
 def _reached(remap: Remap, place: Place) -> Iterator[Requirement]:

@@ -51,6 +51,10 @@ class Packages:
         """Each of them as a consumer."""
         return [Consumer(package.name, package.requires) for package in self._packages]
 
+    def version(self, name: str) -> str | None:
+        """Return the version of a package; None where it is not here, or declares none."""
+        return next((each.version for each in self._packages if each.name == name), None)
+
     @cached_property
     def _file_names(self) -> frozenset[tuple[str, str]]:
         return frozenset((each.name, path.rpartition("/")[2]) for each in self._packages for path in each.files)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from string import ascii_letters, digits
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.cpp_expr import ExprReader
@@ -44,6 +45,7 @@ def declared_name(reader: ExprReader, node: Node) -> str:
     return reader.name(node)
 
 
+_WORD = f"{ascii_letters}{digits}_"
 _NAMES = frozenset(
     {
         "identifier",
@@ -57,9 +59,18 @@ _NAMES = frozenset(
 )
 
 
+def _pointer(reader: ExprReader, declarator: Node) -> str:
+    """The rest of the type of a pointer to a function, without its name: `(*)(int)`, `(Arm::*)(int)`."""
+    inner, taken = declarator.child_by_field_name("declarator"), declarator.child_by_field_name("parameters")
+    held = reader.text(inner).removesuffix(")").rstrip(_WORD) if inner is not None else ""
+    return " ".join(f"{held or '(*'}){reader.text(taken) if taken is not None else ''}".split())
+
+
 def _suffix(reader: ExprReader, declarator: Node | None) -> str:
     if declarator is None:
         return ""
+    if declarator.type == "function_declarator":
+        return " " + _pointer(reader, declarator)
     if declarator.type.startswith("abstract_"):
         return " " + reader.text(declarator)
     marks = reader.data[declarator.start_byte : declarator.start_byte + 2].decode("utf-8", "replace")
