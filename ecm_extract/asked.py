@@ -11,7 +11,7 @@ from ecm_extract.discover import MANIFESTS, PackageRoot
 from ecm_extract.errors import InputError
 from ecm_extract.extraction_model import Extraction
 from ecm_extract.report.unread_text import unread_lines
-from ecm_extract.tree import Tree, can_declare, unread_of
+from ecm_extract.tree import Tree, Unread, can_declare, unread_of
 from ecm_extract.tree.unread import is_gap
 
 _NEAREST: Final = 3
@@ -75,15 +75,19 @@ def refuse_nothing_read(extraction: Extraction) -> None:
     raise NothingThereError(message, "a package is a folder with a package.xml; name a folder in or above one")
 
 
-def refuse_gaps(extraction: Extraction) -> None:
+def refuse_gaps(label: str, unread: Iterable[Unread]) -> None:
     """Refuse to decide on contracts that may lack what could not be read.
+
+    Args:
+        label: how the user named the tree or the documents.
+        unread: of it.
 
     Raises:
         NotWholeError: something that can carry interfaces could not be read.
     """
-    gaps = [each for each in extraction.unread if is_gap(each)]
+    gaps = [each for each in unread if is_gap(each)]
     if gaps:
-        message = f"{extraction.path} could not be read as a whole, so nothing can be decided about it"
+        message = f"{label} could not be read as a whole, so nothing can be decided about it"
         raise NotWholeError(message, "; ".join(unread_lines(gaps)))
 
 

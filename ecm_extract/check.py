@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Final
 
 import msgspec
@@ -42,6 +42,7 @@ class Given(msgspec.Struct, frozen=True):
         return Profiles(self.embodiment, self.policy, self.runtime)
 
 
+_BARE: Final = "it holds manifests only; `ecm-extract PATH -o DIR` writes the documents beside them"
 Dimensions = tuple[Dimension, ...]
 _Groups = Sequence[tuple[Contract, ...]]
 
@@ -65,9 +66,10 @@ def decide(operation: str, paths: Sequence[str], given: Given, dimensions: Dimen
     groups = [each.contracts for each in subjects]
     if operation == "system":
         packages = _packages(subjects)
-        return system(_flat(groups), given.profiles, dimensions, together=together, packages=packages)
+        decided = system(_flat(groups), given.profiles, dimensions, together=together, packages=packages)
+        return _with_unasked(decided, subjects)
     if operation == "upgrade":
-        return _upgrade(subjects, given, dimensions)
+        return _with_unasked(_upgrade(subjects, given, dimensions), subjects)
     return _DECISIONS[operation](groups, given, dimensions)
 
 
@@ -149,10 +151,25 @@ def _release(subjects: Sequence[Subject], given: Given) -> Case:
 
 
 def _packages(subjects: Sequence[Subject]) -> Packages | None:
-    """Their packages together; None where one of them has contracts only."""
-    if not subjects or not all(each.packages for each in subjects):
-        return None
-    return Packages([package for each in subjects for package in each.packages])
+    """The packages that have documents; None where nothing has any."""
+    found = [package for each in subjects for package in each.packages]
+    return Packages(found) if found else None
+
+
+def _with_unasked(decided: Report, subjects: Sequence[Subject]) -> Report:
+    """A report that says whose requirements were not asked, or not all of them."""
+    bare = [f"requirements of {each.path}: {_BARE}" for each in subjects if not each.packages]
+    computed = [line for each in subjects for line in _computed(each)]
+    return msgspec.structs.replace(decided, not_asked=(*decided.not_asked, *bare, *computed))
+
+
+def _computed(subject: Subject) -> Iterator[str]:
+    """Requirements whose names are known when a program runs only."""
+    found = [each for package in subject.packages for each in package.requires if each.certainty == "unknown"]
+    if found:
+        first = found[0].evidence[0]
+        place = f"{first.path}:{first.line}"
+        yield f"{len(found)} requirement(s) of {subject.path} with a computed name, the first in {place}"
 
 
 _DECISIONS: Final[Mapping[str, Callable[[_Groups, Given, Dimensions], Report]]] = {

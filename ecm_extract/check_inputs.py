@@ -35,6 +35,7 @@ def silent(_diagnostics: Sequence[LocatedDiagnostic]) -> None:
 class Subject(msgspec.Struct, frozen=True):
     """What a path names: contracts of modules, and the documents of their packages where they are at hand."""
 
+    path: str
     contracts: tuple[Contract, ...]
     packages: tuple[Package, ...] = ()
 
@@ -49,16 +50,27 @@ def subject(path: str, cache: bool = True, told: Told = silent) -> Subject:
         told: gets what was said of the sources.
 
     Raises:
-        InputError: nothing is there, or it holds no contract.
+        InputError: nothing is there, it holds no contract, or not all of it could be read.
     """
     place = Path(path)
     if place.is_file():
-        return Subject(tuple(_of_file(place)), read_stored(path).packages if is_stored(path) else ())
+        return Subject(path, tuple(_of_file(place)), _documented(path) if is_stored(path) else ())
     manifests = sorted(found for found in place.rglob(f"*{SUFFIX}") if found.is_file())
     if manifests:
         found = tuple(contract for file in manifests for contract in _of_file(file))
-        return Subject(found, read_stored(path).packages if next(place.rglob(f"*{DOCUMENT}"), None) else ())
+        return Subject(path, found, _documented(path) if next(place.rglob(f"*{DOCUMENT}"), None) else ())
     return _extracted(path, cache, told)
+
+
+def _documented(path: str) -> tuple[Package, ...]:
+    """Packages of documents, of which nothing may be left unread, as of a tree."""
+    from ecm_extract.asked import refuse_gaps
+    from ecm_extract.stored import unread_in
+
+    stored = read_stored(path)
+    rows = [each for package in stored.packages for each in package.unread]
+    refuse_gaps(path, dict.fromkeys((*stored.unread, *unread_in(rows))))
+    return stored.packages
 
 
 class LaunchedContracts(NamedTuple):
@@ -176,10 +188,10 @@ def _extracted(path: str, cache: bool, told: Told) -> Subject:
 
     extraction = extract(open_tree(path, None), Options(cache=cache, hub=True))
     refuse_nothing_read(extraction)
-    refuse_gaps(extraction)
+    refuse_gaps(extraction.path, extraction.unread)
     told(extraction.diagnostics)
     found = tuple(module for package in extraction.packages for module in package.modules)
     if not found:
         message = f"{path} holds neither manifests nor ROS packages"
         raise InputError(message, "name a manifest, a folder of manifests, or a folder with a package.xml below it")
-    return Subject(found, tuple(package_of(each) for each in extraction.packages))
+    return Subject(path, found, tuple(package_of(each) for each in extraction.packages))

@@ -27,7 +27,8 @@ class Report(msgspec.Struct, frozen=True, kw_only=True):
         conditions: under which it is accepted; empty for the other outcomes.
         findings: most severe first, then by rule and subjects.
         dimensions: those that were consulted.
-        not_asked: sub-checks that nothing could be asked of, as their profile was not given.
+        not_asked: sub-checks that nothing could be asked of, as their profile was not given, and requirements that
+            could not be matched.
         checker: content hash of the rules that decided.
     """
 

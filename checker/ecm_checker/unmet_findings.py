@@ -57,17 +57,28 @@ def _text(group: list[Unmet], wanted: Requirement, home: str | None) -> str:
     more = f" and {len(lines) - _SHOWN} more" if len(lines) > _SHOWN else ""
     of = f" of {home}" if home else ""
     kind = wanted.kind.replace("_", " ")
-    return f"{kind} {wanted.name}{of} {_state(group[0])}, and {', '.join(lines[:_SHOWN])}{more} {wanted.phrase}"
+    return f"{kind} {wanted.name}{of} {_state(group)}, and {', '.join(lines[:_SHOWN])}{more} {wanted.phrase}"
 
 
-def _state(unmet: Unmet) -> str:
+def _state(group: list[Unmet]) -> str:
     """What is wrong with the name, in words."""
-    breach, given = unmet.match.breach, unmet.requirement.given
+    first = group[0]
+    breach, given = first.match.breach, first.requirement.given
     if breach == "advice" and given is not None:
-        names = dict.fromkeys(name for each in unmet.match.found for name in left_out(given, each))
+        names = dict.fromkeys(name for each in first.match.found for name in left_out(given, each))
         return f"warns of calls without {', '.join(names)}"
-    return f"has another {breach}" if breach else "is not there"
+    return f"has another {breach}" if breach else _absence(group)
+
+
+def _absence(group: list[Unmet]) -> str:
+    return "is not in what could be read" if _is_hidden(group) else "is not there"
+
+
+def _is_hidden(group: list[Unmet]) -> bool:
+    return all(each.hidden and not each.match.found for each in group)
 
 
 def _certainty(group: list[Unmet]) -> Certainty:
+    if _is_hidden(group):
+        return "unknown"
     return "proved" if any(each.requirement.certainty == "proved" for each in group) else "likely"

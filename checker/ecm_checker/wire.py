@@ -23,6 +23,8 @@ from ecm_checker.contract import (
 MANIFEST_SCHEMA: Final = "ecm-extract/manifest/1"
 EXTRACT_SCHEMA: Final = "ecm-extract/extract/1"
 EVIDENCE_SCHEMA: Final = "ecm-extract/evidence/1"
+GAP_REASONS: Final = frozenset({"missing", "too-large", "unreadable", "malformed"})
+"""Why something was not read although nobody asked to leave it out."""
 
 
 class Ecm(msgspec.Struct, frozen=True, kw_only=True):
@@ -74,6 +76,11 @@ class NotRead(msgspec.Struct, frozen=True):
     reason: str
     carries: bool
     commit: str = ""
+
+    @property
+    def is_gap(self) -> bool:
+        """Whether what is known says less than the whole because of it: nobody asked to leave it out."""
+        return self.carries and self.reason in GAP_REASONS
 
 
 class Origin(msgspec.Struct, frozen=True):

@@ -15,7 +15,8 @@ from typing import Final
 
 import msgspec
 from ecm_checker.contract import Contract
-from ecm_checker.hub.package import Package, encode_modules
+from ecm_checker.encode import encode
+from ecm_checker.hub.package import Package
 from ecm_checker.json_data import json_data
 from ecm_checker.wire import Module
 
@@ -100,7 +101,8 @@ def _line(package: Package) -> bytes:
 
 
 def _modules(contracts: Iterable[Contract]) -> tuple[Module, ...]:
-    return msgspec.convert(encode_modules(tuple(map(_without_commit, contracts))), tuple[Module, ...])
+    plain = [encode(_without_commit(contract)) for contract in contracts]
+    return msgspec.convert(plain, tuple[Module, ...])
 
 
 def _without_commit(contract: Contract) -> Contract:

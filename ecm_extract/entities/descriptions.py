@@ -16,9 +16,7 @@ from ecm_extract.discover import is_test_path
 from ecm_extract.entities.public_files import inside
 from ecm_extract.entities.side_texts import DESCRIPTIONS, SideTexts
 from ecm_extract.read.facts import PackageFacts
-from ecm_extract.tree import Tree
 
-MAX_BYTES: Final = 2_000_000
 _COMPUTED: Final = re.compile(r"(?:\$\{[^}]*\}|\$\([^)]*\))+")
 _PREFIXED: Final = re.compile(rf"{re.escape(HOLE)}/?[A-Za-z]")
 _EXAMPLES: Final = frozenset({"example", "examples", "tutorial", "tutorials", "demo", "demos"})
@@ -34,7 +32,7 @@ def description_entities(texts: SideTexts, facts: PackageFacts) -> Iterator[Prov
             yield from _entities(facts.name, "command_interface", path, names.commands)
 
 
-def descriptions(tree: Tree | SideTexts, facts: PackageFacts) -> Iterator[tuple[str, RobotNames]]:
+def descriptions(texts: SideTexts, facts: PackageFacts) -> Iterator[tuple[str, RobotNames]]:
     """Yield the description files of a package by path, without those of tests and those of planning groups."""
     paths = [
         entry.path
@@ -43,9 +41,8 @@ def descriptions(tree: Tree | SideTexts, facts: PackageFacts) -> Iterator[tuple[
         and ".srdf" not in entry.path
         and not is_test_path(entry.path, facts.root.path)
     ]
-    for path, data in tree.read_many(sorted(paths)):
-        if len(data) <= MAX_BYTES:
-            yield path, parse_robot_names(data).facts
+    for path, data in texts.read_many(sorted(paths)):
+        yield path, texts.told(path, parse_robot_names(data))
 
 
 def written_name(name: str) -> str:

@@ -16,9 +16,6 @@ from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.entities.written_text import written
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.system.launch_files import is_launch_file, read_launch
-from ecm_extract.tree import Tree
-
-MAX_BYTES = 1_000_000
 
 
 def launch_entities(facts: PackageFacts, launches: Sequence[tuple[str, LaunchFile]]) -> Iterator[Provision]:
@@ -42,15 +39,15 @@ def launch_entities(facts: PackageFacts, launches: Sequence[tuple[str, LaunchFil
             yield msgspec.structs.replace(base, name=read.name, default=written(read.default), line=read.line)
 
 
-def launch_files(tree: Tree | SideTexts, facts: PackageFacts) -> Iterator[tuple[str, LaunchFile]]:
+def launch_files(texts: SideTexts, facts: PackageFacts) -> Iterator[tuple[str, LaunchFile]]:
     """Yield the launch files of a package that can be read, by path, without those of tests."""
     paths = [
         entry.path
         for entry in facts.root.files
         if is_launch_file(entry.path) and not is_test_path(entry.path, facts.root.path)
     ]
-    for path, data in tree.read_many(sorted(paths)):
-        file = read_launch(path, data, facts.ros).facts if len(data) <= MAX_BYTES else None
+    for path, data in texts.read_many(sorted(paths)):
+        file = texts.told(path, read_launch(path, data, facts.ros))
         if file is not None:
             yield path, file
 

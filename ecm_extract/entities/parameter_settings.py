@@ -21,7 +21,6 @@ from ecm_extract.entities.written_text import written
 from ecm_extract.read.facts import PackageFacts
 
 SETTING: Final = "parameter_setting"
-MAX_BYTES: Final = 1_000_000
 _MAX_INTEGER: Final = 2**63
 _COPIED: Final = frozenset({"directory", "files"})
 
@@ -33,8 +32,8 @@ def parameter_settings(
     loaded = _loaded(facts, launches)
     candidates = loaded | _installed(facts)
     for path, data in texts.read_many(sorted(candidates)):
-        file = parse_parameter_yaml(data).facts if len(data) <= MAX_BYTES else None
-        if file is not None and (file.ros == 2 or path in loaded):  # any map is a parameter file of ROS 1
+        file = texts.told(path, parse_parameter_yaml(data))
+        if file.ros == 2 or path in loaded:  # any map is a parameter file of ROS 1
             yield from (_setting(entry, path, file.ros, facts) for entry in file.sets)
 
 

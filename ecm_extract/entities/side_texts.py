@@ -9,6 +9,9 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Final
 
+from ecm_parsers.result import Facts, Parsed
+
+from ecm_extract.read.cuts import report_cuts
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.system.launch_files import is_launch_file
 from ecm_extract.tree import Tree
@@ -39,6 +42,11 @@ class SideTexts:
                 self._whole[path] = data
             if path in searched and _ENDS.search(data):
                 self.speaking[path] = data
+
+    def told(self, path: str, parsed: Parsed[Facts]) -> Facts:
+        """Return the facts of a file; what of it was not read is told to the tree."""
+        report_cuts(self._tree, path, parsed.diagnostics)
+        return parsed.facts
 
     def read_many(self, paths: Iterable[str]) -> Iterator[tuple[str, bytes]]:
         """Yield path and content in the order asked for; what is no launch file, description or YAML is read anew."""

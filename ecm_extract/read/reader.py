@@ -24,6 +24,7 @@ from ecm_extract.errors import TreeReadError
 from ecm_extract.exclusion import Exclusion
 from ecm_extract.read import select
 from ecm_extract.read.build_files import read_cmake, read_setups
+from ecm_extract.read.cuts import located
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.read.parallel import SourceParse
 from ecm_extract.read.parsed_file import BlobFacts, ParsedFile, Task
@@ -235,8 +236,7 @@ class Reader:
         self.files += 1
         self.bytes += size
         for entry in diagnostics:
-            located = FileDiagnostic(entry.severity, entry.code, printable(path), entry.line, entry.message)
-            self.tree.report(located)
+            self.tree.report(located(path, entry))
 
 
 def _counting(progress: Progress | None, total: int) -> Callable[[int], None]:

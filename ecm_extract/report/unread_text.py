@@ -14,7 +14,7 @@ MAX_PATHS: Final = 3
 _WHAT: Final[Mapping[Reason, str]] = {
     "missing": "file(s) not in this clone",
     "submodule": "submodule(s) not in this clone",
-    "too-large": "file(s) larger than what is read for parsing",
+    "too-large": "file(s) larger, deeper or slower to parse than what is read",
     "unreadable": "file(s) or folder(s) without permission, or cut off",
     "malformed": "package.xml that cannot be read as one",
     "excluded": "pattern(s) of `exclude` in ecm.toml",

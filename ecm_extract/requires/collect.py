@@ -40,8 +40,6 @@ from ecm_extract.requires.rviz_files import rviz_requirements
 from ecm_extract.system.launch_files import is_launch_file
 from ecm_extract.tree import Tree
 
-MAX_BYTES = 1_000_000
-
 
 def consumers(workspace: Workspace) -> list[Consumer]:
     """Return the packages of a linked tree as consumers."""
@@ -113,10 +111,9 @@ def _python_launch_files(texts: SideTexts, facts: PackageFacts) -> Iterator[File
         if entry.path.endswith(".py") and entry.path not in facts.sources and is_launch_file(entry.path)
     )
     for path, data in texts.read_many(paths):
-        if len(data) <= MAX_BYTES:
-            file = File(path, facts.name, facts.ros, parse_python(data).facts)
-            file.imported = imported_names(file)
-            yield file
+        file = File(path, facts.name, facts.ros, parse_python(data).facts)
+        file.imported = imported_names(file)
+        yield file
 
 
 def _ordered(entries: Iterable[Requirement]) -> Sequence[Requirement]:

@@ -12,14 +12,13 @@ from ecm_extract.entities.descriptions import descriptions, written_name
 from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.place import Place, required
-from ecm_extract.tree import Tree
 
 _FOUND: Final = re.compile(r"\$\(find ([\w-]+)\)/(.+)")
 
 
-def description_requirements(tree: Tree | SideTexts, facts: PackageFacts) -> Iterator[Requirement]:
+def description_requirements(texts: SideTexts, facts: PackageFacts) -> Iterator[Requirement]:
     """Yield what the descriptions of a package require; what a link of any of them provides is not asked of others."""
-    read = list(descriptions(tree, facts))
+    read = list(descriptions(texts, facts))
     own = {written_name(entry.name) for _, names in read for entry in names.links}
     for path, names in read:
         by = f"description {path.rpartition('/')[2]}"

@@ -20,7 +20,6 @@ from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.entities.written_text import written
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.place import Place, required
-from ecm_extract.tree import Tree
 
 _FOUND: Final = re.compile(r"\$\((?:find|find_prefix) ([^\s$()]+)\)(/(?:.*/)?)([^/$()]+)$", re.DOTALL)
 """A file of a package: the package, the folders, the name, which stands there as a whole."""
@@ -44,9 +43,9 @@ class _Scope(msgspec.Struct, frozen=True):
         return _Scope(self.path, told)
 
 
-def launch_requirements(tree: Tree | SideTexts, facts: PackageFacts) -> Iterator[Requirement]:
+def launch_requirements(texts: SideTexts, facts: PackageFacts) -> Iterator[Requirement]:
     """Yield what the launch files of a package require."""
-    for path, file in launch_files(tree, facts):
+    for path, file in launch_files(texts, facts):
         for found in _of_actions(file.actions, _Scope(path)):
             yield msgspec.structs.replace(found, ros=file.ros)
 

@@ -17,7 +17,6 @@ from ecm_extract.requires.launch_files import MANAGED
 from ecm_extract.requires.place import Place, required
 from ecm_extract.tree import Tree
 
-MAX_BYTES: Final = 1_000_000
 ROS2: Final = 2
 _YAML: Final = (".yaml", ".yml")
 _TYPES: Final = {"int": "integer", "int_array": "integer_array"}
@@ -39,8 +38,6 @@ def parameter_file_requirements(tree: Tree, facts: PackageFacts) -> Iterator[Req
         if entry.path.endswith(_YAML) and not is_test_path(entry.path, facts.root.path)
     ]
     for path, data in tree.read_many(sorted(paths)):
-        if len(data) > MAX_BYTES:
-            continue
         file = parse_parameter_yaml(data).facts
         for key in node_keys(data) if file.ros == ROS2 else ():
             yield required("keys_parameters", key.name, Place(path, key.line, f"file {path}"), ros=ROS2)

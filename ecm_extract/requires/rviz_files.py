@@ -17,7 +17,6 @@ from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.place import Place, required
 from ecm_extract.tree import Tree
 
-MAX_BYTES: Final = 1_000_000
 SUFFIX: Final = ".rviz"
 _KEY: Final = "Class"
 _CLASS: Final = re.compile(r"[A-Za-z_]\w*/\w+")
@@ -28,7 +27,7 @@ def rviz_requirements(tree: Tree, facts: PackageFacts) -> Iterator[Requirement]:
     listed = (entry.path for entry in facts.root.files if entry.path.endswith(SUFFIX))
     paths = sorted(path for path in listed if not is_test_path(path, facts.root.path))
     for path, data in tree.read_many(paths) if paths else ():
-        for document in parse_yaml(data).facts if len(data) <= MAX_BYTES else ():
+        for document in parse_yaml(data).facts:
             for entry in _entries(document):
                 if entry.key == _KEY and isinstance(entry.value, Scalar) and _CLASS.fullmatch(entry.value.text):
                     yield required("loads_plugin", entry.value.text, Place(path, entry.line, f"file {path}"))

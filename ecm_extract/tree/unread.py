@@ -5,14 +5,13 @@ from __future__ import annotations
 from typing import Final, Literal, get_args
 
 import msgspec
+from ecm_checker.wire import GAP_REASONS
 
 Reason = Literal["missing", "submodule", "too-large", "unreadable", "malformed", "excluded", "ignored", "link"]
 """Why something was not read: not in this clone (content, submodule), above a bound, no permission, no well-formed
 manifest; left out because the project asks for it (`exclude`, a marker); a link that leads out of the tree."""
 
 REASONS: Final[tuple[Reason, ...]] = get_args(Reason)
-NOT_READABLE: Final[frozenset[Reason]] = frozenset({"missing", "too-large", "unreadable", "malformed"})
-"""Reasons that nobody asked for, about files of this tree itself."""
 ON_PURPOSE: Final[frozenset[Reason]] = frozenset({"excluded", "ignored", "link"})
 """Reasons that the project itself has given."""
 
@@ -46,4 +45,4 @@ def can_declare(path: str) -> bool:
 
 def is_gap(unread: Unread) -> bool:
     """Whether a result of this tree alone says less than the whole because of it."""
-    return unread.carries and unread.reason in NOT_READABLE
+    return unread.carries and unread.reason in GAP_REASONS

@@ -14,7 +14,7 @@ from typing import Final, Literal
 import msgspec
 from lxml import etree
 
-from ecm_parsers.result import Diagnostic, Parsed
+from ecm_parsers.result import Diagnostic, Parsed, shortened
 from ecm_parsers.xml_tree import children, line_of, local_name, parse_xml
 
 MAX_NODES = 100_000
@@ -124,7 +124,7 @@ def parse_behavior_tree(data: bytes) -> Parsed[BehaviorTreeFile]:
     named = _attribute(root, "main_tree_to_execute")
     file = BehaviorTreeFile(reader.format, named, trees, models, tuple(_includes(root)))
     file = msgspec.structs.replace(file, main_tree=_main_tree(file, line_of(root), problems))
-    return Parsed(file, tuple(problems[:MAX_DIAGNOSTICS]))
+    return Parsed(file, shortened(problems, MAX_DIAGNOSTICS))
 
 
 def retries(file: BehaviorTreeFile) -> Iterator[tuple[TreeNode, int]]:
@@ -178,7 +178,7 @@ class _Reader:
         """Report once that nodes are left out, before what would crowd it out."""
         if self._left == -1:
             message = f"The file has more than {MAX_NODES} nodes; the rest is not read. Split it."
-            self._problems.insert(0, Diagnostic("error", "bt-too-many-nodes", line_of(element), message))
+            self._problems.insert(0, Diagnostic("error", "bt-too-many-nodes", line_of(element), message, cut=True))
 
     def _node(self, element: etree._Element, parent: int | None) -> TreeNode:
         tag = local_name(element)

@@ -50,7 +50,7 @@ def nest(commands: tuple[Command, ...], diagnostics: list[Diagnostic]) -> tuple[
         if command.name in _OPENERS:
             if len(stack) >= MAX_DEPTH:
                 message = f"Blocks nested deeper than {MAX_DEPTH}; the rest is not read."
-                diagnostics.append(Diagnostic("error", "cmake-too-deep", command.line, message))
+                diagnostics.append(Diagnostic("error", "cmake-too-deep", command.line, message, cut=True))
                 break
             stack.append(_Open(command.name, command.args, command.line, [], []))
         elif command.name in _CLOSERS:

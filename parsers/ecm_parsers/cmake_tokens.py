@@ -10,9 +10,10 @@ from bisect import bisect_right
 
 import msgspec
 
-from ecm_parsers.result import Diagnostic, Parsed
+from ecm_parsers.result import Diagnostic, Parsed, shortened
 from ecm_parsers.text import decode
 
+_TOO_MANY = "cmake-too-many-commands"
 MAX_BYTES = 2_000_000
 MAX_COMMANDS = 10_000
 MAX_ARGUMENTS = 100_000
@@ -52,11 +53,11 @@ def parse_commands(data: bytes) -> Parsed[tuple[Command, ...]]:
     """Read the commands of a CMake file; text that is no command is skipped to the next line."""
     if len(data) > MAX_BYTES:
         message = f"CMake file larger than {MAX_BYTES} bytes is not read. Exclude it if it is generated."
-        return Parsed((), (Diagnostic("error", "cmake-too-large", 0, message),))
+        return Parsed((), (Diagnostic("error", "cmake-too-large", 0, message, cut=True),))
     text, diagnostics = decode(data)
     scanner = _Scanner(text, list(diagnostics))
     commands = scanner.commands()
-    return Parsed(tuple(commands), tuple(scanner.diagnostics[:MAX_DIAGNOSTICS]))
+    return Parsed(tuple(commands), shortened(scanner.diagnostics, MAX_DIAGNOSTICS))
 
 
 class _Scanner:
@@ -74,7 +75,7 @@ class _Scanner:
         commands: list[Command] = []
         while self._skip_blank():
             if len(commands) >= MAX_COMMANDS or self._arguments >= MAX_ARGUMENTS:
-                self._report("cmake-too-many-commands", "Too many commands; the rest is not read.")
+                self._report(_TOO_MANY, "Too many commands; the rest is not read.")
                 break
             command = self._command()
             if command is not None:
@@ -169,4 +170,4 @@ class _Scanner:
         return bisect_right(self._newlines, self._pos - 1) + 1
 
     def _report(self, code: str, message: str) -> None:
-        self.diagnostics.append(Diagnostic("error", code, self._line(), message))
+        self.diagnostics.append(Diagnostic("error", code, self._line(), message, cut=code == _TOO_MANY))

@@ -14,7 +14,7 @@ from typing import Any, Final, Literal
 import msgspec
 
 from ecm_parsers.parameter_yaml import ParameterSet, parse_parameter_yaml
-from ecm_parsers.result import Diagnostic, Parsed
+from ecm_parsers.result import Diagnostic, Parsed, shortened
 
 MAX_NAMESPACES = 12
 MAX_DIAGNOSTICS = 100
@@ -104,7 +104,7 @@ def parse_controllers(data: bytes) -> Parsed[ControllerFile]:
     problems = list(parsed.diagnostics)
     read = _ros1 if parsed.facts.ros == 1 else _ros2
     file = read(parsed.facts.sets, problems)
-    return Parsed(file, tuple(problems[:MAX_DIAGNOSTICS]))
+    return Parsed(file, shortened(problems, MAX_DIAGNOSTICS))
 
 
 def _ros2(sets: Iterable[ParameterSet], problems: list[Diagnostic]) -> ControllerFile:

@@ -10,7 +10,7 @@ from typing import Final, Literal
 
 import msgspec
 
-from ecm_parsers.result import Diagnostic, Parsed, Severity
+from ecm_parsers.result import Diagnostic, Parsed, Severity, shortened
 from ecm_parsers.yaml_tree import Entry, Mapping, Node, Scalar, Sequence, parse_yaml
 
 MAX_NAMESPACES = 12
@@ -86,7 +86,7 @@ def parse_diagnostics(data: bytes) -> Parsed[DiagnosticsFile]:
     ros: Literal[1, 2] = 2 if any(_has_marker(document, MAX_NAMESPACES) for document in maps) else 1
     reader = _Reader(ros, list(tree.diagnostics))
     found = tuple(each for document in maps for each in reader.aggregators(document, "", MAX_NAMESPACES))
-    return Parsed(DiagnosticsFile(ros, found), tuple(reader.problems[:MAX_DIAGNOSTICS]))
+    return Parsed(DiagnosticsFile(ros, found), shortened(reader.problems, MAX_DIAGNOSTICS))
 
 
 class _Reader:

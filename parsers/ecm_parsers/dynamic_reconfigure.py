@@ -87,7 +87,7 @@ def parse_dynamic_reconfigure(data: bytes) -> Parsed[ReconfigureFile]:
     """Read a `.cfg` file; parameters added by imported functions are named in `included` and diagnosed."""
     if len(data) > MAX_BYTES:
         message = f".cfg file larger than {MAX_BYTES} bytes is not read."
-        return Parsed(ReconfigureFile(), (Diagnostic("error", "cfg-too-large", 0, message),))
+        return Parsed(ReconfigureFile(), (Diagnostic("error", "cfg-too-large", 0, message, cut=True),))
     text, diagnostics = decode(data)
     root = parse_python(text)
     reader = _Reader(list(diagnostics))

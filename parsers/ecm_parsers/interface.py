@@ -64,7 +64,7 @@ def parse(data: bytes, shape: Shape) -> Parsed[Definition]:
     if len(data) > MAX_BYTES:
         message = f"The file exceeds {MAX_BYTES} bytes and is skipped. Check that it is an interface."
         empty = Definition(shape, tuple(Section(name) for name in SECTIONS[shape]))
-        return Parsed(empty, (Diagnostic("error", "interface-too-large", 0, message),))
+        return Parsed(empty, (Diagnostic("error", "interface-too-large", 0, message, cut=True),))
     text, found = decode(data)
     diagnostics = list(found)
     sections = _read_sections(text, shape, diagnostics)

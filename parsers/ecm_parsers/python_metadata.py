@@ -77,7 +77,7 @@ def _text(data: bytes, diagnostics: list[Diagnostic]) -> str:
     """Decode within the size bound."""
     if len(data) > MAX_BYTES:
         message = f"File larger than {MAX_BYTES} bytes is not read."
-        diagnostics.append(Diagnostic("error", "setup-too-large", 0, message))
+        diagnostics.append(Diagnostic("error", "setup-too-large", 0, message, cut=True))
         return ""
     text, doubts = decode(data)
     diagnostics.extend(doubts)
@@ -150,7 +150,7 @@ def _toml(text: str, diagnostics: list[Diagnostic]) -> dict[str, Any]:
     """Parse TOML; brackets nested beyond reason are refused, since the parser recurses."""
     if _nesting(text) > MAX_BRACKETS:
         message = f"TOML values nested deeper than {MAX_BRACKETS} are not read."
-        diagnostics.append(Diagnostic("error", "pyproject-too-deep", 0, message))
+        diagnostics.append(Diagnostic("error", "pyproject-too-deep", 0, message, cut=True))
         return {}
     try:
         return tomllib.loads(text)

@@ -21,7 +21,7 @@ def parse_setup_py(data: bytes) -> Parsed[PythonSetup]:
     """Read a `setup.py` of Python 2 or 3; names such as `package_name` are folded."""
     if len(data) > MAX_BYTES:
         message = f"setup.py larger than {MAX_BYTES} bytes is not read."
-        return Parsed(PythonSetup(), (Diagnostic("error", "setup-too-large", 0, message),))
+        return Parsed(PythonSetup(), (Diagnostic("error", "setup-too-large", 0, message, cut=True),))
     text, doubts = decode(data)
     diagnostics = list(doubts)
     keywords = _setup_keywords(text, diagnostics)

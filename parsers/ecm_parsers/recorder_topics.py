@@ -12,7 +12,7 @@ from typing import Any, Final
 import msgspec
 
 from ecm_parsers.parameter_yaml import ParameterSet, parse_parameter_yaml
-from ecm_parsers.result import Diagnostic, Parsed, Severity
+from ecm_parsers.result import Diagnostic, Parsed, Severity, shortened
 
 MAX_DIAGNOSTICS = 100
 _PREFIX: Final = "record."
@@ -101,7 +101,7 @@ def parse_recorder(data: bytes) -> Parsed[tuple[Recorder, ...]]:
     found = tuple(
         _recorder(node, section, problems) for node, section in sections.items() if _is_recorder(section.values())
     )
-    return Parsed(found, tuple(problems[:MAX_DIAGNOSTICS]))
+    return Parsed(found, shortened(problems, MAX_DIAGNOSTICS))
 
 
 def _is_recorder(section: Iterable[ParameterSet]) -> bool:

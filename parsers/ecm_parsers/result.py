@@ -1,5 +1,6 @@
 """What every parser returns: facts, and diagnostics with a line."""
 
+from collections.abc import Sequence
 from typing import Generic, Literal, TypeVar
 
 import msgspec
@@ -16,12 +17,14 @@ class Diagnostic(msgspec.Struct, frozen=True):
         code: stable kebab-case name of the problem, e.g. `msg-bad-field`.
         line: 1-based line in the artefact; 0 when it concerns the file as a whole.
         message: what is wrong and what to do, one sentence each.
+        cut: whether the artefact, or the rest of it, was not read because of a bound of ours.
     """
 
     severity: Severity
     code: str
     line: int
     message: str
+    cut: bool = False
 
 
 class Parsed(msgspec.Struct, Generic[Facts], frozen=True):
@@ -29,3 +32,8 @@ class Parsed(msgspec.Struct, Generic[Facts], frozen=True):
 
     facts: Facts
     diagnostics: tuple[Diagnostic, ...] = ()
+
+
+def shortened(diagnostics: Sequence[Diagnostic], limit: int) -> tuple[Diagnostic, ...]:
+    """Return the first diagnostics, and behind them those that tell of something unread."""
+    return (*diagnostics[:limit], *(each for each in diagnostics[limit:] if each.cut))

@@ -13,7 +13,7 @@ from typing import Final, Literal
 import msgspec
 from lxml import etree
 
-from ecm_parsers.result import Diagnostic, Parsed
+from ecm_parsers.result import Diagnostic, Parsed, shortened
 from ecm_parsers.xml_tree import children, line_of, local_name, parse_xml
 
 MAX_DIAGNOSTICS = 100
@@ -69,7 +69,7 @@ def parse_policy(data: bytes) -> Parsed[tuple[Grant, ...]]:
         problems.append(Diagnostic("error", "policy-wrong-root", line_of(tree.root), message))
         return Parsed((), tuple(problems))
     grants = [grant for profile in _profiles(tree.root, problems) for grant in _grants(profile, problems)]
-    return Parsed(tuple(grants), tuple(problems[:MAX_DIAGNOSTICS]))
+    return Parsed(tuple(grants), shortened(problems, MAX_DIAGNOSTICS))
 
 
 class _Profile(msgspec.Struct, frozen=True):

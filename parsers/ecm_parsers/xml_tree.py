@@ -121,7 +121,7 @@ def _parse(body: str, doubts: tuple[Diagnostic, ...], *, many_roots: bool) -> Xm
         return XmlTree((), (*diagnostics, _NO_XML))
     if _is_too_deep(root):
         message = f"Elements nest deeper than {MAX_DEPTH}; the file is skipped. Flatten it."
-        return XmlTree((), (*diagnostics, Diagnostic("error", "xml-too-deep", 0, message)))
+        return XmlTree((), (*diagnostics, Diagnostic("error", "xml-too-deep", 0, message, cut=True)))
     _correct_lines(root, body)
     diagnostics += tuple(_crowded(root))
     roots = tuple(element for _, element in children(root)) if many_roots else (root,)
@@ -170,4 +170,4 @@ def _correct_lines(root: etree._Element, body: str) -> None:
 
 
 def _refused(code: str, line: int, message: str) -> XmlTree:
-    return XmlTree((), (Diagnostic("error", code, line, message),))
+    return XmlTree((), (Diagnostic("error", code, line, message, cut=True),))

@@ -12,7 +12,7 @@ from typing import Any, TypeAlias
 import msgspec
 import yaml
 
-from ecm_parsers.result import Diagnostic, Parsed
+from ecm_parsers.result import Diagnostic, Parsed, shortened
 from ecm_parsers.text import decode
 from ecm_parsers.yaml_scalar import PlainScalar, typed
 
@@ -21,6 +21,7 @@ MAX_NODES = 200_000
 MAX_DEPTH = 100
 MAX_DIAGNOSTICS = 100
 _LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+_LIMIT = "yaml-limit"
 _CORE = "tag:yaml.org,2002:"
 _ANGLES = frozenset({"!degrees", "!radians"})
 
@@ -114,11 +115,11 @@ def parse_yaml(data: bytes, scalar: Callable[[str], PlainScalar] = typed) -> Par
     """
     if len(data) > MAX_BYTES:
         message = f"YAML file larger than {MAX_BYTES} bytes is not read. Split it or exclude it."
-        return Parsed((), (Diagnostic("error", "yaml-too-large", 0, message),))
+        return Parsed((), (Diagnostic("error", "yaml-too-large", 0, message, cut=True),))
     text, diagnostics = decode(data)
     builder = _Builder(list(diagnostics), scalar)
     builder.read(text)
-    return Parsed(tuple(builder.documents), tuple(builder.diagnostics[:MAX_DIAGNOSTICS]))
+    return Parsed(tuple(builder.documents), shortened(builder.diagnostics, MAX_DIAGNOSTICS))
 
 
 def plain(node: Node) -> Any:
@@ -156,7 +157,7 @@ class _Builder:
             problem = str(error).splitlines()[0] if str(error) else "unreadable"
             self._report("error", "yaml-syntax", line, f"Invalid YAML: {problem[:200]}. The rest is not read.")
         except _LimitError as error:
-            self._report("error", "yaml-limit", line, f"{error}. What follows this line is not read.")
+            self._report("error", _LIMIT, line, f"{error}. What follows this line is not read.")
         self._close_all()
 
     def _take(self, event: Any, line: int) -> None:
@@ -267,7 +268,7 @@ class _Builder:
         self._report("warning", "yaml-unknown-tag", line, message)
 
     def _report(self, severity: Any, code: str, line: int, message: str) -> None:
-        self.diagnostics.append(Diagnostic(severity, code, line, message))
+        self.diagnostics.append(Diagnostic(severity, code, line, message, cut=code == _LIMIT))
 
 
 def _events(text: str) -> Iterator[Any]:

@@ -15,6 +15,9 @@ from ecm_checker.match.consumer import Consumer
 from ecm_checker.match.engine import match
 from ecm_checker.match.packages import Packages, broken
 from ecm_checker.match.provisions import Provisions
+from ecm_checker.rules.ver008 import RULE
+from ecm_checker.unmet_findings import unmet_findings
+from ecm_checker.wire import NotRead
 
 
 def provision(kind: str, name: str, owner: str = "", path: str = "a.hpp", **more: Any) -> Provision:
@@ -175,6 +178,27 @@ def test_what_was_met_and_is_no_longer_is_broken() -> None:
     after = Packages([package("arm", [provision("executable", "stays")], [])])
     assert [each.requirement.name for each in broken(user, before, after)] == ["arm_node"]
     assert not list(broken(user, before, before))
+
+
+def test_nothing_is_missing_in_what_was_not_read() -> None:
+    """A file of the provider is too large: a name that is not found is unknown, and a release may have broken it."""
+    user = Packages([package("user", [], [requirement("starts", "arm_node", package="arm")])])
+    before = Packages([package("arm", [provision("executable", "arm_node")], [])])
+    gap = NotRead("arm/src/big.cpp", "too-large", carries=True)
+    partly = Packages([msgspec.structs.replace(package("arm", [], []), unread=(gap,))])
+    (found,) = broken(user, before, partly)
+    assert found.hidden
+    (finding,) = unmet_findings(RULE, [found])
+    assert (finding.severity, finding.certainty) == ("warning", "unknown")
+    assert "is not in what could be read" in finding.message
+
+
+def test_what_a_project_leaves_out_is_no_gap() -> None:
+    """Only what nobody asked to leave out makes a package unknown."""
+    user = package("user", [], [requirement("starts", "arm_node", package="arm")])
+    left = NotRead("arm/old", "excluded", carries=True)
+    arm = msgspec.structs.replace(package("arm", [], []), unread=(left,))
+    assert [each.requirement.name for each in Packages([user, arm]).unmet()] == ["arm_node"]
 
 
 def test_packages_ask_each_other() -> None:

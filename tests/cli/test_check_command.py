@@ -117,3 +117,31 @@ def test_nothing_is_decided_about_what_was_not_read(tmp_path: Path, capsys: pyte
     (tmp_path / "a" / "package.xml").write_text("<package><name>a</na")
     assert run(["check", str(tmp_path / "a")]) == 2
     assert "could not be read as a whole" in capsys.readouterr().err
+
+
+def extracted(sources: Path, to: Path) -> Path:
+    """A folder with the manifests and the documents of a tree."""
+    assert run(["extract", str(sources), "-o", str(to), "--quiet"]) == 0
+    return to
+
+
+def test_documents_of_which_something_was_not_read_decide_nothing(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A stored document with a gap is refused as its tree is."""
+    stored = extracted(RULES.parent / "demo_robot", tmp_path / "stored")
+    document = next(stored.rglob("*.package.json"))
+    data = json.loads(document.read_text("utf-8"))
+    data["unread"] = [{"path": "src/big.cpp", "reason": "too-large", "carries": True}]
+    document.write_text(json.dumps(data), "utf-8")
+    assert check(stored) == 2
+    assert "src/big.cpp" in capsys.readouterr().err
+
+
+def test_manifests_without_documents_are_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Requirements can be asked of documents only; the others are still asked."""
+    stored = extracted(RULES.parent / "demo_robot", tmp_path / "stored")
+    bare = RULES / "RES001" / "good"
+    assert check("system", stored, bare, "--format", "json") == 0
+    (line,) = [each for each in json.loads(capsys.readouterr().out)["not_asked"] if "manifests only" in each]
+    assert line.startswith(f"requirements of {bare}")

@@ -155,6 +155,28 @@ def test_file_above_the_bound(full: Path, diff: Diff, monkeypatch: pytest.Monkey
     ]
 
 
+# --- what parsers do not read --------------------------------------------------------------------------------
+
+
+LONG = {
+    "a Python module": ("arm/arm/big.py", "x = 1\n" * 350_000),
+    "a parameter file": ("arm/config/big.yaml", "arm:\n  ros__parameters:\n" + "    a: [" + "1, " * 250_000 + "1]\n"),
+    "a launch file": ("arm/launch/big.launch.py", "# x\n" * 150_000),
+    "a description": ("arm/urdf/big.urdf", "<robot name='a'>" + "<a>" * 600 + "</a>" * 600 + "</robot>"),
+}
+
+
+@pytest.mark.parametrize("what", LONG)
+def test_bound_of_a_parser(full: Path, diff: Diff, what: str) -> None:
+    """A file that the tree gives and a parser leaves can hide a change as well."""
+    path, text = LONG[what]
+    installs = "install(DIRECTORY config launch urdf DESTINATION share/arm)\n"
+    release(full, {path: text, "arm/CMakeLists.txt": installs}, "1.2.0")
+    status, found = diff(full, "1.1.0", "1.2.0")
+    assert (path, "too-large", "new") in limiting(found)
+    assert status == 2
+
+
 # --- what the project leaves out -------------------------------------------------------------------------------
 
 

@@ -12,7 +12,6 @@ import msgspec
 
 from ecm_checker.contract import Confidence, Contract, Evidence, Qos
 from ecm_checker.encode import decode as decode_contract
-from ecm_checker.encode import encode as encode_contract
 from ecm_checker.hub.provision import Form, Key, Provision
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.json_data import json_data
@@ -88,6 +87,11 @@ class Package(Hub, frozen=True, kw_only=True):
     modules: tuple[Module, ...] = ()
     diagnostics: tuple[Diagnostic, ...] = ()
     unread: tuple[NotRead, ...] = ()
+
+    @property
+    def gaps(self) -> tuple[NotRead, ...]:
+        """What could declare interfaces of it and was not read."""
+        return tuple(each for each in self.unread if each.is_gap)
 
     def contracts(self) -> tuple[Contract, ...]:
         """Return the contracts of its modules."""
@@ -201,11 +205,6 @@ def decode_documents(data: bytes) -> Extract | PackageDocument:
         message = f"its schema is {schema or 'not told'}; this version reads {' and '.join(_MODELS)}"
         raise SchemaError(message)
     return msgspec.json.decode(data, type=model)
-
-
-def encode_modules(contracts: tuple[Contract, ...]) -> list[dict[str, Any]]:
-    """Return contracts as they stand in a document of a package."""
-    return [encode_contract(contract) for contract in contracts]
 
 
 class _Head(msgspec.Struct):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 
 import msgspec
@@ -17,11 +17,18 @@ from ecm_checker.match.provisions import Provisions
 
 
 class Unmet(msgspec.Struct, frozen=True):
-    """A requirement that is not met, whose it is, and what met it before; `before` is empty where nothing is known."""
+    """A requirement that is not met.
+
+    Attributes:
+        consumer: whose it is.
+        before: what met it; empty where nothing is known.
+        hidden: whether it may be met by what could not be read.
+    """
 
     consumer: str
     match: Match
     before: tuple[Provision, ...] = ()
+    hidden: bool = False
 
     @property
     def requirement(self) -> Requirement:
@@ -33,12 +40,13 @@ class Packages:
     """What some packages provide and require together.
 
     Attributes:
-        names: of the packages, all of whose provisions are here.
+        names: of the packages, all of whose provisions are here: nothing of them is left unread.
     """
 
     def __init__(self, packages: Sequence[Package]) -> None:
         self._packages = tuple(packages)
-        self.names = frozenset(package.name for package in packages)
+        self._partly = frozenset(package.name for package in packages if package.gaps)
+        self.names = frozenset(package.name for package in packages) - self._partly
 
     @cached_property
     def provisions(self) -> Provisions:
@@ -63,6 +71,13 @@ class Packages:
         """Whether a program is a file of its package: ROS 1 runs it from the source folder, installed or not."""
         return requirement.kind == "executable" and (requirement.package, requirement.name) in self._file_names
 
+    def may_hide(self, lost: Iterable[Provision]) -> bool:
+        """Whether what an earlier release provided may be in what could not be read of these packages."""
+        return any(each.package in self._partly or self._is_open(each) for each in lost)
+
+    def _is_open(self, lost: Provision) -> bool:
+        return bool(lost.owner) and any(each.open for each in self.provisions.owners(lost.package, lost.owner))
+
     def unmet(self) -> Iterator[Unmet]:
         """Yield what they require of each other and do not get.
 
@@ -79,6 +94,8 @@ class Packages:
 def broken(users: Packages, before: Packages, after: Packages) -> Iterator[Unmet]:
     """Yield what users got of a release and do not get of the next one (paper, "Release Discipline").
 
+    Of a release that was not read as a whole a name that is not found may be hidden: it is yielded, never passed over.
+
     Args:
         users: the packages that require.
         before: the packages of the old release.
@@ -91,4 +108,4 @@ def broken(users: Packages, before: Packages, after: Packages) -> Iterator[Unmet
                 continue
             now = match(requirement, consumer, after.provisions, after.names)
             if now.state != "met":
-                yield Unmet(consumer.package, now, was.found)
+                yield Unmet(consumer.package, now, was.found, after.may_hide(was.found))

@@ -15,6 +15,7 @@ from ecm_parsers.result import Diagnostic, Parsed
 from ecm_parsers.text import decode
 
 MAX_BYTES = 500_000
+_BOUNDS = frozenset({"launch-too-large", "launch-too-deep", "launch-too-long"})
 ENTRY_POINTS = ("generate_launch_description", "generate_test_description")
 
 
@@ -76,4 +77,4 @@ def _unread(entry: Function, made: Value) -> Diagnostic:
 
 
 def _refused(code: str, line: int, message: str) -> Parsed[LaunchFile | None]:
-    return Parsed(None, (Diagnostic("error", code, line, message),))
+    return Parsed(None, (Diagnostic("error", code, line, message, cut=code in _BOUNDS),))

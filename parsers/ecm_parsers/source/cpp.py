@@ -31,12 +31,12 @@ def parse_cpp(data: bytes) -> Parsed[SourceFile]:
     """
     if len(data) > MAX_BYTES:
         message = f"{len(data)} bytes of C++ were not read: the limit is {MAX_BYTES}. Exclude generated files."
-        return Parsed(SourceFile("cpp"), (Diagnostic("warning", "cpp-too-large", 0, message),))
+        return Parsed(SourceFile("cpp"), (Diagnostic("warning", "cpp-too-large", 0, message, cut=True),))
     try:
         tree, read = parse_tree(data)
     except TooSlowError:
         message = f"This C++ was not read: its syntax takes more than {MAX_SECONDS:g} s. Exclude generated files."
-        return Parsed(SourceFile("cpp"), (Diagnostic("warning", "cpp-too-slow", 0, message),))
+        return Parsed(SourceFile("cpp"), (Diagnostic("warning", "cpp-too-slow", 0, message, cut=True),))
     reader = DeclarationReader(read)
     reader.read(tree.root_node, Place())
     macros = tuple([Macro(name, args, line) for name, args, line in cpp_text.registrations(data)])

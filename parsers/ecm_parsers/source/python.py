@@ -47,7 +47,7 @@ def parse_python(data: bytes) -> Parsed[SourceFile]:
 
 
 def _unread(code: str, message: str) -> Parsed[SourceFile]:
-    return Parsed(SourceFile("python"), (Diagnostic("error", code, 0, message),))
+    return Parsed(SourceFile("python"), (Diagnostic("error", code, 0, message, cut=True),))
 
 
 def syntax_tree(data: bytes) -> Node | None:
