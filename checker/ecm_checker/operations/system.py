@@ -33,6 +33,7 @@ def system(
         started: nodes that launch files start, see `Case`; None where nothing is started.
     """
     views = sorted((ready(module) for module in modules), key=lambda each: each.id)
+    libraries = [each for each in views if not each.runs]
     runs = [each for each in views if each.runs]
-    case = Case(runs, profiles, together=together, packages=packages, started=started)
+    case = Case(runs, profiles, together=together, packages=packages, started=started, libraries=libraries)
     return report("system", examine("system", case, dimensions), profiles, dimensions)
