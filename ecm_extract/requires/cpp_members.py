@@ -7,9 +7,11 @@ and what it derives from. What is not declared in the tree (`auto` of a foreign 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Final
 
 import msgspec
 from ecm_checker.contract import Evidence
+from ecm_checker.handles import verbs
 from ecm_checker.hub.requirement import Given, Requirement
 from ecm_parsers.source.expr import Call, Expr, Member, Name
 
@@ -21,6 +23,7 @@ from ecm_extract.link.walk import dotted, expressions
 from ecm_extract.requires.place import Place, required
 
 _OWN: str = "std"
+_THIS: Final = Name("this")
 
 
 class _Touched(msgspec.Struct, frozen=True):
@@ -42,12 +45,15 @@ def member_requirements(objects: Objects) -> Iterator[tuple[str, Requirement]]:
 
 def _of_function(func: Func, objects: Objects) -> Iterator[Requirement]:
     lines: dict[_Touched, dict[int, None]] = {}
+    handled: dict[str, int] = {}
     classes = ForeignClasses(func, objects)
     for statement in func.fact.body:
         called: set[int] = set()
         for expr, line in expressions(statement):
             if isinstance(expr, Call) and isinstance(expr.callee, Member):
                 called.add(id(expr.callee))
+                if expr.callee.name.startswith(verbs()) and expr.callee.base != _THIS:
+                    handled.setdefault(expr.callee.name, line)
                 owner = classes.of(expr.callee.base)
                 touched = _Touched(owner, expr.callee.name, len(expr.args))
             elif isinstance(expr, Member) and id(expr) not in called:
@@ -59,6 +65,9 @@ def _of_function(func: Func, objects: Objects) -> Iterator[Requirement]:
                 lines.setdefault(touched, {})[line] = None
     for touched, found in lines.items():
         yield _required(touched, func, tuple(found))
+    for name, line in handled.items():
+        # of whichever class: who gives back mostly holds the object in a type that is not told
+        yield required("handles", name, Place(func.file.path, line, f"file {func.file.path}"), "unknown")
 
 
 def _required(touched: _Touched, func: Func, lines: tuple[int, ...]) -> Requirement:

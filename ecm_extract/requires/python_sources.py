@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Final
 
-from ecm_checker.hub.requirement import Given, Requirement
+from ecm_checker.hub.requirement import ONE_VALUE, Given, Requirement
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
 from ecm_parsers.source.facts import Function, Import, Statement
 
@@ -117,7 +117,7 @@ def _taken(target: Expr | None, parted: frozenset[str]) -> str:
     count = count_of(target)
     if count is not None:
         return f"{count} values"
-    return "1 value" if isinstance(target, Name) and target.id not in parted else ""
+    return ONE_VALUE if isinstance(target, Name) and target.id not in parted else ""
 
 
 def _taken_apart(function: Function) -> frozenset[str]:

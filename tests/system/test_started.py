@@ -50,9 +50,7 @@ def test_names_are_what_the_launch_makes_of_them(workspace: Workspace) -> None:
     }
 
 
-def test_a_container_that_is_named_absolutely_is_told(
-    workspace: Workspace, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_container_that_is_named_absolutely_is_told(workspace: Workspace, capsys: pytest.CaptureFixture[str]) -> None:
     """Only the evaluated launch shows that both come of one argument."""
     found = said(launched(workspace, slash="/"), capsys)
     assert [rule for rule, message in found if "/arm_manager is absolute" in message] == ["SIG015"]

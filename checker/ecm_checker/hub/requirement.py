@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Final
 
 import msgspec
 
 from ecm_checker.contract import Evidence, Qos
 from ecm_checker.finding import Certainty
 from ecm_checker.hub.kinds import uses
+
+ONE_VALUE: Final = "1 value"
 
 
 class Given(msgspec.Struct, frozen=True, omit_defaults=True):

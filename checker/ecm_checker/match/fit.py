@@ -38,7 +38,8 @@ def _is_other_type(requirement: Requirement, provision: Provision) -> bool:
 
 
 def _takes_count(given: Given, form: Form) -> bool:
-    return given.count is None or form.required <= given.count <= len(form.types)
+    at_most = len(form.types) if not any(each.endswith("...") for each in form.types) else given.count
+    return given.count is None or form.required <= given.count <= (at_most or 0)
 
 
 def _takes_names(given: Given, form: Form) -> bool:

@@ -10,7 +10,7 @@ import msgspec
 from ecm_checker.hub.kinds import uses
 from ecm_checker.hub.package import Package, provisions
 from ecm_checker.hub.provision import Provision
-from ecm_checker.hub.requirement import Requirement
+from ecm_checker.hub.requirement import ONE_VALUE, Requirement
 from ecm_checker.match.consumer import Consumer
 from ecm_checker.match.engine import Match, is_open, match
 from ecm_checker.match.provisions import Provisions
@@ -85,10 +85,16 @@ class Packages:
         """
         for consumer in self.consumers:
             for requirement in consumer.requirements:
-                if uses()[requirement.use].stated and not is_open(requirement) and not self._is_file(requirement):
+                if _is_asked(requirement) and not self._is_file(requirement):
                     found = match(requirement, consumer, self.provisions, self.names)
                     if found.state in {"dangling", "incompatible"}:
                         yield Unmet(consumer.package, found)
+
+
+def _is_asked(requirement: Requirement) -> bool:
+    """Whether what others provide now decides; one variable takes whatever a function returns."""
+    one = requirement.given is not None and requirement.given.takes == ONE_VALUE
+    return uses()[requirement.use].stated and not is_open(requirement) and not one
 
 
 def broken(users: Packages, before: Packages, after: Packages) -> Iterator[Unmet]:
@@ -107,5 +113,5 @@ def broken(users: Packages, before: Packages, after: Packages) -> Iterator[Unmet
             if was.state != "met":
                 continue
             now = match(requirement, consumer, after.provisions, after.names)
-            if now.state != "met":
+            if now.state != "met" and (now.breach or "gone") in uses()[requirement.use].breaches:
                 yield Unmet(consumer.package, now, was.found, after.may_hide(was.found))

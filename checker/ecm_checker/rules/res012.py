@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-import tomllib
-from collections.abc import Iterator, Mapping
-from functools import cache
-from importlib import resources
-from typing import Any
+from collections.abc import Iterator
 
 from ecm_checker.case import Case
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
+from ecm_checker.handles import pairs, plain_returns
 from ecm_checker.hub.provision import Provision
 from ecm_checker.hub.requirement import Requirement
-from ecm_checker.match.engine import match
+from ecm_checker.launch_names import required
 from ecm_checker.match.packages import Packages
 from ecm_checker.rule import PackageMatter, Rule
 
@@ -34,29 +31,21 @@ def check(case: Case) -> Iterator[Finding]:
     packages = case.packages
     if packages is None:
         return
-    called = {each.name for consumer in packages.consumers for each in consumer.requirements if _is_call(each)}
-    takers = {take.key: give for take, give in _pairs(packages) if give.name not in called and take.name in called}
-    names = {key[3] for key in takers}
-    for consumer in packages.consumers if takers else ():
-        for wanted in consumer.requirements:
-            if not _is_call(wanted) or wanted.name not in names:
-                continue
-            for taken in match(wanted, consumer, packages.provisions, packages.names).found:
-                if taken.key in takers:
-                    yield _finding(wanted, consumer.package, taken, takers[taken.key])
-
-
-def _is_call(wanted: Requirement) -> bool:
-    return wanted.use == "calls_method"
+    calls = list(required(packages, "handles"))
+    called = {each.name for _, each in calls}
+    kept = {take.name: (take, give) for take, give in _pairs(packages) if give.name not in called}
+    for package, wanted in calls:
+        if wanted.name in kept:
+            yield _finding(wanted, package, *kept[wanted.name])
 
 
 def _pairs(packages: Packages) -> Iterator[tuple[Provision, Provision]]:
     """Methods of one class that take and give back."""
     methods = {(each.owner, each.name): each for each in packages.provisions.of_kind("method") if not each.is_python}
     for (owner, name), take in methods.items():
-        for begin, end in _table()["pairs"].items():
+        for begin, end in pairs().items():
             give = methods.get((owner, end + name.removeprefix(begin))) if name.startswith(begin) else None
-            if give is not None and all(form.returns in _table()["returns"]["nothing"] for form in take.forms):
+            if give is not None and all(form.returns in plain_returns() for form in take.forms):
                 yield take, give
 
 
@@ -71,8 +60,3 @@ def _finding(wanted: Requirement, consumer: str, take: Provision, give: Provisio
         evidence=(*wanted.evidence, Evidence(take.path, take.line)),
     )
     return RULE.package_finding(matter, "likely")
-
-
-@cache
-def _table() -> Mapping[str, Mapping[str, Any]]:
-    return tomllib.loads((resources.files("ecm_checker") / "data" / "handles.toml").read_text("utf-8"))

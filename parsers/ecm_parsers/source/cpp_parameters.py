@@ -15,7 +15,9 @@ if TYPE_CHECKING:
 def parameters(reader: ExprReader, listed: Node | None) -> tuple[Parameter, ...]:
     """Return the parameters of a parameter list with their types as written."""
     found = []
-    for child in listed.named_children if listed is not None else ():
+    for child in listed.children if listed is not None else ():
+        if child.type == "...":
+            found.append(Parameter("", child.type))
         kind = child.child_by_field_name("type")
         if kind is None or reader.text(child) == "void":
             continue
@@ -28,6 +30,7 @@ def parameters(reader: ExprReader, listed: Node | None) -> tuple[Parameter, ...]
         written = reader.data[child.start_byte : end.start_byte if end is not None else child.end_byte]
         suffix = _suffix(reader, declarator)
         text = " ".join(written.decode("utf-8", "replace").rstrip(" =").split()) + suffix
+        text += "..." if child.type == "variadic_parameter_declaration" else ""
         value = reader.read(default) if default is not None else None
         found.append(Parameter(name, text, value))
     return tuple(found)

@@ -127,29 +127,32 @@ def _calls(scan: Scan, node: Node) -> None:
 
 def _branch(scan: Scan, node: Node) -> None:
     """A condition with its block and alternatives."""
-    for child in parts(node):
+    children = parts(node)
+    without = _left_out(scan, children)
+    for child in children:
         kind = child.type
         if kind == "block":
             scan.block(child, 1)
         elif kind in _CLAUSES:
+            if without is not None and without.op == "!=":
+                scan.emit("do", child, Op("==", without.operands))
             _clause(scan, child)
-        elif not _is_none_test(scan, child):
+        elif without is None:
             scan.do(child)
+        elif without.op == "==":
+            scan.emit("do", child, without)
 
 
-def _is_none_test(scan: Scan, node: Node) -> bool:
-    """Emit a condition that asks whether a name is None, where its block is all that depends on it."""
-    if node.type != "comparison_operator" or not scan.raw(node).endswith(b"None") or _has_clauses(node.parent):
-        return False
-    value = scan.expr(node)
-    if not isinstance(value, Op) or value.op != "==" or not isinstance(value.operands[0], Name):
-        return False
-    scan.emit("do", node, value)
-    return True
-
-
-def _has_clauses(branch: Node | None) -> bool:
-    return branch is None or any(child.type in _CLAUSES for child in branch.named_children)
+def _left_out(scan: Scan, children: list[Node]) -> Op | None:
+    """A test of a name for None, where one block runs for None alone: `if a is None:`, `if a is not None: .. else:`."""
+    condition, clauses = children[0], [child for child in children if child.type in _CLAUSES]
+    if condition.type != "comparison_operator" or not scan.raw(condition).endswith(b"None"):
+        return None
+    value = scan.expr(condition)
+    if not isinstance(value, Op) or not isinstance(value.operands[0], Name):
+        return None
+    wanted = {"==": [], "!=": ["else_clause"]}.get(value.op)
+    return value if [child.type for child in clauses] == wanted else None
 
 
 def _clause(scan: Scan, node: Node) -> None:
