@@ -3,6 +3,7 @@
 python benchmarks/observe_bags.py [--mb 1000] [--message-kb 64]
 
 Each bag holds images, which need no decoding; it is written into a temporary folder and read in a process of its own.
+Speed is told by the clock and by processor time; the latter is judged, as it does not depend on who else is at work.
 """
 
 from __future__ import annotations
@@ -64,15 +65,15 @@ def write(path: Path, writer: Any, megabytes: int, message_bytes: int) -> None:
 
 
 def read(path: Path) -> None:
-    """Print seconds, messages, bytes and peak memory in megabytes."""
+    """Print seconds, seconds of the processor, messages, bytes and peak memory in megabytes."""
     from ecm_extract.observe.bag import observe_bags
 
-    start = time.perf_counter()
+    start, worked = time.perf_counter(), time.process_time()
     seen = observe_bags([path])
-    seconds = time.perf_counter() - start
+    seconds, worked = time.perf_counter() - start, time.process_time() - worked
     status = Path("/proc/self/status").read_text()
     peak = int(status.partition("VmHWM:")[2].split()[0]) / 1000
-    print(seconds, seen.streams[0].count, sum(stream.size for stream in seen.streams), peak)
+    print(seconds, worked, seen.streams[0].count, sum(stream.size for stream in seen.streams), peak)
 
 
 def main() -> None:
@@ -91,12 +92,13 @@ def main() -> None:
             write(path, make(path), given.mb, given.message_kb * 1024)
             command = [sys.executable, __file__, "--read", str(path)]
             words = subprocess.run(command, capture_output=True, text=True, check=True).stdout.split()
-            seconds, count, size, peak = map(float, words)
-            speed = size / 1e6 / seconds
+            seconds, worked, count, size, peak = map(float, words)
+            speed = size / 1e6 / worked
             fits = speed >= LEAST_MB_S and peak <= MOST_MEMORY_MB
             all_fit = all_fit and fits
             verdict = "ok" if fits else "BELOW"
-            shown = f"{speed:6.0f} MB/s, peak {peak:4.0f} MB  {verdict}"
+            clock = size / 1e6 / seconds
+            shown = f"{speed:6.0f} MB/s of processor time, {clock:6.0f} by the clock, peak {peak:4.0f} MB  {verdict}"
             print(f"{name:13} {size / 1e6:6.0f} MB {count:7.0f} messages {shown}")
     sys.exit(not all_fit)
 

@@ -6,14 +6,13 @@ import sys
 from collections.abc import Mapping
 from pathlib import Path
 
+from ecm_checker.any_rule import AnyRule
 from ecm_checker.catalogue import catalogue as checker_rules
-from ecm_checker.rule import Rule
 
 from ecm_extract.diff.break_findings import NAME as BREAK_NAME
 from ecm_extract.diff.break_findings import RULE as BREAK
 from ecm_extract.errors import InputError
 from ecm_extract.lint.catalogue import catalogue as lint_rules
-from ecm_extract.lint.rule import LintRule
 from ecm_extract.observe.catalogue import catalogue as observe_rules
 from ecm_extract.rule_ids import rule_named
 
@@ -21,9 +20,9 @@ _INSTALLED = Path(sys.prefix) / "share" / "ecm-extract" / "rules"
 _BESIDE = Path(__file__).parent.parent / "docs" / "rules"
 
 
-def every_rule() -> list[Rule | LintRule]:
-    """Return every rule of check and of lint, by id."""
-    found: list[Rule | LintRule] = [entry.rule for entry in checker_rules()]
+def every_rule() -> list[AnyRule]:
+    """Return every rule of check, lint and observe, by id."""
+    found: list[AnyRule] = [entry.rule for entry in checker_rules()]
     found += [entry.rule for entry in lint_rules()]
     found += [entry.rule for entry in observe_rules()]
     return sorted(found, key=lambda rule: rule.id)

@@ -7,7 +7,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from ecm_parsers import cmake, interface, package_xml, parameter_yaml, python_setup
+from ecm_parsers import interface, package_xml, parameter_yaml, python_setup
+from ecm_parsers.cmake_tokens import parse_commands
 from ecm_parsers.source.cpp import parse_cpp
 from ecm_parsers.source.python import parse_python
 
@@ -16,7 +17,7 @@ FILES = sorted(path.relative_to(DEMO) for path in DEMO.rglob("*") if path.is_fil
 Parse = Callable[[bytes], Any]
 BY_NAME: dict[str, Parse] = {
     "package.xml": package_xml.parse,
-    "CMakeLists.txt": cmake.parse_cmake,
+    "CMakeLists.txt": parse_commands,
     "setup.py": python_setup.parse_setup_py,
 }
 BY_SUFFIX: dict[str, Parse] = {

@@ -3,23 +3,21 @@
 from __future__ import annotations
 
 import os
-import shutil
-import signal
 import subprocess
 import tempfile
-import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
 from path_a.predictions import check, rules
+from path_a.ros2 import environment, require, running
 from path_a.row import FIXTURES, Case, NotMeasured, Observed
 
 _ARM = FIXTURES / "arm_claims"
 _CONTROLLERS = str(_ARM / "config" / "controllers.yaml")
 _PACKAGES = ("controller_manager", "forward_command_controller", "robot_state_publisher")
-_PATIENCE_S = 60
-_DOMAIN = "77"
+_PATIENCE_S = 200
+_MANAGER_S = "90"
 
 
 def measure(repetitions: int) -> Sequence[Case]:
@@ -27,21 +25,10 @@ def measure(repetitions: int) -> Sequence[Case]:
     prediction = f"the second claim on joint1/position is refused ({rules(found)})"
     name = "second claim of a command interface"
     try:
-        _require()
+        require(_PACKAGES)
     except NotMeasured as reason:
         return [Case(name, prediction, missing=str(reason))]
     return [Case(name, prediction, tuple(_repetition() for _ in range(repetitions)))]
-
-
-def _require() -> None:
-    """A sourced ROS 2 with everything that the arm needs."""
-    if not os.environ.get("AMENT_PREFIX_PATH") or shutil.which("ros2") is None:
-        message = "needs a sourced ROS 2 with ros2_control (AMENT_PREFIX_PATH is not set)"
-        raise NotMeasured(message)
-    for package in _PACKAGES:
-        if subprocess.run(["ros2", "pkg", "prefix", package], capture_output=True, check=False).returncode:
-            message = f"the sourced ROS 2 ({os.environ.get('ROS_DISTRO', 'unnamed')}) has no {package}"
-            raise NotMeasured(message)
 
 
 def _repetition() -> Observed:
@@ -51,60 +38,44 @@ def _repetition() -> Observed:
         with _manager(log):
             first = _spawned("trajectory_controller")
             second = _spawned("jog_controller")
-        said = [line.strip() for line in log.read_text("utf-8", "replace").splitlines() if "already claimed" in line]
-    if not first:
-        message = "the first controller does not become active: " + log.name
-        return Observed(message, False)
-    words = said[0] if said else "the manager says nothing of a claim"
-    return Observed(
-        f"first {'active' if first else 'refused'}, second {'active' if second else 'refused'}; {words}",
-        not second and bool(said),
-    )
+        said = [line for line in log.read_text("utf-8", "replace").splitlines() if "already claimed" in line]
+    words = said[0].partition("]: ")[2] if said else "the manager says nothing of a claim"
+    text = f"first {_state(first)}, second {_state(second)}; {words}"
+    return Observed(text, first and not second and bool(said))
+
+
+def _state(active: bool) -> str:
+    return "active" if active else "refused"
 
 
 def _spawned(controller: str) -> bool:
-    line = ["ros2", "run", "controller_manager", "spawner", controller, "--controller-manager-timeout", "20"]
-    return _finished([*line, "--param-file", _CONTROLLERS]) == 0
-
-
-def _finished(line: list[str]) -> int | None:
+    line = ["ros2", "run", "controller_manager", "spawner", controller, "--controller-manager-timeout", _MANAGER_S]
     try:
-        return subprocess.run(
-            line, env=_environment(), capture_output=True, check=False, timeout=_PATIENCE_S
-        ).returncode
+        done = subprocess.run(
+            [*line, "--param-file", _CONTROLLERS],
+            env=_environment(),
+            capture_output=True,
+            check=False,
+            timeout=_PATIENCE_S,
+        )
     except subprocess.TimeoutExpired:
-        return None
+        return False
+    return done.returncode == 0
 
 
 @contextmanager
 def _manager(log: Path) -> Iterator[None]:
+    """The manager, and who tells it of the robot; spawners wait for it themselves."""
     description = (_ARM / "urdf" / "arm.urdf").read_text("utf-8")
-    lines = (
-        [
-            "ros2",
-            "run",
-            "robot_state_publisher",
-            "robot_state_publisher",
-            "--ros-args",
-            "-p",
-            f"robot_description:={description}",
-        ],
-        ["ros2", "run", "controller_manager", "ros2_control_node", "--ros-args", "--params-file", _CONTROLLERS],
-    )
-    with log.open("w") as output:
-        running = [
-            subprocess.Popen(line, env=_environment(), stdout=output, stderr=output, start_new_session=True)
-            for line in lines
-        ]
-        try:
-            time.sleep(3.0)
-            yield
-        finally:
-            for process in running:
-                os.killpg(process.pid, signal.SIGINT)
-            for process in running:
-                process.wait(10)
+    publisher = ["ros2", "run", "robot_state_publisher", "robot_state_publisher", "--ros-args"]
+    manager = ["ros2", "run", "controller_manager", "ros2_control_node", "--ros-args", "--params-file", _CONTROLLERS]
+    with (
+        log.open("w") as output,
+        running([*publisher, "-p", f"robot_description:={description}"], _environment()),
+        running(manager, _environment(), output),
+    ):
+        yield
 
 
 def _environment() -> dict[str, str]:
-    return {**os.environ, "ROS_DOMAIN_ID": _DOMAIN, "ROS_LOCALHOST_ONLY": "1"}
+    return environment(10 + os.getpid() % 80)

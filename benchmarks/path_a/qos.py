@@ -30,15 +30,21 @@ def measure(repetitions: int) -> Sequence[Case]:
     except ImportError:
         message = "Eclipse Cyclone DDS is not installed: pip install 'ecm-extract[dds]'"
         raise NotMeasured(message) from None
-    found = [each for each in check("compose", *_sides()) if each.rule in _RULES]
-    offers = _topics(contract("qos_pairs", "writer"), "publisher")
+    found, offers = predicted(), offered()
     asks = _topics(contract("qos_pairs", "reader"), "subscriber")
     runs = [_run(offers, asks) for _ in range(repetitions)]
-    return [_case(topic, found, [run[topic] for run in runs]) for topic in offers]
+    return [case(topic, found, [run[topic] for run in runs]) for topic in offers]
 
 
-def _sides() -> tuple[str, str]:
-    return manifest("qos_pairs", "writer"), manifest("qos_pairs", "reader")
+def predicted() -> Sequence[Predicted]:
+    """What speaks against pairs of the fixture."""
+    sides = manifest("qos_pairs", "writer"), manifest("qos_pairs", "reader")
+    return [each for each in check("compose", *sides) if each.rule in _RULES]
+
+
+def offered() -> Mapping[str, Qos]:
+    """Topics of the pairs, with what the writer offers."""
+    return _topics(contract("qos_pairs", "writer"), "publisher")
 
 
 def _topics(module: Any, role: str) -> Mapping[str, Qos]:
@@ -46,7 +52,10 @@ def _topics(module: Any, role: str) -> Mapping[str, Qos]:
     return {each.name: each.qos or Qos() for each in found}
 
 
-def _case(topic: str, found: Sequence[Predicted], runs: Sequence[tuple[int, str]]) -> Case:
+def case(
+    topic: str, found: Sequence[Predicted], runs: Sequence[tuple[int, str]], where: str = "QoS", missing: str = ""
+) -> Case:
+    """A pair: what is predicted of it, and how many samples came in each run, with the policy that was refused."""
     against = [each.rule for each in found if f"{topic}:" in each.message]
     expected = "none arrives" if against else "all arrive"
     observed = tuple(
@@ -56,7 +65,8 @@ def _case(topic: str, found: Sequence[Predicted], runs: Sequence[tuple[int, str]
         )
         for count, policy in runs
     )
-    return Case(f"QoS {topic.strip('/')}", f"{expected} ({', '.join(against) or 'nothing against it'})", observed)
+    prediction = f"{expected} ({', '.join(against) or 'nothing against it'})"
+    return Case(f"{where} {topic.strip('/')}", prediction, observed, missing)
 
 
 def _run(offers: Mapping[str, Qos], asks: Mapping[str, Qos]) -> Mapping[str, tuple[int, str]]:

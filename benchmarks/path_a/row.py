@@ -28,12 +28,14 @@ class Case:
     Attributes:
         name: of the case. prediction: what contracts say, with the rule. observed: each repetition.
         missing: why it was not measured; empty when it was.
+        history: what was judged by another criterion before, how it came out, and since when this one stands.
     """
 
     name: str
     prediction: str
     observed: tuple[Observed, ...] = ()
     missing: str = ""
+    history: tuple[str, ...] = ()
 
     @property
     def verdict(self) -> str:
@@ -51,8 +53,11 @@ def shown(case: Case) -> str:
     lines = [f"{case.name}: {case.verdict}", f"  predicted: {case.prediction}"]
     if case.missing:
         return "\n".join([*lines, f"  not measured: {case.missing}"])
+    return "\n".join([*lines, *_observed(case), *(f"  history: {each}" for each in case.history)])
+
+
+def _observed(case: Case) -> list[str]:
     texts = list(dict.fromkeys(each.text for each in case.observed))
     if len(texts) == 1:
-        return "\n".join([*lines, f"  observed, {len(case.observed)} times: {texts[0]}"])
-    numbered = [f"  observed {number}: {each.text}" for number, each in enumerate(case.observed, 1)]
-    return "\n".join([*lines, *numbered])
+        return [f"  observed, {len(case.observed)} times: {texts[0]}"]
+    return [f"  observed {number}: {each.text}" for number, each in enumerate(case.observed, 1)]

@@ -15,13 +15,15 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from path_a import claim, frames, permission, qos, recovery, version, writers
+from path_a import claim, frames, lifecycle, permission, qos, qos_ros2, recovery, version, writers
 from path_a.row import Case, NotMeasured, Row, shown
 
 ROWS: Mapping[str, Row] = {
     "qos": qos.measure,
+    "qos-ros2": qos_ros2.measure,
     "writers": writers.measure,
     "claim": claim.measure,
+    "lifecycle": lifecycle.measure,
     "frames": frames.measure,
     "version": version.measure,
     "recovery": recovery.measure,

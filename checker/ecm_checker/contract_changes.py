@@ -9,15 +9,10 @@ from ecm_checker.contract import Contract
 from ecm_checker.delta import gained, lost
 from ecm_checker.finding import Dimension
 from ecm_checker.grants import asked
+from ecm_checker.hub.roles import roles
 from ecm_checker.release import Change, ChangeWord
 from ecm_checker.view import View
 
-_KINDS: Final[Mapping[str, str]] = {
-    "publisher": "topic",
-    "subscriber": "topic",
-    "service_server": "service",
-    "action_server": "action",
-}
 # Fields of which any change may invalidate what was built on the old version.
 _SETTLED: Final[Mapping[Dimension, tuple[str, ...]]] = {
     "behavior": ("preconditions", "postconditions", "completion_semantics", "rates"),
@@ -37,9 +32,14 @@ def _signature(old: View, new: View) -> Iterator[Change]:
         name = each.old or None
         after = None if word == "removed" else each.old or each.new
         sure = "{" not in each.old
-        yield _change(new, _KINDS.get(each.kind, each.kind), word, (name, after), sure, "signature")
+        yield _change(new, _kind(each.kind), word, (name, after), sure, "signature")
     for kind, name in gained(old, new):
-        yield _change(new, _KINDS.get(kind, kind), "added", (None, name), False, "signature")
+        yield _change(new, _kind(kind), "added", (None, name), False, "signature")
+
+
+def _kind(told: str) -> str:
+    """The kind of name that an endpoint is to others; an input or output is itself."""
+    return next((row.provides for role, row in roles().items() if role == told and row.provides), told)
 
 
 def _settled(old: View, new: View) -> Iterator[Change]:

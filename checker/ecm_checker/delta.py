@@ -11,18 +11,11 @@ import msgspec
 
 from ecm_checker.contract import Evidence, Interface, Role
 from ecm_checker.endpoint_types import types
+from ecm_checker.hub.roles import roles
 from ecm_checker.terms import Field
 from ecm_checker.view import View
 
-_ENDPOINTS: Final[tuple[Role, ...]] = (
-    "publisher",
-    "subscriber",
-    "service_server",
-    "action_server",
-    "parameter",
-)
 _HOLE: Final = re.compile(r"\{[^{}]*\}")
-_OFFERS: Final[tuple[Role, ...]] = ("publisher", "service_server", "action_server")
 
 
 class Lost(msgspec.Struct, frozen=True):
@@ -46,7 +39,7 @@ class Lost(msgspec.Struct, frozen=True):
 def lost(old: View, new: View) -> Iterator[Lost]:
     """What the new version does not have in the form of the old one."""
     was, now = _endpoints(old), _endpoints(new)
-    for role in _ENDPOINTS:
+    for role in (role for role, row in roles().items() if row.provides):
         for name, before in was[role].items():
             yield from _endpoint(role, name, before, now[role].get(name, ()))
     told = {name for named in was.values() for name in named}
@@ -61,7 +54,7 @@ def lost(old: View, new: View) -> Iterator[Lost]:
 def gained(old: View, new: View) -> Iterator[tuple[str, str]]:
     """Kind and name of what only the new version offers."""
     was, now = _endpoints(old), _endpoints(new)
-    for role in _OFFERS:
+    for role in (role for role, row in roles().items() if row.gives):
         yield from ((role, name) for name in now[role] if name not in was[role])
     before = {field.name for field in old.outputs or ()}
     if old.outputs is not None:

@@ -1,15 +1,16 @@
-"""A rule: what it is called, which sub-checks of the operations it is part of, and how it makes a finding."""
+"""A rule of check: which sub-checks of the operations it is part of, and how it makes a finding about modules."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from typing import Final, Literal
+from typing import Literal
 
 import msgspec
 
+from ecm_checker.any_rule import AnyRule, Said
 from ecm_checker.case import Case
 from ecm_checker.contract import Evidence
-from ecm_checker.finding import Certainty, Dimension, Entity, Finding, Severity, Who, fingerprint
+from ecm_checker.finding import Certainty, Entity, Finding, Severity
 from ecm_checker.view import View
 
 SubCheck = Literal[
@@ -35,51 +36,16 @@ SubCheck = Literal[
 ]
 Tier = Literal["schema", "qos", "semver"]
 
-_WORST_WITHOUT_PROOF: Final[Severity] = "warning"
 
-
-class PackageMatter(msgspec.Struct, frozen=True):
-    """What a finding about packages says.
+class Rule(AnyRule, frozen=True, kw_only=True):
+    """What a rule file of check declares beside what every rule does.
 
     Attributes:
-        text: what is so. consequence: what happens when it is ignored.
-        entity: what it is about. who: what breaks.
-        packages: the one that provides first. evidence: lines of all sides.
-        severity: where it differs from that of the rule.
-    """
-
-    text: str
-    consequence: str
-    entity: Entity
-    who: Who
-    packages: tuple[str, ...]
-    evidence: tuple[Evidence, ...]
-    severity: Severity | None = None
-
-
-class Rule(msgspec.Struct, frozen=True, kw_only=True):
-    """What a rule file declares.
-
-    Attributes:
-        id: `SIG001`; the name of its file in lower case.
-        name: for people, snake case.
-        dimension: of the contract.
-        severity: of a finding that is proved.
-        who: what breaks.
         part_of: sub-checks of the paper's operators that it belongs to.
-        consequence: what the robot does when it is ignored.
-        resolution: what to do.
         tier: simplest baseline that has this rule too; None for our own.
     """
 
-    id: str
-    name: str
-    dimension: Dimension
-    severity: Severity
-    who: Who
     part_of: tuple[SubCheck, ...]
-    consequence: str
-    resolution: str
     tier: Tier | None = None
 
     def finding(
@@ -103,40 +69,16 @@ class Rule(msgspec.Struct, frozen=True, kw_only=True):
             severity: where it differs from that of the rule.
         """
         modules = tuple(subjects)
-        packages = tuple(dict.fromkeys(module.package for module in modules))
-        ids = tuple(dict.fromkeys(module.id for module in modules))
-        return self._made(text, entity, packages, ids, evidence, certainty, severity or self.severity)
-
-    def package_finding(self, told: PackageMatter, certainty: Certainty) -> Finding:
-        """A finding of this rule about packages as a whole; what is not proved is at most a warning."""
-        ids = tuple(f"ecm.{name}" for name in told.packages)
-        level = told.severity or self.severity
-        found = self._made(told.text, told.entity, told.packages, ids, told.evidence, certainty, level)
-        return msgspec.structs.replace(found, message=f"{told.text}: {told.consequence}", who=told.who)
-
-    def _made(
-        self,
-        text: str,
-        entity: Entity,
-        packages: tuple[str, ...],
-        subjects: tuple[str, ...],
-        evidence: Iterable[Evidence],
-        certainty: Certainty,
-        level: Severity,
-    ) -> Finding:
-        return Finding(
-            rule=self.id,
-            name=self.name,
-            dimension=self.dimension,
-            severity=_WORST_WITHOUT_PROOF if level == "error" and certainty != "proved" else level,
-            message=f"{text}: {self.consequence}" if self.consequence else text,
-            resolution=self.resolution,
-            subjects=subjects,
-            evidence=tuple(evidence),
-            fingerprint=fingerprint(self.id, entity, packages),
-            who=self.who,
+        said = Said(
+            text=text,
+            entity=entity,
+            owners=tuple(dict.fromkeys(module.package for module in modules)),
+            subjects=tuple(dict.fromkeys(module.id for module in modules)),
+            evidence=evidence,
             certainty=certainty,
+            severity=severity,
         )
+        return self.found(said)
 
 
 Check = Callable[[Case], Iterator[Finding]]

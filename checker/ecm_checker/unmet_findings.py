@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable, Iterator
 
+from ecm_checker.any_rule import Said
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Certainty, Entity, Finding
 from ecm_checker.hub.kinds import kinds
@@ -12,7 +13,7 @@ from ecm_checker.hub.provision import Provision
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.match.fit import left_out
 from ecm_checker.match.packages import Unmet
-from ecm_checker.rule import PackageMatter, Rule
+from ecm_checker.rule import Rule
 
 _SHOWN = 3
 _ADVISED = "it warns at each call, and does what its authors advise against"
@@ -33,17 +34,19 @@ def _finding(rule: Rule, group: list[Unmet]) -> Finding:
     home = provided[0].package if provided else wanted.package
     lines = [at for each in group for at in each.requirement.evidence]
     lines += [Evidence(each.path, each.line) for each in provided]
-    packages = [*([home] if home else []), *sorted({each.consumer for each in group})]
+    packages = tuple(dict.fromkeys([*([home] if home else []), *sorted({each.consumer for each in group})]))
     kind = kinds()[wanted.kind]
-    matter = PackageMatter(
+    said = Said(
         text=_text(group, wanted, home),
         consequence=_ADVISED if group[0].match.breach == "advice" else kind.silence,
         entity=Entity(wanted.kind, wanted.name),
         who=kind.who,
-        packages=tuple(dict.fromkeys(packages)),
+        owners=packages,
+        subjects=tuple(f"ecm.{name}" for name in packages),
         evidence=tuple(dict.fromkeys(lines)),
+        certainty=_certainty(group),
     )
-    return rule.package_finding(matter, _certainty(group))
+    return rule.found(said)
 
 
 def _provided(group: list[Unmet]) -> list[Provision]:

@@ -13,20 +13,13 @@ import msgspec
 
 from ecm_checker import terms
 from ecm_checker.contract import Contract, Evidence, Interface, Role, Value
+from ecm_checker.hub.roles import roles
 from ecm_checker.names import is_known, near_keys
 from ecm_checker.predicates import Predicate, parse
 
 Endpoints = Mapping[str, tuple[Interface, ...]]
 
 _KINDS_THAT_DO_NOT_RUN: Final = frozenset({"interface", "library"})
-_MATCHED_BY_NAME: Final[tuple[Role, ...]] = (
-    "publisher",
-    "subscriber",
-    "service_server",
-    "service_client",
-    "action_server",
-    "action_client",
-)
 _NONE: Final[Endpoints] = {}
 
 
@@ -94,7 +87,7 @@ def view(contract: Contract) -> View:
         package=contract.ecm.package,
         runs=contract.ecm.kind not in _KINDS_THAT_DO_NOT_RUN,
         by_role=by_role,
-        near_keys={role: near_keys(by_role[role]) for role in _MATCHED_BY_NAME if role in by_role},
+        near_keys={role: near_keys(by_role[role]) for role, row in roles().items() if row.peer and role in by_role},
         unmatched=tuple(entry for entry in signature.interfaces if not _is_matched(entry)),
         inputs=_fields(signature.input_schema),
         outputs=_fields(signature.output_schema),

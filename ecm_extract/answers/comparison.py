@@ -44,9 +44,9 @@ def answered_comparison(
     """
     every = list(found)
     result = answered(every, answers)
-    left = {id(each) for each in result.findings}
+    left = frozenset(result.findings)
     accepted = {each.fingerprint for each in every} - {each.fingerprint for each in result.findings}
-    kept = tuple(each for each in comparison.findings if id(each) in left)
+    kept = tuple(each for each in comparison.findings if each in left)
     return msgspec.structs.replace(comparison, findings=kept, accepted=frozenset(accepted)), result
 
 

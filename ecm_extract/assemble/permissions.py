@@ -6,6 +6,7 @@ import re
 from collections.abc import Sequence
 
 from ecm_checker.contract import Evidence, Interface, Permissions, Value
+from ecm_checker.hub.roles import roles
 
 from ecm_extract.assemble.evidence import inferred, of_interfaces, parameters_where
 from ecm_extract.assemble.resources import actuators_of
@@ -13,7 +14,6 @@ from ecm_extract.link.linker import LinkedModule
 from ecm_extract.read.facts import PackageFacts
 
 _ADDRESS = re.compile(r"(?:^|_)(?:ip|host|hostname|url|ip_address|address|robot_ip|server_ip|uri)$")
-_ACCESS = {"subscriber": "read", "publisher": "write"}
 _POLICY = {"subscribe": "read", "publish": "write"}
 
 
@@ -39,8 +39,12 @@ def _granted(entry: LinkedModule, facts: PackageFacts) -> Value | None:
 
 
 def _data(interfaces: Sequence[Interface]) -> Value | None:
-    found = [entry for entry in interfaces if entry.role in _ACCESS and "{" not in entry.name]
-    return of_interfaces(sorted({f"{_ACCESS[entry.role]}:{entry.name}" for entry in found}), found)
+    found = [entry for entry in interfaces if roles()[entry.role].shape == "msg" and "{" not in entry.name]
+    return of_interfaces(sorted({f"{_access(entry)}:{entry.name}" for entry in found}), found)
+
+
+def _access(entry: Interface) -> str:
+    return "write" if roles()[entry.role].sends else "read"
 
 
 def _network(interfaces: Sequence[Interface]) -> Value | None:

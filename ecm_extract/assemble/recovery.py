@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable
 
 from ecm_checker.contract import Evidence, Interface, Recovery, Value
+from ecm_checker.hub.roles import roles, served_roles
 from ecm_parsers.behavior_tree import retries
 from ecm_parsers.numbers import truncated
 
@@ -44,9 +45,9 @@ def _failures(module: LinkedModule, definitions: Definitions) -> Value | None:
     graded = {_mode(told.message): told.level for told in reversed(module.diagnoses) if _mode(told.message)}
     named: dict[str, None] = {}
     for entry in module.interfaces:
-        if entry.role not in {"action_server", "service_server"} or entry.type is None:
+        if entry.role not in served_roles() or entry.type is None:
             continue
-        part = "result" if entry.role == "action_server" else "response"
+        part = roles()[entry.role].gives
         for name, line in definitions.constants(entry.type, part):
             if name not in _NO_FAILURE:
                 named.setdefault(name.lower())

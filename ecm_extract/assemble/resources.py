@@ -10,6 +10,7 @@ from importlib import resources
 
 import msgspec
 from ecm_checker.contract import Evidence, Interface, Resources, Value
+from ecm_checker.hub.roles import roles
 
 from ecm_extract.assemble.controller_settings import ControllerSettings
 from ecm_extract.assemble.evidence import inferred, number_of, of_interfaces, parameters_where
@@ -19,7 +20,6 @@ from ecm_extract.read.facts import PackageFacts
 
 _PARAMETER = re.compile(r"\$\{([^={}]+)=((?:[^{}]|\{[^{}]*\})*)\}")
 _BETWEEN_WORDS = re.compile(r"[/_]")
-_TOPICS = frozenset({"publisher", "subscriber"})
 _CONTROL_RATES = frozenset({"update_rate", "controller_frequency", "control_rate", "control_frequency"})
 
 
@@ -66,7 +66,7 @@ def resources_of(entry: LinkedModule, facts: PackageFacts, settings: ControllerS
 
 def _sensors(interfaces: Sequence[Interface]) -> Value | None:
     table = hardware_table().sensors
-    found = [entry for entry in interfaces if entry.role in _TOPICS and entry.type in table]
+    found = [entry for entry in interfaces if roles()[entry.role].shape == "msg" and entry.type in table]
     return of_interfaces(sorted({table[entry.type or ""] for entry in found}), found)
 
 

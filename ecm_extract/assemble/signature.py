@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from ecm_checker.contract import Interface, Signature, Value
+from ecm_checker.contract import Interface, Role, Signature, Value
+from ecm_checker.hub.roles import roles
 
 from ecm_extract.assemble.definitions import Definitions
 from ecm_extract.assemble.evidence import (
@@ -19,10 +20,7 @@ from ecm_extract.assemble.evidence import (
 )
 from ecm_extract.link.linker import LinkedModule
 
-_INPUTS = frozenset({"subscriber", "service_server", "action_server"})
-_OUTPUTS = frozenset({"publisher", "service_server", "action_server"})
-_CALLED = frozenset({"service_server", "service_client", "action_server", "action_client"})
-_PARTS = {"service_server": ("request", "response"), "action_server": ("goal", "result")}
+_CALLED = frozenset({"service", "action"})
 _FRAME = re.compile(r"(?:^|_)frame(?:_id|_name)?$")
 _OWN_FRAME = ("frame_id", "global_frame", "world_frame", "base_frame_id", "base_frame", "robot_base_frame")
 _TIMEOUT = re.compile(r"(?:^|_)timeout(?:_ms|_s|_sec|_seconds)?$")
@@ -38,24 +36,21 @@ def signature_of(entry: LinkedModule, definitions: Definitions) -> Signature:
     interfaces = entry.interfaces
     return Signature(
         interfaces=interfaces,
-        input_schema=_schema(interfaces, _INPUTS, 0, definitions),
-        output_schema=_schema(interfaces, _OUTPUTS, 1, definitions),
+        input_schema=_schema(interfaces, {role: row.takes for role, row in roles().items()}, definitions),
+        output_schema=_schema(interfaces, {role: row.gives for role, row in roles().items()}, definitions),
         coordinate_frame=_stamped(entry) if entry.stamps else _frame(interfaces),
         timeout_ms=_timeout(interfaces),
         invocation_mode=_mode(interfaces),
     )
 
 
-def _schema(
-    interfaces: Sequence[Interface], roles: frozenset[str], part: int, definitions: Definitions
-) -> Value | None:
-    """`{endpoint: {type, units}}`; for services and actions the type of the part that goes in this direction."""
-    found = [entry for entry in interfaces if entry.role in roles and entry.type is not None]
-    return of_interfaces({entry.name: _described(entry, part, definitions) for entry in found}, found)
+def _schema(interfaces: Sequence[Interface], sections: Mapping[Role, str], definitions: Definitions) -> Value | None:
+    """`{endpoint: {type, units}}`; for services and actions the type of the section that goes in this direction."""
+    found = [entry for entry in interfaces if sections[entry.role] and entry.type is not None]
+    return of_interfaces({entry.name: _described(entry, sections[entry.role], definitions) for entry in found}, found)
 
 
-def _described(entry: Interface, part: int, definitions: Definitions) -> dict[str, Any]:
-    section = _PARTS[entry.role][part] if entry.role in _PARTS else "message"
+def _described(entry: Interface, section: str, definitions: Definitions) -> dict[str, Any]:
     described: dict[str, Any] = {"type": entry.type if section == "message" else f"{entry.type}#{section}"}
     units = definitions.units(entry.type or "", section)
     if units:
@@ -105,7 +100,7 @@ def _timeout(interfaces: Sequence[Interface]) -> Value | None:
         for entry in parameters_where(interfaces, _is_timeout)
         if (number := number_of(entry)) is not None and number > 0
     ]
-    if not named or not any(entry.role in _CALLED for entry in interfaces):
+    if not named or not any(roles()[entry.role].channel in _CALLED for entry in interfaces):
         return None
     values = [number if _in_milliseconds(entry) else number * 1000 for entry, number in named]
     return inferred(max(values), (entry.evidence[0] for entry, _ in named), "default")

@@ -11,6 +11,7 @@ from importlib import resources
 from typing import Literal
 
 import msgspec
+from ecm_checker.contract import Role
 
 from ecm_extract.description.model import Description, Sensor, SimulatorPlugin, Where
 
@@ -32,7 +33,7 @@ class SimulatorEndpoint(msgspec.Struct, frozen=True):
         transport: `ros`, or `gz` when a bridge is needed. source: library, or `sensor TYPE`. node: empty for gz.
     """
 
-    role: str
+    role: Role
     name: str
     type: str
     frame: str
@@ -47,7 +48,7 @@ class _Row(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """One row of the table; see its head."""
 
     library: tuple[str, ...]
-    role: str
+    role: Role
     topic: str
     type: str
     ros: int = 0

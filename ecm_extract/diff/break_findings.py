@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterable
 from typing import Final
 
@@ -26,10 +27,10 @@ def findings_of(uses: Iterable[Use]) -> tuple[Finding, ...]:
 
 def grouped_uses(uses: Iterable[Use]) -> list[tuple[Located, list[Use]]]:
     """Return changes with the lines that each breaks, in the order of the lines."""
-    grouped: dict[int, tuple[Located, list[Use]]] = {}
+    grouped: dict[object, list[Use]] = defaultdict(list)
     for use in uses:
-        grouped.setdefault(id(use.located), (use.located, []))[1].append(use)
-    return list(grouped.values())
+        grouped[use.located.key].append(use)
+    return [(readers[0].located, readers) for readers in grouped.values()]
 
 
 def line_of(use: Use) -> Evidence:

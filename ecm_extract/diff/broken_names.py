@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import Final
 
 from ecm_checker.hub.kinds import kinds
-from ecm_checker.hub.provision import Provision
+from ecm_checker.hub.provision import Key, Provision
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.match.consumer import Consumer
 from ecm_checker.match.names import called_names
@@ -35,17 +35,17 @@ class BrokenNames:
 
     def __init__(self, located: Iterable[Located], old: Side, new: Side) -> None:
         self._located = tuple(located)
-        self._changes: dict[int, list[Located]] = defaultdict(list)
-        changed: dict[int, Provision] = {}
+        self._changes: dict[Key, list[Located]] = defaultdict(list)
+        changed: dict[Key, Provision] = {}
         for entry in self._located:
             entity = entry.pair.old
             if entity is not None and _concerns(entry):
-                self._changes[id(entity)].append(entry)
-                changed[id(entity)] = entity
+                self._changes[entity.key].append(entry)
+                changed[entity.key] = entity
         for entity, entry in _gone_with_their_whole(self._located, old, new):
-            if id(entity) not in changed:
-                self._changes[id(entity)].append(entry)
-                changed[id(entity)] = entity
+            if entity.key not in changed:
+                self._changes[entity.key].append(entry)
+                changed[entity.key] = entity
         self._changed = Provisions(changed.values(), whole=Provisions(old.entities.values(), old.bound))
         self.after = Provisions(new.entities.values(), new.bound)
         self._layouts = _layouts(self._located)
@@ -67,7 +67,7 @@ class BrokenNames:
         if requirement.use == "gives_keyword" and not self._is_one(found, requirement):
             return
         for entity in found:
-            yield from self._changes[id(entity)]
+            yield from self._changes[entity.key]
 
     def _is_one(self, found: Sequence[Provision], requirement: Requirement) -> bool:
         """Whether a dotted name that several modules below it may have means one function."""

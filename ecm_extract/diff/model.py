@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Literal
+from typing import Final, Literal
 
 import msgspec
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Finding
-from ecm_checker.hub.provision import Provision
+from ecm_checker.hub.provision import Key, Provision
 from ecm_checker.release import Change, CompatibilityClass
 from ecm_checker.versions import Bump
 
 from ecm_extract.diff.unread import UnreadPart
 
 How = Literal["same", "moved", "renamed"]
+ENDPOINTS: Final = frozenset({"topic", "service", "action"})
+"""Kinds that a launch file can remap."""
 
 
 class Pair(msgspec.Struct, frozen=True):
@@ -40,6 +42,12 @@ class Located(msgspec.Struct, frozen=True):
 
     change: Change
     pair: Pair
+
+    @property
+    def key(self) -> tuple[str, Key | None, Key | None]:
+        """What makes it one change: what happened, to what before, and to what after."""
+        old, new = self.pair.old, self.pair.new
+        return self.change.change, None if old is None else old.key, None if new is None else new.key
 
 
 class RefInfo(msgspec.Struct, frozen=True):

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 import msgspec
 from ecm_checker.contract import Interface
 from ecm_checker.hub.provision import HOLE, Line, Provision
+from ecm_checker.hub.roles import roles
 
 from ecm_extract.entities.deprecations import deprecated_names
 from ecm_extract.entities.reconfigure import server_namespaces
@@ -15,14 +16,6 @@ from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.link.linker import LinkedModule
 from ecm_extract.read.facts import PackageFacts
 
-_KINDS = {
-    "publisher": "topic",
-    "subscriber": "topic",
-    "service_server": "service",
-    "action_server": "action",
-    "parameter": "parameter",
-}
-_FACETS = {"publisher": "published", "subscriber": "subscribed"}
 _HOLE = re.compile(r"\{[^{}]*\}")
 _NAME = re.compile(r"[\w~/.-]*")
 
@@ -54,19 +47,19 @@ def endpoint_entities(texts: SideTexts, facts: PackageFacts, modules: Sequence[L
 
 def entity_of(entry: Interface, package: str, owner: str, ros: int | None) -> Provision | None:
     """Return what a module offers by an endpoint; None for what only asks, and for names that are wholly computed."""
-    kind = _KINDS.get(entry.role)
+    row = roles()[entry.role]
     name = comparable_name(entry)
-    if kind is None or not re.search(r"\w", name.replace(HOLE, "")):
+    if not row.provides or not re.search(r"\w", name.replace(HOLE, "")):
         return None
-    if kind != "parameter" and not _NAME.fullmatch(name.replace(HOLE, "")):
+    if row.channel is not None and not _NAME.fullmatch(name.replace(HOLE, "")):
         return None  # the default says that a value must be given: `<undefined>`
     at = entry.evidence[0]
     return Provision(
-        kind=kind,
+        kind=row.provides,
         package=package,
         owner=owner,
         name=name,
-        facet=_FACETS.get(entry.role, ""),
+        facet=row.facet,
         type=entry.type,
         default=entry.default,
         qos=entry.qos,

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from functools import cache
-from importlib import import_module
-from pkgutil import iter_modules
+
+from ecm_checker.any_rule import rule_files
 
 from ecm_extract.lint import rules
 from ecm_extract.lint.rule import Entry
@@ -13,6 +13,4 @@ from ecm_extract.lint.rule import Entry
 @cache
 def catalogue() -> tuple[Entry, ...]:
     """Return every rule, by id."""
-    names = sorted(module.name for module in iter_modules(rules.__path__))
-    modules = [import_module(f"{rules.__name__}.{name}") for name in names]
-    return tuple(Entry(module.RULE, module.check, getattr(module, "RENAME", None)) for module in modules)
+    return tuple(Entry(file.RULE, file.check, getattr(file, "RENAME", None)) for file in rule_files(rules))

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from ecm_parsers.cmake_facts import CmakeFile
-from ecm_parsers.cmake_run import run
 
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
@@ -30,22 +29,13 @@ def generated_headers(packages: Sequence[PackageFacts]) -> dict[str, str]:
     return found
 
 
-def build_dependencies(data: bytes, file: CmakeFile, package: str) -> dict[str, set[str]]:
+def build_dependencies(file: CmakeFile) -> dict[str, set[str]]:
     """Return what each target waits for, as far as its file says: by add_dependencies, and by what it links."""
     found: dict[str, set[str]] = {target.name: set(target.links) for target in file.targets}
-    for call in run(data, {"PROJECT_NAME": package}).facts.calls:
-        if call.name in _ORDERING and call.args:
-            names = [folded(argument, file, package) for argument in call.args]
-            for name in names[0].split(";"):
-                found.setdefault(name, set()).update(names[1:])
+    for command in file.commands:
+        if command.name in _ORDERING and command.args:
+            found.setdefault(command.args[0], set()).update(command.args[1:])
     return found
-
-
-def folded(text: str, file: CmakeFile, package: str) -> str:
-    """Put the project and the variables of the file in; what is not known stays a reference."""
-    for name, value in (("PROJECT_NAME", package), *file.variables.items()):
-        text = text.replace(f"${{{name}}}", value) if len(text) + len(value) < MAX_HEADERS else text
-    return text
 
 
 def included(workspace: Workspace, package: PackageFacts, source: str) -> Iterator[str]:

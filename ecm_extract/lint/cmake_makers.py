@@ -5,8 +5,6 @@ from __future__ import annotations
 import re
 from typing import Final
 
-from ecm_parsers.cmake_tokens import parse_commands
-
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
 
@@ -36,14 +34,6 @@ def asks(package: PackageFacts, commands: frozenset[bytes], workspace: Workspace
     )
 
 
-_BRING: Final = frozenset({"externalproject_add", "fetchcontent_makeavailable", "fetchcontent_populate"})
-
-
-def brings_targets(package: PackageFacts, workspace: Workspace) -> bool:
-    """Tell whether what CMake downloads, or files that it includes by a pattern, may make targets of a package."""
-    included = (entry.path for file in package.cmake.values() for entry in file.subdirectories)
-    return any("*" in path for path in included) or any(
-        command.name in _BRING
-        for path in package.cmake
-        for command in parse_commands(workspace.files.read(path) or b"").facts
-    )
+def brings_targets(package: PackageFacts) -> bool:
+    """Tell whether what CMake downloads, or files that are not read, may make targets of a package."""
+    return any(file.unknown for file in package.cmake.values())

@@ -1,58 +1,22 @@
-"""What the install rules of a CMake package put where, with the words that its facts leave out."""
+"""What the install rules of a CMake package put where."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Final
 
 import msgspec
-from ecm_parsers.cmake_run import Call, run
+from ecm_parsers.cmake_facts import Install
 
-from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
 
-_KINDS = frozenset({"TARGETS", "PROGRAMS", "DIRECTORY", "FILES"})
-_WORDS = frozenset(
-    {
-        "DESTINATION",
-        "TYPE",
-        "PERMISSIONS",
-        "FILE_PERMISSIONS",
-        "DIRECTORY_PERMISSIONS",
-        "USE_SOURCE_PERMISSIONS",
-        "CONFIGURATIONS",
-        "COMPONENT",
-        "RENAME",
-        "OPTIONAL",
-        "EXCLUDE_FROM_ALL",
-        "FILES_MATCHING",
-        "MESSAGE_NEVER",
-        "PATTERN",
-        "REGEX",
-        "EXPORT",
-        "ARCHIVE",
-        "LIBRARY",
-        "RUNTIME",
-        "OBJECTS",
-        "INCLUDES",
-        "PUBLIC_HEADER",
-        "PRIVATE_HEADER",
-        "RESOURCE",
-    }
-)
-_FOLDERS = (
-    ("CATKIN_PACKAGE_BIN_DESTINATION", "lib/{package}"),
-    ("CATKIN_PACKAGE_INCLUDE_DESTINATION", "include/{package}"),
-    ("CATKIN_PACKAGE_SHARE_DESTINATION", "share/{package}"),
-    ("CATKIN_PACKAGE_LIB_DESTINATION", "lib"),
-    ("CATKIN_GLOBAL_BIN_DESTINATION", "bin"),
-    ("CATKIN_GLOBAL_INCLUDE_DESTINATION", "include"),
-    ("CATKIN_GLOBAL_SHARE_DESTINATION", "share"),
-    ("CATKIN_GLOBAL_LIB_DESTINATION", "lib"),
-    ("CMAKE_INSTALL_PREFIX", ""),
-    ("CMAKE_INSTALL_INCLUDEDIR", "include"),
-    ("CMAKE_INSTALL_LIBDIR", "lib"),
-    ("CMAKE_INSTALL_BINDIR", "bin"),
-)
+_KINDS: Final = {
+    "targets": "TARGETS",
+    "programs": "PROGRAMS",
+    "python": "PROGRAMS",
+    "directory": "DIRECTORY",
+    "files": "FILES",
+}
 
 
 class InstallRule(msgspec.Struct, frozen=True):
@@ -60,7 +24,7 @@ class InstallRule(msgspec.Struct, frozen=True):
 
     Attributes:
         kind: `TARGETS`, `PROGRAMS`, `DIRECTORY` or `FILES`.
-        items: as written, evaluated, from the folder of the file; a folder that ends in `/` gives its content only.
+        items: evaluated, from the folder of the file; a folder that ends in `/` gives its content only.
         destination: below the folder of installation; what is not known stays a reference.
         words: keywords of the rule.
         renamed: what `RENAME` calls the only item; empty without it.
@@ -81,21 +45,10 @@ class InstallRule(msgspec.Struct, frozen=True):
         return f"{head}/" if head else ""
 
 
-def calls_of(path: str, package: PackageFacts, workspace: Workspace) -> tuple[Call, ...]:
-    """Return the commands of a CMake file of a package that run."""
-    known = {**package.cmake[path].variables, "PROJECT_NAME": package.name}
-    return run(workspace.files.read(path) or b"", known).facts.calls
-
-
-def install_rules(package: PackageFacts, workspace: Workspace) -> Iterator[InstallRule]:
+def install_rules(package: PackageFacts) -> Iterator[InstallRule]:
     """Yield the install rules of a package."""
-    for path in package.cmake:
-        for call in calls_of(path, package, workspace):
-            kind = call.args[0] if call.name == "install" and call.args else ""
-            if kind in _KINDS:
-                yield _rule(kind, call.args[1:], path, call.line, package.name)
-            elif call.name == "catkin_install_python":
-                yield _rule("PROGRAMS", call.args[call.args[:1] == ("PROGRAMS",) :], path, call.line, package.name)
+    for path, file in package.cmake.items():
+        yield from (_rule(entry, path) for entry in file.installs)
 
 
 def place_of(path: str, rule: InstallRule) -> str | None:
@@ -110,23 +63,12 @@ def place_of(path: str, rule: InstallRule) -> str | None:
     return None
 
 
-def _rule(kind: str, args: tuple[str, ...], path: str, line: int, package: str) -> InstallRule:
-    end = next((at for at, arg in enumerate(args) if arg in _WORDS), len(args))
-    items = tuple(item.removeprefix("./") for item in args[:end])
-    place, renamed = _below(_after("DESTINATION", args), package), _after("RENAME", args)
-    return InstallRule(kind, items, place, frozenset(_WORDS & set(args)), path, line, renamed)
+def _rule(entry: Install, path: str) -> InstallRule:
+    items = tuple(item.removeprefix("./") for item in entry.items)
+    place = entry.destination.replace("//", "/").strip("/")
+    return InstallRule(_KINDS[entry.kind], items, place, frozenset(entry.words), path, entry.line, entry.renamed)
 
 
-def _after(word: str, args: tuple[str, ...]) -> str:
-    return next((args[at + 1] for at, arg in enumerate(args[:-1]) if arg == word), "")
-
-
-def _below(destination: str, package: str) -> str:
-    for name, value in _FOLDERS:
-        destination = destination.replace(f"${{{name}}}", value.format(package=package))
-    return destination.replace("//", "/").strip("/")
-
-
-def lives_in_devel_space(package: PackageFacts, workspace: Workspace) -> bool:
+def lives_in_devel_space(package: PackageFacts) -> bool:
     """Tell whether a package that is not of ROS 2 installs nothing at all: it runs from where it was built."""
-    return package.ros != 2 and next(install_rules(package, workspace), None) is None
+    return package.ros != 2 and next(install_rules(package), None) is None

@@ -23,6 +23,7 @@ _IN_SHARE = re.compile(
     r"([\w./-]+\.(?:ya?ml|rviz|launch|xml|urdf|xacro|srdf|world|pgm|png|jpe?g|stl|dae|lua|json|perspective))"
     r"(?![\w$({.])"
 )
+_MAKING = frozenset({"add_custom_command", "configure_file"})
 _EVALUATED = frozenset({"include", "rosparam"})
 """What the evaluation of launch files looks for already."""
 
@@ -74,9 +75,9 @@ def _named(path: str, workspace: Workspace) -> Iterator[tuple[str, str, Evidence
 
 def _is_closed(package: PackageFacts, workspace: Workspace) -> bool:
     """Tell whether the files of a package are those of its tree: none is generated, all install rules are known."""
-    texts = [workspace.files.read(path) or b"" for path in package.cmake]
-    makes = any(word in text for text in texts for word in (b"add_custom_command", b"configure_file", b"DOWNLOAD"))
-    return bool(package.cmake) and not makes and (package.root.rosbuild or not is_open(package, workspace))
+    commands = [command for file in package.cmake.values() for command in file.commands]
+    makes = any(command.name in _MAKING or "DOWNLOAD" in command.args for command in commands)
+    return bool(package.cmake) and not makes and (package.root.rosbuild or not is_open(package))
 
 
 def _elsewhere(path: str, package: PackageFacts, workspace: Workspace) -> str | None:
@@ -87,6 +88,6 @@ def _elsewhere(path: str, package: PackageFacts, workspace: Workspace) -> str | 
     if f"{root}{path}" in there or ".." in path or workspace.files.is_elsewhere(marked):
         return None
     found = workspace.files.find(marked) or ""
-    rules = list(install_rules(package, workspace)) if found else []
+    rules = list(install_rules(package)) if found else []
     wanted = f"share/{package.name}/{path}"
     return None if any(place_of(found, rule) == wanted for rule in rules) else found.removeprefix(root)

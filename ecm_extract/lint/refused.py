@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Final
 
-from ecm_parsers.cmake_run import run
+from ecm_parsers.cmake_blocks import nest
+from ecm_parsers.cmake_tokens import parse_commands
 from ecm_parsers.result import Diagnostic
 from ecm_parsers.xml_tree import parse_xml
 
@@ -21,10 +22,17 @@ def refusal(path: str, data: bytes) -> Diagnostic | None:
     if not data.strip() or any(mark in data for mark in _MARKS):
         return None
     if path.rpartition("/")[2] == "CMakeLists.txt":
-        return next((each for each in run(data, {}).diagnostics if each.code in _CMAKE), None)
+        return next((each for each in _unread(data) if each.code in _CMAKE), None)
     if f"/{path}".endswith(XML):
         return next((each for each in parse_xml(data).diagnostics if each.code == "xml-malformed"), None)
     return None
+
+
+def _unread(data: bytes) -> list[Diagnostic]:
+    parsed = parse_commands(data)
+    diagnostics = list(parsed.diagnostics)
+    nest(parsed.facts, diagnostics)
+    return diagnostics
 
 
 def is_refused(path: str, workspace: Workspace) -> bool:

@@ -1,44 +1,27 @@
-"""A lint rule: what it is called, how bad it is, and how it makes a finding."""
+"""A lint rule: whether it is stable, and how it makes a finding about a package."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator
-from typing import TYPE_CHECKING, Final, Literal
+from typing import TYPE_CHECKING, Literal
 
 import msgspec
+from ecm_checker.any_rule import AnyRule, Said
 from ecm_checker.contract import Evidence
-from ecm_checker.finding import Certainty, Dimension, Entity, Finding, Severity, Who, fingerprint
+from ecm_checker.finding import Certainty, Entity, Finding, Severity
 
 if TYPE_CHECKING:
     from ecm_extract.lint.workspace import Workspace
 
 
-_WORST_WITHOUT_PROOF: Final[Severity] = "warning"
-
 Tier = Literal["stable", "preview"]
 """Whether enough of what a rule says was judged, and found true and wanted: benchmarks/lint_precision.py."""
 
 
-class LintRule(msgspec.Struct, frozen=True, kw_only=True):
-    """What a rule file declares.
+class LintRule(AnyRule, frozen=True, kw_only=True):
+    """What a rule file of lint declares beside what every rule does; a preview rule runs with `--preview` only."""
 
-    Attributes:
-        id: `LNT001`; the name of its file in lower case.
-        name: for people, snake case.
-        dimension: of the contract. severity: of a finding that is proved. who: what breaks.
-        consequence: what the robot does when it is ignored.
-        resolution: what to do.
-        tier: a preview rule runs with `--preview` only.
-    """
-
-    id: str
-    name: str
-    dimension: Dimension
-    severity: Severity
-    who: Who
-    consequence: str
-    resolution: str
     tier: Tier = "preview"
 
     def finding(
@@ -65,22 +48,18 @@ class LintRule(msgspec.Struct, frozen=True, kw_only=True):
             consequence: where it differs from that of the rule, such as by what starts the launch file.
             resolution: where it is more exact than that of the rule.
         """
-        level = severity or self.severity
-        what = " ".join(text.split())  # a parser's own words may go over several lines
-        after = consequence or self.consequence
-        return Finding(
-            rule=self.id,
-            name=self.name,
-            dimension=self.dimension,
-            severity=_WORST_WITHOUT_PROOF if level == "error" and certainty != "proved" else level,
-            message=f"{what}: {after}" if after else what,
-            resolution=resolution or self.resolution,
+        said = Said(
+            text=text,
+            entity=entity,
+            owners=(package,),
             subjects=(package,),
-            evidence=tuple(evidence),
-            fingerprint=fingerprint(self.id, entity, (package,)),
-            who=self.who,
+            evidence=evidence,
             certainty=certainty,
+            severity=severity,
+            consequence=consequence,
+            resolution=resolution,
         )
+        return self.found(said)
 
 
 Check = Callable[["Workspace"], Iterator[Finding]]

@@ -17,18 +17,26 @@ from ecm_extract.report.findings.data import finding_data
 from ecm_extract.report.terminal import one_line
 
 SCHEMA: Final = "ecm-extract/observe/1"
-Verdict = Literal["as_promised", "differs", "not_all_seen", "nothing_promised"]
+Verdict = Literal["as_promised", "as_far_as_seen", "differs", "not_all_seen", "nothing_promised", "nothing_there"]
 
 _MOST_NAMES: Final = 8
 
 
 def verdict(watch: Watch, findings: Sequence[Finding]) -> Verdict:
-    """What the whole run says; `as_promised` only where everything was read and every contract was seen."""
+    """What the whole run says.
+
+    `as_promised` only where everything was read, every contract was seen, and the source can see all that they promise;
+    `as_far_as_seen` where only the last of these is missing.
+    """
     if any(each.severity != "info" and each.rule != "OBS020" for each in findings):
         return "differs"
+    if watch.seen.gaps or (watch.modules and _unseen(watch)):
+        return "not_all_seen"
+    if watch.is_empty:
+        return "nothing_there"
     if not watch.modules:
-        return "nothing_promised" if not watch.seen.gaps else "not_all_seen"
-    return "not_all_seen" if watch.seen.gaps or _unseen(watch) else "as_promised"
+        return "nothing_promised"
+    return "as_far_as_seen" if watch.invisible else "as_promised"
 
 
 def report_json(watch: Watch, findings: Sequence[Finding]) -> str:
@@ -38,6 +46,7 @@ def report_json(watch: Watch, findings: Sequence[Finding]) -> str:
         "verdict": verdict(watch, findings),
         "modules": [{"module_id": each.module.id, "node": each.node} for each in watch.present],
         "not_seen": _unseen(watch),
+        "cannot_be_seen": watch.invisible,
         "findings": [finding_data(each) for each in findings],
         "observation": {**record_data(watch.seen), "digest": digest(watch.seen)},
     }
@@ -70,6 +79,9 @@ def _lines(watch: Watch, findings: Sequence[Finding]) -> Iterator[str]:
     unseen = _unseen(watch)
     if unseen:
         yield f"  not seen: {', '.join(unseen[:_MOST_NAMES])}{' ...' if len(unseen) > _MOST_NAMES else ''}"
+    if watch.invisible:
+        kinds = ", ".join(f"{count} {kind.replace('_', ' ')}" for kind, count in sorted(watch.invisible.items()))
+        yield f"  promised, and not to be seen this way: {kinds}"
     for gap in seen.gaps:
         yield f"  not read: {gap.what}: {gap.why}"
     counts = Counter(each.severity for each in findings)

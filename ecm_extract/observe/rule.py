@@ -1,20 +1,20 @@
-"""A rule of observation: the metadata that every rule has, and how it makes a finding about modules and nodes."""
+"""A rule of observation: how it makes a finding about modules and nodes."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 
 import msgspec
+from ecm_checker.any_rule import AnyRule, Said
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Certainty, Entity, Finding, Severity
 
-from ecm_extract.lint.rule import LintRule
 from ecm_extract.observe.expected import Expected
 from ecm_extract.observe.watch import Watch
 
 
-class ObserveRule(LintRule, frozen=True, kw_only=True):
-    """What a rule file declares; see `LintRule`."""
+class ObserveRule(AnyRule, frozen=True, kw_only=True):
+    """What a rule file of observation declares: what every rule does."""
 
     def seen(
         self,
@@ -37,8 +37,16 @@ class ObserveRule(LintRule, frozen=True, kw_only=True):
             severity: where it differs from that of the rule.
         """
         names = tuple(dict.fromkeys(subjects))
-        found = self.finding(text, entity, " ".join(names), evidence, certainty=certainty, severity=severity)
-        return msgspec.structs.replace(found, subjects=names)
+        said = Said(
+            text=text,
+            entity=entity,
+            owners=(" ".join(names),),
+            subjects=names,
+            evidence=evidence,
+            certainty=certainty,
+            severity=severity,
+        )
+        return self.found(said)
 
 
 Check = Callable[[Watch], Iterator[Finding]]

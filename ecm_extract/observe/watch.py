@@ -5,7 +5,7 @@ Matching goes through indexes by role and name. Everything derived is made when 
 
 from __future__ import annotations
 
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 
@@ -133,6 +133,30 @@ class Watch:
         """Roles that the source sees; of a bag, publishers, though one that is missing means nothing there."""
         recorded = ("publisher",) if self.seen.source == "bag" else ()
         return frozenset((*recorded, *self.seen.senses))
+
+    @cached_property
+    def invisible(self) -> dict[str, int]:
+        """What the modules that are here promise and this source cannot see: roles, and `rate`, with how many."""
+        nodes: defaultdict[str, list[str]] = defaultdict(list)
+        modules = {each.module.id: each.module for each in self.present}
+        for each in self.running:
+            nodes[each.module.id].append(each.node)
+        promised = (each for name, module in modules.items() for each in self.promises_of(module, nodes[name]))
+        hidden = Counter(each.interface.role for each in promised if not self._is_visible(each))
+        if not self.senses("rate"):
+            hidden["rate"] = sum(len(module.rates) for module in modules.values())
+        return {kind: count for kind, count in hidden.items() if count}
+
+    def _is_visible(self, expected: Expected) -> bool:
+        """Transforms that are looked up are judged by those that were sent."""
+        if expected.interface.role == "tf_lookup" and self.senses("transform"):
+            return True
+        return any(role in self.visible_roles for role, _ in graph_keys(expected))
+
+    @cached_property
+    def is_empty(self) -> bool:
+        """Whether nothing is there but tools."""
+        return not self.node_names and all(end.node is not None for end in self.seen.endpoints)
 
     def promises_of(self, module: View, nodes: Sequence[str]) -> tuple[Expected, ...]:
         """What a module promises on its nodes; without any, in the root namespace."""

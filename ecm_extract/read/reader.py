@@ -19,6 +19,7 @@ from ecm_parsers.result import Diagnostic, Parsed
 from ecm_parsers.sros_policy import is_policy, parse_policy
 
 from ecm_extract.cache.blobs import Blob, BlobCache
+from ecm_extract.cmake import BuildFiles
 from ecm_extract.discover import PackageRoot, discover, is_test_path
 from ecm_extract.errors import TreeReadError
 from ecm_extract.exclusion import Exclusion
@@ -95,7 +96,11 @@ class Reader:
 
     def _read_packages(self, packages: list[PackageFacts]) -> None:
         self._contents.fetch(entry for package in packages for entry in package.root.files)
+        build_files = BuildFiles((entry.path for entry in self.tree.files()), self._contents.read)
         for package in packages:
+            package.cmake = read_cmake(build_files, package.root, self.tree)
+            for path in package.cmake:
+                self._count(path, len(self._contents.read(path) or b""), ())
             self._read_package(package)
         self._contents.drop()
 
@@ -139,7 +144,6 @@ class Reader:
         if root.manifest is not None and root.manifest.endswith("package.xml"):
             package.manifest = self._manifest(root.manifest)
         package.overlay = self._overlay(root)
-        package.cmake = read_cmake(self, root)
         package.setups = read_setups(self, root)
         for entry in root.files:
             self._read_declarative(package, entry.path)

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Final
 
 import msgspec
 from ecm_checker.contract import Contract, Evidence, Interface
+from ecm_checker.hub.roles import roles
 
 from ecm_extract.extraction_model import Extraction, LocatedDiagnostic
 from ecm_extract.overlay.problems import is_of_overlay
-
-_UNTYPED_ROLES: Final = frozenset({"parameter", "tf_broadcast", "tf_lookup"})
 
 
 class Spot(msgspec.Struct, frozen=True):
@@ -66,7 +64,7 @@ def _interface_gaps(extraction: Extraction) -> Iterator[tuple[str, str, str]]:
         place = _place(interface.evidence)
         if interface.confidence == "pattern":
             yield "name is computed when it runs", place, interface.name
-        if interface.type is None and interface.role not in _UNTYPED_ROLES:
+        if interface.type is None and roles()[interface.role].shape:
             yield "type is not known", place, interface.name
 
 

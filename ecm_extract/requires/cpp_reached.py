@@ -30,7 +30,6 @@ _MACRO: Final = re.compile(r"[A-Z][A-Z0-9_]*")
 _OWN: Final = frozenset({"std", "boost"})
 
 
-INSIDE: Final = "its members"
 """Said of a member that is gone through to what it holds."""
 
 
@@ -82,10 +81,15 @@ def _required(touched: _Touched, func: Func, scope: str, lines: tuple[int, ...])
     path = func.file.path
     evidence = tuple(Evidence(path, line) for line in lines)
     use = "reads_member" if touched.count < 0 else "calls_method"
-    given = None if touched.count < 0 else Given(count=touched.count)
+    given = _given(touched)
     place = Place(path, lines[0], f"file {path}")
-    found = required(use, touched.name, place, owner=touched.owner, scope=scope, given=given, evidence=evidence)
-    return msgspec.structs.replace(found, said=INSIDE) if touched.inside else found
+    return required(use, touched.name, place, owner=touched.owner, scope=scope, given=given, evidence=evidence)
+
+
+def _given(touched: _Touched) -> Given | None:
+    if touched.count >= 0:
+        return Given(count=touched.count)
+    return Given(inside=True) if touched.inside else None
 
 
 class _Ways:

@@ -27,7 +27,7 @@ def switch_requirements(program: Program) -> Iterator[tuple[str, Requirement]]:
     """Yield the package and the requirement of each component that takes part in switches of any joint."""
     for func in switches_by_type(program):
         place = Place(func.file.path, func.fact.line, f"class {func.fact.scope}")
-        yield func.file.package, required("answers_switch", ANY_JOINT, place, "likely", said=func.fact.scope)
+        yield func.file.package, required("answers_switch", ANY_JOINT, place, "likely", scope=func.fact.scope)
 
 
 def switches_by_type(program: Program) -> Iterator[Func]:

@@ -8,25 +8,12 @@ from typing import Final
 from ecm_checker.contract import Interface
 from ecm_checker.finding import Certainty
 from ecm_checker.hub.requirement import Requirement
+from ecm_checker.hub.roles import roles
 
 from ecm_extract.entities.endpoints import comparable_name
 from ecm_extract.link.linker import LinkedModule
 from ecm_extract.requires.place import Place, required
 
-_USES: Final = {
-    "subscriber": "subscribes",
-    "publisher": "publishes",
-    "service_client": "calls_service",
-    "action_client": "calls_action",
-}
-_SPEAKS: Final = {
-    "publisher": "publishes it on",
-    "subscriber": "subscribes to it on",
-    "service_server": "serves it as",
-    "service_client": "calls it as",
-    "action_server": "serves it as",
-    "action_client": "calls it as",
-}
 _LOOKUP: Final = " <- "
 """Between the frames of a transform that is looked up."""
 
@@ -46,11 +33,12 @@ def endpoint_requirements(modules: Sequence[LinkedModule]) -> Iterator[Requireme
 
 
 def _of(entry: Interface, place: Place) -> Iterator[Requirement]:
-    if entry.role in _USES:
+    row = roles()[entry.role]
+    if row.use:
         name = entry.name if entry.name.startswith("/") else comparable_name(entry)
-        yield required(_USES[entry.role], name, place, _certainty(entry), type=entry.type, qos=entry.qos)
-    if entry.role in _SPEAKS and entry.type is not None:
-        yield required("speaks", entry.type, place, "likely", said=f"{_SPEAKS[entry.role]} {entry.name}")
+        yield required(row.use, name, place, _certainty(entry), type=entry.type, qos=entry.qos)
+    if row.verb and entry.type is not None:
+        yield required("speaks", entry.type, place, "likely", said=f"{row.verb} {entry.name}")
     if entry.role == "tf_lookup" and entry.frame:
         for name in entry.frame.split(_LOOKUP):
             yield required("looks_up", name, place, "likely")

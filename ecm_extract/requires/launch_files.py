@@ -82,7 +82,7 @@ def _of_include(action: Include, scope: _Scope) -> Iterator[Requirement]:
         return
     given = Given(names=tuple(name for name, _ in action.arguments), forwarded=action.pass_all)
     path = f"{found[2].lstrip('/')}{found[3]}"
-    yield required("includes_launch", found[3], place, package=found[1], given=given, said=path)
+    yield required("includes_launch", found[3], place, package=found[1], given=given, target=path)
     lines = action.argument_lines or (action.line,) * len(action.arguments)
     for (name, _), line in zip(action.arguments, lines, strict=True):
         yield required("gives_argument", name, scope.place(line), package=found[1], owner=found[3])
@@ -131,7 +131,7 @@ def _names(action: Node, place: Place) -> Iterator[Requirement]:
         yield required("names_node", name, place)
     target = plain(action.target or ())
     if target.rpartition("/")[2]:
-        yield required("loads_into", target.rpartition("/")[2], place, "likely", said=target)
+        yield required("loads_into", target.rpartition("/")[2], place, "likely", target=target)
 
 
 def _reached(remap: Remap, place: Place) -> Iterator[Requirement]:
@@ -144,7 +144,7 @@ def _reached(remap: Remap, place: Place) -> Iterator[Requirement]:
 
 def _remap(action: Remap, scope: _Scope, package: str | None) -> Requirement:
     source, target = holed(action.source), holed(action.target)
-    return required("remaps", source, scope.place(action.line), "likely", said=target, package=package or None)
+    return required("remaps", source, scope.place(action.line), "likely", target=target, package=package or None)
 
 
 def _of_parameter(action: ParameterValue, place: Place, package: str | None) -> Iterator[Requirement]:

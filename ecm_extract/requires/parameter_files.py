@@ -44,8 +44,8 @@ def parameter_file_requirements(tree: Tree, facts: PackageFacts) -> Iterator[Req
         plugins = _plugins(file.sets)
         for entry in file.sets:
             for found in _of_set(entry, file.ros, path):
-                scope = _plugin_of(entry, plugins)
-                yield msgspec.structs.replace(found, scope=scope) if scope else found
+                plugin = _plugin_of(entry, plugins)
+                yield msgspec.structs.replace(found, plugin=plugin) if plugin else found
 
 
 def _plugins(entries: Iterable[ParameterSet]) -> Mapping[tuple[str | None, str], str]:

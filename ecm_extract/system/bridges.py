@@ -2,22 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from typing import Final
 
+from ecm_checker.contract import Role
 from ecm_parsers.gz_bridge import BridgedTopic, bridged_argument, parse_bridge_yaml
 
 from ecm_extract.system.files import Files
 from ecm_extract.system.model import Instance, Place
 
 _BRIDGES = frozenset({"parameter_bridge", "bridge_node", "ros_gz_bridge"})
-_ROLES = {
+_ROLES: Final[Mapping[str, tuple[Role, ...]]] = {
     "gz_to_ros": ("publisher",),
     "ros_to_gz": ("subscriber",),
     "bidirectional": ("publisher", "subscriber"),
 }
 
 
-def bridged(instance: Instance, files: Files) -> Iterator[tuple[str, BridgedTopic, Place]]:
+def bridged(instance: Instance, files: Files) -> Iterator[tuple[Role, BridgedTopic, Place]]:
     """Yield (role, topic, line) of what an instance carries, when it is a bridge."""
     if instance.executable not in _BRIDGES:
         return
@@ -32,7 +34,7 @@ def bridged(instance: Instance, files: Files) -> Iterator[tuple[str, BridgedTopi
             yield from _of_file(setting.value, files)
 
 
-def _of_file(text: str, files: Files) -> Iterator[tuple[str, BridgedTopic, Place]]:
+def _of_file(text: str, files: Files) -> Iterator[tuple[Role, BridgedTopic, Place]]:
     path = files.find(text)
     data = files.read(path) if path is not None else None
     if path is None or data is None:

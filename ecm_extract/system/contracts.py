@@ -54,7 +54,7 @@ def _contract(system: System, node: SystemNode, locks: Value | None) -> Contract
 def _interface(entry: Endpoint, start: Place) -> Interface:
     places = (entry.place, start, *(() if entry.remap is None else (entry.remap.place,)))
     return Interface(
-        role=entry.role,  # type: ignore[arg-type]
+        role=entry.role,
         name=entry.name,
         raw_name=entry.before,
         type=entry.type,

@@ -7,25 +7,13 @@ whoever has a graph question (reachability, components, cycles) can ask it.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import Any, Literal, NamedTuple
+from typing import Any, NamedTuple
 
 import msgspec
 import networkx as nx
+from ecm_checker.hub.roles import ChannelKind, roles
 
 from ecm_extract.system.node_model import Endpoint, SystemNode
-
-ChannelKind = Literal["topic", "service", "action"]
-_CHANNELS: dict[str, tuple[ChannelKind, bool]] = {
-    "publisher": ("topic", True),
-    "subscriber": ("topic", False),
-    "tf_broadcast": ("topic", True),
-    "tf_lookup": ("topic", False),
-    "service_client": ("service", True),
-    "service_server": ("service", False),
-    "action_client": ("action", True),
-    "action_server": ("action", False),
-}
-"""Role -> kind of channel, and whether the edge goes from the node to the channel."""
 
 
 class Channel(msgspec.Struct, frozen=True):
@@ -54,10 +42,10 @@ class Edge(NamedTuple):
 
 def channel_of(endpoint: Endpoint) -> tuple[ChannelKind, str] | None:
     """Return kind and name of the channel of an endpoint; None for a lookup that names frames, not the topic."""
-    known = _CHANNELS.get(endpoint.role)
-    if known is None or (endpoint.role.startswith("tf_") and endpoint.type is None):
+    row = roles()[endpoint.role]
+    if row.channel is None or (not row.shape and endpoint.type is None):
         return None
-    return (known[0], endpoint.name)
+    return (row.channel, endpoint.name)
 
 
 def channels(nodes: Iterable[SystemNode]) -> list[Channel]:
@@ -80,8 +68,8 @@ def _channel(kind: ChannelKind, name: str, endpoints: list[Endpoint]) -> Channel
         kind,
         name,
         tuple(sorted({entry.type for entry in endpoints if entry.type is not None})),
-        tuple(sorted({entry.node for entry in endpoints if _CHANNELS[entry.role][1]})),
-        tuple(sorted({entry.node for entry in endpoints if not _CHANNELS[entry.role][1]})),
+        tuple(sorted({entry.node for entry in endpoints if roles()[entry.role].sends})),
+        tuple(sorted({entry.node for entry in endpoints if not roles()[entry.role].sends})),
     )
 
 
@@ -106,4 +94,4 @@ def _edges(node: SystemNode) -> Iterator[tuple[tuple[str, str], tuple[str, str],
         if channel is None:
             continue
         own = ("node", node.name)
-        yield (own, channel, endpoint) if _CHANNELS[endpoint.role][1] else (channel, own, endpoint)
+        yield (own, channel, endpoint) if roles()[endpoint.role].sends else (channel, own, endpoint)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from ecm_checker.contract import Qos
+from ecm_checker.contract import Qos, Role
 
 from ecm_extract.link.linker import LinkedModule
 from ecm_extract.system.model import Instance, Place, Remapping
@@ -24,7 +24,7 @@ class Endpoint:
         place: of the declaring line.
     """
 
-    role: str
+    role: Role
     name: str
     before: str
     type: str | None

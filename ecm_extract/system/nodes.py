@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from fnmatch import fnmatchcase
 from typing import Any, NamedTuple
 
-from ecm_checker.contract import Interface, Qos
+from ecm_checker.contract import Interface, Qos, Role
 
 from ecm_extract.description.model import Description
 from ecm_extract.link.linker import LinkedModule
@@ -234,7 +234,7 @@ def _state_services(node: SystemNode, plugged: Sequence[Plugged]) -> Iterator[En
 
 
 def _endpoint(
-    node: SystemNode, role: str, kind: str | None, resolved: Resolved, place: Place, qos: Qos | None = None
+    node: SystemNode, role: Role, kind: str | None, resolved: Resolved, place: Place, qos: Qos | None = None
 ) -> Endpoint:
     return Endpoint(
         role=role,

@@ -10,6 +10,7 @@ from importlib import resources
 from typing import Any, NamedTuple
 
 import msgspec
+from ecm_checker.contract import Role
 
 from ecm_extract.system.model import Instance
 from ecm_extract.system.spawners import spawned
@@ -18,7 +19,7 @@ from ecm_extract.system.spawners import spawned
 class PublicEndpoint(NamedTuple):
     """One row: role, name for any node, type, and the setting `parameter=value` or `parameter!=value` that it needs."""
 
-    role: str
+    role: Role
     name: str
     type: str
     when: str = ""

@@ -69,7 +69,7 @@ def _is_relative(instance: Instance) -> bool:
     return instance.namespace == "/" and not (instance.name or "").startswith("/")
 
 
-def _required(use: str, name: str, said: str, instance: Instance, place: Place, by: str) -> Requirement:
+def _required(use: str, name: str, target: str, instance: Instance, place: Place, by: str) -> Requirement:
     return Requirement(
         use=use,
         kind=uses()[use].of[0],
@@ -81,6 +81,6 @@ def _required(use: str, name: str, said: str, instance: Instance, place: Place, 
         conditions=(),
         by=by,
         evidence=(Evidence(place.path, place.line),),
-        said=said,
+        target=target,
         ros=instance.ros,
     )

@@ -18,11 +18,15 @@ class Target(msgspec.Struct, frozen=True):
         name: folded; a part that is not known stays `${NAME}`.
         kind: `test` is a program of a test framework; an ordinary target below BUILD_TESTING keeps its kind.
         line: 1-based.
-        sources: paths relative to the file's folder, patterns (`src/*.cpp`, `**`), or names without a suffix
-            (CMake tries .cpp and others); generated and unknown ones stay references.
+        sources: paths relative to the file's folder, patterns (`src/*.cpp`), or names without a suffix (CMake tries
+            .cpp and others), all that builds may have; generated and unknown ones stay references.
         links: libraries and packages it is linked with.
         is_test: whether it is built only with tests.
         output: OUTPUT_NAME, the name of the file that is built where it is not that of the target; else empty.
+        conditions: under which it is built, as written; those that are decided are left out.
+        by_default: whether a build without settings of its own builds it; None where that is not known.
+        is_shared: whether a library is a file of its own that programs load; None where that is not known.
+        optional: the sources that such a build does not have. is_open: whether it may have others.
     """
 
     name: str
@@ -32,6 +36,11 @@ class Target(msgspec.Struct, frozen=True):
     links: tuple[str, ...] = ()
     is_test: bool = False
     output: str = ""
+    conditions: tuple[str, ...] = ()
+    by_default: bool | None = True
+    optional: tuple[str, ...] = ()
+    is_open: bool = False
+    is_shared: bool | None = False
 
 
 class Component(msgspec.Struct, frozen=True):
@@ -76,12 +85,23 @@ class InterfaceFile(msgspec.Struct, frozen=True):
 
 
 class Install(msgspec.Struct, frozen=True):
-    """What is installed where; the destination may hold references (`${CATKIN_PACKAGE_BIN_DESTINATION}`)."""
+    """What is installed where.
+
+    Attributes:
+        items: targets, or paths relative to the file's folder; of a folder that ends in `/` only the content.
+        destination: below the folder of installation; what is not known stays a reference.
+        words: keywords of the rule. renamed: what RENAME calls the only item, or empty.
+        conditions, by_default: as of a target.
+    """
 
     kind: InstallKind
     items: tuple[str, ...]
     destination: str
     line: int
+    words: tuple[str, ...] = ()
+    renamed: str = ""
+    conditions: tuple[str, ...] = ()
+    by_default: bool | None = True
 
 
 class Dependency(msgspec.Struct, frozen=True):
@@ -109,6 +129,25 @@ class Option(msgspec.Struct, frozen=True):
     line: int
 
 
+class Command(msgspec.Struct, frozen=True):
+    """A command that runs, with its arguments as evaluated; `line` is that of the file, of the call of a function.
+
+    What is not known of an argument is a reference, a path of the tree starts from the folder of the file.
+    """
+
+    name: str
+    args: tuple[str, ...]
+    line: int
+    is_test: bool = False
+
+
+class Unknown(msgspec.Struct, frozen=True):
+    """What may build more than is known, with the reason."""
+
+    line: int
+    reason: str
+
+
 class CmakeFile(msgspec.Struct, frozen=True):
     """All facts of one file.
 
@@ -118,7 +157,8 @@ class CmakeFile(msgspec.Struct, frozen=True):
         line: of `project()`, else 0.
         gpu: names of CUDA or TensorRT that the file asks for, with their lines.
         python_packages: what `ament_python_install_package` names; `.` for `catkin_python_setup`.
-        variables: at the end of the file, for files that run inside it.
+        commands: that run, but those that only set variables.
+        unknown: places that may build more than is known.
         foreign: words given to commands of other packages, which may make targets of these names.
     """
 
@@ -137,5 +177,6 @@ class CmakeFile(msgspec.Struct, frozen=True):
     options: tuple[Option, ...] = ()
     gpu: tuple[FileReference, ...] = ()
     python_packages: tuple[FileReference, ...] = ()
-    variables: dict[str, str] = {}
+    commands: tuple[Command, ...] = ()
+    unknown: tuple[Unknown, ...] = ()
     foreign: tuple[str, ...] = ()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from path_a import claim, permission
+from path_a import claim, lifecycle, permission, qos_ros2, writers
 from path_a.predictions import check, contract, diff, manifest, manifests, rules
 from path_a.recovery import _timeout
 from path_a.row import FIXTURES, Case, Observed, shown
@@ -63,8 +63,37 @@ def test_the_lost_watchdog_is_predicted() -> None:
 
 
 def test_what_is_not_at_hand_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Claim and permission are predicted, and not measured without their middleware."""
+    """Everything is predicted, and nothing is called measured without its middleware."""
     monkeypatch.delenv("AMENT_PREFIX_PATH", raising=False)
-    for (case,), rule in ((claim.measure(1), "RES001"), (permission.measure(1), "PERM005")):
-        assert case.verdict == "not measured"
-        assert rule in case.prediction
+    monkeypatch.setattr(permission, "which", lambda _name: None)
+    rows = [*claim.measure(1), *permission.measure(1), *lifecycle.measure(1), *qos_ros2.measure(1)]
+    assert {case.verdict for case in rows} == {"not measured"}
+    told = {case.name: case.prediction for case in rows}
+    assert "RES001" in told["second claim of a command interface"]
+    assert "PERM005" in told["commander under the policy ward"]
+    assert "nothing against it" in told["commander under the policy driver"]
+    assert "BEH008" in told["a managed node that is inactive"]
+    assert "nothing against it" in told["a managed node that is active"]
+    assert "BEH001" in told["QoS in ROS 2 reliability/best_effort_to_reliable"]
+
+
+def test_a_criterion_that_was_changed_is_told() -> None:
+    """A row that was judged by another criterion says how it came out then."""
+    case = Case("name", "prediction", (Observed("text", True),), history=("1 of 5 refuted it",))
+    assert shown(case).endswith("  history: 1 of 5 refuted it")
+
+
+@pytest.mark.parametrize(
+    ("way", "turns", "seen", "conflict", "confirmed"),
+    [
+        (2.0, 0, "", False, True),
+        (2.0, 0, "OBS009", False, False),
+        (1.0, 0, "", False, False),
+        (2.0, 159, "OBS009", True, True),
+        (0.2, 159, "", True, False),
+        (0.2, 10, "OBS009", True, False),
+    ],
+)
+def test_criterion_of_writers(way: float, turns: int, seen: str, conflict: bool, confirmed: bool) -> None:
+    """Commands that turn round and what observe says decide; the way does for one writer only."""
+    assert writers.Driven(way, 160, turns, seen).confirms(conflict) is confirmed

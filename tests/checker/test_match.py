@@ -39,6 +39,8 @@ JOINT = provision("class", "arm::Joint", bases=("Arm",))
 MOVE = provision("method", "move", "arm::Arm", forms=(Form(("int",), 1, "void", ("to",), virtual=True),))
 ARM_LAUNCH = provision("launch_file", "arm.launch", path="arm.launch")
 SIDE = provision("launch_argument", "side", "arm.launch", path="arm.launch", default="left")
+MODE = provision("message", "arm_msgs/msg/Mode", package="arm_msgs")
+OFF = provision("constant", "OFF", "arm_msgs/msg/Mode", package="arm_msgs")
 STATES: dict[str, tuple[list[Provision], Requirement, str]] = {
     "a program that is there": (
         [provision("executable", "arm_node")],
@@ -157,6 +159,14 @@ def test_a_name_of_another_package_needs_its_header(included: tuple[Requirement,
     wanted = requirement("names_symbol", "arm::Arm")
     consumer = Consumer("user", [*included, wanted])
     assert match(wanted, consumer, Provisions([HEADER, ARM]), {"arm"}).state == state
+
+
+@pytest.mark.parametrize(("name", "state"), [("OFF", "met"), ("ON", "unknown")])
+def test_cpp_names_a_constant_of_a_message(name: str, state: str) -> None:
+    """The header of a message is generated below the name of its package, and belongs to it as any other."""
+    wanted = requirement("names_symbol", f"arm_msgs::msg::Mode::{name}")
+    consumer = Consumer("user", [requirement("includes", "arm_msgs/msg/mode.hpp"), wanted])
+    assert match(wanted, consumer, Provisions([MODE, OFF]), {"arm_msgs"}).state == state
 
 
 def package(name: str, provides: list[Provision], requires: list[Requirement]) -> Package:

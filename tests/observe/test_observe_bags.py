@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sqlite3
+from contextlib import closing
 from pathlib import Path
 
 import pytest
@@ -94,6 +96,21 @@ def test_a_broken_recording_costs_nothing_of_the_others(tmp_path: Path) -> None:
     for path in (*bad, tmp_path / "none.bag"):
         with pytest.raises(InputError):
             observe_bags([path])
+
+
+def test_a_recording_with_less_than_it_says_is_told(tmp_path: Path) -> None:
+    """Messages that were taken out of the file, or never written, are a gap."""
+    with Recorder(tmp_path, "sqlite3") as bag:
+        imu = bag.topic("/imu", "sensor_msgs/msg/Imu")
+        for now in times(10):
+            bag.write(imu, now, bag.imu(now, "imu_link"))
+    (database,) = bag.path.glob("*.db3")
+    with closing(sqlite3.connect(database)) as connection:
+        connection.execute("DELETE FROM messages WHERE id > 4")
+        connection.commit()
+    seen = observe_bags([bag.path])
+    assert stream(seen, "/imu").count == 4
+    assert [gap.why for gap in seen.gaps] == ["4 of the 10 messages that it says it holds are there"]
 
 
 def test_messages_that_lie_are_told(tmp_path: Path) -> None:

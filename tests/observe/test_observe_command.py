@@ -114,6 +114,57 @@ def test_nothing_that_was_promised_is_no_all_clear(tmp_path: Path, capsys: pytes
     assert "nothing was compared" in capsys.readouterr().err
 
 
+def test_an_empty_graph_is_no_all_clear(capsys: pytest.CaptureFixture[str]) -> None:
+    """A master under which nothing runs may be the wrong one, whoever asks for contracts or not."""
+    with running() as graph:
+        assert run(["observe", "--ros1", graph.uri, "--once"]) == 2
+    told = capsys.readouterr().err
+    assert "nothing there" in told
+    assert "nothing is there" in told
+
+
+def test_a_launch_in_a_recording_that_knows_no_nodes(bag: str, capsys: pytest.CaptureFixture[str]) -> None:
+    """A recording of ROS 2 cannot tell that a node does not run, so silence is none of it."""
+    robot = str(ROOT / "fixtures" / "path_a" / "cmd_vel_robot")
+    command = ["observe", "--bag", bag, "--workspace", robot, "--launch", "cmd_vel_robot/launch/one_writer.launch"]
+    assert run(command) == 2
+    assert "nothing was compared" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("fail_on", ["error", "never"])
+def test_what_could_not_be_read_is_no_all_clear(
+    bag: str, fail_on: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The rest is shown, and the status says that it is not the whole."""
+    (tmp_path / "cut.mcap").write_bytes(b"\x89MCAP0\r\n" + b"\xff" * 500)
+    assert run(["observe", bag, str(tmp_path / "cut.mcap"), "--fail-on", fail_on]) == 2
+    told = capsys.readouterr()
+    assert "OBS020" in told.out
+    assert "not all seen" in told.err
+    assert "not everything could be read" in told.err
+
+
+def test_a_finding_is_true_whatever_could_not_be_read(bag: str, tmp_path: Path) -> None:
+    (tmp_path / "cut.mcap").write_bytes(b"")
+    assert run(["observe", bag, str(tmp_path / "cut.mcap"), "--workspace", ROBOT, "-q"]) == 1
+
+
+def test_what_a_source_cannot_see_is_not_as_promised(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """ROS 1 registers no service clients, so a contract with one is confirmed as far as that only."""
+    base = tmp_path / "base.ecm.yaml"
+    ends = [{"role": "subscriber", "name": "/cmd_vel"}, {"role": "service_client", "name": "/reset"}]
+    whole = manifest("base", ends[0])
+    whole["signature"]["interfaces"] += manifest("base", ends[1])["signature"]["interfaces"]
+    base.write_text(yaml.safe_dump(whole))
+    with running(FakeNode("/base", [], {"/cmd_vel": TWIST})) as graph:
+        command = ["observe", "--ros1", graph.uri, "--once", "--contracts", str(base), "--format", "json"]
+        assert run(command) == 0
+    told = capsys.readouterr()
+    assert json.loads(told.out)["verdict"] == "as_far_as_seen"
+    assert json.loads(told.out)["cannot_be_seen"] == {"service_client": 1}
+    assert "1 service client" in told.err
+
+
 def test_open_names_are_completed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """What stayed a pattern is written as an overlay, which the next extraction takes with origin `observed`."""
     package = tmp_path / "ws" / "bridge"

@@ -202,14 +202,14 @@ CASES: dict[str, tuple[int, dict[str, str], list[dict[str, Any]]]] = {
         {"launch/user.launch": LAUNCH_XML},
         [
             {"use": "includes_launch", "package": "arm_bringup", "name": "arm.launch", "line": 2},
-            {"use": "includes_launch", "name": "arm.launch", "said": "launch/arm.launch", "line": 2},
+            {"use": "includes_launch", "name": "arm.launch", "target": "launch/arm.launch", "line": 2},
             {"use": "gives_argument", "package": "arm_bringup", "owner": "arm.launch", "name": "side", "line": 3},
             {"use": "starts", "package": "arm", "name": "arm_node", "line": 4, "conditions": ("$(arg real)",)},
             {"use": "gives_parameter", "package": "arm", "name": "rate", "line": 5},
-            {"use": "remaps", "package": "arm", "name": "joints", "said": "/arm/joints", "line": 6},
+            {"use": "remaps", "package": "arm", "name": "joints", "target": "/arm/joints", "line": 6},
             {"use": "reads_file", "package": "arm_bringup", "name": "config/arm.yaml", "line": 8},
             {"use": "gives_parameter", "package": "hand", "name": "force", "line": 10},
-            {"use": "remaps", "package": "hand", "name": "~/state", "said": "arm/state", "line": 11},
+            {"use": "remaps", "package": "hand", "name": "~/state", "target": "arm/state", "line": 11},
         ],
     ),
     "parameters": (
@@ -229,12 +229,12 @@ CASES: dict[str, tuple[int, dict[str, str], list[dict[str, Any]]]] = {
     "switch": (
         2,
         {"src/hardware.cpp": SWITCH},
-        [{"use": "answers_switch", "name": "*", "said": "arm::Hardware", "line": 3}],
+        [{"use": "answers_switch", "name": "*", "scope": "arm::Hardware", "line": 3}],
     ),
     "container": (
         1,
         {"launch/hand.launch": CONTAINED},
-        [{"use": "loads_into", "name": "manager", "said": "/manager", "line": 2}],
+        [{"use": "loads_into", "name": "manager", "target": "/manager", "line": 2}],
     ),
     "behaviour tree": (
         2,
@@ -258,7 +258,20 @@ CASES: dict[str, tuple[int, dict[str, str], list[dict[str, Any]]]] = {
 def rows(workspace: Workspace) -> list[dict[str, Any]]:
     found = requirements(read_workspace(open_tree(workspace.root), Options(jobs=1, cache=False), {}))
     flat = [each for entries in found.values() for each in entries]
-    fields = ("use", "kind", "package", "owner", "name", "type", "value", "certainty", "conditions", "said")
+    fields = (
+        "use",
+        "kind",
+        "package",
+        "owner",
+        "name",
+        "type",
+        "value",
+        "certainty",
+        "conditions",
+        "scope",
+        "said",
+        "target",
+    )
     return [{**{f: getattr(each, f) for f in fields}, "line": at.line} for each in flat for at in each.evidence]
 
 

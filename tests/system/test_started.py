@@ -43,7 +43,7 @@ def test_names_are_what_the_launch_makes_of_them(workspace: Workspace) -> None:
     )
     package = started_package(system)
     assert {each.name for each in package.provides} == {"/left/arm_manager", "hand", "keys"}
-    rows = {(each.use, each.name, each.said, each.by) for each in package.requires}
+    rows = {(each.use, each.name, each.target, each.by) for each in package.requires}
     assert rows == {
         ("loads_into", "arm_manager", "/arm_manager", "node /hand"),
         ("remaps", "command", "/arm_manager/command", "node /keys"),

@@ -13,7 +13,7 @@ import msgspec
 from ecm_checker.finding import Who
 
 World = Literal["graph", "package"]
-Breach = Literal["gone", "type", "signature", "layout", "duty", "default", "advice"]
+Breach = Literal["gone", "type", "signature", "layout", "duty", "advice"]
 
 
 class Kind(msgspec.Struct, frozen=True):

@@ -22,6 +22,7 @@ class Given(msgspec.Struct, frozen=True, omit_defaults=True):
         takes: of a result: `2 values`, `1 value`.
         types: parameter types of an overriding method, as a provider's form has them. returns: its return type.
         forwarded: whether arguments of the surrounding file are handed on as well.
+        inside: whether something inside of a member is used, so that it must stay of its type.
     """
 
     count: int | None = None
@@ -30,6 +31,7 @@ class Given(msgspec.Struct, frozen=True, omit_defaults=True):
     types: tuple[str, ...] | None = None
     returns: str = ""
     forwarded: bool = False
+    inside: bool = False
 
 
 class Requirement(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
@@ -41,8 +43,10 @@ class Requirement(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True)
         name: as it is used, resolved as far as its own package tells. Computed parts are `{hole}`.
         package: that must provide it; None where any may.
         owner: of the name: a node or pattern of nodes, a message, a class, a launch file.
-        scope: namespace or class in which C++ looks the owner up; of a parameter the plugin whose block it stands in;
-            empty where it is written in full, or in no block.
+        scope: namespace or class in which C++ looks the owner up; empty where it is written in full.
+        plugin: of a parameter, the class whose block it stands in; empty where it stands in none.
+        target: of a remap the name that it leads to, of a component that of its container in full; of an include the
+            path of the file, as written.
         type: message type, type of a given value.
         value: that is given, as data.
         qos: that is asked for, or offered.
@@ -51,7 +55,7 @@ class Requirement(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True)
         certainty: `proved` where names are literal and resolved, `likely` where they may mean something else.
         conditions: under which the line runs, as written.
         by: who requires it: `node talker`, `launch_file bringup.launch.py`.
-        said: what else the phrase of the use needs.
+        said: what else the phrase of the use needs; nothing is decided by it.
         kept_for: the distribution whose folder the file lies in, beside the same file for all others; empty for none.
         ignored: words of comments on the line that answer breaks of it; an empty word answers any.
         evidence: the line first; of one name that a file uses in several lines all of them.
@@ -68,6 +72,8 @@ class Requirement(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True)
     by: str
     evidence: tuple[Evidence, ...]
     scope: str = ""
+    plugin: str = ""
+    target: str = ""
     value: Any = None
     qos: Qos | None = None
     given: Given | None = None
@@ -80,5 +86,10 @@ class Requirement(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True)
     def phrase(self) -> str:
         """What the line does, in words."""
         return uses()[self.use].phrase.format(
-            name=self.name, owner=self.owner, package=self.package, said=self.said, last=self.name.rpartition(".")[2]
+            name=self.name,
+            owner=self.owner,
+            package=self.package,
+            target=self.target,
+            said=self.said,
+            last=self.name.rpartition(".")[2],
         )

@@ -91,7 +91,7 @@ def _graph(site: Site, entity: Provision) -> bool:
 
 
 def _remap_keys(requirement: Requirement) -> Iterator[str]:
-    for name in (requirement.name, requirement.said):
+    for name in (requirement.name, requirement.target):
         yield name.rstrip("/").rpartition("/")[2]
 
 
@@ -105,7 +105,7 @@ def _remap(site: Site, entity: Provision) -> bool:
     wanted = site.requirement
     if wanted.package is None:
         return False
-    name = wanted.name if is_of_program(wanted, entity.package) else wanted.said
+    name = wanted.name if is_of_program(wanted, entity.package) else wanted.target
     return bool(name) and (name.lstrip("~/") == entity.name.lstrip("~/") or graph_name_matches(entity.name, name))
 
 
@@ -124,7 +124,7 @@ def _parameter(site: Site, entity: Provision) -> bool:
 
 def _is_of_other_plugin(site: Site, entity: Provision) -> bool:
     """Whether a value stands in the block of a plugin that the providing side does not have."""
-    home = site.requirement.scope.replace("::", "/").partition("/")[0]
+    home = site.requirement.plugin.replace("::", "/").partition("/")[0]
     return bool(home) and home != entity.package and home not in site.folders
 
 

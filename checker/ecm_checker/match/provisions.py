@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import Final
 
 from ecm_checker.hub.kinds import kinds, uses
-from ecm_checker.hub.provision import HOLE, Provision
+from ecm_checker.hub.provision import HOLE, Key, Provision
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.match.consumer import Consumer
 from ecm_checker.match.generated import headers, python_names, section_owners
@@ -69,6 +69,8 @@ class Provisions:
         for entity in self._entities:
             if entity.kind == "file" and "/" in entity.name:
                 found[entity.name.partition("/")[0]].add(entity.package)
+            elif entity.kind == "message":  # its header is generated below the name of its package
+                found[entity.package].add(entity.package)
         return {folder: frozenset(packages) for folder, packages in found.items()}
 
     def keys(self) -> Iterator[tuple[str, str]]:
@@ -95,12 +97,13 @@ class Provisions:
         row = uses()[requirement.use]
         names = NAMES[row.names]
         site = Site(requirement, consumer, self.folders, self.bound, self.bases, self.ways)
-        found: dict[int, Provision] = {}
+        found: dict[Key, Provision] = {}
         for kind in row.of:
             for key in names.keys(requirement):
                 for entity in self.of(kind, key):
-                    if row.facet in {"", entity.facet} and id(entity) not in found and names.meant(site, entity):
-                        found[id(entity)] = entity
+                    fits = row.facet in {"", entity.facet} and entity.key not in found
+                    if fits and names.meant(site, entity):
+                        found[entity.key] = entity
         return list(found.values())
 
 

@@ -12,7 +12,8 @@ from ecm_checker.hub.provision import Provision
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.launch_names import required
 from ecm_checker.match.packages import Packages
-from ecm_checker.rule import PackageMatter, Rule
+from ecm_checker.package_said import package_said
+from ecm_checker.rule import Rule
 
 RULE = Rule(
     id="RES012",
@@ -51,12 +52,10 @@ def _pairs(packages: Packages) -> Iterator[tuple[Provision, Provision]]:
 
 def _finding(wanted: Requirement, consumer: str, take: Provision, give: Provision) -> Finding:
     text = f"{take.name} of {take.owner} is called by {consumer}, and nothing calls {give.name}"
-    matter = PackageMatter(
+    said = package_said(
         text=text,
-        consequence=RULE.consequence,
         entity=Entity("method", f"{take.owner}::{take.name}", give.name),
-        who=RULE.who,
         packages=(take.package, consumer),
         evidence=(*wanted.evidence, Evidence(take.path, take.line)),
     )
-    return RULE.package_finding(matter, "likely")
+    return RULE.found(said)

@@ -12,7 +12,8 @@ from ecm_checker.case import Case
 from ecm_checker.finding import Entity, Finding
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.launch_names import required
-from ecm_checker.rule import PackageMatter, Rule
+from ecm_checker.package_said import package_said
+from ecm_checker.rule import Rule
 from ecm_checker.versions import in_range
 
 RULE = Rule(
@@ -39,12 +40,10 @@ def check(case: Case) -> Iterator[Finding]:
 
 
 def _finding(package: str, wanted: Requirement) -> Finding:
-    matter = PackageMatter(
-        text=f"{wanted.said}::prepare_command_mode_switch looks at the types of the interfaces alone",
-        consequence=RULE.consequence,
-        entity=Entity("class", wanted.said),
-        who=RULE.who,
+    said = package_said(
+        text=f"{wanted.scope}::prepare_command_mode_switch looks at the types of the interfaces alone",
+        entity=Entity("class", wanted.scope),
         packages=(package,),
         evidence=wanted.evidence,
     )
-    return RULE.package_finding(matter, "likely")
+    return RULE.found(said)

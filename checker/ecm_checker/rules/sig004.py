@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ecm_checker.case import Case
-from ecm_checker.contract import Role
 from ecm_checker.finding import Finding
+from ecm_checker.hub.roles import roles, served_roles
 from ecm_checker.near_miss import near_misses
 from ecm_checker.rule import Rule
 
@@ -21,13 +21,10 @@ RULE = Rule(
     resolution="use one name on both sides, or remap it in the launch file",
 )
 
-_ROLES: tuple[tuple[Role, Role], ...] = (
-    ("service_server", "service_client"),
-    ("action_server", "action_client"),
-)
-
 
 def check(case: Case) -> Iterator[Finding]:
     """Clients of services and actions without a server."""
-    for server, client in _ROLES:
-        yield from near_misses(case, RULE, server, client)
+    for server in served_roles():
+        client = roles()[server].peer
+        if client:
+            yield from near_misses(case, RULE, server, client)

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Literal
 
 from ecm_checker.case import Case
 from ecm_checker.contract import Role
 from ecm_checker.delta import Lost, lost
 from ecm_checker.finding import Certainty, Entity, Finding, Severity
+from ecm_checker.hub.roles import roles
 from ecm_checker.names import is_known
 from ecm_checker.rule import Rule
 from ecm_checker.view import View
@@ -24,13 +26,6 @@ RULE = Rule(
     resolution="keep the old name or field for one release cycle, or move its users first",
 )
 
-_USED_BY: dict[str, Role] = {
-    "publisher": "subscriber",
-    "subscriber": "publisher",
-    "service_server": "service_client",
-    "action_server": "action_client",
-}
-
 
 def check(case: Case) -> Iterator[Finding]:
     """Endpoints, inputs and outputs of the old version that the new one does not have in that form."""
@@ -44,17 +39,23 @@ def check(case: Case) -> Iterator[Finding]:
 
 def _finding(case: Case, new: View, each: Lost) -> Iterator[Finding]:
     entity = Entity(each.kind, each.old, each.new)
-    if case.dependents is None or each.kind not in _USED_BY or not is_known(each.old):
+    user_role = _peer(each.kind)
+    if case.dependents is None or not user_role or not is_known(each.old):
         certainty: Certainty = "unknown" if case.dependents is None else "likely"
         # A computed name stands for names that the new version may well have.
         severity: Severity = "info" if "{" in each.old else "warning"
         text = f"{new.id}: {each.text}"
         yield RULE.finding(text, entity, (new,), each.evidence, certainty=certainty, severity=severity)
         return
-    users = [user for user in case.dependents if each.old in user.endpoints(_USED_BY[each.kind])]
+    users = [user for user in case.dependents if each.old in user.endpoints(user_role)]
     if users:
         text = f"{new.id}: {each.text}; used by {', '.join(user.id for user in users)}"
         yield RULE.finding(text, entity, (new, *users), each.evidence)
     else:
         text = f"{new.id}: {each.text}; none of its known users uses it"
         yield RULE.finding(text, entity, (new,), each.evidence, severity="info")
+
+
+def _peer(kind: str) -> Role | Literal[""]:
+    """The role of who uses an endpoint; empty for an input or output."""
+    return next((row.peer for role, row in roles().items() if role == kind), "")

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from ecm_checker.case import Case
 from ecm_checker.contract import Interface
 from ecm_checker.finding import Entity, Finding
+from ecm_checker.hub.roles import roles
 from ecm_checker.rule import Rule
 from ecm_checker.view import View
 
@@ -21,7 +22,6 @@ RULE = Rule(
     resolution="declare the names in an overlay (ecm.yaml) where it matters",
 )
 
-_MATCHED = frozenset({"publisher", "subscriber", "service_server", "service_client", "action_server", "action_client"})
 _SHOWN = 5
 
 
@@ -40,5 +40,5 @@ def check(case: Case) -> Iterator[Finding]:
 
 def _unmatched(module: View) -> Iterator[Interface]:
     for entry in module.unmatched:
-        if entry.role in _MATCHED:
+        if roles()[entry.role].peer:
             yield entry

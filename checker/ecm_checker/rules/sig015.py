@@ -11,7 +11,8 @@ from ecm_checker.hub.provision import Provision
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.launch_names import first_part, is_below, launched, required
 from ecm_checker.match.packages import Packages
-from ecm_checker.rule import PackageMatter, Rule
+from ecm_checker.package_said import package_said
+from ecm_checker.rule import Rule
 
 RULE = Rule(
     id="SIG015",
@@ -35,7 +36,7 @@ def check(case: Case) -> Iterator[Finding]:
             continue
         nodes = {node.name: node for node in launched(side) if not node.name.startswith("/")}
         for package, wanted in required(side, *(_USES if side is case.packages else _LOADING)):
-            node = nodes.get(first_part(wanted.said))
+            node = nodes.get(first_part(wanted.target))
             if node is None or not _reaches(wanted) or wanted.evidence in seen:
                 continue
             if not _is_told(node, wanted, side):
@@ -49,14 +50,14 @@ _USES = ("remaps", *_LOADING)
 
 
 def _reaches(wanted: Requirement) -> bool:
-    return wanted.use in _LOADING or is_below(wanted.said)
+    return wanted.use in _LOADING or is_below(wanted.target)
 
 
 def _is_told(node: Provision, wanted: Requirement, side: Packages) -> bool:
     """Whether the node's own program is told to use the name: then both sides say the same."""
     if wanted.use in _LOADING:
         return False
-    remaps = (remap for _, remap in required(side, "remaps") if remap.said == wanted.said)
+    remaps = (remap for _, remap in required(side, "remaps") if remap.target == wanted.target)
     return any(remap.package is not None and _is_of(remap.package, node) for remap in remaps)
 
 
@@ -72,13 +73,11 @@ def _level(wanted: Requirement, case: Case) -> Severity | None:
 
 
 def _finding(package: str, wanted: Requirement, node: Provision, level: Severity | None) -> Finding:
-    matter = PackageMatter(
-        text=f"{wanted.said} is absolute, and the node {node.name} is started by a relative name",
-        consequence=RULE.consequence,
-        entity=Entity("node", node.name, wanted.said),
-        who=RULE.who,
-        packages=tuple(dict.fromkeys((node.package, package))),
+    said = package_said(
+        text=f"{wanted.target} is absolute, and the node {node.name} is started by a relative name",
+        entity=Entity("node", node.name, wanted.target),
+        packages=(node.package, package),
         evidence=(*wanted.evidence, Evidence(node.path, node.line)),
         severity=level,
     )
-    return RULE.package_finding(matter, "likely")
+    return RULE.found(said)

@@ -12,7 +12,8 @@ from ecm_checker.hub.provision import Provision
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.launch_names import first_part, is_below, launched, required
 from ecm_checker.match.packages import Packages
-from ecm_checker.rule import PackageMatter, Rule
+from ecm_checker.package_said import package_said
+from ecm_checker.rule import Rule
 from ecm_checker.view import View
 
 RULE = Rule(
@@ -36,10 +37,10 @@ def check(case: Case) -> Iterator[Finding]:
     users = _users(case, case.started)
     modules = {module.id: module for module in case.modules}
     for _, wanted in required(case.started, "remaps"):
-        first = first_part(wanted.said)
-        if not is_below(wanted.said) or first in tops or users[wanted.said] - {wanted.by}:
+        first = first_part(wanted.target)
+        if not is_below(wanted.target) or first in tops or users[wanted.target] - {wanted.by}:
             continue
-        places = [node for name, node in nodes.get(first, {}).items() if _may_have(name, wanted.said, modules)]
+        places = [node for name, node in nodes.get(first, {}).items() if _may_have(name, wanted.target, modules)]
         if places:
             yield _finding(wanted, places)
 
@@ -60,7 +61,7 @@ def _users(case: Case, started: Packages) -> Mapping[str, set[str]]:
         for entry in module.contract.signature.interfaces:
             found[entry.name].add(f"node {module.id}")
     for _, remap in required(started, "remaps"):
-        found[remap.said].add(remap.by)
+        found[remap.target].add(remap.by)
     return found
 
 
@@ -75,13 +76,11 @@ def _may_have(node: str, name: str, modules: Mapping[str, View]) -> bool:
 
 def _finding(wanted: Requirement, places: Sequence[Provision]) -> Finding:
     node = places[0]
-    text = f"{wanted.said} is a name of the node /{first_part(wanted.said)}, and only {node.name} is started"
-    matter = PackageMatter(
+    text = f"{wanted.target} is a name of the node /{first_part(wanted.target)}, and only {node.name} is started"
+    said = package_said(
         text=text,
-        consequence=RULE.consequence,
-        entity=Entity("remap", wanted.said, node.name),
-        who=RULE.who,
-        packages=tuple(dict.fromkeys(filter(None, (*node.bases[:1], wanted.package)))),
+        entity=Entity("remap", wanted.target, node.name),
+        packages=filter(None, (*node.bases[:1], wanted.package)),
         evidence=(*wanted.evidence, Evidence(node.path, node.line)),
     )
-    return RULE.package_finding(matter, "likely")
+    return RULE.found(said)

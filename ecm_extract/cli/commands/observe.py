@@ -97,9 +97,10 @@ def command(ctx: click.Context, /, **options: Any) -> None:
     findings = compare(watch)
     _print(watch, findings, request)
     _keep(watch, findings, request)
-    _refuse_if_nothing_was_seen(watch)
     if _fails(findings, request.fail_on):
         ctx.exit(1)
+    _refuse_if_nothing_was_compared(watch)
+    _refuse_gaps(watch)
 
 
 def _watch(request: Request) -> Watch:
@@ -169,11 +170,24 @@ def _user() -> str:
         return f"?@{platform.node()}"
 
 
-def _refuse_if_nothing_was_seen(watch: Watch) -> None:
-    """Contracts of which nothing runs were not confirmed, so silence would be a wrong all-clear."""
-    if watch.modules and not watch.present and not watch.launched:
+def _refuse_if_nothing_was_compared(watch: Watch) -> None:
+    """Silence about an empty place, or about contracts of which nothing runs, would be a wrong all-clear."""
+    hint = "is it the right master, domain or recording? --launch gives nodes their real names"
+    if watch.is_empty and not watch.seen.gaps:
+        message = f"nothing is there: {watch.seen.source} {watch.seen.target}"
+        raise InputError(message, hint)
+    if watch.modules and not watch.present:
         message = f"nothing of the {len(watch.modules)} modules with a contract was seen, so nothing was compared"
-        raise InputError(message, "is it the right master, domain or recording? --launch gives nodes their real names")
+        raise InputError(message, hint)
+
+
+def _refuse_gaps(watch: Watch) -> None:
+    """A run without findings that could not read everything is none without findings."""
+    gaps = watch.seen.gaps
+    if gaps:
+        more = f", and {len(gaps) - 1} more" if len(gaps) > 1 else ""
+        message = f"not everything could be read: {gaps[0].what}: {gaps[0].why}{more}"
+        raise InputError(message, "what was found holds; that nothing else is wrong was not shown (OBS020)")
 
 
 def _fails(findings: Sequence[Finding], threshold: str) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from itertools import takewhile
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
@@ -33,9 +34,6 @@ RENAME = re.compile(r"builds no program (?P<old>\S+); it builds (?P<new>[^\s:]+)
 _GOES_ON = "roslaunch reports it and goes on without the node"
 _OPEN = frozenset("${*?")
 """In a name that CMake computes, such as of each file that a pattern finds."""
-_OUTPUT = re.compile(rb"\bOUTPUT\s+\"?(?:[^\s\"()]*/)?([\w.-]+)")
-"""The last part of what a custom command makes."""
-_OUTPUT_NAME = re.compile(rb"OUTPUT_NAME\s+\"?([\w.${}-]+)")
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
@@ -95,12 +93,17 @@ def _built(package: PackageFacts, workspace: Workspace) -> set[str]:
     found = {name for target in targets for name in (target.name, target.output) if name}
     found |= {entry.executable for file in package.cmake.values() for entry in file.components if entry.executable}
     found |= {entry.name for setup in package.setups.values() for entry in setup.entry_points}
-    found |= {rule.renamed for rule in install_rules(package, workspace) if rule.kind == "PROGRAMS" and rule.renamed}
-    for path in package.cmake:
-        data = workspace.files.read(path) or b""
-        names = [*_OUTPUT_NAME.findall(data), *_OUTPUT.findall(data)]
-        found |= {match.decode().replace("${PROJECT_NAME}", package.name) for match in names}
-    return found
+    found |= {rule.renamed for rule in install_rules(package) if rule.kind == "PROGRAMS" and rule.renamed}
+    return found | set(_made(package))
+
+
+def _made(package: PackageFacts) -> Iterator[str]:
+    """Names of what custom commands make."""
+    for file in package.cmake.values():
+        for command in file.commands:
+            if command.name == "add_custom_command" and command.args[:1] == ("OUTPUT",):
+                outputs = takewhile(lambda word: not word.isupper(), command.args[1:])
+                yield from (output.rpartition("/")[2] for output in outputs)
 
 
 def _files(package: PackageFacts) -> set[str]:
@@ -124,7 +127,7 @@ def _possible(package: PackageFacts) -> set[str]:
 
 def _is_understood(package: PackageFacts, workspace: Workspace) -> bool:
     """Tell whether the build files leave no name of a program open."""
-    if any(is_refused(path, workspace) for path in package.cmake) or brings_targets(package, workspace):
+    if any(is_refused(path, workspace) for path in package.cmake) or brings_targets(package):
         return False
     targets = [target for file in package.cmake.values() for target in file.targets]
     return bool(package.cmake or package.setups) and not any(_OPEN & set(target.name) for target in targets)

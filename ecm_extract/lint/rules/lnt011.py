@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
+from ecm_parsers.cmake_facts import Command
 from ecm_parsers.source.expr import Expr, Member, Name
 from ecm_parsers.source.python_names import loose_names
 
@@ -30,9 +31,7 @@ _SHOWN = 5
 _AT_USE = "Python stops with ImportError or AttributeError at each of these lines"
 _NO_NAME = "Python stops with NameError when it gets there"
 _GENERATED = frozenset({"msg", "srv", "action", "cfg"})
-_BUILDS_MODULES = re.compile(
-    rb"pybind|python_add_module|swig|sip_|boost_python|MODULE\b|generate_parameter", re.IGNORECASE
-)
+_BUILDS_MODULES = re.compile(r"pybind|python_add_module|swig|sip_|boost_python|generate_parameter", re.IGNORECASE)
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
@@ -130,8 +129,13 @@ def _compiled(package: PackageFacts) -> set[str]:
 def _is_compiled(name: str, workspace: Workspace) -> bool:
     """Tell whether the build of a package may add modules to it."""
     package = workspace.by_name.get(name)
-    texts = (workspace.files.read(path) or b"" for path in package.cmake) if package is not None else ()
-    return any(_BUILDS_MODULES.search(text) for text in texts)
+    files = package.cmake.values() if package is not None else ()
+    return any(_is_of_modules(command) for file in files for command in file.commands)
+
+
+def _is_of_modules(command: Command) -> bool:
+    """Tell whether a command makes what Python imports, or looks for a library that does."""
+    return "MODULE" in command.args or any(_BUILDS_MODULES.search(word) for word in (command.name, *command.args))
 
 
 def _module_name(file: File, workspace: Workspace) -> str | None:

@@ -34,7 +34,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
         if package.ros != 1 or package.root.rosbuild:
             continue
         for path, file in package.cmake.items():
-            ordered = build_dependencies(workspace.files.read(path) or b"", file, package.name)
+            ordered = build_dependencies(file)
             for target in file.targets:
                 if target.kind in {"executable", "library"} and not target.is_test:
                     yield from _of(target, path, package, ordered, _used(workspace, package, path, target, headers))

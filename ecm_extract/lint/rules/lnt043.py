@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from fnmatch import fnmatchcase
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Certainty, Entity, Finding, Severity
@@ -27,7 +26,7 @@ RULE = LintRule(
     resolution="add install(TARGETS ...), install(PROGRAMS ...) or install(DIRECTORY ...) to CMakeLists.txt",
     tier="stable",
 )
-_MAKES_PACKAGE = re.compile(rb"^\s*(?:catkin|ament)_package\s*\(", re.MULTILINE | re.IGNORECASE)
+_MAKES_PACKAGE = frozenset({"catkin_package", "ament_package"})
 _SHOWN = 5
 _DEVEL = "they run from the devel space of the machine that built them, and from nowhere else"
 _NEVER_STARTS = "launch_ros finds no such program and stops the whole launch"
@@ -48,10 +47,10 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     for package in workspace.packages:
         path = f"{package.root.path}/CMakeLists.txt".lstrip("/")
         is_python = bool(package.setups) and package.ros == 2
-        if path not in package.cmake or package.root.rosbuild or is_python or is_open(package, workspace):
+        if path not in package.cmake or package.root.rosbuild or is_python or is_open(package):
             continue
         found = list(_left_out(package, path, launched.get(package.name, set()), named, workspace))
-        if lives_in_devel_space(package, workspace):
+        if lives_in_devel_space(package):
             devel += found[:1]
         else:
             yield from found
@@ -127,13 +126,13 @@ def _missing(names: set[str], package: PackageFacts) -> set[str]:
     return {name for name in names if f"{root}{name}" in there and not _is_covered(f"{root}{name}", package)}
 
 
-def is_open(package: PackageFacts, workspace: Workspace) -> bool:
+def is_open(package: PackageFacts) -> bool:
     """Tell whether a rule installs what only CMake knows, or nothing makes a package of the folder."""
-    texts = [workspace.files.read(path) or b"" for path in package.cmake]
-    if not any(_MAKES_PACKAGE.search(text) for text in texts):
+    names = {command.name for file in package.cmake.values() for command in file.commands}
+    if not names & _MAKES_PACKAGE or "ament_auto_package" in names:
         return True
     items = [item for file in package.cmake.values() for install in file.installs for item in install.items]
-    return any(b"ament_auto_package" in text or b"include(" in text for text in texts) or any("$" in i for i in items)
+    return any(file.unknown for file in package.cmake.values()) or any("$" in item for item in items)
 
 
 def _programs(package: PackageFacts) -> set[str]:
@@ -179,17 +178,9 @@ def _is_covered(path: str, package: PackageFacts) -> bool:
         for install in facts.installs:
             for item in install.items if install.kind != "targets" else ():
                 full = f"{folder}/{item}".strip("/").removesuffix("/.").removesuffix("/")
-                if path == full or _is_matched(path, full) or path.startswith(f"{full}/") or item in {".", "./", ""}:
+                if path == full or path.startswith(f"{full}/") or item in {".", "./", ""}:
                     return True
     return False
-
-
-def _is_matched(path: str, pattern: str) -> bool:
-    """Tell whether a pattern of `file(GLOB ...)` gives a path; `**` stands for any number of folders, also none."""
-    folder, recursive, name = pattern.rpartition("**/")
-    if recursive:
-        return path.startswith(folder) and fnmatchcase(path.rpartition("/")[2], name)
-    return fnmatchcase(path, pattern) and path.count("/") == pattern.count("/")
 
 
 def _finding(package: PackageFacts, path: str, what: str, names: list[str], severity: Severity) -> Finding:

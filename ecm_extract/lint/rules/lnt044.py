@@ -6,10 +6,8 @@ from collections.abc import Iterator
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
-from ecm_parsers.cmake_facts import CmakeFile
-from ecm_parsers.cmake_tokens import Command, parse_commands
+from ecm_parsers.cmake_facts import Command
 
-from ecm_extract.lint.catkin_targets import folded
 from ecm_extract.lint.cmake_makers import brings_targets
 from ecm_extract.lint.install_rules import lives_in_devel_space
 from ecm_extract.lint.rule import LintRule
@@ -35,13 +33,13 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     everywhere = {name for package in workspace.packages for name in _built(package)}
     for package in workspace.packages:
         built = _built(package)
-        if package.root.rosbuild or any("$" in name for name in built) or brings_targets(package, workspace):
+        if package.root.rosbuild or any("$" in name for name in built) or brings_targets(package):
             continue
-        is_unknown = is_open(package, workspace) or lives_in_devel_space(package, workspace)
+        is_unknown = is_open(package) or lives_in_devel_space(package)
         installed = None if is_unknown else _installed(package)
         for path, file in package.cmake.items():
-            for command in parse_commands(workspace.files.read(path) or b"").facts or ():
-                for name in _exported(command, file, package):
+            for command in file.commands:
+                for name in _exported(command):
                     reason = _reason(name, built, installed)
                     foreign = name not in built and (name in everywhere or _family(name) != _family(package.name))
                     if reason and not foreign:
@@ -67,17 +65,16 @@ def _family(name: str) -> str:
     return name.partition("_")[0]
 
 
-def _exported(command: Command, file: CmakeFile, package: PackageFacts) -> Iterator[str]:
+def _exported(command: Command) -> Iterator[str]:
     """Names after LIBRARIES, or all of them."""
     if command.name not in _EXPORTS:
         return
     taken = not _EXPORTS[command.name]
     for argument in command.args:
-        if argument.text == _EXPORTS[command.name] or argument.text in _OTHER:
-            taken = argument.text == _EXPORTS[command.name]
-        elif taken:
-            names = folded(argument.text, file, package.name).split(";")
-            yield from (name for name in names if name and not {"$", "/", "."} & set(name))
+        if argument == _EXPORTS[command.name] or argument in _OTHER:
+            taken = argument == _EXPORTS[command.name]
+        elif taken and argument and not {"$", "/", "."} & set(argument):
+            yield argument
 
 
 def _reason(name: str, built: set[str], installed: set[str] | None) -> str:

@@ -8,11 +8,9 @@ from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 from ecm_parsers.cmake_facts import Target
 
-from ecm_extract.lint.install_rules import calls_of
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.rules.lnt043 import installed_targets, is_open
 from ecm_extract.lint.workspace import Workspace
-from ecm_extract.read.facts import PackageFacts
 
 RULE = LintRule(
     id="LNT057",
@@ -23,18 +21,16 @@ RULE = LintRule(
     consequence="where the package is installed, it does not start: 'cannot open shared object file'",
     resolution="add the library to install(TARGETS ...)",
 )
-_MAKERS = frozenset({"add_library", "cuda_add_library"})
-_NOT_SHARED = frozenset({"STATIC", "OBJECT", "INTERFACE", "IMPORTED", "ALIAS"})
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
     """Report shared libraries, each once with an installed target that needs it."""
     for package in workspace.packages:
         installed = installed_targets(package)
-        if not installed or package.root.rosbuild or is_open(package, workspace):
+        if not installed or package.root.rosbuild or is_open(package):
             continue
-        shared = _shared(package, workspace)
         targets = {target.name: (path, target) for path, file in package.cmake.items() for target in file.targets}
+        shared = {name for name, (_, target) in targets.items() if target.is_shared and not target.is_test}
         seen: set[str] = set()
         for name in sorted(installed & targets.keys()):
             for library in _linked(name, targets):
@@ -44,18 +40,6 @@ def check(workspace: Workspace) -> Iterator[Finding]:
                     text = f"{package.name} installs {name}, which links {library}, and does not install {library}"
                     entity = Entity("library", library)
                     yield RULE.finding(text, entity, package.name, [Evidence(path, target.line)], certainty="proved")
-
-
-def _shared(package: PackageFacts, workspace: Workspace) -> set[str]:
-    """Libraries that are files of their own; without a word for it they are in catkin, and with ament_cmake_ros."""
-    texts = [workspace.files.read(path) or b"" for path in package.cmake]
-    default = package.ros == 1 or any(b"ament_cmake_ros" in text or b"BUILD_SHARED_LIBS" in text for text in texts)
-    found = set()
-    for path in package.cmake:
-        for call in calls_of(path, package, workspace):
-            if call.name in _MAKERS and call.args and not call.is_test and not _NOT_SHARED & set(call.args):
-                found |= {call.args[0]} if default or {"SHARED", "MODULE"} & set(call.args) else set()
-    return found
 
 
 def _linked(name: str, targets: dict[str, tuple[str, Target]]) -> Iterator[str]:

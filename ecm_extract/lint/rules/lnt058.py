@@ -29,12 +29,12 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     """Report, once for a package, headers that are installed a folder too deep, and those that others include."""
     included = _included(workspace)
     for package in workspace.packages:
-        if package.root.rosbuild or not package.cmake or is_open(package, workspace):
+        if package.root.rosbuild or not package.cmake or is_open(package):
             continue
-        if lives_in_devel_space(package, workspace):
+        if lives_in_devel_space(package):
             continue
         headers = _headers(package)
-        rules = [rule for rule in install_rules(package, workspace) if rule.kind in {"DIRECTORY", "FILES"}]
+        rules = [rule for rule in install_rules(package) if rule.kind in {"DIRECTORY", "FILES"}]
         if not headers or any("$" in rule.destination for rule in rules):
             continue
         astray = {name: rule for name in headers if (rule := _astray(headers[name], name, rules, package)) is not None}

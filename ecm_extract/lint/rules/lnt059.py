@@ -9,7 +9,7 @@ from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 from ecm_parsers.cmake_tokens import parse_commands
 
-from ecm_extract.lint.install_rules import InstallRule, calls_of, install_rules
+from ecm_extract.lint.install_rules import InstallRule, install_rules
 from ecm_extract.lint.near import nearest
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.submodules import submodules
@@ -51,9 +51,9 @@ def check(workspace: Workspace) -> Iterator[Finding]:
         if package.root.rosbuild or not package.cmake:
             continue
         words = _words(package, workspace)
-        rules = list(install_rules(package, workspace))
+        rules = list(install_rules(package))
         yield from _slips(package, words, workspace)
-        yield from _no_headers(package, folders, workspace)
+        yield from _no_headers(package, folders)
         for rule in rules:
             yield from _unset(rule, words, package)
             if rule.kind != "TARGETS" and "OPTIONAL" not in rule.words and words is not None and "EXISTS" not in words:
@@ -62,6 +62,8 @@ def check(workspace: Workspace) -> Iterator[Finding]:
 
 def _words(package: PackageFacts, workspace: Workspace) -> frozenset[str] | None:
     """What the commands of a package say outside of install rules; None when files from elsewhere may say more."""
+    if any(file.unknown for file in package.cmake.values()):
+        return None
     found: set[str] = set()
     for path in package.cmake:
         for command in parse_commands(workspace.files.read(path) or b"").facts:
@@ -69,8 +71,6 @@ def _words(package: PackageFacts, workspace: Workspace) -> frozenset[str] | None
             found |= set() if command.name == "install" or command.name.startswith("end") else set(words)
             if command.name in _BUILDERS:
                 found |= {part for word in words for part in word.split("/")}
-            if command.name == "include" and words and words[0].endswith(".cmake"):
-                return None
     return frozenset(found)
 
 
@@ -87,11 +87,11 @@ def _slips(package: PackageFacts, words: frozenset[str] | None, workspace: Works
                     yield _finding(text, name, Evidence(path, command.line), package, near, _EMPTY)
 
 
-def _no_headers(package: PackageFacts, folders: frozenset[str], workspace: Workspace) -> Iterator[Finding]:
+def _no_headers(package: PackageFacts, folders: frozenset[str]) -> Iterator[Finding]:
     """A folder of headers that catkin_package exports, which it refuses when it is not there."""
-    for path in package.cmake:
+    for path, file in package.cmake.items():
         folder = path.rpartition("/")[0]
-        for call in calls_of(path, package, workspace):
+        for call in file.commands:
             exports = call.name == "catkin_package" and call.args[:2] == ("INCLUDE_DIRS", "include")
             if exports and f"{folder}/include".lstrip("/") not in folders:
                 text = f"{package.name} exports the folder include, which is not there"

@@ -31,7 +31,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
         scripts = {path for path, facts in package.sources.items() if facts.shebang}
         if not scripts or package.root.rosbuild:
             continue
-        rules = list(install_rules(package, workspace))
+        rules = list(install_rules(package))
         kept = {
             path for rule in rules if rule.kind == "PROGRAMS" or rule.words & _KEEPS for path in _put(rule, scripts)
         }

@@ -28,8 +28,6 @@ class _Recording:
         self.endpoints: list[Endpoint] = []
         self.gaps: list[Gap] = []
         self.rosses: set[int] = set()
-        self.first_ns: int | None = None
-        self.last_ns = 0
 
     def add(self, path: Path) -> None:
         """Read one recording."""
@@ -40,12 +38,16 @@ class _Recording:
             for connection in reader.connections:
                 found = recorded(connection, ros)
                 self.endpoints += found.endpoints
-                listeners[connection.id] = self.heard.listener(found.channel).message
+                listeners[connection.id] = self.heard.listener(found.channel)
+            takers = {number: listener.message for number, listener in listeners.items()}
             for connection, time_ns, raw in reader.messages():
-                if self.first_ns is None or time_ns < self.first_ns:
-                    self.first_ns = time_ns
-                self.last_ns = max(self.last_ns, time_ns)
-                listeners[connection.id](raw, time_ns)
+                takers[connection.id](raw, time_ns)
+            self._count(path, reader.message_count, sum(each.arrivals.count for each in listeners.values()))
+
+    def _count(self, path: Path, told: int, read: int) -> None:
+        """A recording says how many messages it holds; fewer are a part of it."""
+        if read < told:
+            self.gaps.append(Gap(str(path), f"{read} of the {told} messages that it says it holds are there"))
 
 
 def observe_bags(paths: Sequence[Path]) -> Observation:
@@ -85,13 +87,13 @@ def _opened(path: Path, ros: int) -> AbstractContextManager[Any]:
 
 def _observation(recording: _Recording, paths: Sequence[Path]) -> Observation:
     heard, endpoints = recording.heard, recording.endpoints
-    first = recording.first_ns or 0
+    first, last = heard.span_ns()
     return Observation(
         source="bag",
         target=" ".join(map(str, paths)),
         ros=None if len(recording.rosses) > 1 else min(recording.rosses),  # type: ignore[arg-type]
         begun=datetime.fromtimestamp(first * _NS, UTC).isoformat().replace("+00:00", "Z"),
-        seconds=max(recording.last_ns - first, 0) * _NS,
+        seconds=(last - first) * _NS,
         senses=tuple(_senses(endpoints)),
         nodes=tuple(Node(name) for name in sorted({end.node for end in endpoints if end.node})),
         endpoints=tuple(endpoints),

@@ -11,10 +11,10 @@ _NS: Final = 1_000_000_000
 
 
 class Header(NamedTuple):
-    """Stamp in nanoseconds since 1970, and the frame."""
+    """Stamp in nanoseconds since 1970, and the bytes of the frame: they become text once a stream."""
 
     stamp_ns: int
-    frame: str
+    frame: bytes
 
 
 ReadHeader = Callable[[bytes | memoryview], Header | None]
@@ -45,5 +45,4 @@ def cdr_header(raw: bytes | memoryview) -> Header | None:
 def _header(seconds: int, nanoseconds: int, raw: bytes | memoryview, start: int, length: int) -> Header | None:
     if length > _LONGEST_FRAME or start + length > len(raw) or nanoseconds >= _NS:
         return None
-    frame = bytes(raw[start : start + length]).rstrip(b"\0").decode("utf-8", "replace")
-    return Header(seconds * _NS + nanoseconds, frame)
+    return Header(seconds * _NS + nanoseconds, bytes(raw[start : start + length]))

@@ -113,6 +113,11 @@ class Heard:
         simulated = any(each.channel.topic == _CLOCK for each in self._listeners)
         return tuple(_stream(each, simulated) for each in self._listeners)
 
+    def span_ns(self) -> tuple[int, int]:
+        """First and last receipt in nanoseconds; zero where nothing was heard."""
+        times = [each.arrivals for each in self._listeners if each.arrivals.count]
+        return min((each.first_ns for each in times), default=0), max((each.last_ns for each in times), default=0)
+
     def transforms(self) -> Transforms:
         """Transforms that were sent."""
         return self._transforms
@@ -147,7 +152,7 @@ def _stream(each: Listener, simulated: bool) -> Stream:
         hz=arrivals.hz,
         longest_gap_s=arrivals.longest_gap_s,
         typical_gap_s=arrivals.typical_gap_s,
-        frames=tuple(sorted(stamps.frames)),
+        frames=stamps.frames,
         latest_s=stamps.latest_ns * _NS if known and stamps.latest_ns is not None else None,
         earliest_s=stamps.earliest_ns * _NS if known and stamps.earliest_ns is not None else None,
         backwards=stamps.backwards,

@@ -1,8 +1,6 @@
-"""Arguments of one CMake call split by its keywords, and paths made relative to the file's folder."""
+"""Arguments of one CMake call split by its keywords."""
 
 from __future__ import annotations
-
-import posixpath
 
 
 def split(args: tuple[str, ...], keywords: frozenset[str]) -> dict[str, list[str]]:
@@ -22,11 +20,3 @@ def first(groups: dict[str, list[str]], keyword: str) -> str | None:
     """Return the first value of a keyword, or None."""
     values = groups.get(keyword)
     return values[0] if values else None
-
-
-def relative(path: str) -> str:
-    """Return a path without `./` and inner `..`; references and generator expressions stay as they are."""
-    if not path or path.startswith(("$", "/")):
-        return path
-    kept_slash = "/" if path.endswith("/") else ""
-    return posixpath.normpath(path) + kept_slash

@@ -3,20 +3,29 @@
 import time
 
 import pytest
-from ecm_parsers.cmake import parse_cmake, variables_below
 from ecm_parsers.cmake_facts import CmakeFile, Target
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from ecm_extract.cmake import BuildFiles, evaluate, stated
 
-def read(text: str) -> CmakeFile:
-    parsed = parse_cmake(text.encode())
-    assert parsed.diagnostics == ()
-    return parsed.facts
+TOP = "CMakeLists.txt"
+
+
+def run(files: dict[str, bytes]) -> dict[str, CmakeFile]:
+    return stated(evaluate(BuildFiles(files, files.get), TOP))
+
+
+def read(text: str, *paths: str) -> CmakeFile:
+    """The facts of a file that lies beside empty files."""
+    files = {TOP: text.encode(), **dict.fromkeys(paths, b"")}
+    evaluation = evaluate(BuildFiles(files, files.get), TOP)
+    assert evaluation.diagnostics == {}
+    return stated(evaluation)[TOP]
 
 
 def target(text: str) -> Target:
-    (found,) = read(text).targets
+    (found,) = read(text, "src/a.cpp", "src/b.cpp", "src/sub/c.cpp").targets
     return found
 
 
@@ -44,13 +53,13 @@ def test_project() -> None:
             "file(GLOB S RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} src/*.cpp)\nadd_executable(n ${S})",
             "n",
             "executable",
-            ("src/*.cpp",),
+            ("src/a.cpp", "src/b.cpp"),
         ),
         (
             "file(GLOB_RECURSE S CONFIGURE_DEPENDS src/*.cpp)\nadd_library(n ${S})",
             "n",
             "library",
-            ("src/**/*.cpp",),
+            ("src/a.cpp", "src/b.cpp", "src/sub/c.cpp"),
         ),
         ("add_executable(n ${CMAKE_CURRENT_SOURCE_DIR}/a.cpp)", "n", "executable", ("a.cpp",)),
         ("add_executable(n a.cpp ${GENERATED})", "n", "executable", ("a.cpp", "${GENERATED}")),
@@ -106,7 +115,7 @@ def test_links() -> None:
 
 
 @pytest.mark.parametrize(
-    "condition", ["BUILD_TESTING", "CATKIN_ENABLE_TESTING", "A AND BUILD_TESTING", "MY_BUILD_TESTS"]
+    "condition", ["BUILD_TESTING", "CATKIN_ENABLE_TESTING", "A AND BUILD_TESTING", "NOT (NOT BUILD_TESTING)"]
 )
 def test_test_blocks(condition: str) -> None:
     """What is built only with tests is marked, what stands beside it is not."""
@@ -143,7 +152,6 @@ plugin(grid BASE nav SOURCES a.cpp b.cpp)
     facts = read(text)
     assert [(t.name, t.sources, t.line) for t in facts.targets] == [("grid", ("a.cpp", "b.cpp"), 6)]
     assert [(p.base_package, p.path, p.line) for p in facts.plugin_descriptions] == [("nav", "grid.xml", 6)]
-    assert "name" not in facts.variables
 
 
 def test_components() -> None:
@@ -237,10 +245,11 @@ def test_words_for_foreign_commands(text: str, words: tuple[str, ...]) -> None:
 
 def test_subdirectories_inherit_variables() -> None:
     """A subdirectory's file sees the project, with source folders relative to itself."""
-    outer = read("project(p)\nset(S ${PROJECT_SOURCE_DIR}/src/a.cpp)\nadd_subdirectory(test/unit)\ninclude(x.cmake)\n")
-    assert [(s.path, s.is_include) for s in outer.subdirectories] == [("test/unit", False), ("x.cmake", True)]
+    outer = b"project(p)\nset(S ${PROJECT_SOURCE_DIR}/src/a.cpp)\nadd_subdirectory(test/unit)\ninclude(x.cmake)\n"
     inner = b"add_executable(${PROJECT_NAME}_t ${S} ${PROJECT_SOURCE_DIR}/b.cpp c.cpp)"
-    (found,) = parse_cmake(inner, variables_below(outer, "test/unit")).facts.targets
+    files = run({TOP: outer, "test/unit/CMakeLists.txt": inner})
+    assert [(s.path, s.is_include) for s in files[TOP].subdirectories] == [("test/unit", False), ("x.cmake", True)]
+    (found,) = files["test/unit/CMakeLists.txt"].targets
     assert (found.name, found.sources) == ("p_t", ("../../src/a.cpp", "../../b.cpp", "c.cpp"))
 
 
@@ -261,7 +270,7 @@ def test_subdirectories_inherit_variables() -> None:
 def test_hostile_files_end_quickly(data: bytes) -> None:
     """Expansion, loops and recursion are bounded."""
     start = time.process_time()
-    parse_cmake(data)
+    run({TOP: data})
     assert time.process_time() - start < 3
 
 
@@ -285,4 +294,4 @@ _WORDS = [
 @given(st.lists(st.sampled_from(_WORDS), max_size=30).map(lambda words: "".join(words).encode()))
 def test_cmake_never_raises(data: bytes) -> None:
     """Any sequence of CMake text gives facts or diagnostics."""
-    parse_cmake(data)
+    run({TOP: data})

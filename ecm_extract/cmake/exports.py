@@ -15,8 +15,11 @@ from ecm_parsers.cmake_facts import (
     ParameterLibrary,
     PluginDescription,
 )
-from ecm_parsers.cmake_keywords import first, relative, split
-from ecm_parsers.cmake_run import Call
+
+from ecm_extract.cmake.calls import Call
+from ecm_extract.cmake.keywords import first, split
+from ecm_extract.cmake.state import both
+from ecm_extract.cmake.values import PREFIX
 
 _INTERFACE_KINDS: dict[str, InterfaceKind] = {
     ".msg": "msg",
@@ -65,9 +68,9 @@ def interfaces(calls: tuple[Call, ...]) -> Iterator[InterfaceFile]:
     """Yield the interface files that are generated from (REP 149 / rosidl_cmake, genmsg)."""
     for call in calls:
         if call.name in _ROSIDL:
-            for value in split(call.args[1:], _ROSIDL_WORDS)[""]:
+            for value in split(call.texts[1:], _ROSIDL_WORDS)[""]:
                 # `BASE_DIR:relative/path` is the other form of an argument.
-                path = relative(value.rpartition(":")[2])
+                path = call.file(value.rpartition(":")[2])
                 kind = _INTERFACE_KINDS.get(posixpath.splitext(path)[1], "other")
                 yield InterfaceFile(path, kind, call.line)
         elif call.name in _CATKIN_INTERFACES:
@@ -76,19 +79,19 @@ def interfaces(calls: tuple[Call, ...]) -> Iterator[InterfaceFile]:
 
 def _catkin_interfaces(call: Call, kind: InterfaceKind) -> Iterator[InterfaceFile]:
     """`add_*_files([DIRECTORY dir] [FILES names])`; without names it is the whole folder."""
-    groups = split(call.args, frozenset({"DIRECTORY", "FILES", "NOINSTALL", "PACKAGE", "BASE_DIR"}))
+    groups = split(call.texts, frozenset({"DIRECTORY", "FILES", "NOINSTALL", "PACKAGE", "BASE_DIR"}))
     folder = first(groups, "DIRECTORY") or kind
     names = groups.get("FILES") or [f"*.{kind}"]
     for name in names:
-        yield InterfaceFile(relative(posixpath.join(folder, name)), kind, call.line)
+        yield InterfaceFile(call.file(posixpath.join(folder, name)), kind, call.line)
 
 
 def plugin_descriptions(calls: tuple[Call, ...]) -> Iterator[PluginDescription]:
     """Yield pluginlib description files exported by CMake (ROS 2)."""
     for call in calls:
         if call.name == "pluginlib_export_plugin_description_file" and len(call.args) > 1:
-            for path in call.args[1:]:
-                yield PluginDescription(call.args[0], relative(path), call.line)
+            for path in call.texts[1:]:
+                yield PluginDescription(call.args[0], call.file(path), call.line)
 
 
 def parameter_libraries(calls: tuple[Call, ...]) -> Iterator[ParameterLibrary]:
@@ -96,15 +99,15 @@ def parameter_libraries(calls: tuple[Call, ...]) -> Iterator[ParameterLibrary]:
     for call in calls:
         if call.name in _PARAMETER_LIBRARIES and len(call.args) > 1:
             is_python = call.name.endswith("module")
-            yield ParameterLibrary(call.args[0], relative(call.args[1]), call.line, is_python)
+            yield ParameterLibrary(call.args[0], call.file(call.texts[1]), call.line, is_python)
 
 
 def reconfigure_files(calls: tuple[Call, ...]) -> Iterator[FileReference]:
     """Yield the `.cfg` files of dynamic_reconfigure."""
     for call in calls:
         if call.name == "generate_dynamic_reconfigure_options":
-            for path in call.args:
-                yield FileReference(relative(path), call.line)
+            for path in call.texts:
+                yield FileReference(call.file(path), call.line)
 
 
 _AUTO_TARGETS = frozenset({"ament_auto_add_library", "ament_auto_add_executable"})
@@ -115,24 +118,44 @@ def installs(calls: tuple[Call, ...]) -> Iterator[Install]:
     """Yield what is installed where."""
     for call in calls:
         if call.name == "install" and call.args and call.args[0] in _INSTALL_KINDS:
-            yield _install(call, _INSTALL_KINDS[call.args[0]], call.args[1:])
+            yield from _each(call, _INSTALL_KINDS[call.args[0]])
         elif call.name == "catkin_install_python":
-            yield _install(call, "python", tuple(value for value in call.args if value != "PROGRAMS"))
+            yield from _each(call, "python")
         elif call.name == "ament_auto_package":
             made = (other.args[0] for other in calls if other.name in _AUTO_TARGETS and other.args)
             yield Install("targets", tuple(made), "", call.line)
 
 
-def _install(call: Call, kind: InstallKind, args: tuple[str, ...]) -> Install:
+def _each(call: Call, kind: InstallKind) -> Iterator[Install]:
+    """One rule, or one for each of the arguments that builds may have."""
+    for at, texts in enumerate((call.texts, *call.others)):
+        by_default = both(call.by_default, (at == 0) if call.sure else None)
+        yield _install(call, kind, texts[texts[:1] == ("PROGRAMS",) if kind == "python" else 1 :], by_default)
+
+
+def _install(call: Call, kind: InstallKind, args: tuple[str, ...], by_default: bool | None) -> Install:
     groups = split(args, _INSTALL_WORDS)
-    items = groups[""] if kind == "targets" else [relative(value) for value in groups[""]]
-    return Install(kind, tuple(items), _destination(args), call.line)
+    word = call.word if kind == "targets" else call.file
+    return Install(
+        kind=kind,
+        items=tuple(word(value) for value in groups[""]),
+        destination=_below_prefix(_destination(args), call),
+        line=call.line,
+        conditions=call.conditions,
+        by_default=by_default,
+        words=tuple(word for word in args if word in _INSTALL_WORDS),
+        renamed=call.word(first(groups, "RENAME") or ""),
+    )
 
 
 def _destination(args: tuple[str, ...]) -> str:
     """Return the folder of programs (RUNTIME) when it is told, else the first one."""
     found = {args[i - 1]: args[i + 1] for i, arg in enumerate(args[:-1]) if arg == "DESTINATION"}
     return found.get("RUNTIME") or next(iter(found.values()), "")
+
+
+def _below_prefix(destination: str, call: Call) -> str:
+    return call.word(destination.removeprefix(PREFIX).lstrip("/") if destination.startswith(PREFIX) else destination)
 
 
 def dependencies(calls: tuple[Call, ...]) -> Iterator[Dependency]:
@@ -164,7 +187,7 @@ def python_packages(calls: tuple[Call, ...]) -> Iterator[FileReference]:
     """Yield Python packages that CMake installs; `.` means what `setup.py` names."""
     for call in calls:
         if call.name == "ament_python_install_package" and call.args:
-            groups = split(call.args, frozenset({"PACKAGE_DIR", "VERSION", "SETUP_CFG", "DESTINATION"}))
-            yield FileReference(first(groups, "PACKAGE_DIR") or call.args[0], call.line)
+            groups = split(call.texts, frozenset({"PACKAGE_DIR", "VERSION", "SETUP_CFG", "DESTINATION"}))
+            yield FileReference(call.file(first(groups, "PACKAGE_DIR") or call.texts[0]), call.line)
         elif call.name == "catkin_python_setup":
             yield FileReference(".", call.line)

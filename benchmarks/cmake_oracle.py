@@ -1,0 +1,161 @@
+"""What the real CMake builds and installs of a project: its file API, over stub packages that are written here."""
+
+from __future__ import annotations
+
+import json
+import posixpath
+import shutil
+import subprocess
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+_KINDS = {"EXECUTABLE": "executable", "INTERFACE_LIBRARY": "interface"}
+_NOT_BUILT = frozenset({"UTILITY"})
+_STUBS = {
+    "ament_cmake": """
+option(BUILD_TESTING "" ON)
+function(ament_target_dependencies)
+endfunction()
+macro(ament_package)
+endmacro()
+function(ament_add_gtest name)
+  add_executable(${name} ${ARGN})
+endfunction()
+""",
+    "rclcpp": "",
+    "rclcpp_components": """
+function(rclcpp_components_register_node target)
+endfunction()
+""",
+    "catkin": """
+set(CATKIN_ENABLE_TESTING ON)
+set(CATKIN_PACKAGE_BIN_DESTINATION lib/${PROJECT_NAME})
+set(CATKIN_PACKAGE_LIB_DESTINATION lib)
+set(CATKIN_PACKAGE_SHARE_DESTINATION share/${PROJECT_NAME})
+set(CATKIN_PACKAGE_INCLUDE_DESTINATION include/${PROJECT_NAME})
+set(CATKIN_GLOBAL_BIN_DESTINATION bin)
+macro(catkin_package)
+endmacro()
+function(catkin_add_gtest name)
+  add_executable(${name} ${ARGN})
+endfunction()
+function(catkin_install_python programs)
+  cmake_parse_arguments(ARG "" "DESTINATION" "" ${ARGN})
+  install(PROGRAMS ${ARG_UNPARSED_ARGUMENTS} DESTINATION ${ARG_DESTINATION})
+endfunction()
+""",
+}
+
+
+@dataclass(frozen=True)
+class Built:
+    """A target: its kind, its sources from the root of the project, and the place of the command that made it."""
+
+    kind: str
+    sources: frozenset[str]
+    place: str
+
+
+@dataclass
+class Truth:
+    """What CMake says of a project; installs are (kind, item, destination)."""
+
+    targets: dict[str, Built] = field(default_factory=dict)
+    installs: set[tuple[str, str, str]] = field(default_factory=set)
+
+    def document(self) -> dict[str, Any]:
+        """What is recorded of it."""
+        targets = {name: [each.kind, sorted(each.sources), each.place] for name, each in sorted(self.targets.items())}
+        return {"targets": targets, "installs": sorted(self.installs)}
+
+    @staticmethod
+    def of(document: dict[str, Any]) -> Truth:
+        """Read what was recorded."""
+        targets = {name: Built(kind, frozenset(paths), at) for name, (kind, paths, at) in document["targets"].items()}
+        return Truth(targets, {(kind, item, place) for kind, item, place in document["installs"]})
+
+
+class Oracle:
+    """Runs CMake in a folder of its own."""
+
+    def __init__(self, program: str, folder: Path) -> None:
+        self.program = program
+        self.folder = folder
+        self.stubs = folder / "stubs"
+        self.platform: Path | None = None
+        for name, text in _STUBS.items():
+            place = self.stubs / name
+            place.mkdir(parents=True, exist_ok=True)
+            (place / f"{name}Config.cmake").write_text(text)
+
+    def ask(self, source: Path) -> Truth | str:
+        """Configure a project; the text is the error where CMake refuses it."""
+        build = self.folder / "build"
+        shutil.rmtree(build, ignore_errors=True)
+        query = build / ".cmake/api/v1/query"
+        query.mkdir(parents=True)
+        (query / "codemodel-v2").touch()
+        if self.platform is not None:
+            # What CMake found of the compiler once holds for all projects.
+            shutil.copytree(self.platform, build / "CMakeFiles" / self.platform.name)
+        trace = build / "trace.json"
+        command = [self.program, "-S", str(source), "-B", str(build), "-G", "Ninja", "--trace-expand"]
+        command += ["--trace-format=json-v1", f"--trace-redirect={trace}", "-Wno-dev", "-Wno-deprecated"]
+        command += [f"-D{name}_DIR={self.stubs / name}" for name in _STUBS]
+        command += ["-DCMAKE_INSTALL_PREFIX=/prefix"]
+        done = subprocess.run(command, check=False, capture_output=True, text=True)
+        if done.returncode:
+            return " ".join(done.stderr.split())[:300]
+        self._keep_platform(build)
+        return _truth(build, source, trace)
+
+    def _keep_platform(self, build: Path) -> None:
+        if self.platform is None:
+            found = next((build / "CMakeFiles").glob("[0-9]*"))
+            self.platform = self.folder / "platform" / found.name
+            shutil.copytree(found, self.platform, dirs_exist_ok=True)
+
+
+def _truth(build: Path, source: Path, trace: Path) -> Truth:
+    reply = build / ".cmake/api/v1/reply"
+    model = json.loads(next(reply.glob("codemodel-v2-*.json")).read_text())
+    (configuration,) = model["configurations"]
+    truth = Truth()
+    places = _places(trace, source)
+    names = {}
+    for entry in configuration["targets"]:
+        target = json.loads((reply / entry["jsonFile"]).read_text())
+        names[entry["id"]] = entry["name"]
+        if target["type"] not in _NOT_BUILT:
+            kind = _KINDS.get(target["type"], "library")
+            sources = frozenset(posixpath.normpath(each["path"]) for each in target.get("sources", ()))
+            truth.targets[entry["name"]] = Built(kind, sources, places.get(entry["name"], ""))
+    for entry in configuration["directories"]:
+        folder = json.loads((reply / entry["jsonFile"]).read_text())
+        for installer in folder.get("installers", ()):
+            truth.installs |= _installed(installer, names)
+    return truth
+
+
+def _installed(installer: dict[str, Any], names: dict[str, str]) -> set[tuple[str, str, str]]:
+    place = installer["destination"]
+    if installer["type"] == "target":
+        return {("targets", names[installer["targetId"]], place)}
+    if installer["type"] not in {"file", "directory"}:
+        return set()
+    kind = {"file": "files"}.get(installer["type"], installer["type"])
+    found = set()
+    for path in installer["paths"]:
+        # A path is a pair where the file gets another name, or where only the content of a folder is installed.
+        text = path if isinstance(path, str) else path["from"]
+        content = "/" if not isinstance(path, str) and path["to"] == "." else ""
+        found.add((kind, posixpath.normpath(text) + content, place))
+    return found
+
+
+def _places(trace: Path, source: Path) -> dict[str, str]:
+    """File and line of the command that made each target, of the commands that ran."""
+    lines = (json.loads(line) for line in trace.read_text("utf-8").splitlines()[1:])
+    made = (line for line in lines if line.get("cmd", "").lower() in {"add_executable", "add_library"})
+    return {line["args"][0]: f"{line['file'].removeprefix(f'{source}/')}:{line['line']}" for line in made}

@@ -1,0 +1,1 @@
+"""A peer of another vendor of DDS."""

@@ -1,0 +1,75 @@
+"""What can be started of a tree: programs that the sourced ROS 2 has of its packages, and scripts of rclpy."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from ecm_checker.contract import Contract
+from path_a.ros2 import PYTHON, prefix_of
+
+from ecm_extract.check_inputs import subject
+
+_RUNS = frozenset({"node", "script", "component"})
+_RUNS_NOT = frozenset({"interface", "library"})
+
+
+@dataclass(frozen=True)
+class Tree:
+    """A source tree with its contracts of ROS 2 nodes, by package."""
+
+    path: Path
+    contracts: tuple[Contract, ...]
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """How something is started.
+
+    Attributes:
+        name: `package/program`. line: command. package: whose it is.
+    """
+
+    name: str
+    line: tuple[str, ...]
+    package: str
+
+
+def tree_of(path: Path) -> Tree:
+    found = (each for each in subject(str(path)).contracts if each.ecm.ros == 2)
+    return Tree(path, tuple(found))
+
+
+def candidates(tree: Tree) -> Iterator[Candidate]:
+    """Yield installed programs of the packages of a tree; of packages that are not installed, their scripts."""
+    packages = sorted({each.ecm.package for each in tree.contracts if each.ecm.kind in _RUNS})
+    for package in packages:
+        prefix = prefix_of(package)
+        programs = sorted((prefix / "lib" / package).glob("*")) if prefix is not None else []
+        installed = [path for path in programs if path.is_file() and os.access(path, os.X_OK)]
+        for path in installed:
+            yield Candidate(f"{package}/{path.name}", (str(path),), package)
+        if not installed:
+            yield from _scripts(tree, package)
+
+
+def _scripts(tree: Tree, package: str) -> Iterator[Candidate]:
+    """Files that contracts were read from and that make a node by themselves."""
+    places = {each.ecm.source.path for each in tree.contracts if each.ecm.package == package}
+    for place in sorted(places):
+        path = tree.path / place
+        if path.is_file() and path.suffix not in {".cpp", ".cc", ".hpp", ".xml"} and _makes_a_node(path.read_bytes()):
+            yield Candidate(f"{package}/{path.name}", (PYTHON, str(path)), package)
+
+
+def _makes_a_node(text: bytes) -> bool:
+    return b"rclpy" in text and b"__main__" in text
+
+
+def of_node(contracts: Sequence[Contract], package: str) -> tuple[Contract, ...]:
+    """Contracts of a package that a running node may be an instance of."""
+    return tuple(
+        each for each in contracts if each.ecm.package == package and each.ecm.kind not in {"interface", "library"}
+    )

@@ -1,0 +1,36 @@
+"""What conditions ask of a run beside its variables."""
+
+from __future__ import annotations
+
+from ecm_extract.cmake.file_commands import exists, is_directory
+from ecm_extract.cmake.known import commands
+from ecm_extract.cmake.run import Run
+
+
+class Answers:
+    """Answers from what ran so far; None is not known, because others may have made it."""
+
+    def __init__(self, run: Run) -> None:
+        self._run = run
+
+    def is_target(self, name: str) -> bool | None:
+        """Tell whether a target is there."""
+        by_default = self._run.targets.get(name, False)
+        if by_default is True:
+            return True
+        return None if self._run.outside.has_any or by_default is None else False
+
+    def is_command(self, name: str) -> bool | None:
+        """Tell whether a command is there."""
+        lower = name.lower()
+        if lower in commands() or lower in self._run.functions:
+            return True
+        return None if self._run.outside.has_any else False
+
+    def exists(self, path: str) -> bool | None:
+        """Tell whether a file or folder is there."""
+        return exists(self._run.files, path, self._run.folder())
+
+    def is_directory(self, path: str) -> bool | None:
+        """Tell whether a folder is there."""
+        return is_directory(self._run.files, path)

@@ -1,0 +1,291 @@
+"""Conditions of `if`, `elseif` and `while` (cmake-commands(7), "if"): true, false, or not known."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from itertools import zip_longest
+from typing import Final, Protocol
+
+import msgspec
+from ecm_parsers.cmake_tokens import Argument
+
+from ecm_extract.cmake import patterns
+from ecm_extract.cmake.lists import items
+from ecm_extract.cmake.look import Look
+from ecm_extract.cmake.state import both, either, opposite
+from ecm_extract.cmake.text import values
+from ecm_extract.cmake.values import is_known, is_placed
+
+_TRUE: Final = frozenset({"1", "ON", "YES", "TRUE", "Y"})
+_FALSE: Final = frozenset({"0", "OFF", "NO", "FALSE", "N", "IGNORE", "NOTFOUND", ""})
+_NUMBER: Final = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
+_VERSION: Final = re.compile(r"[0-9]+")
+
+
+class World(Protocol):
+    """What conditions ask of the build beside its variables; None is not known."""
+
+    def is_target(self, name: str) -> bool | None:
+        """Tell whether a target is there."""
+
+    def is_command(self, name: str) -> bool | None:
+        """Tell whether a command is there."""
+
+    def exists(self, path: str) -> bool | None:
+        """Tell whether a file or folder is there."""
+
+    def is_directory(self, path: str) -> bool | None:
+        """Tell whether a folder is there."""
+
+
+class _Word(msgspec.Struct, frozen=True):
+    """A word of a condition, or what a part of it came to."""
+
+    text: str
+    quoted: bool = False
+    verdict: bool | None = None
+    decided: bool = False
+
+
+def holds(header: Sequence[Argument], look: Look, world: World) -> bool | None:
+    """Tell whether a condition holds in one reading of the variables; None where that is not known."""
+    words = [_Word(text, argument.form != "plain") for argument in header for text in values(argument, look)]
+    return _Condition(look, world).value(words)
+
+
+def _done(verdict: bool | None) -> _Word:
+    return _Word("", True, verdict, True)
+
+
+class _Condition:
+    """Reduces the words of a condition: parentheses, tests of one word, of two, NOT, then AND and OR from the left."""
+
+    def __init__(self, look: Look, world: World) -> None:
+        self._look = look
+        self._world = world
+
+    def value(self, words: list[_Word]) -> bool | None:
+        words = self._binary(self._unary(self._inner(words)))
+        words = self._negated(words)
+        if not words:
+            return False
+        verdict = self._truth(words[0])
+        for at in range(1, len(words) - 1, 2):
+            other = self._truth(words[at + 1])
+            if words[at].text not in {"AND", "OR"}:
+                return None
+            verdict = both(verdict, other) if words[at].text == "AND" else either(verdict, other)
+        return verdict if len(words) % 2 else None
+
+    def _inner(self, words: list[_Word]) -> list[_Word]:
+        """Replace what stands between parentheses by its value."""
+        stack: list[list[_Word]] = [[]]
+        for word in words:
+            if word.text == "(" and not word.quoted:
+                stack.append([])
+            elif word.text == ")" and not word.quoted and len(stack) > 1:
+                inside = stack.pop()
+                stack[-1].append(_done(self.value(inside)))
+            else:
+                stack[-1].append(word)
+        return [word for level in stack for word in level]
+
+    def _unary(self, words: list[_Word]) -> list[_Word]:
+        found: list[_Word] = []
+        at = 0
+        while at < len(words):
+            test = _UNARY.get(words[at].text) if not words[at].quoted else None
+            if test is not None and at + 1 < len(words):
+                found.append(_done(test(self, words[at + 1])))
+                at += 2
+            else:
+                found.append(words[at])
+                at += 1
+        return found
+
+    def _binary(self, words: list[_Word]) -> list[_Word]:
+        found: list[_Word] = []
+        at = 0
+        while at < len(words):
+            word = words[at]
+            if word.text in _BINARY and not word.quoted and found and at + 1 < len(words):
+                found.append(_done(self._compared(found.pop(), word.text, words[at + 1])))
+                at += 2
+            else:
+                found.append(word)
+                at += 1
+        return found
+
+    def _negated(self, words: list[_Word]) -> list[_Word]:
+        found: list[_Word] = []
+        for word in reversed(words):
+            if word.text == "NOT" and not word.quoted and found:
+                found.append(_done(opposite(self._truth(found.pop()))))
+            else:
+                found.append(word)
+        return found[::-1]
+
+    def _truth(self, word: _Word) -> bool | None:
+        """What a word alone means: a constant, or whether the variable of that name holds something."""
+        if word.decided:
+            return word.verdict
+        if not is_known(word.text):
+            return None
+        constant = _constant(word.text)
+        if constant is not None or word.quoted:
+            return bool(constant)
+        text = self._look.get(word.text)
+        return False if text is None else _is_something(text)
+
+    def _text(self, word: _Word) -> str | None:
+        """The text of a side: a word that names a variable stands for it."""
+        if not is_known(word.text):
+            return None
+        if word.quoted or word.decided:
+            return word.text
+        if not self._look.has(word.text):
+            return None if self._look.outside(word.text) else word.text
+        held = self._look.get(word.text)
+        return word.text if held is None else held if is_known(held) else None
+
+    def _compared(self, left: _Word, how: str, right: _Word) -> bool | None:
+        one = self._text(left)
+        if how == "IN_LIST":
+            held = self._look.get(right.text)
+            return None if one is None or not is_known(held or "") else one in items(held or "")
+        if how == "MATCHES":
+            return None if one is None or not is_known(right.text) else _matches(one, right.text)
+        other = self._text(right)
+        return None if one is None or other is None else _BINARY[how](one, other)
+
+    # -- tests of one word
+
+    def exists(self, word: _Word) -> bool | None:
+        return self._world.exists(word.text) if is_known(word.text) else None
+
+    def is_directory(self, word: _Word) -> bool | None:
+        return self._world.is_directory(word.text) if is_known(word.text) else None
+
+    def is_target(self, word: _Word) -> bool | None:
+        return self._world.is_target(word.text) if is_known(word.text) else None
+
+    def is_command(self, word: _Word) -> bool | None:
+        return self._world.is_command(word.text) if is_known(word.text) else None
+
+    def is_defined(self, word: _Word) -> bool | None:
+        if not is_known(word.text) or not self._look.has(word.text):
+            return None
+        return self._look.get(word.text) is not None
+
+    def is_absolute(self, word: _Word) -> bool | None:
+        text = self._text(word)
+        return None if text is None else text.startswith(("/", "~"))
+
+    def is_unknown(self, word: _Word) -> bool | None:
+        del word
+        return None
+
+
+def _constant(text: str) -> bool | None:
+    upper = text.upper()
+    if upper in _TRUE:
+        return True
+    if upper in _FALSE or upper.endswith("-NOTFOUND"):
+        return False
+    return float(text) != 0 if _NUMBER.fullmatch(text) else None
+
+
+def _is_something(text: str) -> bool | None:
+    """Whether a variable with this text is true: everything is but the false constants."""
+    return None if not is_known(text) else _constant(text) is not False
+
+
+def _matches(text: str, expression: str) -> bool | None:
+    compiled = patterns.pattern(expression)
+    if compiled is None or not patterns.is_cheap(compiled, text):
+        return None
+    return compiled.search(text) is not None
+
+
+def _numbers(compare: Callable[[float, float], bool]) -> Callable[[str, str], bool]:
+    def run(one: str, other: str) -> bool:
+        both_numbers = _NUMBER.fullmatch(one) and _NUMBER.fullmatch(other)
+        return bool(both_numbers) and compare(float(one), float(other))
+
+    return run
+
+
+def _texts(compare: Callable[[str, str], bool]) -> Callable[[str, str], bool | None]:
+    def run(one: str, other: str) -> bool | None:
+        # Which of two folders of a machine comes first is not known.
+        return (
+            None
+            if (is_placed(one) or is_placed(other)) and one != other and compare is not _same
+            else compare(one, other)
+        )
+
+    return run
+
+
+def _same(one: str, other: str) -> bool:
+    return one == other
+
+
+def _order(one: str, other: str) -> int:
+    pairs = zip_longest(_components(one), _components(other), fillvalue=0)
+    return next(((left > right) - (left < right) for left, right in pairs if left != right), 0)
+
+
+def _components(text: str) -> list[int]:
+    """Numbers of a version up to the first that is none."""
+    found = []
+    for part in text.split("."):
+        match = _VERSION.match(part)
+        if match is None:
+            break
+        found.append(int(match[0][:18]))
+        if match.end() < len(part):
+            break
+    return found
+
+
+def _versions(holds_for: Callable[[int], bool]) -> Callable[[str, str], bool]:
+    return lambda one, other: holds_for(_order(one, other))
+
+
+_BINARY: Final[dict[str, Callable[[str, str], bool | None]]] = {
+    "EQUAL": _numbers(lambda one, other: one == other),
+    "LESS": _numbers(lambda one, other: one < other),
+    "GREATER": _numbers(lambda one, other: one > other),
+    "LESS_EQUAL": _numbers(lambda one, other: one <= other),
+    "GREATER_EQUAL": _numbers(lambda one, other: one >= other),
+    "STREQUAL": _texts(_same),
+    "STRLESS": _texts(lambda one, other: one < other),
+    "STRGREATER": _texts(lambda one, other: one > other),
+    "STRLESS_EQUAL": _texts(lambda one, other: one <= other),
+    "STRGREATER_EQUAL": _texts(lambda one, other: one >= other),
+    "PATH_EQUAL": _texts(_same),
+    "VERSION_EQUAL": _versions(lambda order: order == 0),
+    "VERSION_LESS": _versions(lambda order: order < 0),
+    "VERSION_GREATER": _versions(lambda order: order > 0),
+    "VERSION_LESS_EQUAL": _versions(lambda order: order <= 0),
+    "VERSION_GREATER_EQUAL": _versions(lambda order: order >= 0),
+    "IS_NEWER_THAN": lambda one, other: None,
+    "MATCHES": lambda one, other: None,
+    "IN_LIST": lambda one, other: None,
+}
+_UNARY: Final[dict[str, Callable[[_Condition, _Word], bool | None]]] = {
+    "EXISTS": _Condition.exists,
+    "IS_DIRECTORY": _Condition.is_directory,
+    "IS_ABSOLUTE": _Condition.is_absolute,
+    "TARGET": _Condition.is_target,
+    "COMMAND": _Condition.is_command,
+    "DEFINED": _Condition.is_defined,
+    "POLICY": _Condition.is_unknown,
+    "TEST": _Condition.is_unknown,
+    "IS_SYMLINK": _Condition.is_unknown,
+    "IS_READABLE": _Condition.is_unknown,
+    "IS_WRITABLE": _Condition.is_unknown,
+    "IS_EXECUTABLE": _Condition.is_unknown,
+}

@@ -1,0 +1,55 @@
+"""What is set before a file asks for it: by the system, by packages that are found, by modules of CMake."""
+
+from __future__ import annotations
+
+import tomllib
+from functools import cache
+from importlib import resources
+
+import msgspec
+
+from ecm_extract.cmake.values import PREFIX, Value
+
+
+class _Names(msgspec.Struct, frozen=True):
+    names: frozenset[str]
+
+
+class Known(msgspec.Struct, frozen=True):
+    """The tables of known.toml."""
+
+    system: dict[str, str]
+    absent: _Names
+    tests: _Names
+    packages: dict[str, dict[str, str]]
+    modules: dict[str, dict[str, str]]
+    openers: _Names
+
+
+@cache
+def known() -> Known:
+    """Return the tables."""
+    text = (resources.files("ecm_extract.cmake") / "known.toml").read_text("utf-8")
+    return msgspec.convert(tomllib.loads(text), Known)
+
+
+@cache
+def commands() -> frozenset[str]:
+    """Return the commands of CMake that make no target."""
+    text = (resources.files("ecm_extract.cmake") / "commands.toml").read_text("utf-8")
+    return frozenset(tomllib.loads(text)["commands"])
+
+
+def at_start() -> dict[str, Value]:
+    """Return the variables before the first command: those of a Linux with tests on, unless they are turned off."""
+    found = {name: Value((text.format(prefix=PREFIX),)) for name, text in known().system.items()}
+    found |= dict.fromkeys(known().absent.names, Value((None,)))
+    return found | dict.fromkeys(known().tests.names, Value(("ON", "OFF")))
+
+
+_TRUE = frozenset({"1", "ON", "YES", "TRUE", "Y"})
+
+
+def is_true(text: str) -> bool:
+    """Tell whether a text is one of the constants that mean true."""
+    return text.upper() in _TRUE

@@ -1,0 +1,194 @@
+"""Commands that do more than set variables: files that are run, packages that are found, projects, errors."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Callable
+from typing import Final
+
+from ecm_parsers.cmake_blocks import Step, nest
+from ecm_parsers.cmake_tokens import Argument, Command, parse_commands
+
+from ecm_extract.cmake.files import absolute, placed, tree_path
+from ecm_extract.cmake.known import known
+from ecm_extract.cmake.lists import items
+from ecm_extract.cmake.run import Place, Run
+from ecm_extract.cmake.state import either
+from ecm_extract.cmake.values import BINARY, SOURCE, is_known, unknown, written
+
+_STOPS: Final = frozenset({"FATAL_ERROR", "SEND_ERROR"})
+_LIST_NAMES: Final = ("CMAKE_CURRENT_LIST_FILE", "CMAKE_CURRENT_LIST_DIR")
+_Special = Callable[[Run, Command, tuple[str, ...], Place], bool]
+
+
+def run_file(run: Run, path: str, place: Place) -> bool:
+    """Run a file of the tree; `return` ends it."""
+    steps = _read(run, path)
+    if steps is None:
+        run.open(place, 1, f"{path} cannot be read")
+        return True
+    outer = {name: run.state.variables.get(name) for name in _LIST_NAMES}
+    run.set("CMAKE_CURRENT_LIST_FILE", placed(path))
+    run.set("CMAKE_CURRENT_LIST_DIR", placed(posixpath.dirname(path)))
+    inside = Place(path, 0, place.depth + 1)
+    goes_on = run.bounded(frozenset({"return"}), lambda: run.steps(steps, inside))
+    for name, value in outer.items():
+        if value is not None:
+            run.state.assign(name, value)
+    return goes_on
+
+
+def _read(run: Run, path: str) -> tuple[Step, ...] | None:
+    data = run.files.read(path)
+    if data is None:
+        return None
+    parsed = parse_commands(data)
+    diagnostics = list(parsed.diagnostics)
+    steps = nest(parsed.facts, diagnostics)
+    if path not in run.found.paths:
+        run.found.paths[path] = None
+        for diagnostic in diagnostics:
+            run.report(path, diagnostic)
+    return steps
+
+
+def _include(run: Run, command: Command, args: tuple[str, ...], place: Place) -> bool:
+    name = args[0] if args else ""
+    module = known().modules.get(name)
+    if module is not None:
+        _know(run, module)
+        return True
+    path = _included(run, name)
+    if path is not None:
+        return run_file(run, path, place)
+    if "OPTIONAL" not in args and ("/" in name or not is_known(name)):
+        run.open(place, command.line, f"include of {written(name)}")
+    return True
+
+
+def _included(run: Run, name: str) -> str | None:
+    """Path of an included file or module; None of one that is not in the tree."""
+    wanted = [absolute(name, run.folder())]
+    if "/" not in name and not name.endswith(".cmake"):
+        folders = items(run.look().get("CMAKE_MODULE_PATH") or "")
+        wanted = [f"{absolute(folder, run.folder())}/{name}.cmake" for folder in folders]
+    paths = [tree_path(each) for each in wanted]
+    return next((path for path in paths if path is not None and run.files.has(path)), None)
+
+
+def _guard(run: Run, command: Command, args: tuple[str, ...], place: Place) -> bool:
+    del command, args
+    if place.path in run.guarded:
+        run.state.leave("return")
+        return False
+    run.guarded.add(place.path)
+    return True
+
+
+def _subdirectory(run: Run, command: Command, args: tuple[str, ...], place: Place) -> bool:
+    folder = tree_path(absolute(args[0], run.folder())) if args else None
+    path = f"{folder}/CMakeLists.txt"
+    if not folder or not run.files.has(path):
+        run.open(place, command.line, f"add_subdirectory of {written(args[0]) if args else 'nothing'}")
+        return True
+    run.state.scopes.append(dict(run.state.variables))
+    run.set("CMAKE_CURRENT_SOURCE_DIR", placed(folder))
+    run.set("CMAKE_CURRENT_BINARY_DIR", f"{BINARY}/{folder}")
+    goes_on = run_file(run, path, place)
+    run.state.scopes.pop()
+    return goes_on
+
+
+def _find_package(run: Run, command: Command, args: tuple[str, ...], place: Place) -> bool:
+    del command, place
+    run.outside.add(args)
+    for name in args:
+        _know(run, known().packages.get(name, {}))
+    return True
+
+
+def _pkg_config(run: Run, command: Command, args: tuple[str, ...], place: Place) -> bool:
+    del command, place
+    run.outside.add(args[:1])
+    return True
+
+
+def _know(run: Run, table: dict[str, str]) -> None:
+    project = run.look().get("PROJECT_NAME") or unknown("PROJECT_NAME")
+    for variable, text in table.items():
+        run.set(variable, text.format(project=project))
+
+
+def _project(run: Run, command: Command, args: tuple[str, ...], place: Place) -> bool:
+    del command
+    if not args:
+        return True
+    version = args[args.index("VERSION") + 1] if "VERSION" in args[:-1] else ""
+    parts = [*version.split("."), "", "", ""]
+    look = run.look()
+    told = {"NAME": args[0], "VERSION": version}
+    told |= {"SOURCE_DIR": look.get("CMAKE_CURRENT_SOURCE_DIR") or SOURCE}
+    told |= {"BINARY_DIR": look.get("CMAKE_CURRENT_BINARY_DIR") or BINARY}
+    told |= {"VERSION_MAJOR": parts[0], "VERSION_MINOR": parts[1], "VERSION_PATCH": parts[2]}
+    for what, text in told.items():
+        run.set(f"PROJECT_{what}", text)
+        run.set(f"{args[0]}_{what}", text)
+    if len(run.state.scopes) == 1:
+        run.set("CMAKE_PROJECT_NAME", args[0])
+    del place
+    return True
+
+
+def _require(run: Run, command: Command, args: tuple[str, ...], place: Place) -> bool:
+    del command, place
+    version = "".join(args[args.index("VERSION") + 1 :][:1]) if "VERSION" in args else ""
+    run.minimum = tuple(int(part) for part in version.partition("...")[0].split(".") if part.isdigit())
+    return True
+
+
+def _message(run: Run, command: Command, args: tuple[str, ...], place: Place) -> bool:
+    """An error ends the configuration, so no build goes on from it."""
+    del run, command, place
+    return not _STOPS & set(args[:1])
+
+
+def _target(run: Run, command: Command, args: tuple[str, ...], place: Place) -> bool:
+    del command, place
+    if args and is_known(args[0]):
+        run.targets[args[0]] = either(run.targets.get(args[0], False), run.state.path.by_default)
+    return True
+
+
+def _language(run: Run, command: Command, args: tuple[str, ...], place: Place) -> bool:
+    """`cmake_language(CALL name args...)`; other forms run what only the build has."""
+    if args[:1] == ("CALL",) and len(args) > 1:
+        words = tuple(Argument(text, command.line, "bracket") for text in args[2:])
+        return run.handlers.command(run, Command(args[1].lower(), words, command.line), place)
+    run.open(place, command.line, "cmake_language")
+    return True
+
+
+def _fetched(run: Run, command: Command, args: tuple[str, ...], place: Place) -> bool:
+    del args
+    run.open(place, command.line, command.name)
+    return True
+
+
+SPECIAL: Final[dict[str, _Special]] = {
+    "add_executable": _target,
+    "add_library": _target,
+    "add_subdirectory": _subdirectory,
+    "ament_auto_find_build_dependencies": _find_package,
+    "cmake_language": _language,
+    "cmake_minimum_required": _require,
+    "externalproject_add": _fetched,
+    "fetchcontent_makeavailable": _fetched,
+    "fetchcontent_populate": _fetched,
+    "find_package": _find_package,
+    "include": _include,
+    "include_guard": _guard,
+    "message": _message,
+    "pkg_check_modules": _pkg_config,
+    "pkg_search_module": _pkg_config,
+    "project": _project,
+}

@@ -1,0 +1,122 @@
+"""What holds at a point of a run: variables by scope, the path that leads there, paths that left."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Final, Literal
+
+import msgspec
+
+from ecm_extract.cmake.values import Value, joined
+
+MAX_VARIABLES: Final = 5_000
+Scope = dict[str, Value]
+Leave = Literal["return", "break", "continue", "stop"]
+
+
+class Path(msgspec.Struct, frozen=True):
+    """How a command is reached.
+
+    Attributes:
+        conditions: that are not decided, as written.
+        by_default: whether a build without settings of its own comes here; None where that is not known.
+        is_test: whether only builds with tests do.
+    """
+
+    conditions: tuple[str, ...] = ()
+    by_default: bool | None = True
+    is_test: bool = False
+
+
+@dataclass(frozen=True)
+class Snapshot:
+    """Variables at the end of a path, and whether builds without settings take it."""
+
+    scopes: list[Scope]
+    by_default: bool | None
+
+
+@dataclass(frozen=True)
+class Left:
+    """A path that left a body before its end."""
+
+    how: Leave
+    snapshot: Snapshot
+
+
+@dataclass
+class State:
+    """The variables that are visible, innermost scope last, and where the run stands."""
+
+    scopes: list[Scope] = field(default_factory=lambda: [{}])
+    path: Path = field(default_factory=Path)
+    left: list[Left] = field(default_factory=list)
+
+    @property
+    def variables(self) -> Scope:
+        """Those of the innermost scope; a scope starts as a copy of the one outside."""
+        return self.scopes[-1]
+
+    def snapshot(self) -> Snapshot:
+        """Return the variables as they are now."""
+        return Snapshot([dict(scope) for scope in self.scopes], self.path.by_default)
+
+    def restore(self, snapshot: Snapshot) -> None:
+        """Go back to a snapshot; it may be restored again."""
+        self.scopes = [dict(scope) for scope in snapshot.scopes]
+
+    def assign(self, name: str, value: Value, outside: bool = False) -> None:
+        """Set a variable, of the scope outside if told so."""
+        scope = self.scopes[-2] if outside and len(self.scopes) > 1 else self.scopes[-1]
+        if name in scope or len(scope) < MAX_VARIABLES:
+            scope[name] = value
+
+    def leave(self, how: Leave) -> None:
+        """Keep what holds here for the place where this path goes on."""
+        self.left.append(Left(how, self.snapshot()))
+
+    def below(self, condition: str, by_default: bool | None, is_test: bool) -> None:
+        """Go on below a condition."""
+        conditions = (*self.path.conditions, condition) if condition else self.path.conditions
+        self.path = Path(conditions, both(self.path.by_default, by_default), self.path.is_test or is_test)
+
+
+def meet(snapshots: list[Snapshot], outside: Callable[[str], bool]) -> list[Scope]:
+    """Return what holds where paths meet; that of a build without settings comes first.
+
+    Args:
+        snapshots: at the end of each path.
+        outside: tells whether a variable may be set by what is not read.
+    """
+    if len(snapshots) == 1:
+        return snapshots[0].scopes
+    ordered = sorted(snapshots, key=lambda each: each.by_default is not True)
+    has_default = ordered[0].by_default is True
+    depth = min(len(each.scopes) for each in ordered)
+    return [_meet([each.scopes[level] for each in ordered], has_default, outside) for level in range(depth)]
+
+
+def _meet(scopes: list[Scope], has_default: bool, outside: Callable[[str], bool]) -> Scope:
+    names = dict.fromkeys(name for scope in scopes for name in scope)
+    return {
+        name: joined([scope.get(name) or Value((None,), not outside(name)) for scope in scopes], has_default)
+        for name in names
+    }
+
+
+def both(one: bool | None, other: bool | None) -> bool | None:
+    """And, of what may be unknown."""
+    if one is False or other is False:
+        return False
+    return None if one is None or other is None else True
+
+
+def either(one: bool | None, other: bool | None) -> bool | None:
+    """Or, of what may be unknown."""
+    return opposite(both(opposite(one), opposite(other)))
+
+
+def opposite(one: bool | None) -> bool | None:
+    """Not, of what may be unknown."""
+    return None if one is None else not one

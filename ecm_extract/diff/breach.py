@@ -1,0 +1,137 @@
+"""Whether a line that means what changed is broken by the change, and how surely."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from typing import Final
+
+from ecm_checker.finding import Certainty
+from ecm_checker.hub.kinds import uses
+from ecm_checker.hub.provision import Form
+from ecm_checker.hub.requirement import Requirement
+from ecm_checker.match.consumer import Consumer
+from ecm_checker.match.fit import misfit
+from ecm_checker.match.provisions import Provisions
+
+from ecm_extract.diff.broken_names import GONE
+from ecm_extract.diff.effects import placed
+from ecm_extract.diff.model import ENDPOINTS, Located
+
+_FUTURE: Final = re.compile(r"future", re.IGNORECASE)
+_SHARED: Final = re.compile(r"shared", re.IGNORECASE)
+
+
+def breach(requirement: Requirement, consumer: Consumer, located: Located, after: Provisions) -> Certainty | None:
+    """Return how surely a change breaks a requirement that means what changed; None when it does not.
+
+    Args:
+        requirement: of the consumer.
+        consumer: the package that requires.
+        located: the change.
+        after: all that the new side provides.
+    """
+    row, word = uses()[requirement.use], located.change.change
+    if _names_successor(requirement, located, consumer):
+        return None
+    if word == "deprecated":
+        return requirement.certainty if row.warned and _is_warned(requirement, located) else None
+    if word in GONE:
+        return _lost(requirement, consumer, located, after) if "gone" in row.breaches else None
+    if word == "type_changed" and "type" in row.breaches:
+        return _retyped(requirement, located)
+    if word == "signature_changed" and "signature" in row.breaches:
+        return requirement.certainty if _no_longer_fits(requirement, located) else None
+    return None
+
+
+def _is_warned(requirement: Requirement, located: Located) -> bool:
+    """Of a method only the form that a line overrides may be deprecated."""
+    new, given = located.pair.new, requirement.given
+    if requirement.use != "overrides" or new is None or given is None:
+        return True
+    return any(form.deprecated and form.types == given.types for form in new.forms)
+
+
+def _lost(requirement: Requirement, consumer: Consumer, located: Located, after: Provisions) -> Certainty | None:
+    old, new = located.pair.old, located.pair.new
+    if old is None or _is_other(requirement, located):
+        return None
+    if old.kind == "launch_file" and new is not None and new.name == old.name:
+        return requirement.certainty if _is_by_path(requirement, old.path) else None
+    if requirement.use == "includes" and new is not None and new.name == requirement.name:
+        return "likely"  # another package answers the include now, and must be depended on
+    if requirement.use == "names_symbol" and new is not None and new.name == old.name:
+        return None  # the include that brought it is what is gone
+    for entity in after.named(requirement, consumer):
+        if requirement.use == "remaps" and entity.facet != old.facet:
+            continue  # a remap leads to a side; who listens does not take the place of who spoke
+        known = entity.package == old.package or not entity.is_computed or entity.name == old.name
+        if known and misfit(requirement, entity) is None:
+            return None
+    return requirement.certainty
+
+
+def _is_by_path(requirement: Requirement, path: str) -> bool:
+    """Whether a launch file is included from the folder that it lay in."""
+    return f"/{requirement.target}".endswith(f"/{placed(path)}")
+
+
+def _names_successor(requirement: Requirement, located: Located, consumer: Consumer) -> bool:
+    """Whether a C++ file has the new name as well: it chooses by a condition."""
+    new, path = located.change.new, requirement.evidence[0].path
+    if new is None or new == requirement.name:
+        return False
+    if requirement.use == "includes":
+        return new in consumer.headers_of(path)
+    return requirement.use == "names_symbol" and any(
+        name == new or name.startswith(f"{new}::") for name in consumer.symbols_of(path)
+    )
+
+
+def _is_other(requirement: Requirement, located: Located) -> bool:
+    """Whether it is another topic of that name: a message that moved to another package keeps its own name."""
+    old = located.pair.old
+    if old is None or old.kind not in ENDPOINTS or None in (requirement.type, old.type):
+        return False
+    return (requirement.type or "").rpartition("/")[2] != (old.type or "").rpartition("/")[2]
+
+
+def _retyped(requirement: Requirement, located: Located) -> Certainty | None:
+    old, new = located.pair.old, located.pair.new
+    if old is None or new is None:
+        return None
+    if old.kind in {"message_field", "constant"}:
+        return "likely"
+    if old.kind == "member":
+        inside = requirement.given is not None and requirement.given.inside
+        return "likely" if inside else None  # who only names it may do with another type
+    was_right = requirement.type is not None and requirement.type == old.type
+    return requirement.certainty if was_right and misfit(requirement, new) == "type" else None
+
+
+def _no_longer_fits(requirement: Requirement, located: Located) -> bool:
+    old, new = located.pair.old, located.pair.new
+    if old is None or new is None:
+        return False
+    if requirement.use == "takes_again":
+        return _is_no_longer_shared(old.forms, new.forms)
+    if requirement.use == "gives_keyword" and requirement.given is not None:
+        # `**kwargs` may hand it on to what refuses it, so a name that was told and is not any more is lost
+        return not _told(old.forms).intersection(requirement.given.names) <= _told(new.forms)
+    return misfit(requirement, old) is None and misfit(requirement, new) is not None
+
+
+def _told(forms: Iterable[Form]) -> frozenset[str]:
+    """Names of parameters that a function tells."""
+    return frozenset(name for form in forms for name in form.names if not name.startswith("*"))
+
+
+def _is_no_longer_shared(old: Iterable[Form], new: Iterable[Form]) -> bool:
+    """Whether a form keeps its parameters and gives a future that is no longer shared."""
+    before = {form.types: form.returns for form in old}
+    return any(_is_future(before.get(form.types, ""), True) and _is_future(form.returns, False) for form in new)
+
+
+def _is_future(written: str, shared: bool) -> bool:
+    return _FUTURE.search(written) is not None and (_SHARED.search(written) is not None) is shared
