@@ -44,6 +44,7 @@ class UseKind(msgspec.Struct, frozen=True, kw_only=True):
         stated: whether a name that its package does not tell is missing: a method that may override may also be new,
             and packages do not tell all their files.
         built: whether the line is compiled or interpreted together with what it uses, in its own package.
+        tolerated: version of ROS that goes on when the name is not there; 0 for none.
     """
 
     of: tuple[str, ...]
@@ -54,6 +55,7 @@ class UseKind(msgspec.Struct, frozen=True, kw_only=True):
     warned: bool = True
     stated: bool = True
     built: bool = False
+    tolerated: int = 0
 
 
 @cache

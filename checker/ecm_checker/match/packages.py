@@ -92,9 +92,11 @@ class Packages:
 
 
 def _is_asked(requirement: Requirement) -> bool:
-    """Whether what others provide now decides; one variable takes whatever a function returns."""
-    one = requirement.given is not None and requirement.given.takes == ONE_VALUE
-    return uses()[requirement.use].stated and not is_open(requirement) and not one
+    """Whether what others provide now decides: one variable takes whatever a function returns."""
+    row, given = uses()[requirement.use], requirement.given
+    is_tolerated = row.tolerated != 0 and requirement.ros == row.tolerated
+    takes_any = given is not None and given.takes == ONE_VALUE
+    return row.stated and not is_open(requirement) and not is_tolerated and not takes_any
 
 
 def broken(users: Packages, before: Packages, after: Packages) -> Iterator[Unmet]:
