@@ -20,7 +20,10 @@ _ADVISED = "it warns at each call, and does what its authors advise against"
 
 
 def unmet_findings(rule: Rule, unmet: Iterable[Unmet]) -> Iterator[Finding]:
-    """Yield one finding of a rule for each name that somebody needs and does not get."""
+    """Yield one finding of a rule for each name that somebody needs and does not get.
+
+    Files that a project keeps for another distribution, and picks when it is launched, are for information.
+    """
     grouped: dict[tuple[str, str | None, str, str], list[Unmet]] = defaultdict(list)
     for each in unmet:
         wanted = each.requirement
@@ -45,6 +48,7 @@ def _finding(rule: Rule, group: list[Unmet]) -> Finding:
         subjects=tuple(f"ecm.{name}" for name in packages),
         evidence=tuple(dict.fromkeys(lines)),
         certainty=_certainty(group),
+        severity="info" if all(each.requirement.kept_for for each in group) else None,
     )
     return rule.found(said)
 

@@ -210,6 +210,16 @@ def test_what_was_met_and_is_no_longer_is_broken() -> None:
     assert not list(broken(user, before, before))
 
 
+@pytest.mark.parametrize(("kept_for", "severity"), [("", "error"), ("humble", "info")])
+def test_what_is_kept_for_another_distribution_is_for_information(kept_for: str, severity: str) -> None:
+    maker = Package(name="arm", version=None, path="arm", ros=None, provides=(provided(HEADER),))
+    rows = (requirement("includes", "arm/arm.hpp", kept_for=kept_for),)
+    user = Packages([Package(name="user", version=None, path="user", ros=None, requires=rows)])
+    gone = Package(name="arm", version=None, path="arm", ros=None)
+    (finding,) = unmet_findings(RULE, broken(user, Packages([maker]), Packages([gone])))
+    assert finding.severity == severity
+
+
 def test_nothing_is_missing_in_what_was_not_read() -> None:
     """A file of the provider is too large: a name that is not found is unknown, and a release may have broken it."""
     user = Packages([package("user", [], [requirement("starts", "arm_node", package="arm")])])
