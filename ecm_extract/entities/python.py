@@ -8,7 +8,7 @@ from typing import Final
 
 import msgspec
 from ecm_checker.hub.provision import Provision
-from ecm_parsers.source.expr import Call, Expr, Number, Text
+from ecm_parsers.source.expr import Call, Constant, Expr, Name, Number, Op, Text
 from ecm_parsers.source.facts import Function, SourceFile
 
 from ecm_extract.entities.public_files import python_modules, stub_modules
@@ -96,6 +96,35 @@ def _warning(function: Function) -> str | None:
     return None
 
 
+def advised(function: Function) -> tuple[str, ...]:
+    """Return the optional parameters that a function warns of when they are left out: `if size is None: warn(..)`."""
+    optional = {entry.name for entry in function.params if _is_none(entry.default)}
+    missing: dict[int, str] = {}
+    found: list[str] = []
+    for statement in function.body:
+        missing = {depth: name for depth, name in missing.items() if depth < statement.depth}
+        if _tested(statement.value) in optional:
+            missing[statement.depth] = _tested(statement.value)
+        elif _is_warning(statement.value):
+            found += missing.values()
+    return tuple(dict.fromkeys(found))
+
+
+def _tested(value: Expr | None) -> str:
+    """The name that is compared with None; empty for any other expression."""
+    if isinstance(value, Op) and value.op == "==" and isinstance(value.operands[0], Name):
+        return value.operands[0].id if _is_none(value.operands[1]) else ""
+    return ""
+
+
+def _is_none(value: Expr | None) -> bool:
+    return isinstance(value, Constant) and value.name == "null"
+
+
+def _is_warning(value: Expr | None) -> bool:
+    return isinstance(value, Call) and dotted_name(value.callee) in _WARN
+
+
 def _texts(expr: Expr) -> Iterator[Text]:
     if isinstance(expr, Text):
         yield expr
@@ -125,6 +154,7 @@ def _function(package: str, path: str, dotted: str, function: Function, classes:
         name=function.name if is_method else f"{dotted}.{function.name}",
         forms=(form,),
         deprecated="marked deprecated" if form.deprecated else _warning(function),
+        advised=advised(function),
         path=path,
         line=function.line,
     )

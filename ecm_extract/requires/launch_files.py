@@ -36,6 +36,8 @@ from ecm_extract.requires.place import Place, required
 _FOUND: Final = re.compile(r"\$\((?:find|find_prefix) ([^\s$()]+)\)(/(?:.*/)?)([^/$()]+)$", re.DOTALL)
 """A file of a package: the package, the folders, the name, which stands there as a whole."""
 _STARTS: Final = "starts"
+_OUTSIDE: Final = "/../"
+"""Of folders that lead out of the package that is named."""
 MANAGED: Final = "node_names"
 """Parameter by which a lifecycle manager is told its nodes (nav2_lifecycle_manager, nav2_util)."""
 _BELOW_NODE: Final = 2
@@ -99,7 +101,7 @@ def _of_action(action: Action, scope: _Scope) -> Iterator[Requirement]:
 def _of_include(action: Include, scope: _Scope) -> Iterator[Requirement]:
     place = scope.place(action.line)
     found = _FOUND.search(written(action.path))
-    if found is None:
+    if found is None or _OUTSIDE in found[2]:
         return
     given = Given(names=tuple(name for name, _ in action.arguments), forwarded=action.pass_all)
     path = f"{found[2].lstrip('/')}{found[3]}"
@@ -150,9 +152,9 @@ def _names(action: Node, place: Place) -> Iterator[Requirement]:
     name = plain(action.name or ())
     if name:
         yield required("names_node", name, place)
-    target = plain(action.target or ()).rpartition("/")[2]
-    if target:
-        yield required("loads_into", target, place, "likely")
+    target = plain(action.target or ())
+    if target.rpartition("/")[2]:
+        yield required("loads_into", target.rpartition("/")[2], place, "likely", target=target)
 
 
 def _reached(remap: Remap, place: Place) -> Iterator[Requirement]:
@@ -186,7 +188,7 @@ def _listed(value: object) -> Iterator[str]:
 
 def _of_file(path: Template, place: Place) -> Iterator[Requirement]:
     found = _FOUND.search(written(path))
-    if found is not None:
+    if found is not None and _OUTSIDE not in found[2]:
         name = f"{found[2].lstrip('/')}{found[3]}"
         yield required("reads_file", name, place, package=found[1])
 

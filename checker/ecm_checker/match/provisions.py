@@ -113,6 +113,10 @@ class Provisions:
         if key != OPEN:
             yield from self._by_key.get((kind, OPEN), ())
 
+    def of_kind(self, kind: str) -> Iterator[Provision]:
+        """Yield all provisions of a kind."""
+        return (each for each in self._entities if each.kind == kind)
+
     def owners(self, package: str | None, name: str) -> list[Provision]:
         """Return the provisions of a package, of any kind, that have a name themselves."""
         named = (each for kind in kinds() for each in self._by_key.get((kind, name), ()))

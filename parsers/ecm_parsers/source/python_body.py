@@ -127,14 +127,32 @@ def _calls(scan: Scan, node: Node) -> None:
 
 def _branch(scan: Scan, node: Node) -> None:
     """A condition with its block and alternatives."""
-    for child in parts(node):
+    children = parts(node)
+    without = _left_out(scan, children)
+    for child in children:
         kind = child.type
         if kind == "block":
             scan.block(child, 1)
         elif kind in _CLAUSES:
+            if without is not None and without.op == "!=":
+                scan.emit("do", child, Op("==", without.operands))
             _clause(scan, child)
-        else:
+        elif without is None:
             scan.do(child)
+        elif without.op == "==":
+            scan.emit("do", child, without)
+
+
+def _left_out(scan: Scan, children: list[Node]) -> Op | None:
+    """A test of a name for None, where one block runs for None alone: `if a is None:`, `if a is not None: .. else:`."""
+    condition, clauses = children[0], [child for child in children if child.type in _CLAUSES]
+    if condition.type != "comparison_operator" or not scan.raw(condition).endswith(b"None"):
+        return None
+    value = scan.expr(condition)
+    if not isinstance(value, Op) or not isinstance(value.operands[0], Name):
+        return None
+    wanted = {"==": [], "!=": ["else_clause"]}.get(value.op)
+    return value if [child.type for child in clauses] == wanted else None
 
 
 def _clause(scan: Scan, node: Node) -> None:
