@@ -2,36 +2,43 @@
 
 from __future__ import annotations
 
-import re
-from typing import Final
+from collections.abc import Iterator, Sequence
+
+from ecm_parsers.cmake_blocks import Block, Step, nest
+from ecm_parsers.cmake_tokens import parse_commands
 
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
 
-_DEFINED: Final = re.compile(rb"\b(?:macro|function)\s*\(\s*(\w+)(.*?)\bend(?:macro|function)\s*\(", re.DOTALL | re.I)
-_BUILDS: Final = re.compile(rb"add_executable\s*\(", re.I)
-_CALLED: Final = re.compile(rb"^[ \t]*(\w+)\s*\(\s*\)", re.MULTILINE)
-"""Without arguments, so that no name of a program is given."""
+
+def makers(workspace: Workspace) -> frozenset[str]:
+    """Return the commands that modules of the workspace define with an `add_executable` inside, in lower case."""
+    modules = (entry.path for entry in workspace.tree.files() if entry.path.endswith(".cmake"))
+    texts = (workspace.files.read(path) or b"" for path in modules)
+    return frozenset(name for text in texts for name in _defined(nest(parse_commands(text).facts, [])))
 
 
-def makers(workspace: Workspace) -> frozenset[bytes]:
-    """Return the commands that files of the workspace define with an `add_executable` inside, in lower case."""
-    modules = [entry.path for entry in workspace.tree.files() if entry.path.endswith(".cmake")]
-    return frozenset(
-        name.lower()
-        for path in modules
-        for name, body in _DEFINED.findall(workspace.files.read(path) or b"")
-        if _BUILDS.search(body)
-    )
+def _defined(steps: Sequence[Step]) -> Iterator[str]:
+    for step in steps:
+        if not isinstance(step, Block):
+            continue
+        header = step.branches[0].header
+        if step.kind in {"function", "macro"} and header and _builds(step):
+            yield header[0].text.lower()
+        for branch in step.branches:
+            yield from _defined(branch.body)
 
 
-def asks(package: PackageFacts, commands: frozenset[bytes], workspace: Workspace) -> bool:
-    """Tell whether a build file of a package calls one of the commands without naming a program."""
-    return bool(commands) and any(
-        name.lower() in commands
-        for path in package.cmake
-        for name in _CALLED.findall(workspace.files.read(path) or b"")
-    )
+def _builds(step: Step) -> bool:
+    if isinstance(step, Block):
+        return any(_builds(inner) for branch in step.branches for inner in branch.body)
+    return step.name == "add_executable"
+
+
+def asks(package: PackageFacts, commands: frozenset[str]) -> bool:
+    """Tell whether a build calls one of the commands without naming a program."""
+    ran = (command for file in package.cmake.values() for command in file.commands)
+    return any(command.name in commands and not command.args for command in ran)
 
 
 def brings_targets(package: PackageFacts) -> bool:

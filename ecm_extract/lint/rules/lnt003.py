@@ -42,7 +42,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     closed = {
         package.name
         for package in workspace.packages
-        if _is_understood(package, workspace) and not asks(package, commands, workspace)
+        if _is_understood(package, workspace) and not asks(package, commands)
     }
     known: dict[str, frozenset[str]] = {}
     for path, facts in workspace.launches.items():
