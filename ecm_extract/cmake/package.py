@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import msgspec
 from ecm_parsers.cmake_facts import CmakeFile, Command, Option, Subdirectory, Target, Unknown
 
 from ecm_extract.cmake import exports
@@ -26,7 +27,13 @@ def stated(evaluation: Evaluation) -> dict[str, CmakeFile]:
         calls[call.path].append(call)
     made = targets(evaluation.calls)
     unread = {path: tuple(each for each in evaluation.unread if each.path == path) for path in calls}
-    return {path: _file(tuple(own), made.get(path, ()), unread[path]) for path, own in calls.items()}
+    by_name = {target.name: target for own in made.values() for target in own}
+    files = {path: _file(tuple(own), made.get(path, ()), unread[path]) for path, own in calls.items()}
+    return {path: _installing(file, tuple(calls[path]), by_name) for path, file in files.items()}
+
+
+def _installing(file: CmakeFile, calls: tuple[Call, ...], targets: dict[str, Target]) -> CmakeFile:
+    return msgspec.structs.replace(file, installs=tuple(exports.installs(calls, targets)))
 
 
 def _file(calls: tuple[Call, ...], made: tuple[Target, ...], unread: tuple[Unread, ...]) -> CmakeFile:
@@ -41,7 +48,6 @@ def _file(calls: tuple[Call, ...], made: tuple[Target, ...], unread: tuple[Unrea
         parameter_libraries=tuple(exports.parameter_libraries(calls)),
         interfaces=tuple(exports.interfaces(calls)),
         reconfigure_files=tuple(exports.reconfigure_files(calls)),
-        installs=tuple(exports.installs(calls)),
         dependencies=tuple(exports.dependencies(calls)),
         subdirectories=tuple(_subdirectories(calls)),
         options=tuple(_options(calls)),
