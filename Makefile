@@ -24,8 +24,8 @@ demo: $(VENV)/.run ## Read the demo robot, print the summary and one manifest.
 registry-demo: $(VENV)/.dev ## Publish, refuse, migrate, promote, resolve over a registry of its own.
 	@sh fixtures/registry/demo.sh $(BIN)/ecm-extract $(REGISTRY_DEMO)
 
-test: $(VENV)/.dev ## Run the tests.
-	@$(BIN)/python -m pytest
+test: $(VENV)/.dev ## Run the tests, in two processes.
+	@$(BIN)/python -m pytest --numprocesses 2 --dist worksteal
 
 check: $(VENV)/.dev ## Lint, formatting, types, direction of imports.
 	@$(BIN)/ruff check

@@ -76,7 +76,7 @@ class Judged(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     thread: str
     package: str
     line: str
-    true: bool
+    breaks: bool
     why: str
 
 
@@ -169,7 +169,7 @@ def _report(cases: Sequence[Case], named: Sequence[Named]) -> int:
 
 def _report_truth(cases: Sequence[Case], said: set[tuple[str, str, str]]) -> None:
     known = {(each.thread, one.package, at): True for each in cases for one in each.broken for at in one.lines}
-    known |= {(each.thread, each.package, each.line): each.true for each in _judged()}
+    known |= {(each.thread, each.package, each.line): each.breaks for each in _judged()}
     judged = [known[each] for each in said if each in known]
     print(f"of {len(said)} lines named, {len(judged)} are judged, {sum(judged)} of these true")
 

@@ -22,15 +22,30 @@ class Outside(msgspec.Struct, frozen=True):
         shown: which releases are meant, in words.
         packages: that are known, as providers: what they require in turn is not asked.
         unknown: names of packages that are required and not known.
+        documents: how many of the packages are known by documents that were named.
     """
 
     shown: str
     packages: tuple[Package, ...]
     unknown: tuple[str, ...]
+    documents: int = 0
 
 
 Known = Callable[[Sequence[Package]], Outside]
 """Gives what is known outside of packages."""
+
+
+def gathered(documents: Sequence[Package], registry: Known | None) -> Known:
+    """Return what gives all that is known outside: documents that were named, and what a registry has beside."""
+
+    def known(inside: Sequence[Package]) -> Outside:
+        found = registry(inside) if registry is not None else Outside("", (), ())
+        named = {each.name for each in documents}
+        others = tuple(each for each in found.packages if each.name not in named)
+        unknown = tuple(name for name in found.unknown if name not in named)
+        return Outside(found.shown, (*documents, *others), unknown, len(documents))
+
+    return known
 
 
 def outside_findings(inside: Sequence[Package], outside: Outside) -> Iterator[Finding]:
@@ -52,6 +67,9 @@ def outside_findings(inside: Sequence[Package], outside: Outside) -> Iterator[Fi
 
 def told(outside: Outside) -> Iterator[str]:
     """Yield what was known and what was not, in words."""
-    yield f"known from the registry: {len(outside.packages)} packages ({outside.shown})"
+    if outside.documents:
+        yield f"known from documents: {outside.documents} packages"
+    if outside.shown:
+        yield f"known from the registry: {len(outside.packages) - outside.documents} packages ({outside.shown})"
     if outside.unknown:
         yield f"not in the registry, so nothing is known of them: {', '.join(outside.unknown)}"

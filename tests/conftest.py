@@ -6,10 +6,15 @@ import difflib
 from collections.abc import Iterator
 from pathlib import Path
 
+import hypothesis
 import pytest
 from workspaces import Workspace
 
 GOLDEN = Path(__file__).parent / "golden"
+
+# How long one example takes says how busy the machine is; tests of bounds measure the time of the processor.
+hypothesis.settings.register_profile("any machine", deadline=None)
+hypothesis.settings.load_profile("any machine")
 
 
 class Golden:

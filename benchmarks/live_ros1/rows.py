@@ -9,10 +9,9 @@ from dataclasses import dataclass
 from ecm_checker.contract import Contract
 from ecm_checker.view import view
 
-from ecm_extract.observe.expected import Expected, is_exact, on_node
+from ecm_extract.observe.expected import Expected, graph_keys, is_exact, on_node
 from ecm_extract.observe.model import Observation
 from ecm_extract.observe.standard import is_standard
-from ecm_extract.observe.watch import graph_keys
 
 Key = tuple[str, str]
 _ROLES = frozenset({"publisher", "subscriber", "service_server", "action_server", "action_client", "parameter"})

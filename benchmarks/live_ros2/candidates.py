@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
 from ecm_checker.contract import Contract
+from ecm_checker.view import view
 from path_a.ros2 import PYTHON, prefix_of
 
 from ecm_extract.check_inputs import subject
+from ecm_extract.observe.expected import is_node_of
 
 _RUNS = frozenset({"node", "script", "component"})
 _RUNS_NOT = frozenset({"interface", "library"})
@@ -30,11 +32,13 @@ class Candidate:
 
     Attributes:
         name: `package/program`. line: command. package: whose it is.
+        source: path in the tree of a script; empty for a program.
     """
 
     name: str
     line: tuple[str, ...]
     package: str
+    source: str = ""
 
 
 def tree_of(path: Path) -> Tree:
@@ -61,15 +65,23 @@ def _scripts(tree: Tree, package: str) -> Iterator[Candidate]:
     for place in sorted(places):
         path = tree.path / place
         if path.is_file() and path.suffix not in {".cpp", ".cc", ".hpp", ".xml"} and _makes_a_node(path.read_bytes()):
-            yield Candidate(f"{package}/{path.name}", (PYTHON, str(path)), package)
+            yield Candidate(f"{package}/{path.name}", (PYTHON, str(path)), package, place)
+
+
+def python_path(tree: Tree) -> str:
+    """Folders of the tree from which an installation would take Python packages."""
+    roots = sorted({str(path.parent) for path in tree.path.rglob("setup.py") if (path.parent / "package.xml").exists()})
+    return os.pathsep.join([*roots, os.environ.get("PYTHONPATH", "")])
 
 
 def _makes_a_node(text: bytes) -> bool:
     return b"rclpy" in text and b"__main__" in text
 
 
-def of_node(contracts: Sequence[Contract], package: str) -> tuple[Contract, ...]:
-    """Contracts of a package that a running node may be an instance of."""
-    return tuple(
-        each for each in contracts if each.ecm.package == package and each.ecm.kind not in {"interface", "library"}
-    )
+def of_node(tree: Tree, candidate: Candidate, node: str) -> tuple[Contract, ...]:
+    """Contracts of which a node of a program is an instance: by name, else the only one of the script that made it."""
+    running = [each for each in tree.contracts if each.ecm.package == candidate.package]
+    running = [each for each in running if each.ecm.kind not in _RUNS_NOT]
+    named = tuple(each for each in running if is_node_of(node, view(each)))
+    written = tuple(each for each in running if each.ecm.source.path == candidate.source)
+    return named or (written if len(written) == 1 else ())

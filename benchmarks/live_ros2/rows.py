@@ -9,10 +9,9 @@ from dataclasses import dataclass, field
 from ecm_checker.contract import Contract, Qos
 from ecm_checker.view import view
 
-from ecm_extract.observe.expected import Expected, is_exact, on_node
+from ecm_extract.observe.expected import Expected, graph_keys, is_exact, on_node
 from ecm_extract.observe.model import Endpoint, Observation
 from ecm_extract.observe.standard import is_standard
-from ecm_extract.observe.watch import graph_keys
 
 POLICIES = ("reliability", "durability", "history", "depth", "deadline_ms", "lifespan_ms", "liveliness", "lease_ms")
 _HOLE = re.compile(r"\\\{[^{}]*\\\}")
@@ -63,7 +62,8 @@ def compared(contracts: Sequence[Contract], node: str, told: Observation, seen: 
     promises = [each for module in contracts for each in on_node(view(module), node)]
     ends = [end for end in told.endpoints if end.node == node and not is_standard(end.role, end.name, node)]
     _endpoints(counts, promises, ends)
-    _parameters(counts, promises, {each.name: each.value for each in told.parameters if each.node == node})
+    if node not in {gap.what for gap in told.gaps}:
+        _parameters(counts, promises, {each.name: each.value for each in told.parameters if each.node == node})
     _observed(counts["seen by observe"], ends, [end for end in seen.endpoints if end.node == node])
     return counts
 
@@ -105,10 +105,18 @@ def _qos(counts: dict[str, Count], each: Expected, end: Endpoint) -> None:
     for policy in POLICIES:
         has = getattr(real, policy)
         says = getattr(promised, policy) if promised is not None else None
-        if has is not None and not (policy == "depth" and real.history == "keep_all"):
+        if says is not None or _is_asked_for(real, policy):
             counts["QoS recall"].add(says is not None, f"{end.role} {end.name}: {policy} {has} is not told")
         if says is not None:
             counts["QoS precision"].add(has == says, f"{end.role} {end.name}: {policy} {has}, the contract says {says}")
+
+
+def _is_asked_for(real: Qos, policy: str) -> bool:
+    """A depth says nothing where all is kept, and automatic is the liveliness of who says nothing of it."""
+    has = getattr(real, policy)
+    if policy == "depth":
+        return real.history != "keep_all"
+    return has is not None and (policy, has) != ("liveliness", "automatic")
 
 
 def _parameters(counts: dict[str, Count], promises: Iterable[Expected], real: dict[str, object]) -> None:
@@ -120,7 +128,6 @@ def _parameters(counts: dict[str, Count], promises: Iterable[Expected], real: di
         open_form = any("{" in key and re.fullmatch(_HOLE.sub(".+", re.escape(key)), name) for key in named)
         counts["parameter recall"].add(name in named or open_form, f"missed parameter {name} = {value!r}")
         if name in named:
-            counts["parameter value"].right += 0
             _value(counts["parameter value"], named[name], value)
     for name, each in named.items():
         if is_exact(each) and not _OF_EVERY_NODE.fullmatch(name):

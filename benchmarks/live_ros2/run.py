@@ -19,25 +19,25 @@ import sys
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from tempfile import TemporaryFile
+from typing import IO, Any
 
 import yaml
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from ecm_checker.view import view
 from path_a.ros2 import LOOPBACK, PYTHON, environment, require, running
 from path_a.row import NotMeasured
 
 from ecm_extract.errors import EcmError
-from ecm_extract.observe.expected import is_node_of
 from ecm_extract.observe.model import Observation
-from live_ros2.candidates import Candidate, Tree, candidates, of_node, tree_of
+from live_ros2.candidates import Candidate, Tree, candidates, of_node, python_path, tree_of
 from live_ros2.rows import KINDS, Count, compared
 from live_ros2.told import observation
 
 ASKER = Path(__file__).parent / "programs" / "asker.py"
-SETTLE_S = 40
+SETTLE_S = 20
+GIVE_UP_S = 5.0
 ANSWER_S = 200
 Starts = Mapping[str, Sequence[str]]
 
@@ -62,6 +62,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("trees", nargs="+", type=Path)
     parser.add_argument("--most", type=int, default=8, help="programs that run of one tree")
+    parser.add_argument("--tries", type=int, default=24, help="programs that are tried of one tree")
     parser.add_argument("--only", action="append", default=[], help="PACKAGE/PROGRAM; may be repeated")
     parser.add_argument("--starts", type=Path, help="YAML: PACKAGE/PROGRAM: [arguments that it needs to run]")
     parser.add_argument("--json", type=Path)
@@ -86,22 +87,49 @@ def _of_tree(path: Path, given: argparse.Namespace, starts: Starts) -> Iterator[
         print(f"{path.name}: {error}", flush=True)
         return
     found = [each for each in candidates(tree) if not given.only or each.name in given.only]
-    for candidate in found[: given.most]:
-        yield from _run(tree, candidate, starts.get(candidate.name, ()))
+    count = 0
+    for candidate in found[: given.tries]:
+        ran = list(_run(tree, candidate, starts.get(candidate.name, ())))
+        yield from ran
+        count += bool(ran)
+        if count == given.most:
+            return
 
 
 def _run(tree: Tree, candidate: Candidate, arguments: Sequence[str]) -> Iterator[Ran]:
     domain = 10 + os.getpid() % 80
-    with running([*candidate.line, *arguments], environment(domain)):
+    variables = environment(domain, PYTHONPATH=python_path(tree), PYTHONDONTWRITEBYTECODE="1")
+    with TemporaryFile("w+") as log, running([*candidate.line, *arguments], variables, log) as process:
+        if _ends(process):
+            print(f"{candidate.name}: ends at once: {_last_line(log)}", flush=True)
+            return
         told = _asked(domain)
         seen = _seen(domain)
-    if not told.nodes:
-        print(f"{candidate.name}: makes no node", flush=True)
+        if not told.nodes:
+            print(f"{candidate.name}: makes no node: {_last_line(log)}", flush=True)
+    yield from _compared(tree, candidate, told, seen)
+
+
+def _ends(process: subprocess.Popen[str]) -> bool:
+    """Whether it is over within the time in which a program that lacks something gives up."""
+    try:
+        process.wait(GIVE_UP_S)
+    except subprocess.TimeoutExpired:
+        return False
+    return True
+
+
+def _last_line(log: IO[str]) -> str:
+    log.seek(0)
+    return next((line.strip() for line in reversed(log.read().splitlines()) if line.strip()), "it says nothing")
+
+
+def _compared(tree: Tree, candidate: Candidate, told: Observation, seen: Observation) -> Iterator[Ran]:
     for node in told.nodes:
-        contracts = of_node(tree.contracts, candidate.package)
-        own = [each for each in contracts if is_node_of(node.name, view(each))]
+        own = of_node(tree, candidate, node.name)
         counts = compared(own, node.name, told, seen)
         modules = tuple(each.ecm.module_id for each in own)
+        print("".join(f"{gap.what} {gap.why}\n" for gap in told.gaps), end="")
         result = Ran(candidate.name, tree.path.name, node.name, modules, counts)
         print(_shown(result), flush=True)
         yield result

@@ -9,7 +9,7 @@ import msgspec
 from ecm_checker.contract import Qos
 
 from ecm_extract.observe.actions import with_actions
-from ecm_extract.observe.model import Endpoint, Node, Observation, Parameter, Sense
+from ecm_extract.observe.model import Endpoint, Gap, Node, Observation, Parameter, Sense
 
 SENSES: Sequence[Sense] = (
     "node",
@@ -37,6 +37,7 @@ def observation(document: Mapping[str, Any]) -> Observation:
         nodes=tuple(map(Node, document["nodes"])),
         endpoints=with_actions(_endpoints(document["nodes"], policies), 2),
         parameters=tuple(_parameters(document["parameters"])),
+        gaps=tuple(Gap(node, "tells no parameters") for node, told in document["parameters"].items() if told is None),
     )
 
 

@@ -47,7 +47,7 @@ def _run() -> Mapping[str, tuple[int, str]]:
         said = words.read()
     if done.returncode:
         raise NotMeasured(said.strip())
-    refused = {topic: policy.lower() for topic, policy in _REFUSED.findall(said)}
+    refused = {f"/{topic.lstrip('/')}": policy.lower() for topic, policy in _REFUSED.findall(said)}
     counts: Mapping[str, int] = json.loads(done.stdout.strip().splitlines()[-1])
     return {topic: (count, refused.get(topic, "")) for topic, count in counts.items()}
 

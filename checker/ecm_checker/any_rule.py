@@ -11,7 +11,7 @@ from typing import Final
 import msgspec
 
 from ecm_checker.contract import Evidence
-from ecm_checker.finding import Certainty, Dimension, Entity, Finding, Severity, Who, fingerprint
+from ecm_checker.finding import Certainty, Dimension, Edit, Entity, Finding, Severity, Who, fingerprint
 
 _WORST_WITHOUT_PROOF: Final[Severity] = "warning"
 
@@ -27,6 +27,7 @@ class Said(msgspec.Struct, frozen=True, kw_only=True):
         evidence: the causing line first.
         certainty: what is not proved is at most a warning.
         severity, consequence, resolution, who: where they are not those of the rule.
+        edit: what surely mends it.
     """
 
     text: str
@@ -39,6 +40,7 @@ class Said(msgspec.Struct, frozen=True, kw_only=True):
     consequence: str = ""
     resolution: str = ""
     who: Who | None = None
+    edit: Edit | None = None
 
 
 class AnyRule(msgspec.Struct, frozen=True, kw_only=True):
@@ -79,10 +81,12 @@ class AnyRule(msgspec.Struct, frozen=True, kw_only=True):
             fingerprint=fingerprint(self.id, said.entity, said.owners),
             who=said.who or self.who,
             certainty=said.certainty,
+            about=said.entity,
+            edit=said.edit,
         )
 
 
 def rule_files(folder: ModuleType) -> tuple[ModuleType, ...]:
-    """Every file of a folder of rules, by name. Each holds `RULE` and `check`."""
+    """Every file of a folder of rules, by name. Each holds `RULE`, and `check` or `tell`."""
     names = sorted(found.name for found in iter_modules(folder.__path__))
     return tuple(import_module(f"{folder.__name__}.{name}") for name in names)

@@ -88,6 +88,11 @@ def missing_fields(contract: Contract) -> tuple[str, ...]:
     return tuple(path for path in required_fields(contract.ecm.kind) if _read(contract, path) is None)
 
 
+def runs_by_itself(kind: str) -> bool:
+    """Whether a module of a kind runs, and so can be seen to run."""
+    return kind not in _by_kind()
+
+
 @cache
 def _by_kind() -> Mapping[str, tuple[str, ...]]:
     text = (resources.files("ecm_checker") / "data" / "required.toml").read_text("utf-8")

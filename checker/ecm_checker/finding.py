@@ -25,6 +25,46 @@ DIMENSIONS: Final[tuple[Dimension, ...]] = (
 SEVERITIES: Final[tuple[Severity, ...]] = ("error", "warning", "info")
 
 
+class Entity(msgspec.Struct, frozen=True):
+    """What a finding is about; it makes the fingerprint.
+
+    Attributes:
+        kind: `topic`, `claim`, `sensor`, ...
+        old: its name, the name that is looked for, or the name on the offering side.
+        new: the name on the other side, or a near one that is there; empty when there is one name only.
+        owner: whose it is where names repeat within a package: the robot of a joint, the node of a parameter.
+    """
+
+    kind: str
+    old: str
+    new: str = ""
+    owner: str = ""
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """All names in it."""
+        return self.old, self.new, self.owner
+
+
+class Rename(msgspec.Struct, frozen=True):
+    """An edit: the first line of the evidence has `old` as a word of its own; write `new` for it."""
+
+    old: str
+    new: str
+    kind: Literal["rename"] = "rename"
+
+
+class Depend(msgspec.Struct, frozen=True):
+    """An edit: the package.xml of the subject names one more package, which its build needs, or only its run."""
+
+    package: str
+    need: Literal["build", "run"]
+    kind: Literal["depend"] = "depend"
+
+
+Edit = Rename | Depend
+
+
 class Finding(msgspec.Struct, frozen=True, kw_only=True):
     """One conflict, doubt or hint.
 
@@ -40,6 +80,8 @@ class Finding(msgspec.Struct, frozen=True, kw_only=True):
         fingerprint: same for the same cause, wherever it moves and however it is worded.
         who: what breaks.
         certainty: `unknown` when a field that the decision needs is undeclared.
+        about: what it is about, as data: the message says the same in words.
+        edit: what surely mends it; None where a person has to choose.
     """
 
     rule: str
@@ -53,22 +95,12 @@ class Finding(msgspec.Struct, frozen=True, kw_only=True):
     fingerprint: str
     who: Who
     certainty: Certainty
+    about: Entity | None = None
+    edit: Edit | None = None
 
-
-class Entity(msgspec.Struct, frozen=True):
-    """What a finding is about; it makes the fingerprint.
-
-    Attributes:
-        kind: `topic`, `claim`, `sensor`, ...
-        old: its name, or the name on the offering side.
-        new: the name on the other side; empty when there is one name only.
-        owner: whose it is where names repeat within a package: the robot of a joint, the node of a parameter.
-    """
-
-    kind: str
-    old: str
-    new: str = ""
-    owner: str = ""
+    def names(self, word: str) -> bool:
+        """Whether one of the names that it is about has a word in it; nobody reads its message for that."""
+        return self.about is None or any(word in name for name in (*self.about.names, *self.subjects))
 
 
 def fingerprint(rule: str, entity: Entity, packages: tuple[str, ...]) -> str:

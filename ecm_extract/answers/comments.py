@@ -24,7 +24,7 @@ _COMMENT: Final = re.compile(
 
 
 class Comment(msgspec.Struct, frozen=True):
-    """One inline answer; `word` must stand in the message when it is set."""
+    """One inline answer; `word` must stand in a name that the finding is about."""
 
     path: str
     line: int
@@ -37,7 +37,7 @@ class Comment(msgspec.Struct, frozen=True):
         place = finding.evidence[0] if finding.evidence else None
         if place is None or place.path != self.path or not self._names(finding.rule):
             return False
-        return place.line - self.line in (0, 1) and self.word in finding.message
+        return place.line - self.line in (0, 1) and finding.names(self.word)
 
     def _names(self, rule: str) -> bool:
         """One change has two rules; to name one of them is enough."""

@@ -13,8 +13,10 @@ from ecm_checker.json_data import json_data
 
 from ecm_extract.entities.collect import public_entities
 from ecm_extract.entities.interfaces import interface_name
+from ecm_extract.entities.launch import launch_files
 from ecm_extract.entities.listed import listed, shared_files
 from ecm_extract.entities.notes import read_notes
+from ecm_extract.entities.possible import makers_of, open_kinds, possible_names, runs_files
 from ecm_extract.entities.python import bound_names, quoted_names
 from ecm_extract.entities.workspace import Workspace
 from ecm_extract.parallel_work import meanwhile
@@ -29,9 +31,11 @@ def hubs(workspace: Workspace, jobs: int | None) -> Mapping[str, Hub]:
         workspace: the linked tree.
         jobs: with one nothing is forked; else requirements are read off in another process.
     """
+    for facts in workspace.packages:
+        launch_files(workspace.texts, facts)  # before the fork: both processes ask for them
     required: Callable[[], Mapping[str, Sequence[Requirement]]] = meanwhile(lambda: requirements(workspace), jobs)
     provisions: dict[str, list[Provision]] = defaultdict(list)
-    for entity in public_entities(workspace.tree, workspace.packages, workspace.linked).values():
+    for entity in public_entities(workspace).values():
         provisions[entity.package].append(entity)
     kept = _kept(workspace)
     found = required()
@@ -45,11 +49,13 @@ class _Kept(msgspec.Struct, frozen=True):
 
     Attributes:
         blobs: their ids by path. notes: sentences of changelogs by path. shared: paths of what concerns all packages.
+        makers: CMake commands of the tree that make programs.
     """
 
     blobs: Mapping[str, str]
     notes: Mapping[str, Sequence[str]]
     shared: tuple[str, ...]
+    makers: frozenset[str]
 
 
 def _kept(workspace: Workspace) -> _Kept:
@@ -59,6 +65,7 @@ def _kept(workspace: Workspace) -> _Kept:
         blobs={entry.path: entry.identity for entry in entries if entry.identity},
         notes=read_notes(workspace.tree, [entry.path for entry in entries]),
         shared=tuple(entry.path for entry in shared_files(workspace.tree, owned)),
+        makers=makers_of(workspace.tree),
     )
 
 
@@ -76,4 +83,7 @@ def _hub(facts: PackageFacts, entities: Sequence[Provision], required: Sequence[
         },
         files={path: kept.blobs.get(path, "") for path in paths},
         notes={path: tuple(kept.notes[path]) for path in paths if path in kept.notes},
+        possible=possible_names(facts),
+        open=open_kinds(facts, kept.makers),
+        runs_files=runs_files(facts),
     )

@@ -102,7 +102,8 @@ class App(click.Group):
 
     def _is_ours(self, ctx: click.Context, argument: str) -> bool:
         options = [name for parameter in self.get_params(ctx) for name in parameter.opts]
-        return ctx.resilient_parsing or argument in options or argument in self.list_commands(ctx)
+        known = ctx.resilient_parsing or argument in options or argument in _own_commands()
+        return known or argument in self.list_commands(ctx)  # which looks through all that is installed
 
     def _refuse_typo(self, ctx: click.Context, argument: str) -> None:
         close = difflib.get_close_matches(argument, self.list_commands(ctx), 1, _ALIKE)

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import msgspec
-from ecm_parsers.cmake_facts import CmakeFile, Command, Option, Subdirectory, Target, Unknown
+from ecm_parsers.cmake_facts import REFUSED, CmakeFile, Command, Option, Subdirectory, Target, Unknown
 
 from ecm_extract.cmake import exports
 from ecm_extract.cmake.calls import Call
@@ -27,13 +27,15 @@ def stated(evaluation: Evaluation) -> dict[str, CmakeFile]:
         calls[call.path].append(call)
     made = targets(evaluation.calls)
     unread = {path: tuple(each for each in evaluation.unread if each.path == path) for path in calls}
+    refused = {path for path, told in evaluation.diagnostics.items() if any(each.code in REFUSED for each in told)}
     by_name = {target.name: target for own in made.values() for target in own}
     files = {path: _file(tuple(own), made.get(path, ()), unread[path]) for path, own in calls.items()}
-    return {path: _installing(file, tuple(calls[path]), by_name) for path, file in files.items()}
-
-
-def _installing(file: CmakeFile, calls: tuple[Call, ...], targets: dict[str, Target]) -> CmakeFile:
-    return msgspec.structs.replace(file, installs=tuple(exports.installs(calls, targets)))
+    return {
+        path: msgspec.structs.replace(
+            file, malformed=path in refused, installs=tuple(exports.installs(tuple(calls[path]), by_name))
+        )
+        for path, file in files.items()
+    }
 
 
 def _file(calls: tuple[Call, ...], made: tuple[Target, ...], unread: tuple[Unread, ...]) -> CmakeFile:

@@ -13,6 +13,22 @@ class Where(NamedTuple):
     line: int
 
 
+ProblemKind = Literal["macro", "file", "chosen_file", "argument", "late", "other"]
+"""Of a problem: a macro or file that is not there, a file that an argument chooses, an argument that is left out, what
+only the launch knows, anything else."""
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """What could not be expanded; `about` is the macro, file or argument, empty for none."""
+
+    path: str
+    line: int
+    message: str
+    kind: ProblemKind = "other"
+    about: str = ""
+
+
 @dataclass(frozen=True, slots=True)
 class Link:
     """A link, which is a frame."""
@@ -177,7 +193,7 @@ class Description:
 
     Attributes:
         name: of the robot. path: of the file that was read. files: all files it consists of.
-        problems: (path, line, message). semantics: of an SRDF.
+        problems: what could not be expanded. semantics: of an SRDF.
     """
 
     name: str
@@ -189,5 +205,5 @@ class Description:
     plugins: tuple[SimulatorPlugin, ...] = ()
     sensors: tuple[Sensor, ...] = ()
     files: tuple[str, ...] = ()
-    problems: tuple[tuple[str, int, str], ...] = field(default_factory=tuple)
+    problems: tuple[Problem, ...] = ()
     semantics: Semantics | None = None

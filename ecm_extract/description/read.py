@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from ecm_extract.description.element import Element
 from ecm_extract.description.gazebo import plugins_of, sensors_of
-from ecm_extract.description.model import Description
+from ecm_extract.description.model import Description, Problem
 from ecm_extract.description.ros2_control import hardware_of
 from ecm_extract.description.srdf import semantics_of
 from ecm_extract.description.transmission import transmissions_of
@@ -34,9 +34,7 @@ def read_description(path: str, arguments: Mapping[str, str], files: Files) -> D
     return _described(root, path, tuple(xacro.files_read), problems)
 
 
-def _described(
-    root: Element, path: str, files: tuple[str, ...], problems: tuple[tuple[str, int, str], ...]
-) -> Description:
+def _described(root: Element, path: str, files: tuple[str, ...], problems: tuple[Problem, ...]) -> Description:
     return Description(
         name=root.get("name"),
         path=path,

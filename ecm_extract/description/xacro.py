@@ -15,6 +15,7 @@ from lxml import etree
 
 from ecm_extract.description.element import Element
 from ecm_extract.description.macros import Macro, Macros, macro_parameters
+from ecm_extract.description.model import Problem, ProblemKind
 from ecm_extract.description.symbols import Block, Raw, Symbols, Unknown
 from ecm_extract.description.xacro_call import bind
 from ecm_extract.description.xacro_expression import XacroExpression
@@ -38,7 +39,7 @@ class Xacro:
 
     def __init__(self, files: Files, arguments: Mapping[str, str]) -> None:
         self.arguments: dict[str, str | Unknown] = dict(arguments)
-        self.problems: list[tuple[str, int, str]] = []
+        self.problems: list[Problem] = []
         self.files_read: list[str] = []
         self.files = XacroFiles(files)
         self.expressions = XacroExpression(
@@ -63,15 +64,15 @@ class Xacro:
         root = self._root(path)
         return self._plain(root, path, self.symbols) if root is not None else None
 
-    def problem(self, message: str) -> None:
+    def problem(self, message: str, kind: ProblemKind = "other", about: str = "") -> None:
         """Note what could not be expanded, with the place that is being read."""
-        entry = (*self._place, message)
+        entry = Problem(*self._place, message, kind, about)
         if len(self.problems) - self._unvalued < MAX_PROBLEMS and entry not in self.problems:
             self.problems.append(entry)
 
-    def _value_problem(self, message: str) -> None:
+    def _value_problem(self, message: str, kind: ProblemKind = "other") -> None:
         """Note a value that is not known; these have a bound of their own, for one missing file makes many."""
-        entry = (*self._place, message)
+        entry = Problem(*self._place, message, kind)
         if self._unvalued < MAX_PROBLEMS and entry not in self.problems:
             self._unvalued += 1
             self.problems.append(entry)
@@ -173,7 +174,8 @@ class Xacro:
         found = [] if isinstance(name, Unknown) else self.files.named(name, path)
         unsaid = element.get("optional") in {"1", "true", "True"}
         if not found and not isinstance(name, Unknown) and not unsaid and not is_glob(name):
-            self.problem(include_problem(written, name, path, self.files, lambda part: self.text.shown(part, symbols)))
+            told = include_problem(written, name, path, self.files, lambda part: self.text.shown(part, symbols))
+            self.problem(told.message, told.kind, told.about)
         return [made for each in found for made in self._included(each, str(element.get("ns") or ""), symbols)]
 
     def _included(self, found: str, space: str, symbols: Symbols) -> list[Element]:
@@ -198,8 +200,9 @@ class Xacro:
         holds, wanted = truth_of(value), local_name(element) == "if"
         if holds is not None:
             return self.below(element, path, symbols) if holds is wanted else []
-        why = "is known at launch only" if isinstance(value, Unknown) else "is no truth value"
-        self.problem(f"condition `{str(value)[:80]}` {why}; it is read as if it held")
+        is_late = isinstance(value, Unknown)
+        why = "is known at launch only" if is_late else "is no truth value"
+        self.problem(f"condition `{str(value)[:80]}` {why}; it is read as if it held", "late" if is_late else "other")
         made = self.below(element, path, symbols)
         for entry in made:
             entry.conditional = entry.conditional or f"{'' if wanted else 'not '}{str(value).strip('{}')}"
@@ -230,11 +233,11 @@ class Xacro:
     def _call(self, name: str, element: etree._Element, path: str, symbols: Symbols) -> list[Element]:
         macro = self._macros.find(name, self._namespace[0])
         if macro is None:
-            self.problem(f"macro `{name}` is not defined")
+            self.problem(f"macro `{name}` is not defined", "macro", name)
             return []
         inner = Symbols(self.text.value, symbols if macro.scope is None else macro.scope)
         if missing := bind(macro, element, path, inner, symbols):
-            self.problem(call_problem(missing, name))
+            self.problem(call_problem(missing, name), "argument", missing[0])
         known = {"macro", *(entry.name for entry in macro.parameters)}
         for extra in (str(entry) for entry in element.attrib if entry not in known):
             self.problem(f"macro `{name}` has no parameter `{extra[:80]}`")
@@ -264,7 +267,7 @@ class Xacro:
         known = self.arguments.get(rest) if word == "arg" else self.files.substitute(word, rest, self._place[0])
         if known is None:
             why = ": the package is not in the tree" if word == "find" else ""
-            self.problem(f"`$({word} {rest})` is known at launch only{why}"[:300])
+            self.problem(f"`$({word} {rest})` is known at launch only{why}"[:300], "late")
             return Unknown("{" + (rest or word) + "}")
         return known
 

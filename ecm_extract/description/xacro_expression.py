@@ -33,7 +33,7 @@ class XacroExpression:
         arguments: Mapping[str, str | Unknown],
         yaml: Callable[[str], Any],
         substitute: Callable[[str, str], str | None],
-        problem: Callable[[str], None],
+        problem: Callable[..., None],
     ) -> None:
         self.arguments = arguments
         self.yaml = yaml
@@ -83,7 +83,7 @@ class XacroExpression:
         word = " ".join(single or double for single, double in _WORD.findall(inside))
         known = typed(self.arguments.get(word)) if name == "arg" else self.substitute(name, word)
         if known is None:
-            self.problem(f"`{name}({inside.strip()})` is known at launch only")
+            self.problem(f"`{name}({inside.strip()})` is known at launch only", "late")
             return _hole(word)
         return known
 

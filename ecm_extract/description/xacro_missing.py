@@ -4,15 +4,27 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
+from typing import NamedTuple
 
+from ecm_extract.description.model import ProblemKind
 from ecm_extract.description.xacro_files import XacroFiles, shown_path
 
 _COMPUTED = re.compile(r"\$\{[^}]*\}|\$\(arg [^)]*\)")
 _SHOWN = 3
 
 
-def include_problem(written: str, name: str, beside: str, files: XacroFiles, value_of: Callable[[str], str]) -> str:
-    """Return the message for an include whose file is not there.
+class MissingFile(NamedTuple):
+    """What is said of an include, of which kind it is, and the file that it names."""
+
+    message: str
+    kind: ProblemKind
+    about: str
+
+
+def include_problem(
+    written: str, name: str, beside: str, files: XacroFiles, value_of: Callable[[str], str]
+) -> MissingFile:
+    """Return what is said of an include whose file is not there.
 
     Args:
         written: the name as written.
@@ -23,10 +35,12 @@ def include_problem(written: str, name: str, beside: str, files: XacroFiles, val
     """
     shown = shown_path(name)
     if any(not value_of(part) for part in _COMPUTED.findall(written)):
-        return f"included file `{shown}` is known at launch only"  # an empty default is there to be given
+        # an empty default is there to be given
+        return MissingFile(f"included file `{shown}` is known at launch only", "late", shown)
     if _COMPUTED.search(written) and files.has_choice(value_of(_COMPUTED.sub("{}", written)), beside):
-        return f"included file `{shown}`, which an argument chooses, is not in the tree"
-    return f"included file `{shown}` is not in the tree"
+        message = f"included file `{shown}`, which an argument chooses, is not in the tree"
+        return MissingFile(message, "chosen_file", shown)
+    return MissingFile(f"included file `{shown}` is not in the tree", "file", shown)
 
 
 def call_problem(missing: Sequence[str], macro: str) -> str:

@@ -8,7 +8,7 @@ from typing import Final
 
 import msgspec
 from ecm_checker.contract import Evidence
-from ecm_checker.finding import Certainty, Finding, Severity
+from ecm_checker.finding import Certainty, Entity, Finding, Severity
 from ecm_checker.hub.kinds import kinds
 from ecm_checker.release import Change, fingerprint_of
 
@@ -60,6 +60,7 @@ def finding_of(located: Located, uses: Iterable[Use]) -> Finding:
         fingerprint=fingerprint_of(change),
         who=kinds()[change.kind].who,
         certainty=certainty,
+        about=Entity(change.kind, change.old or "", change.new or "", change.owner),
     )
 
 

@@ -17,7 +17,7 @@ from ecm_extract.diff.model import Located, Pair
 from ecm_extract.diff.pair import CONTAINERS
 from ecm_extract.diff.successors import stated_successor
 from ecm_extract.diff.wire import nested_changes, wire_note
-from ecm_extract.entities.parameter_settings import SETTING
+from ecm_extract.entities.setting import SETTING
 from ecm_extract.entities.side import Side
 
 Names = set[tuple[str, str, str, str]]
@@ -63,6 +63,8 @@ def _order(located: Located) -> tuple[str, bool, str, str, str, str]:
 
 
 def _of_pair(pair: Pair, gone: Names, fresh: Names, duties: frozenset[Key]) -> Iterator[Located]:
+    if pair.old == pair.new:
+        return
     if pair.old is not None and pair.new is not None:
         for effect in EFFECTS:
             for difference in effect(pair.old, pair.new, pair):

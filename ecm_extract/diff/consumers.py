@@ -144,5 +144,5 @@ def _is_forgotten(requirement: Requirement, located: Located) -> bool:
 def _is_answered(requirement: Requirement, found: _Break) -> bool:
     """Whether a comment on the line says that the break is known."""
     change = found.located.change
-    told = f"{change.old} {change.new} {found.what}"
-    return any(word in told for word in requirement.ignored)
+    names = change.old or "", change.new or "", requirement.name, requirement.owner
+    return any(word in name for word in requirement.ignored for name in names)

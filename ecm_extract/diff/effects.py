@@ -15,7 +15,7 @@ from ecm_checker.release import ChangeWord
 from ecm_extract.diff.conversions import returns_as_well, takes
 from ecm_extract.diff.model import Pair
 from ecm_extract.diff.similarity import words
-from ecm_extract.entities.parameter_settings import SETTING
+from ecm_extract.entities.setting import SETTING
 
 _RELIABILITY: Final = ("best_effort", "reliable")
 _DURABILITY: Final = ("volatile", "transient_local")

@@ -29,7 +29,7 @@ from ecm_extract.diff.scores import score
 from ecm_extract.diff.settings import SettingFiles
 from ecm_extract.diff.similarity import in_package, last_part, same_language
 from ecm_extract.diff.successors import stated_successor
-from ecm_extract.entities.parameter_settings import SETTING
+from ecm_extract.entities.setting import SETTING
 
 CONTAINERS = ("package", "message", "class", "bt_node", "launch_file")
 _FOLLOWING = frozenset({"message_field", "member", "method", "constant", "bt_port", "launch_argument"})

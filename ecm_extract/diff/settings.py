@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from ecm_checker.hub.provision import Key, Provision
 
 from ecm_extract.diff.model import Pair
-from ecm_extract.entities.parameter_settings import SETTING
+from ecm_extract.entities.setting import SETTING
 
 
 class SettingFiles:

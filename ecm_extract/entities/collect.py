@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
 import msgspec
 from ecm_checker.hub.provision import Key, Provision
@@ -25,20 +26,20 @@ from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.entities.written_lines import with_lines
 from ecm_extract.link.linker import LinkedModule
 from ecm_extract.read.facts import PackageFacts
-from ecm_extract.tree import Tree
+
+if TYPE_CHECKING:
+    from ecm_extract.entities.workspace import Workspace
 
 _TYPED = frozenset({"topic", "service", "action"})
 
 
-def public_entities(
-    tree: Tree, packages: Sequence[PackageFacts], linked: Iterable[LinkedModule]
-) -> dict[Key, Provision]:
+def public_entities(workspace: Workspace) -> dict[Key, Provision]:
     """Return the entities of all packages by key; of two with one key the first by path and line stays."""
+    tree, packages, texts = workspace.tree, workspace.packages, workspace.texts
     modules: dict[str, list[LinkedModule]] = defaultdict(list)
-    for entry in linked:
+    for entry in workspace.linked:
         modules[entry.module.package].append(entry)
     ports = base_ports(packages)
-    texts = SideTexts(tree, packages)
     every = [entity for facts in packages for entity in _of_package(texts, facts, modules[facts.name], ports)]
     found: dict[Key, Provision] = {}
     placed = announced(texts, packages, at_their_names(every))
@@ -96,7 +97,7 @@ def _of_package(
     yield from cpp_entities(facts)
     yield from python_entities(facts)
     yield from bt_entities(facts, ports)
-    launches = list(launch_files(texts, facts))
+    launches = launch_files(texts, facts)
     yield from launch_entities(facts, launches)
     yield from parameter_settings(texts, facts, launches)
     yield from description_entities(texts, facts)

@@ -16,20 +16,19 @@ def interface_name(package: str, path: str, definition: Definition) -> str:
     return f"{package}/{definition.shape}/{PurePosixPath(path).stem}"
 
 
-def interface_entities(facts: PackageFacts) -> Iterator[Provision]:
-    """Yield every interface of a package, its fields and constants."""
+def interface_names(facts: PackageFacts) -> Iterator[Provision]:
+    """Yield every interface of a package, without what is in it."""
     for path, definition in sorted(facts.interfaces.items()):
         name = interface_name(facts.name, path, definition)
-        yield Provision(
-            kind="message",
-            package=facts.name,
-            owner="",
-            name=name,
-            type=definition.shape,
-            ros=facts.ros,
-            path=path,
-            line=1,
-        )
+        told = {"kind": "message", "type": definition.shape, "ros": facts.ros}
+        yield Provision(package=facts.name, owner="", name=name, path=path, line=1, **told)  # type: ignore[arg-type]
+
+
+def interface_entities(facts: PackageFacts) -> Iterator[Provision]:
+    """Yield every interface of a package, its fields and constants."""
+    yield from interface_names(facts)
+    for path, definition in sorted(facts.interfaces.items()):
+        name = interface_name(facts.name, path, definition)
         for section in definition.sections:
             prefix = "" if section.name == "message" else f"{section.name}."
             for field in section.fields:

@@ -8,12 +8,12 @@ from pathlib import PurePosixPath
 import msgspec
 from ecm_checker.hub.provision import Provision
 from ecm_parsers.launch.model import Action, Argument, Group, LaunchFile
+from ecm_parsers.launch.templates import written
 
 from ecm_extract.discover import is_test_path
 from ecm_extract.entities.launch_reads import is_open, reads
 from ecm_extract.entities.nodes import launched_nodes
 from ecm_extract.entities.side_texts import SideTexts
-from ecm_extract.entities.written_text import written
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.system.launch_files import is_launch_file, read_launch
 
@@ -39,8 +39,15 @@ def launch_entities(facts: PackageFacts, launches: Sequence[tuple[str, LaunchFil
             yield msgspec.structs.replace(base, name=read.name, default=written(read.default), line=read.line)
 
 
-def launch_files(texts: SideTexts, facts: PackageFacts) -> Iterator[tuple[str, LaunchFile]]:
-    """Yield the launch files of a package that can be read, by path, without those of tests."""
+def launch_files(texts: SideTexts, facts: PackageFacts) -> Sequence[tuple[str, LaunchFile]]:
+    """Return the launch files of a package that can be read, by path, without those of tests; each is parsed once."""
+    known = texts.launches.get(facts.root.path)
+    if known is None:
+        known = texts.launches[facts.root.path] = tuple(_parsed(texts, facts))
+    return known
+
+
+def _parsed(texts: SideTexts, facts: PackageFacts) -> Iterator[tuple[str, LaunchFile]]:
     paths = [
         entry.path
         for entry in facts.root.files

@@ -18,12 +18,17 @@ _PYTHON = re.compile(r"python|(?:site|dist)-packages", re.IGNORECASE)
 
 def packaging_entities(texts: SideTexts, facts: PackageFacts) -> Iterator[Provision]:
     """Yield the entities that build files and descriptions name."""
-    yield from _package(facts)
-    yield from _targets(facts)
-    yield from _scripts(facts)
+    yield from program_entities(facts)
     yield from _plugins(texts, facts)
     for path, include in public_headers(facts).items():
         yield Provision(kind="file", package=facts.name, owner="", name=include, path=path, line=1)
+
+
+def program_entities(facts: PackageFacts) -> Iterator[Provision]:
+    """Yield a package, what its build files make of it, and its scripts."""
+    yield from _package(facts)
+    yield from _targets(facts)
+    yield from _scripts(facts)
 
 
 def _package(facts: PackageFacts) -> Iterator[Provision]:

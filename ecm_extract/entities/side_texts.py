@@ -9,6 +9,7 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Final
 
+from ecm_parsers.launch.model import LaunchFile
 from ecm_parsers.result import Facts, Parsed
 
 from ecm_extract.read.cuts import report_cuts
@@ -27,12 +28,14 @@ class SideTexts:
 
     Attributes:
         speaking: contents of sources, headers and interface files that call something deprecated or obsolete, by path.
+        launches: the launch files that were parsed so far, with their paths, by the folder of the package.
     """
 
     def __init__(self, tree: Tree, packages: Sequence[PackageFacts]) -> None:
         self._tree = tree
         self._whole: dict[str, bytes] = {}
         self.speaking: dict[str, bytes] = {}
+        self.launches: dict[str, Sequence[tuple[str, LaunchFile]]] = {}
         listed = [entry.path for facts in packages for entry in facts.root.files]
         whole = {path for path in listed if path.endswith((*DESCRIPTIONS, *PARAMETERS)) or is_launch_file(path)}
         searched = {path for facts in packages for path in (*facts.sources, *facts.interfaces)}

@@ -16,6 +16,7 @@ from ecm_extract.entities.notes import read_notes
 from ecm_extract.entities.python import bound_names, quoted_names
 from ecm_extract.entities.shared_reader import SharedReader
 from ecm_extract.entities.side import PackageInfo, Side
+from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.extraction_model import Options
 from ecm_extract.link.forms import FormTable, form_table
 from ecm_extract.link.linker import LinkedModule, Linker
@@ -36,6 +37,14 @@ class Workspace:
     linked: list[LinkedModule]
     program: Program
     objects: Objects
+    _texts: SideTexts | None = None
+
+    @property
+    def texts(self) -> SideTexts:
+        """What is read beside sources, read when it is first asked for."""
+        if self._texts is None:
+            self._texts = SideTexts(self.tree, self.packages)
+        return self._texts
 
 
 @dataclass(slots=True)
@@ -84,7 +93,7 @@ def side_of(workspace: Workspace) -> Side:
     return Side(
         commit=tree.commit,
         packages={facts.name: _info(facts) for facts in packages},
-        entities=public_entities(tree, packages, workspace.linked),
+        entities=public_entities(workspace),
         interfaces=_interfaces(packages),
         paths=frozenset(entry.path for entry in entries),
         blobs={entry.path: entry.identity for entry in entries if entry.identity},

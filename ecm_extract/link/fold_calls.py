@@ -186,9 +186,7 @@ class CallFolder:
         names = self.folder.fold(name, env)
         owner = (env.this or env.func.cls) if env.func is not None else None
         lineage = self.folder.program.ancestry(owner) if owner is not None else ()
-        known = self.folder.reads.default(
-            names[0].text, env.func.file.package, tuple([cls.qualified for cls in lineage])
-        )
+        known = self.folder.reads.default(names[0].text, env.func.file.package, (*lineage, env.func.file))
         values = self.default_value(names[0].text, known, default, env)
         return values if names[0].confidence == "pattern" else set_by(names[0].text, values)
 

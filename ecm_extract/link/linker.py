@@ -37,7 +37,7 @@ from ecm_extract.link.names import (
 )
 from ecm_extract.link.node_names import NodeName, NodeNames
 from ecm_extract.link.observe import Observation, observation_forms, observations
-from ecm_extract.link.parameters import Parameters
+from ecm_extract.link.parameters import Home, Parameters
 from ecm_extract.link.program import Program
 from ecm_extract.link.qos import QosReader
 from ecm_extract.link.references import References, Unit
@@ -154,15 +154,18 @@ class Linker:
             for call in self.sites.calls.get(name, ()):
                 if len(call.args) == 3 and isinstance(call.args[0], Text) and call.func.cls is not None:
                     env = self.sites.root_env(call.func, self.sites.position(call))
-                    self.parameters.declare(call.args[0].value, call.func.cls.qualified, (call.args[1], env))
+                    self.parameters.declare(call.args[0].value, call.func.cls, (call.args[1], env))
 
     def _declare_defaults(self, sites: Iterable[Site]) -> None:
         for site in sites:
             default = next(positions(site.form.default, site.call), None)
             name = name_argument(site.form, site.call)
             if default is not None and name is not None and stated_type(default) is None:
+                owner = (site.owner,) if site.owner is not None else ()
+                homes: tuple[Home, ...] = (site.root.file.package, site.root.file, *owner)
                 for value in self.sites.names(site):
-                    self.parameters.declare(value.text, site.root.file.package, (default, site.env))
+                    for home in homes:
+                        self.parameters.declare(value.text, home, (default, site.env))
 
     def _linked(
         self, module: Module, found: Mapping[int, list[Interface]], nodes: Mapping[int, NodeName]

@@ -11,7 +11,7 @@ from ecm_parsers.source.expr import (
 
 from ecm_extract.link.calls import Invocation
 from ecm_extract.link.env import Env
-from ecm_extract.link.units import Cls, Func
+from ecm_extract.link.units import Cls, File, Func
 
 
 class ParameterReads(Protocol):
@@ -35,5 +35,5 @@ class ParameterReads(Protocol):
     def is_declared(self, name: str, package: str) -> bool:
         """Tell whether a package declares a parameter, with a default or without."""
 
-    def default(self, name: str, package: str, owners: Sequence[str] = ()) -> tuple[Expr, Env] | str | None:
-        """Return the declared default of a parameter."""
+    def default(self, name: str, package: str, owners: Sequence[Cls | File] = ()) -> tuple[Expr, Env] | str | None:
+        """Return the declared default of a parameter: by its owners first, then by the package where it has one."""

@@ -12,7 +12,10 @@ from ecm_extract.link.env import Env, bind
 from ecm_extract.link.forms import Form, FormTable
 from ecm_extract.link.match import name_argument, positions
 from ecm_extract.link.overloads import NO, score
-from ecm_extract.link.units import Cls, Func
+from ecm_extract.link.units import Cls, File, Func
+
+Home = Cls | File | str
+"""Who declares a parameter: a class, a file, or by its name a package, whose nodes may give it different defaults."""
 
 READERS = frozenset({"get_parameter", "getParam", "get_param", "get_parameter_or", "getInput"})
 """Calls that read a parameter or a port without declaring it."""
@@ -26,7 +29,8 @@ class Parameters:
         self._names = {name for name, rows in forms.items() if any(row.role == "parameter" for row in rows)}
         self._written: dict[int, dict[str, list[tuple[int, Expr, Expr | None]]]] = {}
         self._by_class: dict[int, dict[str, list[tuple[Func, int, Expr, Expr | None]]]] = {}
-        self._defaults: dict[tuple[str, str], tuple[Expr, Env] | str] = {}
+        self._defaults: dict[tuple[Home, str], tuple[Expr, Env] | str] = {}
+        self._several: set[tuple[Home, str]] = set()
         self._declared: set[tuple[str, str]] = set()
         self._wrappers: dict[str, list[tuple[Func, str, str]]] = defaultdict(list)
 
@@ -126,9 +130,11 @@ class Parameters:
                     return _variable(arg), *found
         return None
 
-    def declare(self, name: str, package: str, default: tuple[Expr, Env] | str) -> None:
-        """Remember the default of a declared parameter; the first declaration in a package stands."""
-        self._defaults.setdefault((package, name), default)
+    def declare(self, name: str, home: Home, default: tuple[Expr, Env] | str) -> None:
+        """Remember the default of a parameter that a class, a file or a package declares."""
+        known = self._defaults.setdefault((home, name), default)
+        if _written(known) != _written(default):
+            self._several.add((home, name))
 
     def declare_name(self, name: str, package: str) -> None:
         """Remember a parameter whose default is no text."""
@@ -138,12 +144,12 @@ class Parameters:
         """Tell whether a package declares a parameter, with a default or without."""
         return (package, name) in self._declared or (package, name) in self._defaults
 
-    def default(self, name: str, package: str, owners: Sequence[str] = ()) -> tuple[Expr, Env] | str | None:
-        """Return the declared default: of a port of one of the classes `owners`, else of a parameter."""
+    def default(self, name: str, package: str, owners: Sequence[Cls | File] = ()) -> tuple[Expr, Env] | str | None:
+        """Return the default that the first of `owners` declares, else the only one that is declared in the package."""
         for owner in owners:
             if (owner, name) in self._defaults:
                 return self._defaults[owner, name]
-        return self._defaults.get((package, name))
+        return None if (package, name) in self._several else self._defaults.get((package, name))
 
     def forget(self) -> None:
         """Drop what was indexed, since more wrappers are known now."""
@@ -155,6 +161,10 @@ class Parameters:
         known = self._wrappers[func.fact.name]
         if all(entry[0] is not func for entry in known):
             known.append((func, name, default))
+
+
+def _written(default: tuple[Expr, Env] | str) -> Expr | str:
+    return default if isinstance(default, str) else default[0]
 
 
 def _variable(expr: Expr | None) -> str:

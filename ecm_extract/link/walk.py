@@ -43,16 +43,13 @@ def expressions(statement: Statement) -> Iterator[tuple[Expr, int]]:
 
 def dotted(expr: Expr) -> str | None:
     """Return `a.b.c` of names and members; None of anything else."""
+    if type(expr) is Name:
+        return expr.id
     parts: list[str] = []
-    while True:
-        name = getattr(expr, "name", None)
-        base = getattr(expr, "base", None)
-        if base is None:
-            break
-        parts.append(str(name))
-        expr = base
-    head = getattr(expr, "id", None)
-    return ".".join([str(head), *reversed(parts)]) if head is not None else None
+    while type(expr) is Member:
+        parts.append(expr.name)
+        expr = expr.base
+    return ".".join([expr.id, *reversed(parts)]) if type(expr) is Name else None
 
 
 def calls_in(expr: Expr | None) -> Sequence[Call]:

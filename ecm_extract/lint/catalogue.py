@@ -13,4 +13,5 @@ from ecm_extract.lint.rule import Entry
 @cache
 def catalogue() -> tuple[Entry, ...]:
     """Return every rule, by id."""
-    return tuple(Entry(file.RULE, file.check, getattr(file, "RENAME", None)) for file in rule_files(rules))
+    files = rule_files(rules)
+    return tuple(Entry(file.RULE, getattr(file, "check", None), getattr(file, "tell", None)) for file in files)

@@ -6,7 +6,8 @@ import msgspec
 
 from ecm_extract.diff.model import Comparison
 from ecm_extract.diff.unread import UnreadPart
-from ecm_extract.tree import Tree, Unread, unread_of
+from ecm_extract.lint.workspace import Workspace
+from ecm_extract.tree import Unread, unread_of
 from ecm_extract.tree.unread import ON_PURPOSE, is_gap
 
 
@@ -22,10 +23,11 @@ class Completeness(msgspec.Struct, frozen=True):
     unread: tuple[Unread | UnreadPart, ...]
 
 
-def completeness_of(tree: Tree, comparison: Comparison | None) -> Completeness:
+def completeness_of(workspace: Workspace, comparison: Comparison | None) -> Completeness:
     """Return what was not read of the tree under lint, and of its base where it has one."""
+    unread = unread_of(workspace.tree.diagnostics)
     if comparison is not None:
         gaps = [part for part in comparison.unread if part.limits and part.reason not in ON_PURPOSE]
-        return Completeness(not gaps, comparison.unread)
-    unread = unread_of(tree.diagnostics)
+        unjudged = [each for each in unread if each.reason == "unjudged"]
+        return Completeness(not gaps and not unjudged, (*comparison.unread, *unjudged))
     return Completeness(not any(map(is_gap, unread)), unread)

@@ -7,9 +7,8 @@ from collections.abc import Iterable, Iterator
 from difflib import unified_diff
 
 import msgspec
-from ecm_checker.finding import Finding
+from ecm_checker.finding import Depend, Finding, Rename
 
-from ecm_extract.lint.catalogue import catalogue
 from ecm_extract.lint.workspace import Workspace
 
 _HEAD = re.compile(r"^\s*<(?:version|license|author|url)\b.*</\w+>\s*$")
@@ -30,45 +29,47 @@ def fixes_of(findings: Iterable[Finding], workspace: Workspace) -> list[Fix]:
     """Return the corrections that findings allow, each line at most once."""
     found: dict[tuple[str, int, str], Fix] = {}
     for finding in findings:
-        for fix in (_renamed(finding, workspace), _declared(finding, workspace)):
-            if fix is not None:
-                key = (fix.path, fix.line, fix.after if fix.insert else "")
-                found.setdefault(key, fix)
+        fix = _fix(finding, workspace)
+        if fix is not None:
+            key = (fix.path, fix.line, fix.after if fix.insert else "")
+            found.setdefault(key, fix)
     return list(found.values())
 
 
-def _renamed(finding: Finding, workspace: Workspace) -> Fix | None:
-    """The rule's `RENAME` finds old and new name in its own message; the line must hold the old one exactly once."""
-    pattern = next((entry.rename for entry in catalogue() if entry.rule.id == finding.rule), None)
-    match = pattern.search(finding.message) if pattern is not None else None
-    if match is None or not finding.evidence:
-        return None
+def _fix(finding: Finding, workspace: Workspace) -> Fix | None:
+    match finding.edit:
+        case Rename() as edit:
+            return _renamed(edit, finding, workspace)
+        case Depend() as edit:
+            return _declared(edit, finding.subjects[0], workspace)
+    return None
+
+
+def _renamed(edit: Rename, finding: Finding, workspace: Workspace) -> Fix | None:
+    """The line must hold the old name exactly once."""
     place = finding.evidence[0]
     line = _line(place.path, place.line, workspace)
-    word = re.compile(rf"(?<![\w.]){re.escape(match['old'])}(?![\w.])")
+    word = re.compile(rf"(?<![\w.]){re.escape(edit.old)}(?![\w.])")
     if line is None or len(word.findall(line)) != 1:
         return None
-    return Fix(place.path, place.line, line, word.sub(match["new"], line))
+    return Fix(place.path, place.line, line, word.sub(lambda _: edit.new, line))
 
 
-def _declared(finding: Finding, workspace: Workspace) -> Fix | None:
+def _declared(edit: Depend, subject: str, workspace: Workspace) -> Fix | None:
     """A dependency goes behind the last one that the package.xml names."""
-    if finding.rule not in {"LNT004", "LNT020"}:
-        return None
-    package = workspace.by_name.get(finding.subjects[0])
-    name = finding.message.partition(" uses ")[2].partition(",")[0]
+    package = workspace.by_name.get(subject)
     path = package.root.manifest if package is not None else None
     data = workspace.files.read(path) if path is not None else None
-    if package is None or package.manifest is None or path is None or data is None or not name:
+    if package is None or package.manifest is None or path is None or data is None:
         return None
     lines = data.decode("utf-8", "replace").splitlines()
     last = _last(lines, _DEPENDENCY) or _last(lines, _HEAD)
     if last is None:
         return None
     match = _DEPENDENCY.match(lines[last])
-    tag = "run_depend" if package.manifest.format == 1 else "exec_depend" if finding.rule == "LNT004" else "depend"
+    tag = "run_depend" if package.manifest.format == 1 else "exec_depend" if edit.need == "run" else "depend"
     indent = match["indent"] if match is not None else "  "
-    return Fix(path, last + 1, lines[last], f"{indent}<{tag}>{name}</{tag}>", insert=True)
+    return Fix(path, last + 1, lines[last], f"{indent}<{tag}>{edit.package}</{tag}>", insert=True)
 
 
 def _last(lines: list[str], pattern: re.Pattern[str]) -> int | None:

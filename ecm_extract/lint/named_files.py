@@ -62,8 +62,8 @@ def absent_files(workspace: Workspace) -> Iterator[NamedFile]:
 
 
 def _named(path: str, workspace: Workspace) -> Iterator[tuple[str, str, Evidence, bool]]:
-    data = workspace.files.read(path) or b""
-    for root in parse_xml(data).roots if b"$(find" in data else ():
+    tree = workspace.files.parsed(path, parse_xml)
+    for root in tree.roots if tree is not None else ():
         for element in root.iter():
             if isinstance(element.tag, str) and local_name(element) not in _EVALUATED:
                 for attribute in ("value", "default", "args"):

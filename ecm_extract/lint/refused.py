@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from ecm_parsers.cmake_blocks import nest
+from ecm_parsers.cmake_facts import REFUSED
 from ecm_parsers.cmake_tokens import parse_commands
 from ecm_parsers.result import Diagnostic
 from ecm_parsers.xml_tree import parse_xml
@@ -12,7 +13,6 @@ from ecm_parsers.xml_tree import parse_xml
 from ecm_extract.lint.workspace import Workspace
 
 XML: Final = (".launch", ".launch.xml", ".xacro", ".urdf", "/package.xml")
-_CMAKE: Final = frozenset({"cmake-syntax", "cmake-unclosed", "cmake-unbalanced"})
 _MARKS: Final = (b"{{", b"{%", b"@(", b"<%", b"[ROBOT")
 """Of templates that somebody fills in."""
 
@@ -22,7 +22,7 @@ def refusal(path: str, data: bytes) -> Diagnostic | None:
     if not data.strip() or any(mark in data for mark in _MARKS):
         return None
     if path.rpartition("/")[2] == "CMakeLists.txt":
-        return next((each for each in _unread(data) if each.code in _CMAKE), None)
+        return next((each for each in _unread(data) if each.code in REFUSED), None)
     if f"/{path}".endswith(XML):
         return next((each for each in parse_xml(data).diagnostics if each.code == "xml-malformed"), None)
     return None

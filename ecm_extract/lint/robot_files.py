@@ -30,13 +30,19 @@ def written_joints(workspace: Workspace) -> Iterator[WrittenJoint]:
     for package in workspace.packages:
         for entry in package.root.files:
             if entry.path.endswith((".urdf", ".xacro")) and not is_test_path(entry.path, package.root.path):
-                root = parse_xml(workspace.files.read(entry.path) or b"").root
+                root = root_of(entry.path, workspace)
                 for element in root.iter("joint") if root is not None else ():
                     parts = {tag: _attributes(child) for tag, child in children(element)}
                     own = _attributes(element)
                     name, kind = own.get("name", ""), own.get("type", "")
                     robot = robot_of(element)
                     yield WrittenJoint(package.name, entry.path, line_of(element), name, kind, parts, robot)
+
+
+def root_of(path: str, workspace: Workspace) -> etree._Element | None:
+    """Return the root element of a description as it is written; None when nothing can be read."""
+    tree = workspace.files.parsed(path, parse_xml)
+    return tree.root if tree is not None else None
 
 
 def robot_of(element: etree._Element) -> str:

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING, Literal
 
 import msgspec
 from ecm_checker.any_rule import AnyRule, Said
 from ecm_checker.contract import Evidence
-from ecm_checker.finding import Certainty, Entity, Finding, Severity
+from ecm_checker.finding import Certainty, Edit, Entity, Finding, Severity
 
 if TYPE_CHECKING:
+    from ecm_extract.lint.known import Known
     from ecm_extract.lint.workspace import Workspace
 
 
@@ -35,6 +35,7 @@ class LintRule(AnyRule, frozen=True, kw_only=True):
         severity: Severity | None = None,
         consequence: str = "",
         resolution: str = "",
+        edit: Edit | None = None,
     ) -> Finding:
         """A finding of this rule.
 
@@ -47,6 +48,7 @@ class LintRule(AnyRule, frozen=True, kw_only=True):
             severity: where it differs from that of the rule.
             consequence: where it differs from that of the rule, such as by what starts the launch file.
             resolution: where it is more exact than that of the rule.
+            edit: what surely mends it.
         """
         said = Said(
             text=text,
@@ -58,19 +60,26 @@ class LintRule(AnyRule, frozen=True, kw_only=True):
             severity=severity,
             consequence=consequence,
             resolution=resolution,
+            edit=edit,
         )
         return self.found(said)
 
 
 Check = Callable[["Workspace"], Iterator[Finding]]
+Tell = Callable[["Known"], Iterator[Finding]]
+"""A rule that asks whether the other side is there, of what packages provide and require alone."""
 
 
 class Entry(msgspec.Struct, frozen=True):
-    """A rule of the catalogue with the function that checks it.
-
-    `rename` finds `old` and `new` in a message of the rule when the one can surely be written for the other.
-    """
+    """A rule of the catalogue with the function that checks it."""
 
     rule: LintRule
-    check: Check
-    rename: re.Pattern[str] | None = None
+    check: Check | None
+    tell: Tell | None = None
+
+    def findings(self, workspace: Workspace) -> Iterator[Finding]:
+        """Yield what the rule says of a workspace."""
+        if self.tell is not None:
+            yield from self.tell(workspace.known)
+        if self.check is not None:
+            yield from self.check(workspace)

@@ -13,7 +13,7 @@ from ecm_extract.lint.catalogue import catalogue
 from ecm_extract.lint.refused import is_refused
 from ecm_extract.lint.rules.lnt061 import RULE as REFUSAL
 from ecm_extract.lint.workspace import Workspace
-from ecm_extract.tree import FileDiagnostic
+from ecm_extract.tree import FileDiagnostic, Unread
 
 
 def findings_of(
@@ -39,7 +39,7 @@ def findings_of(
         if level == "off" or (selected and entry.rule.id not in selected):
             continue
         try:
-            for finding in (each for part in workspace.parts for each in entry.check(part)):
+            for finding in (each for part in workspace.parts for each in entry.findings(part)):
                 place = finding.evidence[0] if finding.evidence else None
                 key = (finding.fingerprint, place.path if place else "", place.line if place else 0)
                 found.setdefault(key, msgspec.structs.replace(finding, severity=level) if level else finding)
@@ -47,7 +47,8 @@ def findings_of(
             if os.environ.get("ECM_DEBUG"):
                 raise
             message = f"{entry.rule.id} could not finish ({type(error).__name__}). The other rules are not affected."
-            workspace.tree.report(FileDiagnostic("warning", "rule-stopped", "", 0, message))
+            unread = Unread(entry.rule.id, "unjudged")
+            workspace.tree.report(FileDiagnostic("warning", "rule-stopped", "", 0, message, unread))
     return sorted(_understood(found.values(), workspace), key=_order)
 
 

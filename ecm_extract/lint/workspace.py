@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 
 from ecm_checker.contract import Evidence
+from ecm_checker.hub.package import Package
 from ecm_checker.versions import in_range
-from ecm_parsers.launch.model import Action, Group, Include, LaunchFile, Node, Template
+from ecm_parsers.launch.model import Action, Include, LaunchFile
+from ecm_parsers.launch.templates import all_actions
+from ecm_parsers.result import Diagnostic, Parsed
 
 from ecm_extract.assemble.contracts import assemble
 from ecm_extract.collector import without_collector
@@ -20,19 +23,21 @@ from ecm_extract.extraction_model import Options
 from ecm_extract.link.composition import composition_of
 from ecm_extract.link.linker import Linker
 from ecm_extract.lint.builds import builds
+from ecm_extract.lint.fetched import fetched_repositories
+from ecm_extract.lint.known import Known
+from ecm_extract.lint.own_packages import own_packages
 from ecm_extract.lint.service_calls import ServiceCall, request_fields, service_calls
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.settings import config_of
 from ecm_extract.system.files import Files
-from ecm_extract.system.launch_files import is_launch_file, read_launch
+from ecm_extract.system.launch_files import is_aside, is_launch_file, read_launch
 from ecm_extract.system.model import Given, Place
 from ecm_extract.system.modules import ModuleIndex
 from ecm_extract.system.system import System, evaluated_system
-from ecm_extract.tree import FileDiagnostic, Tree
+from ecm_extract.tree import FileDiagnostic, Tree, Unread
 
 MAX_SYSTEMS = 80
 MAX_DESCRIPTIONS = 120
-_BURIED = frozenset({"graveyard", "attic", "obsolete"})
 
 
 class Workspace:
@@ -43,11 +48,16 @@ class Workspace:
         packages: their facts. linker: with all that it found. index: of modules.
         files: as launch files and descriptions name them.
 
+        stored: documents of packages that are not in the tree.
+
     `read` is what was read of the tree, for callers that have it already.
     """
 
-    def __init__(self, tree: Tree, options: Options, read: PackagesRead | None = None) -> None:
+    def __init__(
+        self, tree: Tree, options: Options, read: PackagesRead | None = None, stored: Sequence[Package] = ()
+    ) -> None:
         self.tree = tree
+        self.stored = stored
         self._options = options
         self._is_part = False
         self.config = config = config_of(tree, options)
@@ -71,25 +81,39 @@ class Workspace:
         return [self] if len(groups) < 2 else [self._part(group) for group in groups]
 
     def _part(self, packages: list[PackageFacts]) -> Workspace:
-        part = Workspace(self.tree, self._options, PackagesRead(self.tree, packages, self._read.forms))
+        read = PackagesRead(self.tree, packages, self._read.forms)
+        part = Workspace(self.tree, self._options, read, self.stored)
         part._is_part = True
         return part
 
     @cached_property
+    def known(self) -> Known:
+        """What its packages provide and require, with the packages that are known by their documents."""
+        return Known(own_packages(self), self.stored, self.externals | fetched_repositories(self.tree))
+
+    @cached_property
     def launches(self) -> Mapping[str, LaunchFile]:
         """Launch files by path; those of tests, and those that their authors have buried, are left out."""
+        return {path: read.facts for path, read in self._launches_read.items() if read.facts is not None}
+
+    @cached_property
+    def launch_problems(self) -> Mapping[str, Sequence[Diagnostic]]:
+        """What the reader of launch files says of each, by path."""
+        return {path: read.diagnostics for path, read in self._launches_read.items()}
+
+    @cached_property
+    def _launches_read(self) -> Mapping[str, Parsed[LaunchFile | None]]:
         found = {}
         for package in self.packages:
             for entry in package.root.files:
                 if (
                     is_launch_file(entry.path)
-                    and not _is_buried(entry.path)
+                    and not is_aside(entry.path)
                     and not is_test_path(entry.path, package.root.path)
                 ):
                     data = self.files.read(entry.path)
-                    parsed = read_launch(entry.path, data, package.ros) if data is not None else None
-                    if parsed is not None and parsed.facts is not None:
-                        found[entry.path] = parsed.facts
+                    if data is not None:
+                        found[entry.path] = read_launch(entry.path, data, package.ros)
         return found
 
     @cached_property
@@ -102,6 +126,7 @@ class Workspace:
         """What each launch file that no other includes starts, with the defaults of its arguments."""
         roots = [path for path in self.launches if path.rsplit("/", 1)[-1] not in self.included]
         with without_collector():
+            self.leave_out(roots[MAX_SYSTEMS:], "launch files")
             return [
                 evaluated_system(self.tree, self.files, self.index, [path], Given()) for path in roots[:MAX_SYSTEMS]
             ]
@@ -119,14 +144,21 @@ class Workspace:
     @cached_property
     def descriptions(self) -> Sequence[Description]:
         """Every robot description of its own (no file that only defines macros), with the defaults of its arguments."""
-        found = []
+        paths: list[str] = []
         for package in self.packages:
             for entry in package.root.files:
                 if entry.path.endswith((".urdf", ".xacro")) and not is_test_path(entry.path, package.root.path):
                     data = self.files.read(entry.path) or b""
                     if b"<robot" in data and b"<macro" not in data and b":macro" not in data:
-                        found.append(read_description(entry.path, {}, self.files))
-        return found[:MAX_DESCRIPTIONS]
+                        paths.append(entry.path)
+        self.leave_out(paths[MAX_DESCRIPTIONS:], "robot descriptions")
+        return [read_description(path, {}, self.files) for path in paths[:MAX_DESCRIPTIONS]]
+
+    def leave_out(self, paths: Iterable[str], what: str) -> None:
+        """Tell of files that are beyond the number that one run judges, so that nothing found is not nothing there."""
+        message = f"More {what} than one run judges; this one is left out. Lint the packages one by one."
+        for path in paths:
+            self.tree.report(FileDiagnostic("warning", "lint-bound", path, 0, message, Unread(path, "unjudged")))
 
     def assemble(self) -> None:
         """Lay the overlays over the contracts, which reports where they contradict the sources."""
@@ -153,32 +185,9 @@ class Workspace:
         return self.files.package_of(path) or ""
 
 
-def _is_buried(path: str) -> bool:
-    """Tell whether a file lies where its authors put what is over, or in a hidden folder, where editors keep copies."""
-    folders = path.split("/")[:-1]
-    return not _BURIED.isdisjoint(folders) or any(folder.startswith(".") for folder in folders)
-
-
 def evidence_of(place: Place) -> Evidence:
     """Return a place as evidence."""
     return Evidence(place.path, place.line)
-
-
-def all_actions(actions: Sequence[Action]) -> Iterator[Action]:
-    """Yield actions with those in groups and the components of containers, in order."""
-    for action in actions:
-        yield action
-        if isinstance(action, Group):
-            yield from all_actions(action.actions)
-        elif isinstance(action, Node):
-            yield from action.components
-
-
-def plain_text(template: Template | None) -> str | None:
-    """Return a template that holds no substitution as text, None for any other."""
-    if template is None or not all(isinstance(part, str) for part in template):
-        return None
-    return "".join(str(part) for part in template)
 
 
 def _included(actions: Sequence[Action]) -> Iterator[str]:

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from types import MappingProxyType
+from typing import Final
 
 import msgspec
 from ecm_checker.predicates import Predicate, fact, settle
 
 from ecm_extract.observe.model import Parameter
 from ecm_extract.observe.watch import Watch
+
+LIFECYCLE: Final = "lifecycle_state"
 
 
 class Verdict(msgspec.Struct, frozen=True):
@@ -68,7 +71,7 @@ def _facts(watch: Watch, node: str) -> Iterator[Predicate]:
             yield fact(parameter.name.rpartition("/")[2], parameter.value)
     for state in watch.seen.states:
         if state.node == node:
-            yield fact("lifecycle_state", state.name)
+            yield fact(LIFECYCLE, state.name)
 
 
 def _is_read_by(parameter: Parameter, node: str) -> bool:

@@ -20,9 +20,9 @@ from ecm_checker.wire import (
 )
 
 from ecm_extract.contract_digest import contract_digest
-from ecm_extract.observe.expected import is_exact
+from ecm_extract.observe.expected import graph_keys, is_exact
 from ecm_extract.observe.model import Observation
-from ecm_extract.observe.watch import Watch, graph_keys
+from ecm_extract.observe.watch import Watch
 
 _TOOL = "ecm-extract"
 
@@ -72,7 +72,7 @@ def _record(watch: Watch, module: View, findings: Sequence[Finding], looked: Loo
         schema="ecm-extract/evidence/1",
         kind="observation",
         subject=EvidenceSubject(module.package, identity.version, module.id, contract_digest(module.contract)),
-        result=_result(watch, bool(nodes or count.seen), against),
+        result=_result(watch, module, count, against) if nodes or count.seen else "not_seen",
         by=by,
         begun=watch.seen.begun,
         seconds=watch.seen.seconds,
@@ -84,21 +84,22 @@ def _record(watch: Watch, module: View, findings: Sequence[Finding], looked: Loo
     )
 
 
-def _result(watch: Watch, present: bool, against: Sequence[Finding]) -> EvidenceResult:
-    if not present:
-        return "not_seen"
+def _result(watch: Watch, module: View, count: _Count, against: Sequence[Finding]) -> EvidenceResult:
+    """Of a module that was seen; a part of what it promises, and what may be another module, confirm nothing."""
     severities = {each.severity for each in against}
     if "error" in severities:
         return "contradicted"
-    return "doubtful" if "warning" in severities or watch.seen.gaps else "confirmed"
+    whole = 0 < count.promised == count.seen and module.id not in watch.rivals
+    return "confirmed" if whole and "warning" not in severities and not watch.seen.gaps else "doubtful"
 
 
 def _counted(watch: Watch, module: View, nodes: Sequence[str]) -> _Count:
-    """Endpoints with a fixed name and a role that the source can see, on its nodes or, without nodes, anywhere."""
+    """Endpoints with a fixed name and a role that the source can see, on its nodes, or of nodes that nobody told."""
     promises = [each for each in watch.promises_of(module, nodes) if is_exact(each)]
     keys = [graph_keys(each) for each in promises]
+    seen = watch.keys_of(nodes)
     visible = [each for each in keys if any(role in watch.visible_roles for role, _ in each)]
-    return _Count(len(visible), sum(any(key in watch.by_name for key in each) for each in visible))
+    return _Count(len(visible), sum(any(key in seen for key in each) for each in visible))
 
 
 def _finding(each: Finding) -> EvidenceFinding:

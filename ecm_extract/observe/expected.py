@@ -10,6 +10,11 @@ import msgspec
 from ecm_checker.contract import Interface
 from ecm_checker.view import View
 
+from ecm_extract.observe.standard import standard
+
+Key = tuple[str, str]
+"""Role and full name of an endpoint."""
+
 # rospy adds process and milliseconds, roscpp nanoseconds: source, `anonymous=True` and `init_options::AnonymousName`.
 _ANONYMOUS: Final = re.compile(r"(?:_\d{3,})+$")
 
@@ -49,6 +54,14 @@ def on_node(module: View, node: str | None) -> Iterator[Expected]:
 def is_exact(expected: Expected) -> bool:
     """Whether the contract fixes the name, so that it is no pattern and no mere default."""
     return "{" not in expected.name and expected.interface.confidence in {"literal", "folded"}
+
+
+def graph_keys(expected: Expected) -> tuple[Key, ...]:
+    """Return roles and names under which a promise is seen in the graph; a transform is a topic there."""
+    table = standard().by_role.get(expected.interface.role)
+    if table is not None:
+        return tuple((table.role, topic) for topic in table.topics)
+    return ((expected.interface.role, expected.name),)
 
 
 def _name_on(interface: Interface, node: str | None) -> str:

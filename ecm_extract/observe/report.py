@@ -79,6 +79,9 @@ def _lines(watch: Watch, findings: Sequence[Finding]) -> Iterator[str]:
     unseen = _unseen(watch)
     if unseen:
         yield f"  not seen: {', '.join(unseen[:_MOST_NAMES])}{' ...' if len(unseen) > _MOST_NAMES else ''}"
+    for node, modules in watch.modules_of.items():
+        if len(modules) > 1:
+            yield f"  {node} may be an instance of {' or '.join(each.id for each in modules)}"
     if watch.invisible:
         kinds = ", ".join(f"{count} {kind.replace('_', ' ')}" for kind, count in sorted(watch.invisible.items()))
         yield f"  promised, and not to be seen this way: {kinds}"

@@ -13,11 +13,10 @@ import msgspec
 from ecm_checker.contract import Contract
 from ecm_checker.view import View, view
 
-from ecm_extract.observe.expected import Expected, is_node_of, on_node
+from ecm_extract.observe.expected import Expected, Key, graph_keys, on_node
+from ecm_extract.observe.instances import instances
 from ecm_extract.observe.model import Endpoint, Observation, Sense
-from ecm_extract.observe.standard import is_helper, is_tool, standard
-
-_Key = tuple[str, str]
+from ecm_extract.observe.standard import is_helper, is_tool
 
 
 class Running(msgspec.Struct, frozen=True):
@@ -71,16 +70,18 @@ class Watch:
         return tuple(sorted(name for name in found if not is_tool(name) and not is_helper(name)))
 
     @cached_property
-    def helped(self) -> frozenset[_Key]:
+    def helped(self) -> frozenset[Key]:
         """Endpoints that libraries made on nodes of their own, for a node that is not told."""
         return frozenset((end.role, end.name) for end in self.seen.endpoints if end.node and is_helper(end.node))
 
     @cached_property
     def running(self) -> tuple[Running, ...]:
-        """Nodes with the modules that they are instances of."""
-        return tuple(
-            Running(node, module) for node in self.node_names for module in self.modules if is_node_of(node, module)
-        )
+        """Nodes with the modules that they are instances of; several where nothing tells these apart."""
+        return tuple(Running(node, module) for node in self.node_names for module in self._instances(node))
+
+    def _instances(self, node: str) -> tuple[View, ...]:
+        ends = {(end.role, end.name) for end in self.by_node.get(node, ())}
+        return instances(node, self.modules, ends | self.helped, self.visible_roles)
 
     @cached_property
     def modules_of(self) -> dict[str, tuple[View, ...]]:
@@ -97,9 +98,9 @@ class Watch:
         return tuple(each for each in self.modules if each.id not in present)
 
     @cached_property
-    def by_name(self) -> dict[_Key, tuple[Endpoint, ...]]:
+    def by_name(self) -> dict[Key, tuple[Endpoint, ...]]:
         """Role and name -> endpoints that were seen."""
-        found: defaultdict[_Key, list[Endpoint]] = defaultdict(list)
+        found: defaultdict[Key, list[Endpoint]] = defaultdict(list)
         for end in self.seen.endpoints:
             found[end.role, end.name].append(end)
         return {key: tuple(ends) for key, ends in found.items()}
@@ -127,6 +128,30 @@ class Watch:
         named = {each.module.id for each in self.running}
         heard = {pair.expected.module.id: pair.expected.module for pair in self.pairs}
         return (*self.running, *(Running(name, module) for name, module in heard.items() if name not in named))
+
+    @cached_property
+    def rivals(self) -> dict[str, tuple[str, ...]]:
+        """Modules of which nobody can tell whether it was they or others that were seen -> the others.
+
+        Several contracts fit one node alike; or, where no nodes are known, another module has all that was seen of it.
+        """
+        shared: defaultdict[str, set[str]] = defaultdict(set)
+        for modules in self.modules_of.values():
+            for module in modules:
+                shared[module.id] |= {each.id for each in modules} - {module.id}
+        seen = self._nodeless
+        for name, keys in seen.items():
+            shared[name] |= {other for other, theirs in seen.items() if other != name and keys <= theirs}
+        return {name: tuple(sorted(others)) for name, others in shared.items() if others}
+
+    @cached_property
+    def _nodeless(self) -> dict[str, set[Key]]:
+        """Modules -> endpoints of them that were seen and of which no node is known."""
+        found: defaultdict[str, set[Key]] = defaultdict(set)
+        for pair in self.pairs:
+            if pair.seen.node is None:
+                found[pair.expected.module.id].add((pair.seen.role, pair.seen.name))
+        return found
 
     @cached_property
     def visible_roles(self) -> frozenset[str]:
@@ -157,6 +182,13 @@ class Watch:
     def is_empty(self) -> bool:
         """Whether nothing is there but tools."""
         return not self.node_names and all(end.node is not None for end in self.seen.endpoints)
+
+    def keys_of(self, nodes: Sequence[str]) -> frozenset[Key]:
+        """Endpoints of nodes, with what libraries have for them; without any, those whose node nobody told."""
+        ends = [end for node in nodes for end in self.by_node.get(node, ())]
+        if nodes:
+            return frozenset((end.role, end.name) for end in ends) | self.helped
+        return frozenset((end.role, end.name) for end in self.seen.endpoints if end.node is None)
 
     def promises_of(self, module: View, nodes: Sequence[str]) -> tuple[Expected, ...]:
         """What a module promises on its nodes; without any, in the root namespace."""
@@ -194,16 +226,8 @@ class Watch:
                         yield Link(one, two)
 
 
-def graph_keys(expected: Expected) -> Sequence[_Key]:
-    """Return roles and names under which a promise is seen in the graph; a transform is a topic there."""
-    table = standard().by_role.get(expected.interface.role)
-    if table is not None:
-        return tuple((table.role, topic) for topic in table.topics)
-    return ((expected.interface.role, expected.name),)
-
-
-def _by_key(expected: Iterable[Expected]) -> dict[_Key, list[Expected]]:
-    found: defaultdict[_Key, list[Expected]] = defaultdict(list)
+def _by_key(expected: Iterable[Expected]) -> dict[Key, list[Expected]]:
+    found: defaultdict[Key, list[Expected]] = defaultdict(list)
     for each in expected:
         found[each.interface.role, each.name].append(each)
     return found

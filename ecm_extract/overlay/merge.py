@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from difflib import get_close_matches
-from typing import Any
+from typing import Any, NamedTuple
 
 import msgspec
 from ecm_checker.contract import Contract, Evidence, Value
@@ -72,11 +72,10 @@ class _Merger:
         if differs is None:
             return
         place = f" at {inferred.evidence[0].path}:{inferred.evidence[0].line}" if inferred.evidence else ""
-        message = (
-            f"{contract.ecm.module_id} declares {declared.section}.{declared.field} otherwise than the source shows"
-            f"{place}: {differs}. Correct the one that is wrong."
-        )
-        self._report("drift", declared.line, message, "warning")
+        path = f"{declared.section}.{declared.field}"
+        wrong = f"{contract.ecm.module_id} declares {path} otherwise than the source shows{place}: {differs}"
+        problem = _Problem(wrong, "Correct the one that is wrong", f"{contract.ecm.module_id} {path}")
+        self._report("drift", declared.line, problem, "warning")
 
     def _is_usable(self, declared: Declared) -> bool:
         """What cannot be meant is told and stays undeclared."""
@@ -87,8 +86,8 @@ class _Merger:
                 self._report("overlay-wrong-value", declared.line, _unusable(path, declared))
             return fits
         near = get_close_matches(path, _KNOWN, 1)
-        hint = f"Did you mean {near[0]}?" if near else "See the manual for the fields."
-        self._report("overlay-unknown-field", declared.line, f"{path} is no field of a contract. {hint}")
+        hint = f"Did you mean {near[0]}?" if near else "See the manual for the fields"
+        self._report("overlay-unknown-field", declared.line, _Problem(f"{path} is no field of a contract", hint))
         return False
 
     def report_unused(self, contracts: Iterable[Contract]) -> None:
@@ -96,8 +95,10 @@ class _Merger:
         for module in self.overlay.modules:
             if not any(_means(module.module, each) for each in ids):
                 near = get_close_matches(module.module, [each.rsplit(".", 1)[-1] for each in ids], 1)
-                hint = f"Did you mean {near[0]}?" if near else "Remove it, or correct its name."
-                self._report("overlay-unknown-module", module.line, f"There is no module {module.module}. {hint}")
+                hint = f"Did you mean {near[0]}?" if near else "Remove it, or correct its name"
+                self._report(
+                    "overlay-unknown-module", module.line, _Problem(f"There is no module {module.module}", hint)
+                )
 
     def _value(self, declared: Declared, origin: Any) -> Value:
         value = declared.value
@@ -105,14 +106,26 @@ class _Merger:
             return Value(value, origin, "default", (Evidence(self.path, declared.line),))
         return Value(value, origin, "literal", (Evidence(self.path, declared.line),))
 
-    def _report(self, code: str, line: int, message: str, severity: Severity = "error") -> None:
-        self.tree.report(FileDiagnostic(severity, code, self.path, line, message))
+    def _report(self, code: str, line: int, problem: _Problem, severity: Severity = "error") -> None:
+        message = f"{problem.wrong}. {problem.advice}{'' if problem.advice.endswith('?') else '.'}"
+        told = severity, code, self.path, line, message
+        self.tree.report(FileDiagnostic(*told, about=problem.about, wrong=problem.wrong, advice=problem.advice))
 
 
-def _unusable(path: str, declared: Declared) -> str:
+class _Problem(NamedTuple):
+    """What is wrong and what to do, without full stops, and what it is about where that is less than what is wrong."""
+
+    wrong: str
+    advice: str
+    about: str = ""
+
+
+def _unusable(path: str, declared: Declared) -> _Problem:
     shown = "such a list or map" if isinstance(declared.value, list | dict) else repr(declared.value)[:60]
     meaning = next(row.meaning for row in FIELDS if row.path == path)
-    return f"{path} cannot be {shown}: it is {meaning}. Write it like `{declared.field}: {examples()[path]}`."
+    return _Problem(
+        f"{path} cannot be {shown}: it is {meaning}", f"Write it like `{declared.field}: {examples()[path]}`"
+    )
 
 
 def _means(name: str, module_id: str) -> bool:

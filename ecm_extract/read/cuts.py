@@ -20,4 +20,5 @@ def located(path: str, entry: Diagnostic) -> FileDiagnostic:
     """Return a diagnostic of a parser with its file, and with what is unread because of it."""
     shown = printable(path)
     unread = Unread(shown, "too-large", can_declare(path)) if entry.cut else None
-    return FileDiagnostic(entry.severity, entry.code, shown, entry.line, entry.message, unread)
+    told = entry.severity, entry.code, shown, entry.line, entry.message, unread
+    return FileDiagnostic(*told, wrong=entry.wrong, advice=entry.advice)

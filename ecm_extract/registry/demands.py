@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from functools import cache
-from importlib import resources
 from typing import Final
 
 import msgspec
@@ -47,20 +44,8 @@ def _complete_contract(matter: Matter) -> Answer:
 
 
 def _incomplete(matter: Matter) -> list[tuple[Contract, tuple[str, ...]]]:
-    found = ((each, _lacking(each)) for each in matter.package.contracts())
+    found = ((each, missing_fields(each)) for each in matter.package.contracts())
     return [(each, lacking) for each, lacking in found if lacking]
-
-
-def _lacking(contract: Contract) -> tuple[str, ...]:
-    needed = _required().get(contract.ecm.kind)
-    return tuple(each for each in missing_fields(contract) if needed is None or each in needed)
-
-
-@cache
-def _required() -> Mapping[str, frozenset[str]]:
-    """Required fields by kinds of modules that need fewer than all."""
-    text = resources.files("ecm_extract.registry").joinpath("completeness.toml").read_text("utf-8")
-    return {kind: frozenset(row["required"]) for kind, row in tomllib.loads(text).items()}
 
 
 def _version_step(matter: Matter) -> Answer:

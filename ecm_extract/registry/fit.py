@@ -6,7 +6,7 @@ governance do not allow (`InstallCompat`). What nobody has shown to the registry
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from typing import Final, Literal
 
 import msgspec
@@ -23,7 +23,7 @@ from sqlalchemy.orm import Session
 from ecm_extract.registry.dependencies import dependencies_of
 from ecm_extract.registry.impact import Impact, Side, impact_of
 from ecm_extract.registry.outside import outside_of
-from ecm_extract.registry.releases import name_of
+from ecm_extract.registry.releases import name_of, package_of_release
 from ecm_extract.registry.scope import Scope
 from ecm_extract.registry.sides import TwoSides
 from ecm_extract.registry.tables import Dependency, Release
@@ -61,6 +61,7 @@ class Fit(msgspec.Struct, frozen=True):
         missing: who belongs there and is not stored.
         impacts: what breaks there. needs: dependencies that are not met, or of which nothing is known.
         findings: of rules: names that are not provided, what the robot lacks or governance forbids.
+        unread: releases that were not read as a whole, of those that are asked about and of who depends on them.
     """
 
     outcome: Outcome
@@ -70,6 +71,7 @@ class Fit(msgspec.Struct, frozen=True):
     impacts: tuple[Impact, ...]
     needs: tuple[Need, ...]
     findings: tuple[Finding, ...]
+    unread: tuple[str, ...] = ()
     schema: str = SCHEMA
 
 
@@ -93,15 +95,25 @@ def fit(session: Session, pairs: Sequence[TwoSides], scope: Scope, profiles: Pro
     stay = {name: release for name, release in there.items() if name not in names}
     needs = [*_needs(session, sides, _versions(sides, stay, profiles)), *_needed(session, sides, stay)]
     findings = (*_unmet(session, sides, stay), *_installed(sides, profiles))
+    unread = (*(each.label for each in sides if each.package.gaps), *unread_users(session, names, scope))
     return Fit(
-        outcome=_outcome(impacts, needs, findings),
+        outcome=worst([_outcome(impacts, needs, findings), "review" if unread else "accept"]),
         releases=tuple(each.label for each in sides),
         scope=scope.shown,
         missing=scope.missing,
         impacts=tuple(impacts),
         needs=tuple(needs),
         findings=findings,
+        unread=unread,
     )
+
+
+def unread_users(session: Session, packages: Collection[str], scope: Scope) -> tuple[str, ...]:
+    """Return who depends on packages, among the others of a scope, and was not read as a whole."""
+    query = select(Release).join(Dependency, Dependency.release_id == Release.id)
+    query = query.where(Dependency.package.in_(packages), Release.package.not_in(packages))
+    users = session.scalars(query.where(Release.id.in_(scope.query())).order_by(Release.package).distinct())
+    return tuple(name_of(each) for each in users if package_of_release(session, each).gaps)
 
 
 def _there(session: Session, scope: Scope) -> dict[str, Release]:

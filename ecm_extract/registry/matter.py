@@ -8,6 +8,7 @@ from functools import cached_property
 import msgspec
 from ecm_checker.contract import Contract
 from ecm_checker.contract_changes import changes as contract_changes
+from ecm_checker.fields import runs_by_itself
 from ecm_checker.hub.package import Package
 from ecm_checker.operations.engine import ready
 from ecm_checker.profiles import Embodiment, Policy, Profiles
@@ -20,12 +21,12 @@ from sqlalchemy.orm import Session
 from ecm_extract.diff.migration import Migration
 from ecm_extract.registry import clock
 from ecm_extract.registry.evidence import Kept, contents_of, evidence_of
+from ecm_extract.registry.fit import unread_users
 from ecm_extract.registry.impact import Impact, impact_of
 from ecm_extract.registry.proof import Proof, proof_of, words_that_count
-from ecm_extract.registry.releases import name_of, package_of_release
 from ecm_extract.registry.scope import Scope
 from ecm_extract.registry.sides import stored_side_of
-from ecm_extract.registry.tables import Dependency, Release
+from ecm_extract.registry.tables import Release
 
 
 class Inputs(msgspec.Struct, frozen=True, kw_only=True):
@@ -122,10 +123,7 @@ class Matter:
     @cached_property
     def unread_users(self) -> tuple[str, ...]:
         """Releases in its scope that depend on it and could not be read as a whole."""
-        query = select(Release).join(Dependency, Dependency.release_id == Release.id)
-        query = query.where(Dependency.package == self.package.name, Release.id.in_(self.inputs.scope))
-        users = self._session.scalars(query.order_by(Release.package))
-        return tuple(name_of(each) for each in users if package_of_release(self._session, each).gaps)
+        return unread_users(self._session, {self.package.name}, Scope("", self.inputs.scope))
 
     @property
     def compatibility_class(self) -> CompatibilityClass:
@@ -160,7 +158,7 @@ class Matter:
     @cached_property
     def _running(self) -> frozenset[str]:
         """Its modules that run."""
-        return frozenset(each.id for each in map(ready, self.package.contracts()) if each.runs)
+        return frozenset(each.ecm.module_id for each in self.package.contracts() if runs_by_itself(each.ecm.kind))
 
 
 def _brought(contract: Contract) -> Iterator[Change]:

@@ -8,11 +8,12 @@ from typing import Any
 import msgspec
 from ecm_checker.json_data import json_data
 
+from ecm_extract.registry.channels import gate_table
 from ecm_extract.registry.evidence import Added
 from ecm_extract.registry.fit import Fit
 from ecm_extract.registry.gates import Verdict
 from ecm_extract.registry.impact import Break, Impact
-from ecm_extract.registry.resolution import Lock
+from ecm_extract.registry.lock import Lock
 from ecm_extract.registry.users import User
 from ecm_extract.report.terminal import one_line
 
@@ -124,6 +125,7 @@ def _fit(found: Fit) -> Iterator[str]:
         yield one_line(f"    do: {finding.resolution}", 600)
     yield one_line(f"{found.outcome}: {', '.join(found.releases)} among {found.scope}", 600)
     yield from (one_line(f"not stored, so nothing is known of it: {name}") for name in found.missing)
+    yield from (one_line(f"not read as a whole, so more may break: {name}") for name in found.unread)
 
 
 def _verdict(verdict: Verdict) -> Iterator[str]:
@@ -134,6 +136,8 @@ def _verdict(verdict: Verdict) -> Iterator[str]:
         yield from (one_line(f"    {reason}", 600) for reason in each.reasons)
         if each.waiver is not None:
             yield one_line(f"    {each.waiver.name} answers for it until {each.waiver.ends}: {each.waiver.reason}", 600)
+    if verdict.table != gate_table():
+        yield "judged by a table of the project (--gates), not by that of the paper"
     went = "goes" if verdict.passed else "does not go"
     yield one_line(f"{verdict.release} {went} from {verdict.inputs.source} to {verdict.inputs.channel}")
 

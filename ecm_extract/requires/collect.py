@@ -18,6 +18,7 @@ from ecm_extract.link.program import imported_names
 from ecm_extract.link.units import File
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.behavior_trees import behavior_tree_requirements
+from ecm_extract.requires.cpp_body import bodies
 from ecm_extract.requires.cpp_headers import header_requirements
 from ecm_extract.requires.cpp_members import member_requirements
 from ecm_extract.requires.cpp_names import name_requirements
@@ -28,6 +29,7 @@ from ecm_extract.requires.dependencies import dependency_requirements
 from ecm_extract.requires.descriptions import description_requirements
 from ecm_extract.requires.endpoints import endpoint_requirements
 from ecm_extract.requires.ignored import comments_of, with_answers
+from ecm_extract.requires.interface_types import interface_requirements
 from ecm_extract.requires.kept import kept_for
 from ecm_extract.requires.launch_files import launch_requirements
 from ecm_extract.requires.parameter_files import parameter_file_requirements
@@ -55,25 +57,26 @@ def requiring_packages(workspace: Workspace) -> tuple[Package, ...]:
 
 def requirements(workspace: Workspace) -> Mapping[str, Sequence[Requirement]]:
     """Return what each package of a linked tree requires, in the order of files and lines."""
-    texts = SideTexts(workspace.tree, workspace.packages)
     modules: dict[str, list[LinkedModule]] = defaultdict(list)
     for module in workspace.linked:
         modules[module.module.package].append(module)
     found: dict[str, list[Requirement]] = {facts.name: [] for facts in workspace.packages}
     for facts in workspace.packages:
-        found[facts.name] += _of_package(workspace.tree, texts, facts, modules[facts.name])
+        found[facts.name] += _of_package(workspace.tree, workspace.texts, facts, modules[facts.name])
     for package, requirement in _of_program(workspace):
         found[package].append(requirement)
-    paths = frozenset(entry.path for entry in workspace.tree.files())
-    comments = comments_of(workspace.tree, (each.evidence[0].path for entries in found.values() for each in entries))
+    paths = {each.evidence[0].path for entries in found.values() for each in entries}
+    present = frozenset(entry.path for entry in workspace.tree.files())
+    kept = {path: distribution for path in paths if (distribution := kept_for(path, present))}
+    comments = comments_of(workspace.tree, paths)
     return {
-        package: _ordered(each for entry in entries for each in with_answers(_kept(entry, paths), comments))
+        package: ordered(each for entry in entries for each in with_answers(_kept(entry, kept), comments))
         for package, entries in found.items()
     }
 
 
-def _kept(entry: Requirement, paths: frozenset[str]) -> Requirement:
-    distribution = kept_for(entry.evidence[0].path, paths)
+def _kept(entry: Requirement, kept: Mapping[str, str]) -> Requirement:
+    distribution = kept.get(entry.evidence[0].path)
     return msgspec.structs.replace(entry, kept_for=distribution) if distribution else entry
 
 
@@ -87,6 +90,7 @@ def _of_package(
     yield from behavior_tree_requirements(facts)
     yield from policy_requirements(facts)
     yield from dependency_requirements(facts)
+    yield from interface_requirements(facts)
     yield from rviz_requirements(tree, facts)
     for file in _python_launch_files(texts, facts):
         yield from python_requirements(file)
@@ -101,8 +105,10 @@ def _of_program(workspace: Workspace) -> Iterator[tuple[str, Requirement]]:
     yield from parameter_read_requirements(workspace.program)
     yield from override_requirements(workspace.program)
     yield from result_requirements(workspace.program)
-    yield from member_requirements(workspace.objects)
-    yield from reached_requirements(workspace.objects)
+    for body in bodies(workspace.objects):
+        for read in (member_requirements, reached_requirements):
+            for found in read(body):
+                yield body.func.file.package, found
 
 
 _CPP = (header_requirements, name_requirements)
@@ -121,7 +127,8 @@ def _python_launch_files(texts: SideTexts, facts: PackageFacts) -> Iterator[File
         yield file
 
 
-def _ordered(entries: Iterable[Requirement]) -> Sequence[Requirement]:
+def ordered(entries: Iterable[Requirement]) -> tuple[Requirement, ...]:
+    """Return requirements in the order of files and lines, each once."""
     return tuple(sorted(dict.fromkeys(entries), key=_order))
 
 

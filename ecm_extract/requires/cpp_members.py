@@ -6,21 +6,17 @@ and what it derives from. What is not declared in the tree (`auto` of a foreign 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import msgspec
 from ecm_checker.contract import Evidence
 from ecm_checker.hub.requirement import Given, Requirement
-from ecm_parsers.source.expr import Call, Expr, Member, Name
+from ecm_parsers.source.expr import Call, Expr, Member
 
-from ecm_extract.link.env import Env
-from ecm_extract.link.objects import Objects
-from ecm_extract.link.spelling import plain, pointee
-from ecm_extract.link.units import Cls, Func
-from ecm_extract.link.walk import dotted, expressions
+from ecm_extract.link.units import Func
+from ecm_extract.requires.cpp_body import Body
+from ecm_extract.requires.foreign_classes import ForeignClasses
 from ecm_extract.requires.place import Place, required
-
-_OWN: str = "std"
 
 
 class _Touched(msgspec.Struct, frozen=True):
@@ -31,72 +27,40 @@ class _Touched(msgspec.Struct, frozen=True):
     count: int = -1
 
 
-def member_requirements(objects: Objects) -> Iterator[tuple[str, Requirement]]:
-    """Yield package and requirement; of one member that a file touches alike in several lines, one."""
-    for functions in objects.program.functions.values():
-        for func in functions:
-            if func.file.language == "cpp" and func.fact.body:
-                for found in _of_function(func, objects):
-                    yield func.file.package, found
-
-
-def _of_function(func: Func, objects: Objects) -> Iterator[Requirement]:
+def member_requirements(body: Body) -> Iterator[Requirement]:
+    """Yield the requirements of a body; of one member that it touches alike in several lines, one."""
     lines: dict[_Touched, dict[int, None]] = {}
-    classes = ForeignClasses(func, objects)
-    for statement in func.fact.body:
-        called: set[int] = set()
-        for expr, line in expressions(statement):
-            if isinstance(expr, Call) and isinstance(expr.callee, Member):
-                called.add(id(expr.callee))
-                owner = classes.of(expr.callee.base)
-                touched = _Touched(owner, expr.callee.name, len(expr.args))
-            elif isinstance(expr, Member) and id(expr) not in called:
-                owner = classes.of(expr.base)
-                touched = _Touched(owner, expr.name)
-            else:
-                continue
-            if owner:
-                lines.setdefault(touched, {})[line] = None
+    for statement in body.statements:
+        for touched, line in _touched(statement, body.classes):
+            lines.setdefault(touched, {})[line] = None
     for touched, found in lines.items():
-        yield _required(touched, func, tuple(found))
+        yield _required(touched, body.func, tuple(found))
+
+
+def _touched(statement: Sequence[tuple[Expr, int]], classes: ForeignClasses) -> Iterator[tuple[_Touched, int]]:
+    called: set[int] = set()
+    for expr, line in statement:
+        if isinstance(expr, Call) and isinstance(expr.callee, Member):
+            called.add(id(expr.callee))
+            member, count = expr.callee, len(expr.args)
+        elif isinstance(expr, Member) and id(expr) not in called:
+            member, count = expr, -1
+        else:
+            continue
+        owner = classes.of(member.base)
+        if owner:
+            yield _Touched(owner, member.name, count), line
 
 
 def _required(touched: _Touched, func: Func, lines: tuple[int, ...]) -> Requirement:
     place = Place(func.file.path, lines[0], f"file {func.file.path}")
+    use = "reads_member" if touched.count < 0 else "calls_method"
+    given = None if touched.count < 0 else Given(count=touched.count)
     evidence = tuple(Evidence(func.file.path, line) for line in lines)
-    if touched.count < 0:
-        return required("reads_member", touched.name, place, owner=touched.owner, evidence=evidence)
-    given = Given(count=touched.count)
-    return required("calls_method", touched.name, place, owner=touched.owner, given=given, evidence=evidence)
+    scope = _scope(func)
+    return required(use, touched.name, place, owner=touched.owner, scope=scope, given=given, evidence=evidence)
 
 
-class ForeignClasses:
-    """Classes of other packages that the objects of one function are of, remembered by how they are written."""
-
-    def __init__(self, func: Func, objects: Objects) -> None:
-        self._func, self._objects = func, objects
-        self._known: dict[str, str] = {}
-
-    def of(self, expr: Expr) -> str:
-        """Return the qualified class of an object; empty for what is not declared, or is the own package's."""
-        written = dotted(expr)
-        if written is None or expr == Name("this"):
-            return ""
-        if written not in self._known:
-            self._known[written] = self.declared(expr)
-        return self._known[written]
-
-    def declared(self, expr: Expr) -> str:
-        """Return the class of any object whose type is declared, such as an element of a list."""
-        return self._foreign(self._objects.type_of(expr, Env(self._func)))
-
-    def _foreign(self, written: str) -> str:
-        func, program = self._func, self._objects.program
-        if not written or "auto" in written.split():
-            return ""
-        cls: Cls | None = self._objects.class_written(written, Env(func))
-        if cls is not None:
-            return cls.qualified if cls.file.package != func.file.package else ""
-        name = program.canonical(plain(pointee(written)), func.file, func.fact.scope)
-        name = plain(pointee(name)).removeprefix("::")
-        return name if "::" in name and name.partition("::")[0] != _OWN else ""
+def _scope(func: Func) -> str:
+    """Where the class is looked for: `client::Reader` inside of `arm` may be `arm::client::Reader`."""
+    return f"{func.fact.scope}::{func.fact.name}" if func.fact.scope else ""

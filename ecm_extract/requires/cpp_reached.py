@@ -17,10 +17,8 @@ from ecm_checker.hub.requirement import Given, Requirement
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
 
 from ecm_extract.link.containers import ELEMENT_METHODS
-from ecm_extract.link.objects import Objects
-from ecm_extract.link.units import Cls, Func
-from ecm_extract.link.walk import dotted, expressions
-from ecm_extract.requires.cpp_members import ForeignClasses
+from ecm_extract.link.units import Func
+from ecm_extract.requires.cpp_body import Body
 from ecm_extract.requires.place import Place, required
 
 MAX_STEPS: Final = 6
@@ -28,6 +26,7 @@ _SELF: Final = frozenset({"get", "lock", "value"}) | ELEMENT_METHODS
 """Methods of pointers and containers that give what they hold."""
 _MACRO: Final = re.compile(r"[A-Z][A-Z0-9_]*")
 _OWN: Final = frozenset({"std", "boost"})
+_THIS: Final = Name("this")
 
 
 """Said of a member that is gone through to what it holds."""
@@ -48,33 +47,33 @@ class _Touched(msgspec.Struct, frozen=True):
     inside: bool = False
 
 
-def reached_requirements(objects: Objects) -> Iterator[tuple[str, Requirement]]:
-    """Yield package and requirement; of one member that a function touches alike in several lines, one."""
-    for functions in objects.program.functions.values():
-        for func in functions:
-            if func.file.language == "cpp" and func.fact.body:
-                yield from ((func.file.package, found) for found in _of_function(func, objects))
-
-
-def _of_function(func: Func, objects: Objects) -> Iterator[Requirement]:
-    ways, lines = _Ways(func, objects), dict[_Touched, dict[int, None]]()
-    for statement in func.fact.body:
-        called: set[int] = set()
-        inside: set[int] = set()
-        for expr, line in expressions(statement):
-            if isinstance(expr, Member):
-                inside.add(id(expr.base))
-            if isinstance(expr, Call):
-                called.add(id(expr.callee))
-                found = ways.touched(expr.callee, len(expr.args))
-            else:
-                found = iter(()) if id(expr) in called else ways.touched(expr)
-            for touched in found:
-                held = msgspec.structs.replace(touched, inside=id(expr) in inside)
-                lines.setdefault(held, {})[line] = None
+def reached_requirements(body: Body) -> Iterator[Requirement]:
+    """Yield the requirements of a body; of one member that it touches alike in several lines, one."""
+    ways, lines = _Ways(body), dict[_Touched, dict[int, None]]()
+    for statement in body.statements:
+        for touched, line in _touched(statement, ways):
+            lines.setdefault(touched, {})[line] = None
+    func = body.func
     scope = func.cls.qualified if func.cls is not None else func.fact.scope
     for touched, at in lines.items():
         yield _required(touched, func, scope, tuple(at))
+
+
+def _touched(statement: Sequence[tuple[Expr, int]], ways: _Ways) -> Iterator[tuple[_Touched, int]]:
+    called: set[int] = set()
+    inside: set[int] = set()
+    for expr, line in statement:
+        end: Expr | None = expr
+        count = -1
+        if isinstance(expr, Call):
+            called.add(id(expr.callee))
+            end, count = expr.callee, len(expr.args)
+        elif id(expr) in called:
+            end = None
+        if isinstance(expr, Member):
+            inside.add(id(expr.base))
+        for owner, name in ways.touched(end) if end is not None else ():
+            yield _Touched(owner, name, count, id(expr) in inside), line
 
 
 def _required(touched: _Touched, func: Func, scope: str, lines: tuple[int, ...]) -> Requirement:
@@ -95,42 +94,28 @@ def _given(touched: _Touched) -> Given | None:
 class _Ways:
     """How the objects of one function are reached, where another package knows what they are."""
 
-    def __init__(self, func: Func, objects: Objects) -> None:
-        self._func, self._objects = func, objects
-        self._classes = ForeignClasses(func, objects)
-        self._bases = foreign_bases(func.cls, objects)
-        self._given = {parameter.name for parameter in func.fact.params}
+    def __init__(self, body: Body) -> None:
+        self._func, self._objects, self._classes = body.func, body.objects, body.classes
+        self._of_class, self._bases = body.inherited, body.inherited.bases
+        self._given = {parameter.name for parameter in body.func.fact.params}
 
-    def touched(self, expr: Expr, count: int = -1) -> Iterator[_Touched]:
-        """Yield what an expression that is no local touches of another package by a way."""
-        name = self._inherited(expr)
+    def touched(self, expr: Expr) -> Sequence[tuple[str, str]]:
+        """Return the ways to what an expression that is no local touches of another package, and the name of it."""
+        name = self._inherited(expr) if self._bases else ""
         if name:
-            yield from (_Touched(base, name, count) for base in self._bases)
-        elif isinstance(expr, Member) and not self._is_plain(expr.base):
-            yield from (_Touched(way, expr.name, count) for way in self._ways(expr.base))
-
-    def _is_plain(self, expr: Expr) -> bool:
-        """Whether the class of an object is told by its declaration, as `cpp_members` reads it."""
-        return dotted(expr) is not None and bool(self._classes.of(expr))
+            return [(base, name) for base in self._bases]
+        if isinstance(expr, Member) and not self._classes.of(expr.base):
+            return [(way, expr.name) for way in self._ways(expr.base)]
+        return ()
 
     def _inherited(self, expr: Expr) -> str:
         """The name of a member that only a base class of another package can have; empty for any other."""
-        if not self._bases:
-            return ""
-        if isinstance(expr, Member) and expr.base == Name("this"):
-            return "" if self._is_own(expr.name) else expr.name
+        if isinstance(expr, Member) and expr.base == _THIS:
+            return "" if self._of_class.is_own(expr.name) else expr.name
         if not isinstance(expr, Name) or "::" in expr.id or _MACRO.fullmatch(expr.id) or expr.id == "this":
             return ""
         local = expr.id in self._given or expr.id in self._objects.scope.locals_of(self._func)
-        return "" if local or self._is_own(expr.id) else expr.id
-
-    def _is_own(self, name: str) -> bool:
-        cls, package = self._func.cls, self._func.file.package
-        for entry in self._objects.program.ancestry(cls) if cls is not None else ():
-            has = name in entry.fields or any(method.fact.name == name for method in entry.methods)
-            if has and entry.file.package == package:
-                return True
-        return False
+        return "" if local or self._of_class.is_own(expr.id) else expr.id
 
     def _ways(self, expr: Expr, steps: int = 0) -> Sequence[str]:
         """The ways to an object; none where it is no other package's."""
@@ -139,7 +124,7 @@ class _Ways:
         known = self._classes.declared(expr) if not isinstance(expr, Call) else ""
         if known:
             return (known,)
-        name = self._inherited(expr)
+        name = self._inherited(expr) if self._bases else ""
         if name:
             return tuple(f"{base}.{name}" for base in self._bases)
         if isinstance(expr, Name):
@@ -163,21 +148,9 @@ class _Ways:
         if isinstance(callee, Member):
             ways = self._ways(callee.base, steps + 1)
             return ways if callee.name in _SELF else tuple(f"{way}.{callee.name}()" for way in ways)
-        name = self._inherited(callee)
+        name = self._inherited(callee) if self._bases else ""
         if name:
             return tuple(f"{base}.{name}()" for base in self._bases)
         written = callee.id.removeprefix("::") if isinstance(callee, Name) else ""
         is_foreign = "::" in written and written.partition("::")[0] not in _OWN
         return (f"{written}()",) if is_foreign else ()
-
-
-def foreign_bases(cls: Cls | None, objects: Objects) -> Sequence[str]:
-    """Return the base classes of a class that other packages have, qualified where the tree shows them."""
-    if cls is None:
-        return ()
-    found: dict[str, None] = {}
-    for name in objects.program.base_names(cls):
-        base = objects.program.class_named(name, cls.file, cls.qualified)
-        if base is None or base.file.package != cls.file.package:
-            found[base.qualified if base is not None else name] = None
-    return [name for name in found if name.partition("::")[0] not in _OWN]

@@ -30,6 +30,9 @@ def comments_of(tree: Tree, paths: Iterable[str]) -> Comments:
 
 def with_answers(entry: Requirement, comments: Comments) -> Iterator[Requirement]:
     """Yield a requirement, its answered lines apart from the others."""
+    if not any(at.path in comments for at in entry.evidence):
+        yield entry
+        return
     words = {at: _words(at, comments) for at in entry.evidence}
     answered = [at for at in entry.evidence if words[at]]
     if not answered:

@@ -7,23 +7,35 @@ in it is nobody's until the launch is evaluated: its parts that are known only a
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import PurePosixPath
 from typing import Final
 
 import msgspec
+from ecm_checker.contract import Evidence
 from ecm_checker.hub.requirement import Given, Requirement
-from ecm_parsers.launch.model import Action, Group, Include, Node, ParameterFile, ParameterValue, Remap, Template
+from ecm_parsers.launch.model import (
+    Action,
+    Group,
+    Include,
+    LaunchFile,
+    Node,
+    ParameterFile,
+    ParameterValue,
+    Remap,
+    Template,
+)
+from ecm_parsers.launch.templates import holed, plain_text, written
 
 from ecm_extract.entities.launch import launch_files
 from ecm_extract.entities.side_texts import SideTexts
-from ecm_extract.entities.written_text import written
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.requires.name_lines import line_of_name
 from ecm_extract.requires.place import Place, required
 
 _FOUND: Final = re.compile(r"\$\((?:find|find_prefix) ([^\s$()]+)\)(/(?:.*/)?)([^/$()]+)$", re.DOTALL)
 """A file of a package: the package, the folders, the name, which stands there as a whole."""
-HOLE: Final = "{}"
+_STARTS: Final = "starts"
 MANAGED: Final = "node_names"
 """Parameter by which a lifecycle manager is told its nodes (nav2_lifecycle_manager, nav2_util)."""
 _BELOW_NODE: Final = 2
@@ -46,7 +58,18 @@ class _Scope(msgspec.Struct, frozen=True):
 def launch_requirements(texts: SideTexts, facts: PackageFacts) -> Iterator[Requirement]:
     """Yield what the launch files of a package require."""
     for path, file in launch_files(texts, facts):
-        for found in _of_actions(file.actions, _Scope(path)):
+        lines = next((data.splitlines() for _, data in texts.read_many([path])), [])
+        yield from requirements_of_file(path, file, lines)
+
+
+def requirements_of_file(path: str, file: LaunchFile, lines: Sequence[bytes]) -> Iterator[Requirement]:
+    """Yield what one launch file requires; `lines` are its content, by which the line of a program's name is told."""
+    for found in _of_actions(file.actions, _Scope(path)):
+        if found.use == _STARTS:
+            at = found.evidence[0]
+            evidence = (Evidence(path, line_of_name(lines, at.line, found.name)),)
+            yield msgspec.structs.replace(found, ros=file.ros, evidence=evidence)
+        else:
             yield msgspec.structs.replace(found, ros=file.ros)
 
 
@@ -90,7 +113,7 @@ def _of_node(action: Node, scope: _Scope) -> Iterator[Requirement]:
     package, executable = plain(action.package), plain(action.executable)
     place = scope.place(action.line)
     if package and executable:
-        yield required("starts", executable, place, package=package)
+        yield required(_STARTS, executable, place, package=package)
     plugin = plain(action.plugin)
     if plugin:
         yield required("loads_plugin", plugin, place)
@@ -170,13 +193,4 @@ def _of_file(path: Template, place: Place) -> Iterator[Requirement]:
 
 def plain(template: Template) -> str:
     """Return a template without substitutions as text; empty for any other."""
-    return "".join(part for part in template if isinstance(part, str)) if _is_plain(template) else ""
-
-
-def holed(template: Template) -> str:
-    """Return a template with `{}` for each substitution."""
-    return "".join(part if isinstance(part, str) else HOLE for part in template)
-
-
-def _is_plain(template: Template) -> bool:
-    return all(isinstance(part, str) for part in template)
+    return plain_text(template) or ""

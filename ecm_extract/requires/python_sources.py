@@ -16,8 +16,7 @@ from ecm_extract.requires.place import Place, required
 
 def python_requirements(file: File) -> Iterator[Requirement]:
     """Yield what a Python file requires of modules that it imports; what it says twice in a line, it requires once."""
-    for entry in file.facts.imports:
-        yield from _of_import(entry, file)
+    yield from import_requirements(file)
     if not file.imported:
         return
     seen: set[tuple[str, str, str, int]] = set()
@@ -29,6 +28,12 @@ def python_requirements(file: File) -> Iterator[Requirement]:
                 if mark not in seen:
                     seen.add(mark)
                     yield found
+
+
+def import_requirements(file: File) -> Iterator[Requirement]:
+    """Yield what the imports of a Python file require."""
+    for entry in file.facts.imports:
+        yield from _of_import(entry, file)
 
 
 def _place(file: File, line: int) -> Place:

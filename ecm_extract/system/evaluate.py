@@ -24,6 +24,7 @@ from ecm_parsers.launch.model import (
 )
 from ecm_parsers.result import Parsed
 
+from ecm_extract.read.cuts import located
 from ecm_extract.system.budget import FILE_STEPS, Budget, BudgetError
 from ecm_extract.system.files import Files
 from ecm_extract.system.instances import InstanceMaker
@@ -112,7 +113,7 @@ class Evaluator:
         if parsed is None:
             return
         for entry in parsed.diagnostics:
-            self.tree.report(FileDiagnostic(entry.severity, entry.code, path, entry.line, entry.message))
+            self.tree.report(located(path, entry))
             self.result.is_complete &= entry.severity != "error"
         if parsed.facts is not None:
             self.result.files.append(path)
@@ -253,11 +254,11 @@ class Evaluator:
         shown = path.text.removeprefix("tree:")
         if path.known and self.files.is_beside(file.path, path.text):
             message = f"Included file `{shown}` is looked for in the folder that the launch is started from."
-            self.report(file.path, action.line, "launch-include-relative", message)
+            self.report(file.path, action.line, "launch-include-relative", message, shown)
             return
         if path.known and not path.emptied and not self.files.is_elsewhere(path.text):
             message = f"Included file `{shown}` is not in the tree. Correct the path or add the file."
-            self.report(file.path, action.line, "launch-include-missing", message)
+            self.report(file.path, action.line, "launch-include-missing", message, shown)
             return
         message = f"Included file `{shown}` is outside the tree or known at launch only; what it starts is left out."
         self.tree.report(FileDiagnostic("info", "launch-include-outside", file.path, action.line, message))
@@ -271,9 +272,9 @@ class Evaluator:
         """Return what evaluates templates of a file in a scope."""
         return Substituter(self.files, file.path, scope, self.budget)
 
-    def report(self, path: str, line: int, code: str, message: str) -> None:
-        """Add a warning to the tree's diagnostics."""
-        self.tree.report(FileDiagnostic("warning", code, path, line, message))
+    def report(self, path: str, line: int, code: str, message: str, about: str = "") -> None:
+        """Add a warning to the tree's diagnostics; `about` is the file that it is about."""
+        self.tree.report(FileDiagnostic("warning", code, path, line, message, about=about))
 
 
 class _File:

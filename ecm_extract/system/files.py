@@ -6,12 +6,13 @@ from collections.abc import Callable, Sequence
 from fnmatch import fnmatchcase
 from functools import cached_property
 from pathlib import PurePosixPath
-from typing import cast
-
-from ecm_parsers.result import Facts, Parsed
+from typing import TypeVar, cast
 
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.system.installed import Installed
 from ecm_extract.tree import Tree, left_out
+
+Read = TypeVar("Read")
 
 TREE = "tree:"
 """Prefix of a path that is in the tree, so that a path of the machine is never taken for one."""
@@ -30,6 +31,7 @@ class Files:
         self._tree = tree
         self._roots = {package.name: package.root.path for package in packages}
         self._ros = {package.root.path: package.ros for package in packages}
+        self._installed = Installed(packages)
         self._paths = {entry.path for entry in tree.files()}
         self._stored = {entry.path: entry.size or 0 for entry in tree.files() if entry.identity is not None}
         self._by_name: dict[str, list[str]] = {}
@@ -55,6 +57,9 @@ class Files:
         path = _normal(text[len(TREE) :])
         if path in self._paths:
             return path
+        copied = next((each for each in self._installed.sources(path) if each in self._paths), None)
+        if copied is not None:
+            return copied
         root = self._root(path)
         beside = [entry for entry in self._by_name.get(PurePosixPath(path).name, ()) if self._root(entry) == root]
         if len(beside) != 1:
@@ -147,13 +152,17 @@ class Files:
                     self._folders.setdefault((head or ".", PurePosixPath(last).suffix), []).append(name)
         return self._folders.get((folder, suffix), [])
 
-    def parsed(self, path: str, parser: Callable[[bytes], Parsed[Facts]]) -> Parsed[Facts] | None:
+    def parsed(self, path: str, parser: Callable[[bytes], Read]) -> Read | None:
         """Return what a parser makes of a file, once for each parser; None when the file cannot be read."""
         key = (path, parser.__qualname__)
         if key not in self._parsed:
             data = self.read(path)
             self._parsed[key] = parser(data) if data is not None else None
-        return cast("Parsed[Facts] | None", self._parsed[key])
+        return cast("Read | None", self._parsed[key])
+
+    def lines(self, path: str) -> list[bytes]:
+        """Return the lines of a file; none of one that cannot be read."""
+        return (self.read(path) or b"").splitlines()
 
     def package_path(self, name: str) -> str | None:
         """Return the folder of a package in the tree, None when the tree does not hold it."""

@@ -13,6 +13,7 @@ from ecm_parsers.launch.model import Data, ParameterFile, ParameterSource, Param
 from ecm_parsers.launch.substitution import parse_template
 from ecm_parsers.parameter_yaml import ParameterSet, parse_parameter_yaml
 
+from ecm_extract.read.cuts import located
 from ecm_extract.system.files import Files
 from ecm_extract.system.model import Place, Setting, Text, join
 from ecm_extract.system.parameter_types import rewritten, value_of
@@ -104,7 +105,7 @@ class Settings:
             self._not_found(source, text)
             return self.path, ()
         for entry in parsed.diagnostics:
-            self.tree.report(FileDiagnostic(entry.severity, entry.code, path, entry.line, entry.message))
+            self.tree.report(located(path, entry))
         return path, parsed.facts.sets
 
     def _not_found(self, source: ParameterFile, text: Text) -> None:
@@ -114,7 +115,9 @@ class Settings:
         self.missing.append(shown)
         if text.known and not text.emptied and not self.files.is_elsewhere(text.text):
             message = f"Parameter file `{shown}` is not in the tree. Correct the path or add the file."
-            self.tree.report(FileDiagnostic("warning", "launch-file-missing", self.path, source.line, message))
+            self.tree.report(
+                FileDiagnostic("warning", "launch-file-missing", self.path, source.line, message, about=shown)
+            )
 
     def value(self, data: Data, typing: Typing, depth: int = 0) -> Any:
         """Return a parameter's value as plain data; `typing` tells what a text means."""

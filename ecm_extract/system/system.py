@@ -109,8 +109,8 @@ def evaluated_system(tree: Tree, files: Files, index: ModuleIndex, paths: Sequen
         found.is_complete = False
     robots = described.found
     for robot in robots:
-        for path, line, message in robot.problems:
-            tree.report(FileDiagnostic("info", "description-unread", path, line, f"{message}."))
+        for each in robot.problems:
+            tree.report(FileDiagnostic("info", "description-unread", each.path, each.line, f"{each.message}."))
     controllers = controllers_of(found, files, index, controller_files(robots))
     nodes += maker.hosted(controllers, robots)
     nodes += simulated_nodes(found.instances, robots)

@@ -40,7 +40,10 @@ class Entry(msgspec.Struct, frozen=True):
 class FileDiagnostic(msgspec.Struct, frozen=True):
     """A diagnostic with its file, in the wire form of `diagnostics[]` (DESIGN §6); `path` is printable.
 
-    `unread` is set where it tells of something that was not read.
+    Attributes:
+        unread: set where it tells of something that was not read.
+        about: the name that was looked for, or the module that it is about; empty for none.
+        wrong, advice: the sentences of the message apart, see `ecm_parsers.result.Diagnostic`.
     """
 
     severity: Severity
@@ -49,6 +52,9 @@ class FileDiagnostic(msgspec.Struct, frozen=True):
     line: int
     message: str
     unread: Unread | None = None
+    about: str = ""
+    wrong: str = ""
+    advice: str = ""
 
 
 class Tree(Protocol):

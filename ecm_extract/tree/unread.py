@@ -7,9 +7,12 @@ from typing import Final, Literal, get_args
 import msgspec
 from ecm_checker.wire import GAP_REASONS
 
-Reason = Literal["missing", "submodule", "too-large", "unreadable", "malformed", "excluded", "ignored", "link"]
+Reason = Literal[
+    "missing", "submodule", "too-large", "unreadable", "malformed", "unjudged", "excluded", "ignored", "link"
+]
 """Why something was not read: not in this clone (content, submodule), above a bound, no permission, no well-formed
-manifest; left out because the project asks for it (`exclude`, a marker); a link that leads out of the tree."""
+manifest; beyond the number that one run judges, or of a rule that stopped; left out because the project asks for it
+(`exclude`, a marker); a link that leads out of the tree."""
 
 REASONS: Final[tuple[Reason, ...]] = get_args(Reason)
 ON_PURPOSE: Final[frozenset[Reason]] = frozenset({"excluded", "ignored", "link"})

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Final, Literal
 
 import msgspec
 
 TargetKind = Literal["executable", "library", "interface", "test"]
 InstallKind = Literal["targets", "programs", "directory", "files", "python"]
 InterfaceKind = Literal["msg", "srv", "action", "idl", "other"]
+
+
+REFUSED: Final = frozenset({"cmake-syntax", "cmake-unclosed", "cmake-unbalanced"})
+"""Codes of what CMake stops at."""
 
 
 class Target(msgspec.Struct, frozen=True):
@@ -162,6 +166,7 @@ class CmakeFile(msgspec.Struct, frozen=True):
         commands: that run, but those that only set variables.
         unknown: places that may build more than is known.
         foreign: words given to commands of other packages, which may make targets of these names.
+        malformed: whether CMake refuses the file.
     """
 
     project: str | None = None
@@ -182,3 +187,4 @@ class CmakeFile(msgspec.Struct, frozen=True):
     commands: tuple[Command, ...] = ()
     unknown: tuple[Unknown, ...] = ()
     foreign: tuple[str, ...] = ()
+    malformed: bool = False

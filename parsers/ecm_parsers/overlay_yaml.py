@@ -17,7 +17,7 @@ from typing import Any, Final
 
 import msgspec
 
-from ecm_parsers.result import Diagnostic, Parsed
+from ecm_parsers.result import Diagnostic, Parsed, diagnostic
 from ecm_parsers.yaml_tree import Entry, Mapping, Node, Scalar, Sequence, parse_yaml, plain
 
 SCHEMA: Final = "ecm-extract/overlay/1"
@@ -85,12 +85,13 @@ def parse_overlay(data: bytes) -> Parsed[Overlay]:
     if root is None:
         return Parsed(Overlay(), tuple(problems))
     if not isinstance(root, Mapping):
-        problems.append(_problem("overlay-not-a-map", root.line, "The overlay is no map. Write `modules:` with a map."))
+        advice = "Write `modules:` with a map"
+        problems.append(_problem("overlay-not-a-map", root.line, "The overlay is no map", advice))
         return Parsed(Overlay(), tuple(problems))
     for entry in root.entries:
         if entry.key not in _KEYS:
-            message = f"`{entry.key}` means nothing here. Write one of {', '.join(_KEYS)}."
-            problems.append(_problem("overlay-unknown-key", entry.line, message))
+            advice = f"Write one of {', '.join(_KEYS)}"
+            problems.append(_problem("overlay-unknown-key", entry.line, f"`{entry.key}` means nothing here", advice))
     if not _is_ours(root, problems):
         return Parsed(Overlay(), tuple(problems))
     defaults = root.get("defaults")
@@ -110,13 +111,13 @@ def _is_ours(root: Mapping, problems: list[Diagnostic]) -> bool:
     """A file that does not say what it is is read all the same; one that says it is something else is not."""
     schema = root.get("schema")
     if schema is None:
-        problems.append(_problem("overlay-schema", root.line, f"`schema` is missing. Begin with `schema: {SCHEMA}`."))
+        problems.append(_problem("overlay-schema", root.line, "`schema` is missing", f"Begin with `schema: {SCHEMA}`"))
         return True
     if isinstance(schema, Scalar) and schema.text == SCHEMA:
         return True
     shown = f"`{schema.text}`" if isinstance(schema, Scalar) else "no text"
-    message = f"The schema is {shown}, so nothing of this file is used. Write `schema: {SCHEMA}`."
-    problems.append(_problem("overlay-schema", schema.line, message))
+    wrong = f"The schema is {shown}, so nothing of this file is used"
+    problems.append(_problem("overlay-schema", schema.line, wrong, f"Write `schema: {SCHEMA}`"))
     return False
 
 
@@ -125,8 +126,8 @@ def _entries(node: Node | None, what: str, problems: list[Diagnostic]) -> Iterat
     if isinstance(node, Mapping):
         yield from node.unique()
     elif node is not None and plain(node) is not None:
-        message = f"{what} is no map. Write `key: value` lines below it."
-        problems.append(_problem("overlay-not-a-map", node.line, message))
+        advice = "Write `key: value` lines below it"
+        problems.append(_problem("overlay-not-a-map", node.line, f"{what} is no map", advice))
 
 
 def _modules(node: Node | None, problems: list[Diagnostic]) -> Iterator[ModuleOverlay]:
@@ -141,8 +142,8 @@ def _endpoints(node: Node, problems: list[Diagnostic]) -> Iterator[SeenEndpoint]
         data = plain(item)
         found = data if isinstance(data, dict) else {}
         if not all(isinstance(found.get(key), str) for key in ("role", "was", "name")):
-            message = "An endpoint needs `role`, `was` and `name`. `ecm-extract observe --complete` writes them."
-            problems.append(_problem("overlay-endpoint", item.line, message))
+            wrong, advice = "An endpoint needs `role`, `was` and `name`", "`ecm-extract observe --complete` writes them"
+            problems.append(_problem("overlay-endpoint", item.line, wrong, advice))
             continue
         kind, qos = found.get("type"), found.get("qos")
         yield SeenEndpoint(
@@ -159,8 +160,8 @@ def _origin(node: Node | None, problems: list[Diagnostic]) -> str:
     text = node.text if isinstance(node, Scalar) else ORIGINS[0]
     if text in ORIGINS:
         return text
-    message = f"`origin: {text}` means nothing. Write one of {', '.join(ORIGINS)}."
-    problems.append(_problem("overlay-unknown-origin", node.line if node is not None else 1, message))
+    line, wrong = node.line if node is not None else 1, f"`origin: {text}` means nothing"
+    problems.append(_problem("overlay-unknown-origin", line, wrong, f"Write one of {', '.join(ORIGINS)}"))
     return ORIGINS[0]
 
 
@@ -169,8 +170,8 @@ def _fields(node: Node | None, what: str, problems: list[Diagnostic], skipped: s
         if section.key == skipped:
             continue
         if section.key not in SECTIONS:
-            message = f"`{section.key}` is no section of a contract. Write one of {', '.join(SECTIONS)}."
-            problems.append(_problem("overlay-unknown-section", section.line, message))
+            wrong, advice = f"`{section.key}` is no section of a contract", f"Write one of {', '.join(SECTIONS)}"
+            problems.append(_problem("overlay-unknown-section", section.line, wrong, advice))
             continue
         yield from _of_section(section, problems)
 
@@ -187,5 +188,5 @@ def _name(node: Node | None) -> str:
     return name.text if isinstance(name, Scalar) else ""
 
 
-def _problem(code: str, line: int, message: str) -> Diagnostic:
-    return Diagnostic("error", code, line, message)
+def _problem(code: str, line: int, wrong: str, advice: str) -> Diagnostic:
+    return diagnostic("error", code, line, wrong, advice)

@@ -17,6 +17,7 @@ class Diagnostic(msgspec.Struct, frozen=True):
         code: stable kebab-case name of the problem, e.g. `msg-bad-field`.
         line: 1-based line in the artefact; 0 when it concerns the file as a whole.
         message: what is wrong and what to do, one sentence each.
+        wrong, advice: the two apart, without a full stop, where a rule tells them in its own frame; else empty.
         cut: whether the artefact, or the rest of it, was not read because of a bound of ours.
     """
 
@@ -25,6 +26,13 @@ class Diagnostic(msgspec.Struct, frozen=True):
     line: int
     message: str
     cut: bool = False
+    wrong: str = ""
+    advice: str = ""
+
+
+def diagnostic(severity: Severity, code: str, line: int, wrong: str, advice: str) -> Diagnostic:
+    """Return a diagnostic of two sentences, each given without its full stop."""
+    return Diagnostic(severity, code, line, f"{wrong}. {advice}.", wrong=wrong, advice=advice)
 
 
 class Parsed(msgspec.Struct, Generic[Facts], frozen=True):

@@ -134,7 +134,8 @@ def _problems(parser: etree.XMLParser) -> tuple[Diagnostic, ...]:
 
 
 def _problem(line: int, message: str) -> Diagnostic:
-    return Diagnostic("warning", "xml-malformed", line, f"Not well-formed: {message}. Correct the XML.")
+    told = f"Not well-formed: {message}. Correct the XML."
+    return Diagnostic("warning", "xml-malformed", line, told, wrong=message, advice="Correct the XML")
 
 
 def _is_too_deep(root: etree._Element) -> bool:

@@ -225,3 +225,22 @@ def test_a_program_may_be_a_file_of_its_package() -> None:
     held = msgspec.structs.replace(arm, files={"arm/scripts/drive.py": ""})
     assert [each.requirement.name for each in Packages([user, arm]).unmet()] == ["drive.py"]
     assert not list(Packages([user, held]).unmet())
+
+
+@pytest.mark.parametrize(
+    ("more", "unmet"),
+    [
+        ({}, ["drive", "arm.msg.Grip"]),
+        ({"possible": {"executable": ("drive",)}}, ["arm.msg.Grip"]),
+        ({"possible": {"message": ("arm/msg/Grip",)}}, ["drive"]),
+        ({"open": ("executable", "message")}, []),
+        ({"files": {"arm/drive.py": ""}}, ["arm.msg.Grip"]),
+        ({"files": {"arm/drive.py": ""}, "runs_files": False}, ["drive", "arm.msg.Grip"]),
+    ],
+)
+def test_what_a_build_may_make_is_not_missing(more: dict[str, Any], unmet: list[str]) -> None:
+    """A program that is not installed, an interface that a build lists, anything of a build that is not understood."""
+    wanted = [requirement("starts", "drive", package="arm"), requirement("imports", "arm.msg.Grip")]
+    arm = package("arm", [provision("message", "arm/msg/Mode")], [])
+    found = Packages([package("user", [], wanted), msgspec.structs.replace(arm, **more)]).unmet()
+    assert [each.requirement.name for each in found] == unmet

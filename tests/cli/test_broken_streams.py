@@ -85,7 +85,7 @@ def test_an_interrupted_fork_unwinds_without_a_word(tmp_path: Path, capfd: pytes
     while not begun.exists():
         time.sleep(0.01)
     os.kill(process.pid or 0, signal.SIGINT)
-    process.join(10)
+    process.join(60)
     assert gone.exists()
     assert process.exitcode == 130
     assert capfd.readouterr().err == ""

@@ -294,4 +294,4 @@ _WORDS = [
 @given(st.lists(st.sampled_from(_WORDS), max_size=30).map(lambda words: "".join(words).encode()))
 def test_cmake_never_raises(data: bytes) -> None:
     """Any sequence of CMake text gives facts or diagnostics."""
-    run({TOP: data})
+    assert isinstance(run({TOP: data})[TOP], CmakeFile)

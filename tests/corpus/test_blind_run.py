@@ -16,43 +16,44 @@ from ecm_corpus.guard import BlindnessError
 from ecm_corpus.interface import Composition, InterfaceCase, Source
 from ecm_corpus.results import Results
 from ecm_corpus.verdict import check_findings
+from judged_cases import Judged
 
 from ecm_extract.errors import InputError
 
 
-def test_an_upgrade_names_the_consumer_that_keeps_the_old_name(tmp_path: Path) -> None:
-    states = run_blind([renamed_topic(tmp_path)], Run(tmp_path)).results.cases[0].states
+def test_an_upgrade_names_the_consumer_that_keeps_the_old_name(judged: Judged) -> None:
+    states = judged.states
     broken = [finding for finding in states["a"].findings["diff"] if finding.severity == "error"]
     assert [finding.rule for finding in broken] == ["VER001"]
     assert broken[0].evidence[0].path == "reader/reader/main.py"
     assert [f.rule for f in states["a"].findings["check"] if f.severity == "error"] == ["SIG010"]
 
 
-def test_the_consumer_that_followed_is_quiet(tmp_path: Path) -> None:
-    states = run_blind([renamed_topic(tmp_path)], Run(tmp_path)).results.cases[0].states
+def test_the_consumer_that_followed_is_quiet(judged: Judged) -> None:
+    states = judged.states
     assert states["b"].findings["diff"] == ()
     assert [f for f in states["b"].findings["check"] if f.severity == "error"] == []
 
 
-def test_two_runs_give_the_same_bytes(tmp_path: Path) -> None:
-    case = renamed_topic(tmp_path)
-    one = run_blind([case], Run(tmp_path, cache=False, jobs=1))
-    two = run_blind([case], Run(tmp_path, cache=True, jobs=2))
-    three = run_blind([case], Run(tmp_path, cache=True, jobs=2))
+def test_two_runs_give_the_same_bytes(judged: Judged) -> None:
+    """An upgrade and a composition, with the cache and without, in one process and in several."""
+    case = msgspec.structs.replace(judged.small, states={name: judged.small.states[name] for name in ("a", "c")})
+    one = run_blind([case], Run(judged.clones, cache=False, jobs=1))
+    two = run_blind([case], Run(judged.clones, cache=True, jobs=2))
+    three = run_blind([case], Run(judged.clones, cache=True, jobs=2))
     assert results_document(one.results) == results_document(two.results) == results_document(three.results)
     assert one.files == two.files == three.files
 
 
-def test_the_rebuilt_contracts_are_those_that_were_stored(tmp_path: Path, golden: object) -> None:
+def test_the_rebuilt_contracts_are_those_that_were_stored(judged: Judged, golden: object) -> None:
     """A case rebuilt from its clone gives, byte for byte, the contracts under version control."""
-    outcome = run_blind([renamed_topic(tmp_path)], Run(tmp_path))
-    state = outcome.results.cases[0].states["a"]
+    outcome, state = judged.outcome, judged.states["a"]
     for side in ("old/driver", "new/driver", "consumer/reader"):
         golden(f"corpus/{side.replace('/', '_')}.json", outcome.files[state.contracts[side]].decode())  # type: ignore[operator]
 
 
-def test_the_store_holds_what_the_results_name_and_nothing_else(tmp_path: Path) -> None:
-    outcome = run_blind([renamed_topic(tmp_path / "clones")], Run(tmp_path / "clones"))
+def test_the_store_holds_what_the_results_name_and_nothing_else(judged: Judged, tmp_path: Path) -> None:
+    outcome = judged.outcome
     (tmp_path / "out" / "contracts").mkdir(parents=True)
     (tmp_path / "out" / "contracts" / "old.json").write_text("[]")
     write_outcome(outcome, tmp_path / "out")
@@ -62,9 +63,9 @@ def test_the_store_holds_what_the_results_name_and_nothing_else(tmp_path: Path) 
     assert read == outcome.results
 
 
-def test_the_checker_says_the_same_of_stored_contracts(tmp_path: Path) -> None:
-    outcome = run_blind([renamed_topic(tmp_path)], Run(tmp_path))
-    for state in outcome.results.cases[0].states.values():
+def test_the_checker_says_the_same_of_stored_contracts(judged: Judged) -> None:
+    outcome = judged.outcome
+    for state in judged.states.values():
         sides: dict[str, list[object]] = {}
         for name, mark in state.contracts.items():
             sides.setdefault(name.partition("/")[0], []).extend(unpacked(outcome.files[mark]))
@@ -80,12 +81,12 @@ def test_a_store_file_that_was_changed_is_refused(tmp_path: Path) -> None:
         stored(digest(data), tmp_path)
 
 
-def test_a_missing_clone_is_reported_with_its_url_and_costs_no_other_case(tmp_path: Path) -> None:
+def test_a_missing_clone_is_reported_with_its_url_and_costs_no_other_case(judged: Judged) -> None:
     lost = InterfaceCase("R-lost", "robust", {"a": Composition((Source("nobody/nothing", "1.0.0"),))})
-    results = run_blind([renamed_topic(tmp_path), lost], Run(tmp_path)).results
+    results = run_blind([judged.other, lost], Run(judged.clones)).results
     assert results.cases[0].missing == ("https://github.com/nobody/nothing",)
     assert results.cases[0].states == {}
-    assert results.cases[1].states.keys() == {"a", "b", "c", "d"}
+    assert results.cases[1].states.keys() == {"a"}
 
 
 def test_a_clone_without_the_ref_is_reported_with_the_ref(tmp_path: Path) -> None:
@@ -106,14 +107,13 @@ def test_two_repositories_are_one_workspace(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("what", ["finding", "interface", "order"])
-def test_the_chain_tells_what_was_changed(tmp_path: Path, what: str) -> None:
-    small = renamed_topic(tmp_path)
-    twin = msgspec.structs.replace(small, case="R-twin")
-    results = run_blind([small, twin], Run(tmp_path)).results
-    assert broken_links(results, [small, twin]) == ()
+def test_the_chain_tells_what_was_changed(judged: Judged, what: str) -> None:
+    small, other, results = judged.small, judged.other, judged.outcome.results
+    assert broken_links(results, [small, other]) == ()
     if what == "interface":
         changed = msgspec.structs.replace(small, substrate="ros2")
-        assert broken_links(results, [changed, twin]) == ("R-small: its interface part is not the one that was judged",)
+        told = broken_links(results, [changed, other])
+        assert told == ("R-small: its interface part is not the one that was judged",)
         return
     first, second = results.cases
     if what == "order":
@@ -121,7 +121,7 @@ def test_the_chain_tells_what_was_changed(tmp_path: Path, what: str) -> None:
     else:
         quiet = msgspec.structs.replace(first.states["a"], findings={})
         cases = (msgspec.structs.replace(first, states={**first.states, "a": quiet}), second)
-    assert broken_links(msgspec.structs.replace(results, cases=cases), [small, twin]) != ()
+    assert broken_links(msgspec.structs.replace(results, cases=cases), [small, other]) != ()
 
 
 _REACH = """

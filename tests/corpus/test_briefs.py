@@ -5,27 +5,24 @@ from __future__ import annotations
 from pathlib import Path
 
 import msgspec
+import pytest
 from click.testing import CliRunner
-from corpus_repos import driver, make_clone, reader, renamed_topic
-from ecm_corpus.blind import Run, run_blind, write_outcome
+from ecm_corpus.blind import write_outcome
 from ecm_corpus.commands.brief import command
-from ecm_corpus.interface import Composition, InterfaceCase, Source
+from judged_cases import Judged
 
 
-def corpus(tmp_path: Path) -> Path:
+@pytest.fixture
+def corpus(judged: Judged, tmp_path: Path) -> Path:
     """Two judged cases with their store."""
-    small = renamed_topic(tmp_path / "clones")
-    make_clone(tmp_path / "clones", ("1.0.0", {**driver("odom", "1.0.0"), **reader("odom")}), repository="other/base")
-    other = InterfaceCase("R-other", "robust", {"a": Composition((Source("other/base", "1.0.0"),))})
     (tmp_path / "cases" / "interface").mkdir(parents=True)
-    write_outcome(run_blind([small, other], Run(tmp_path / "clones")), tmp_path)
+    write_outcome(judged.outcome, tmp_path)
     return tmp_path
 
 
-def test_a_brief_says_what_the_sides_declare(tmp_path: Path) -> None:
+def test_a_brief_says_what_the_sides_declare(corpus: Path, tmp_path: Path) -> None:
     """Endpoints, types, QoS and what changed; states and an unrelated pair under names that tell nothing."""
-    folder = corpus(tmp_path)
-    done = CliRunner().invoke(command, ["R-small", "--corpus", str(folder), "--key", str(tmp_path / "key")])
+    done = CliRunner().invoke(command, ["R-small", "--corpus", str(corpus), "--key", str(tmp_path / "key")])
     assert done.exit_code == 0, done.exception
     assert "publisher, /raw_fix, std_msgs/msg/String, reliable, volatile" in done.output
     assert "publisher /fix is gone" in done.output
@@ -37,13 +34,12 @@ def test_a_brief_says_what_the_sides_declare(tmp_path: Path) -> None:
     assert "used by" not in done.output
 
 
-def test_an_unknown_case_is_an_error_of_the_user(tmp_path: Path) -> None:
-    done = CliRunner().invoke(command, ["R-none", "--corpus", str(corpus(tmp_path))])
+def test_an_unknown_case_is_an_error_of_the_user(corpus: Path) -> None:
+    done = CliRunner().invoke(command, ["R-none", "--corpus", str(corpus)])
     assert "no results of a case" in str(done.exception)
 
 
-def test_briefs_repeat(tmp_path: Path) -> None:
-    folder = corpus(tmp_path)
-    outputs = {CliRunner().invoke(command, ["R-small", "--corpus", str(folder)]).output for _ in range(2)}
+def test_briefs_repeat(corpus: Path) -> None:
+    outputs = {CliRunner().invoke(command, ["R-small", "--corpus", str(corpus)]).output for _ in range(2)}
     assert len(outputs) == 1
-    assert msgspec.json.decode((folder / "results.json").read_bytes())["schema"] == "ecm-corpus/results/1"
+    assert msgspec.json.decode((corpus / "results.json").read_bytes())["schema"] == "ecm-corpus/results/1"

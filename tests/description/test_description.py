@@ -140,9 +140,10 @@ def test_a_file_that_is_not_there_is_empty() -> None:
     assert read_description("none", {}, MemoryFiles({})).joints == ()
 
 
-@settings(max_examples=50, deadline=1000)
+@settings(max_examples=50, deadline=None)
 @given(st.binary(max_size=200), st.integers(0, len(BODY)))
 def test_no_content_makes_the_readers_fail(noise: bytes, at: int) -> None:
     """Whatever stands in a description, there is a result."""
     data = robot(BODY).encode()
-    read_description("a", {}, MemoryFiles({"a": data[:at] + noise + data[at:]}))
+    found = read_description("a", {}, MemoryFiles({"a": data[:at] + noise + data[at:]}))
+    assert found.files == ("a",) or found.problems

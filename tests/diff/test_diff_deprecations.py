@@ -29,12 +29,12 @@ def test_adjacent_literals_are_one_text() -> None:
     assert list(warnings_in(source)) == ['"a_b" was deprecated, use c']
 
 
-@settings(max_examples=50, deadline=1000)
+@settings(max_examples=50, deadline=None)
 @given(st.binary(max_size=400))
 def test_any_bytes_are_searched(data: bytes) -> None:
     """Content never raises."""
     for text in warnings_in(data + b'"deprecated'):
-        list(old_names(text))
+        assert all(name in text for name in old_names(text))
 
 
 def test_unclosed_quotes_take_no_time() -> None:

@@ -52,7 +52,8 @@ def test_a_value_of_many_branches_is_unknown_and_told(workspace: Any, place: str
 @pytest.mark.parametrize("place", _PLACES)
 def test_a_value_that_doubles_ends(workspace: Any, place: str) -> None:
     """Sixty doublings of a text end like forty branches do."""
-    _driver(workspace, "        x = x + x\n" * 60 + _PLACES[place])
+    found = _driver(workspace, "        x = x + x\n" * 60 + _PLACES[place])
+    assert [module.ecm.kind for package in found.packages for module in package.modules] == ["node"]
 
 
 def test_few_branches_are_all_followed(workspace: Any) -> None:

@@ -236,3 +236,37 @@ D().start()
 """
     entry = workspace.package({"scripts/d.py": text}, ros=1).only("publisher")
     assert entry.confidence in {"folded", "pattern"}
+
+
+SAME_PARAMETER = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('{node}')
+        self.declare_parameter('robot', '{robot}')
+        self.create_publisher(String, self.get_parameter('robot').value + '/state', 10)
+"""
+
+
+def test_nodes_of_a_package_give_one_parameter_their_own_defaults(workspace: Any) -> None:
+    """Classes of one name in several scripts declare what they read; the first one of the package says nothing."""
+    nodes = {"a": "left", "b": "right", "c": "middle"}
+    files = {f"pkg/{node}.py": SAME_PARAMETER.format(node=node, robot=robot) for node, robot in nodes.items()}
+    modules = workspace.package(files).modules()
+    told = {
+        node: [each.name for each in modules[f"ecm.pkg.{node}"].signature.interfaces if each.role == "publisher"]
+        for node in nodes
+    }
+    assert told == {"a": ["/left/state"], "b": ["/right/state"], "c": ["/middle/state"]}
+
+
+def test_a_parameter_with_several_defaults_has_none_for_others(workspace: Any) -> None:
+    """Who reads a parameter that two other nodes of the package declare differently gets a pattern."""
+    files = {f"pkg/{node}.py": SAME_PARAMETER.format(node=node, robot=node) for node in ("left", "right")}
+    reader = SAME_PARAMETER.format(node="reader", robot="none").replace("self.declare_parameter('robot', 'none')", "")
+    modules = workspace.package({**files, "pkg/reader.py": reader}).modules()
+    (end,) = [each for each in modules["ecm.pkg.reader"].signature.interfaces if each.role == "publisher"]
+    assert (end.name, end.confidence) == ("/{robot}/state", "pattern")

@@ -77,6 +77,20 @@ QUIET = [
         },
     ),
     (
+        "a script that is installed, and a module of its name",
+        "LNT043",
+        2,
+        {
+            "CMakeLists.txt": AMENT.format(
+                "install(PROGRAMS scripts/go.py DESTINATION lib/pkg)\ninstall(DIRECTORY launch DESTINATION share/pkg)\n"
+            ),
+            "scripts/go.py": SHEBANG,
+            "pkg_py/__init__.py": "",
+            "pkg_py/go.py": "def main():\n    pass\n",
+            "launch/a.launch.xml": started("go.py", "exec"),
+        },
+    ),
+    (
         "a loop over a pattern",
         "LNT003",
         1,

@@ -245,3 +245,33 @@ def test_link_inside_the_repository(parted: Path, lint: Lint) -> None:
     (parted / "ecm-accepted.toml").write_text("")
     (parted / "arm" / "ecm-accepted.toml").symlink_to("../ecm-accepted.toml")
     assert lint(parted / "arm")[0] == 0
+
+
+def two_launches(folder: Path) -> Path:
+    for name in ("one", "two"):
+        path = folder / "launch" / f"{name}.launch.xml"
+        path.parent.mkdir(exist_ok=True)
+        path.write_text("<launch/>\n")
+    (folder / "package.xml").write_text(MANIFEST.format("demo"))
+    return folder
+
+
+def test_what_is_beyond_a_bound_is_told(tmp_path: Path, lint: Lint, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A run that did not judge every launch file was silent, and ended with status 0."""
+    monkeypatch.setattr("ecm_extract.lint.workspace.MAX_SYSTEMS", 1)
+    status, document, err = lint(two_launches(tmp_path))
+    assert (status, document["findings"], document["complete"]) == (2, [], False)
+    assert [(each["path"], each["reason"]) for each in document["unread"]] == [("launch/two.launch.xml", "unjudged")]
+    assert "launch/two.launch.xml" in err
+
+
+def test_a_rule_that_stops_leaves_the_answer_open(tmp_path: Path, lint: Lint, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The others are not affected, and nothing found is not nothing there."""
+
+    def broken(_: object) -> Any:
+        raise ValueError
+
+    monkeypatch.setattr("ecm_extract.lint.workspace.evaluated_system", broken)
+    status, document, _ = lint(two_launches(tmp_path))
+    assert (status, document["complete"]) == (2, False)
+    assert "LNT001" in [each["path"] for each in document["unread"]]

@@ -13,6 +13,7 @@ from typing import Any
 from xmlrpc.server import SimpleXMLRPCRequestHandler, SimpleXMLRPCServer
 
 TWIST = "geometry_msgs/Twist"
+HANG_S = 60.0
 TWIST_MD5 = "9f195f881246fdfa2798d1d3eebca84a"
 
 
@@ -211,11 +212,11 @@ def http(body: bytes) -> bytes:
 
 
 def silent(_connection: socket.socket) -> None:
-    time.sleep(60)
+    time.sleep(HANG_S)
 
 
 def dripping(connection: socket.socket) -> None:
     """A byte now and then, so that no single read ever times out."""
-    for byte in http(b" " * 10_000):
+    for byte in http(b" " * round(HANG_S / 0.05)):
         connection.sendall(bytes([byte]))
         time.sleep(0.05)

@@ -28,8 +28,29 @@ TWIST = "geometry_msgs/msg/Twist"
 IMU = "sensor_msgs/msg/Imu"
 
 
-def last(seconds: float = 1.5, once: bool = False) -> Observation:
-    return list(watch_dds(DOMAIN, seconds, once=once))[-1]
+PATIENCE_S = 60.0
+
+
+def last(enough: Callable[[Observation], object]) -> Observation:
+    """The first look at everything that is enough, however late a loaded machine makes it."""
+    return next(seen for seen in watch_dds(DOMAIN, PATIENCE_S) if enough(seen))
+
+
+def once(enough: Callable[[Observation], object]) -> Observation:
+    """The first look that is enough, each without listening; the last one of many otherwise."""
+    for _ in range(20):
+        (seen,) = watch_dds(DOMAIN, 0, once=True)
+        if enough(seen):
+            break
+    return seen
+
+
+def has_ends(count: int) -> Callable[[Observation], bool]:
+    return lambda seen: len(seen.endpoints) == count
+
+
+def has_incident(kind: str) -> Callable[[Observation], bool]:
+    return lambda seen: kind in [incident.kind for incident in seen.incidents]
 
 
 @contextmanager
@@ -73,7 +94,7 @@ def test_nodes_and_endpoints(peer: Peer, gid: int) -> None:
     peer.server("/arm/server", "/dock/_action/send_goal", "demo/action/Dock_SendGoal")
     peer.client("/driver", "/add", "example_interfaces/srv/AddTwoInts")
     peer.tell_nodes(gid)
-    seen = last(once=True)
+    seen = once(lambda seen: has_ends(5)(seen) and not seen.gaps)
     assert [(node.name, node.enclave) for node in seen.nodes] == [("/arm/server", "/secure"), ("/driver", "/secure")]
     ends = {(end.role, end.name): end for end in seen.endpoints}
     assert ends["publisher", "/cmd_vel"].node == "/driver"
@@ -96,13 +117,12 @@ def test_rates_and_frames_of_types_that_nobody_told(peer: Peer) -> None:
     one, two = (peer.publisher(node, "/imu", IMU, BEST_EFFORT) for node in ("/left", "/right"))
     peer.tell_nodes()
     with sending(lambda: one.write(imu("left_link")), 50), sending(lambda: two.write(imu("right_link")), 20):
-        seen = last(3.0)
+        seen = last(lambda seen: sum(stream.count > 20 for stream in seen.streams) == 2)
     streams = {stream.node: stream for stream in seen.streams if stream.topic == "/imu"}
     assert streams["/left"].frames == ("left_link",)
     assert streams["/right"].frames == ("right_link",)
-    assert 15 < (streams["/left"].hz or 0) < 55
-    assert 6 < (streams["/right"].hz or 0) < 22
-    assert abs(streams["/left"].earliest_s or 0) < 1
+    assert 0 < (streams["/right"].hz or 0) < (streams["/left"].hz or 0) < 60
+    assert abs(streams["/left"].earliest_s or 0) < PATIENCE_S
 
 
 def test_the_middleware_itself_reports_policies_that_do_not_match(peer: Peer) -> None:
@@ -110,7 +130,7 @@ def test_the_middleware_itself_reports_policies_that_do_not_match(peer: Peer) ->
     peer.publisher("/driver", "/scan", "sensor_msgs/msg/LaserScan", BEST_EFFORT)
     peer.subscriber("/mapper", "/scan", "sensor_msgs/msg/LaserScan", RELIABLE)
     peer.tell_nodes()
-    seen = last()
+    seen = last(lambda seen: has_incident("incompatible_qos")(seen) and not seen.gaps)
     assert ("incompatible_qos", "/scan", "reliability") in [(i.kind, i.name, i.detail) for i in seen.incidents]
     (found,) = [each for each in compare(Watch(seen)) if each.rule == "OBS005"]
     assert "/driver offers reliability best_effort, /mapper asks for reliable" in found.message
@@ -122,8 +142,8 @@ def test_missed_deadlines_are_seen(peer: Peer) -> None:
     writer = peer.publisher("/driver", "/odom", "nav_msgs/msg/Odometry", RELIABLE, deadline)
     peer.tell_nodes()
     with sending(lambda: writer.write(bytes(48)), 2.5):
-        seen = last(2.5)
-    assert "deadline_missed" in [incident.kind for incident in seen.incidents]
+        seen = last(has_incident("deadline_missed"))
+    assert {incident.name for incident in seen.incidents} == {"/odom"}
 
 
 def test_a_lost_lease_is_seen(peer: Peer) -> None:
@@ -131,17 +151,17 @@ def test_a_lost_lease_is_seen(peer: Peer) -> None:
     alive = Policy.Liveliness.ManualByTopic(duration(milliseconds=200))
     writer = peer.publisher("/driver", "/heartbeat", "std_msgs/msg/Empty", RELIABLE, alive)
     with sending(lambda: writer.write(bytes(48)), 0.9):
-        seen = last(2.5)
-    assert "liveliness_lost" in [incident.kind for incident in seen.incidents]
+        seen = last(has_incident("liveliness_lost"))
+    assert {incident.name for incident in seen.incidents} == {"/heartbeat"}
 
 
 def test_what_has_left_is_not_there(peer: Peer) -> None:
     """An endpoint that goes while it is watched is not told as running."""
     writer = peer.publisher("/driver", "/odom", "nav_msgs/msg/Odometry", RELIABLE)
-    threading.Timer(1.0, writer.close).start()
-    seen = list(watch_dds(DOMAIN, 2.5))
-    assert [end.name for end in seen[0].endpoints] in ([], ["/odom"])
-    assert seen[-1].endpoints == ()
+    seen = watch_dds(DOMAIN, PATIENCE_S)
+    assert next(each for each in seen if has_ends(1)(each)).endpoints[0].name == "/odom"
+    writer.close()
+    assert next(each for each in seen if has_ends(0)(each)).endpoints == ()
 
 
 @pytest.mark.parametrize("body", [b"", b"\0" * 4, b"\xff" * 64, b"\0" * 16 + struct.pack("<I", 2**31), b"x" * 4000])
@@ -150,7 +170,7 @@ def test_garbage_about_nodes(peer: Peer, body: bytes) -> None:
     assert nodes_of(b"\0\1\0\0" + body) in (None, ())
     peer.publisher("/driver", "/odom", "nav_msgs/msg/Odometry", RELIABLE)
     peer.say_of_nodes(body or b"\1")
-    seen = last(once=True)
+    seen = once(has_ends(1))
     assert [(end.name, end.node) for end in seen.endpoints] == [("/odom", None)]
     assert seen.gaps
 
@@ -160,7 +180,7 @@ def test_user_data_of_anybody(peer: Peer, data: bytes) -> None:
     """What is no hash is none, and what is none of ROS is passed over; the endpoint is there."""
     peer.publisher("/driver", "/odom", "nav_msgs/msg/Odometry", RELIABLE, Policy.Userdata(data))
     peer._raw("not_of_ros", "Whatever", 8, (), writes=True)
-    (end,) = last(once=True).endpoints
+    (end,) = once(has_ends(1)).endpoints
     assert end.name == "/odom"
     assert end.hash in (None, "x" * 5000)
 
@@ -173,13 +193,17 @@ def test_a_contract_and_what_runs(peer: Peer) -> None:
     odom = {"role": "publisher", "name": "/odom", "type": "nav_msgs/msg/Odometry", "qos": {"reliability": "reliable"}}
     stop = {"role": "subscriber", "name": "/stop", "type": "std_msgs/msg/Empty"}
     promised = contracts([{"id": "ecm.base.driver", "interfaces": [odom, stop]}])
-    assert {each.rule for each in compare(Watch(last(once=True), promised))} == {"OBS001", "OBS002", "OBS006"}
+    assert {each.rule for each in compare(Watch(once(lambda seen: has_ends(2)(seen) and not seen.gaps), promised))} == {
+        "OBS001",
+        "OBS002",
+        "OBS006",
+    }
 
 
 def test_it_leaves_nothing_behind() -> None:
     """Its participant and readers are gone when the watch is over."""
     before = set(Entity._entities)
-    last(once=True)
+    once(lambda seen: True)
     assert set(Entity._entities) <= before
 
 

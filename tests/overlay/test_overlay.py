@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 import yaml
+from diagnosed import is_told
 from ecm_checker.contract import Contract
 from ecm_checker.fields import FIELDS, FieldRow
 from ecm_checker.overlay import is_declarable
@@ -164,8 +165,8 @@ def test_init_of_an_unknown_package(tmp_path: Path, workspace: Workspace) -> Non
 @given(st.text(alphabet="modulesa:{}[],- \n", max_size=80))
 def test_never_raises(text: str) -> None:
     """No text breaks the parser."""
-    parse_overlay(text.encode())
-    parse_overlay(f"modules: {text}".encode())
+    for data in (text.encode(), f"modules: {text}".encode()):
+        assert is_told(data, parse_overlay(data))
 
 
 def test_what_cannot_be_meant_stays_undeclared(workspace: Workspace) -> None:

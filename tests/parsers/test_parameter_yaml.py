@@ -1,6 +1,7 @@
 """ROS 1 and ROS 2 parameter files."""
 
 import pytest
+from diagnosed import is_told
 from ecm_parsers.parameter_yaml import parameter_type, parse_parameter_yaml
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -96,4 +97,4 @@ def test_types(value: object, kind: str) -> None:
 @given(st.text(alphabet="ab:/*{}[] \n", max_size=60).map(lambda t: b"ros__parameters: {a: 1}\n" + t.encode()))
 def test_never_raises_on_parameters(data: bytes) -> None:
     """Any YAML gives sets or diagnostics."""
-    parse_parameter_yaml(data)
+    assert is_told(data, parse_parameter_yaml(data))

@@ -1,6 +1,7 @@
 """`setup.py`, `setup.cfg` and `pyproject.toml`."""
 
 import pytest
+from diagnosed import is_told
 from ecm_parsers.python_metadata import parse_pyproject, parse_setup_cfg
 from ecm_parsers.python_setup import parse_setup_py
 from ecm_parsers.python_setup_facts import DataFiles, EntryPoint
@@ -143,6 +144,6 @@ def test_broken_files_are_reported(parsed: object, code: str) -> None:
 @given(st.text(alphabet="setup(n=)[]{}'%\n:\\ .+*x1", max_size=80).map(str.encode))
 def test_setup_never_raises(data: bytes) -> None:
     """Any text gives facts or diagnostics in all three forms."""
-    parse_setup_py(b"setup(" + data)
-    parse_setup_cfg(b"[options]\n" + data)
-    parse_pyproject(data)
+    for parse, text in ((parse_setup_py, b"setup(" + data), (parse_setup_cfg, b"[options]\n" + data)):
+        assert is_told(text, parse(text))
+    assert is_told(data, parse_pyproject(data))

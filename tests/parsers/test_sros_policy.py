@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 
 import pytest
+from diagnosed import is_told
 from ecm_parsers.sros_policy import MAX_DIAGNOSTICS, is_policy, parse_policy
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -135,6 +136,6 @@ def test_diagnostics_are_bounded() -> None:
 @given(st.binary(max_size=80))
 def test_never_raises(data: bytes) -> None:
     """No bytes break the parser."""
-    is_policy(data)
-    parse_policy(data)
-    parse_policy(b"<policy><profile>" + data + b"</profile></policy>")
+    for text in (data, b"<policy><profile>" + data + b"</profile></policy>"):
+        assert is_told(text, parse_policy(text))
+        assert is_policy(text) in {True, False}

@@ -4,6 +4,7 @@ import math
 import time
 
 import pytest
+from diagnosed import is_told
 from ecm_parsers.result import Parsed
 from ecm_parsers.yaml_scalar import typed
 from ecm_parsers.yaml_tree import MAX_BYTES, MAX_DEPTH, Mapping, Node, Scalar, Sequence, parse_yaml, plain
@@ -161,5 +162,6 @@ def test_complex_keys_are_skipped() -> None:
 )
 def test_never_raises(data: bytes) -> None:
     """Any bytes give a tree or diagnostics."""
-    for document in parse_yaml(data).facts:
-        plain(document)
+    parsed = parse_yaml(data)
+    assert is_told(data, parsed)
+    assert all(repr(plain(document)) == repr(plain(document)) for document in parsed.facts)

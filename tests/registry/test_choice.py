@@ -10,7 +10,8 @@ from collections.abc import Iterator
 
 import pytest
 
-from ecm_extract.registry.choice import Fact, NoAnswerError, Option, Place, Problem, choose
+from ecm_extract.registry.choice import NoAnswerError, choose
+from ecm_extract.registry.problem import Fact, Option, Place, Problem
 
 _COUNT = 1000
 
@@ -162,3 +163,45 @@ def test_five_hundred_families_of_twenty_releases() -> None:
     took = time.process_time() - begun
     assert len(found) > 300
     assert took < 2.0, took
+
+
+def _dead_end(seed: int, ends: int, answer: bool) -> Problem:
+    """All releases of some late families need old releases of early ones, which are fixed long before them."""
+    problem, dice = _large(500, 20, seed), random.Random(seed)
+    chosen, families, requests = choose(problem), dict(problem.families), dict(problem.requests)
+    late, early = [name for name in list(chosen) if name > "f440"], list(problem.requests)
+    for name in dice.sample(late, ends):
+        other = dice.choice(early)
+        needs = {other: frozenset(range(3, 20))}
+        families[name] = [Option(each.version, {**each.needs, **needs}) for each in families[name]]
+        if not answer:
+            requests |= {name: frozenset(range(20)), other: frozenset({0})}
+    return Problem(families, requests, problem.excluded, problem.clashes)
+
+
+@pytest.mark.parametrize("ends", [1, 5, 20])
+def test_what_comes_late_rules_out_what_comes_early(ends: int) -> None:
+    """Where the best of each family has no answer, in two seconds as well."""
+    problem = _dead_end(3, ends, answer=True)
+    begun = time.process_time()
+    found = choose(problem)
+    assert time.process_time() - begun < 2.0
+    assert _holds(problem, found)
+
+
+def test_a_conflict_among_five_hundred_families() -> None:
+    """Three facts of many thousand, in two seconds."""
+    problem = _dead_end(3, 1, answer=False)
+    begun = time.process_time()
+    facts = _refused(problem)
+    assert time.process_time() - begun < 2.0
+    assert len(facts) == 3
+
+
+def test_of_two_conflicts_the_shorter_one() -> None:
+    """A chain of requests that ends in nothing, and two that stand against each other."""
+    only, other = frozenset({0}), frozenset({1})
+    chain = {f"c{number}": [Option("1", {f"c{number + 1}": only})] for number in range(5)}
+    two = {"a": [Option("2"), Option("1")], "c5": [Option("1", {"a": only})], "b": [Option("1", {"a": other})]}
+    requests = {"b": only, "c0": only, "a": only}
+    assert len(_refused(Problem({**chain, **two}, requests))) == 3

@@ -4,18 +4,17 @@ from __future__ import annotations
 
 import os
 import random
-import signal
-import subprocess
-import sys
 import time
 from concurrent.futures import ProcessPoolExecutor
-from multiprocessing import get_context
+from contextlib import suppress
+from multiprocessing.connection import Connection
+from multiprocessing.context import ForkServerProcess
 from pathlib import Path
 
 import msgspec
 from ecm_checker.hub.package import Package
 from sample import driver, packages, published
-from workers import read, variant, write
+from workers import context, read, variant, write
 
 from ecm_extract.registry.releases import list_releases
 from ecm_extract.registry.store import Registry
@@ -37,7 +36,7 @@ def test_writers_and_readers_at_once(registry: Registry, url: str, tmp_path: Pat
     package, file = _document(tmp_path)
     published(registry, (package,))
     count = 4 if url.startswith("sqlite") else 8
-    with ProcessPoolExecutor(2 * count, mp_context=get_context("spawn")) as pool:
+    with ProcessPoolExecutor(2 * count, mp_context=context()) as pool:
         writers = [pool.submit(write, url, str(file), number, _EACH) for number in range(count)]
         readers = [pool.submit(read, url, 2) for _ in range(count)]
         assert [each.result() for each in (*writers, *readers)] == [_EACH] * count + [2] * count
@@ -51,30 +50,43 @@ def test_killed_writers_leave_whole_releases(registry: Registry, url: str, tmp_p
     """Whatever moment it was: what a writer said is done is there, and nothing is there in part."""
     _, file = _document(tmp_path)
     dice = random.Random(16)
-    words = [sys.executable, str(Path(__file__).with_name("workers.py")), url, str(file)]
     told: set[str] = set()
-    running = [(number, _start([*words, str(2 * number), "1000"])) for number in range(2)]
+    running = [_start(url, file, number) for number in range(2)]
     for number in range(2, _KILLS + 2):
-        writer, process = running.pop(0)
-        told |= {f"1.{writer}.{line}" for line in _killed(process, dice.uniform(0.0, 0.15))}
+        writer = running.pop(0)
+        told |= {f"1.{writer.number}.{each}" for each in _killed(writer, dice.uniform(0.0, 0.15))}
         if number < _KILLS:
-            running.append((number, _start([*words, str(2 * number), "1000"])))
+            running.append(_start(url, file, number))
     with registry.reading() as session:
         assert verify(session).problems == ()
         assert told <= {each.version for each in list_releases(session)}
     assert len(told) >= _KILLS
 
 
-def _start(words: list[str]) -> subprocess.Popen[str]:
-    return subprocess.Popen(words, stdout=subprocess.PIPE, text=True)
+class _Writer(msgspec.Struct, frozen=True):
+    """A writer at work, and where it tells what is done."""
+
+    number: int
+    process: ForkServerProcess
+    done: Connection
 
 
-def _killed(process: subprocess.Popen[str], after: float) -> list[str]:
+def _start(url: str, file: Path, number: int) -> _Writer:
+    """Start a writer that has no release in common with another."""
+    receiver, sender = context().Pipe(duplex=False)
+    process = context().Process(target=write, args=(url, str(file), 2 * number, 1000, sender))
+    process.start()
+    sender.close()
+    return _Writer(number, process, receiver)
+
+
+def _killed(writer: _Writer, after: float) -> set[int]:
     """Kill a writer some time after its first release, and return what it said."""
-    assert process.stdout is not None
-    first = process.stdout.readline()
+    told = {writer.done.recv()}
     time.sleep(after)
-    process.send_signal(signal.SIGKILL)
-    rest, _ = process.communicate()
-    lines = (first + rest).split("\n")
-    return [line for line in lines[:-1] if line]
+    writer.process.kill()
+    writer.process.join()
+    with suppress(EOFError, OSError):
+        while True:
+            told.add(writer.done.recv())
+    return told

@@ -5,14 +5,18 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
+import msgspec
 import pytest
+from ecm_checker.contract import Contract
 from ecm_checker.contract import Evidence as Line
+from ecm_checker.fields import missing_fields, required_fields
 from ecm_checker.hub.package import Package, Provided
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.profiles import Embodiment, Policy, Profiles
 from ecm_checker.release import ACTIONS, CLASSES
 from sample import published
 from scenario import MODULE, contract, package
+from sqlalchemy.orm import Session
 
 from ecm_extract.diff.migration import Migration, migration_of
 from ecm_extract.registry import clock
@@ -262,6 +266,12 @@ CLASSES_OF_THE_PAPER = [
         "governance_review",
         id="permissions, resources too",
     ),
+    pytest.param(
+        {"permissions__physical": {"motion": True, "human_contact": True}, "signature__timeout_ms": 9000},
+        "policy-sensitive",
+        "governance_review",
+        id="permissions, a signature that still fits",
+    ),
     pytest.param({"recovery__rollback_state": "home"}, "recovery-sensitive", "revalidate", id="recovery"),
     pytest.param(
         {"recovery__rollback_state": "home", "resources__compute": {"cpu_cores": 4}},
@@ -326,12 +336,46 @@ def test_profiles_are_asked(small: Registry) -> None:
 
 def test_what_does_not_run_needs_fewer_fields(small: Registry) -> None:
     """An interface package has nothing to say of retry and frames."""
-    import msgspec
-    from ecm_checker.contract import Contract
-
     found = contract()
     identity = msgspec.structs.replace(found.ecm, kind="interface")
     bare = Contract(identity, versioning=found.versioning)
     assert identity.module_id == MODULE
     bench = Bench(small, package("1.0.1", bare, provides=(TOPIC,)))
     assert "contract" not in bench.refused("beta")
+
+
+def _of_kind(kind: str, lacking: str | None = None) -> Contract:
+    """A complete contract of a module of a kind, without one field."""
+    found = contract(**({lacking.replace(".", "__"): None} if lacking else {}))
+    identity = msgspec.structs.replace(found.ecm, kind=kind)
+    whole = msgspec.structs.replace(found, ecm=identity)
+    return msgspec.structs.replace(whole, missing=missing_fields(whole))
+
+
+KINDS = ("node", "component", "controller", "plugin", "interface", "library", "launch")
+FIELDS = [path for path in required_fields("node") if not path.startswith("ecm.")]
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_each_field_of_a_kind_is_asked_for(small: Registry, kind: str) -> None:
+    """The rows of the paper's schema that are marked Y, by kind of module: without any of them no channel above."""
+    published(small, (package("1.0.0", _of_kind(kind), provides=(TOPIC,)), PANEL))
+    refused = []
+    for number, path in enumerate(FIELDS):
+        published(small, (package(f"1.0.{number + 1}", _of_kind(kind, path), provides=(TOPIC,)),))
+        with small.reading() as session:
+            verdict = _judged(session, f"delivery@1.0.{number + 1}")
+        gate = next(each for each in verdict.gates if each.gate == "contract")
+        assert gate.state == ("refused" if path in required_fields(kind) else "passed"), path
+        refused += [path] if path in str(gate.reasons) else []
+    assert refused == [path for path in FIELDS if path in required_fields(kind)]
+
+
+def _judged(session: Session, name: str) -> Verdict:
+    release, old = find_release(session, name), find_release(session, "delivery@1.0.0")
+    inputs = Inputs(
+        release=release.id, digest=release.digest, previous=old.id, source="sandbox", channel="beta",
+        since=release.stored, scope=(), target=old.id, evidence=(), migration=None, embodiment=None, policy=None,
+        at=clock.written(clock.now()),
+    )  # fmt: skip
+    return judge(session, inputs, (), gate_table())

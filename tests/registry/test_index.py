@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import subprocess
 from concurrent.futures import ProcessPoolExecutor
-from multiprocessing import get_context
 from pathlib import Path
 
 import msgspec
 import pytest
 from sample import driver, panel, write
+from workers import context
 
 from ecm_extract.cli.run import run as main
 from ecm_extract.registry.index import Outcome, jobs_of, run, split_known
@@ -65,7 +65,7 @@ def test_a_second_run_goes_on(small: Registry, tmp_path: Path, clone: Path) -> N
 
 def test_processes_do_the_same(url: str, clone: Path) -> None:
     """The same job runs anywhere."""
-    with Registry.create(url) as registry, ProcessPoolExecutor(2, mp_context=get_context("spawn")) as pool:
+    with Registry.create(url) as registry, ProcessPoolExecutor(2, mp_context=context()) as pool:
         assert sorted(each.state for each in run(url, jobs_of(clone, None), pool)) == ["indexed"] * 3
         with registry.reading() as session:
             assert len(list_releases(session)) == 3

@@ -12,9 +12,11 @@ from scenario import contract, package
 
 from ecm_extract.cli.run import run
 from ecm_extract.errors import InputError
+from ecm_extract.registry.lock import Lock
 from ecm_extract.registry.promotion import deprecate
-from ecm_extract.registry.resolution import Lock, NoResolutionError, Wish, resolve, wish_of
+from ecm_extract.registry.resolution import NoResolutionError, resolve
 from ecm_extract.registry.store import Registry
+from ecm_extract.registry.wishes import Wish, wish_of
 
 
 @pytest.fixture

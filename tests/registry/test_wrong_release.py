@@ -21,13 +21,17 @@ from test_gates import PANEL, TOPIC, Bench
 from ecm_extract.cli.run import run
 from ecm_extract.diff.migration import Migration
 from ecm_extract.registry.evidence import Statement, add_evidence, stated
+from ecm_extract.registry.fit import fit
 from ecm_extract.registry.gates import Waiver
 from ecm_extract.registry.migration_documents import keep_migration
 from ecm_extract.registry.promotion import waive
-from ecm_extract.registry.resolution import NoResolutionError, Wish, resolve
+from ecm_extract.registry.resolution import NoResolutionError, resolve
+from ecm_extract.registry.scope import EVERYTHING
+from ecm_extract.registry.sides import two_sides
 from ecm_extract.registry.store import Registry
 from ecm_extract.registry.tables import EvidenceRow, MigrationRow, Release, Standing, WaiverRow
 from ecm_extract.registry.verify import verify
+from ecm_extract.registry.wishes import Wish
 
 GAP = NotRead("delivery/grasp.py", "too-large", carries=True)
 
@@ -109,6 +113,16 @@ def test_who_could_not_be_read_may_break(small: Registry) -> None:
     published(small, (msgspec.structs.replace(partly, modules=user.modules),))
     verdict = bench.judge("stable", scope=("panel",))
     assert "of what is in stable not all could be read: panel@1.1.0" in str(verdict.gates)
+
+
+def test_a_fit_with_who_was_not_read_is_a_doubt(small: Registry) -> None:
+    """The release itself, or one that depends on it."""
+    published(small, (_release("1.0.0"),))
+    published(small, (_release("1.0.1", unread=(GAP,)),))
+    with small.reading() as session:
+        found = fit(session, [two_sides(session, "delivery", None)], EVERYTHING)
+    assert found.unread == ("delivery@1.0.1",)
+    assert found.outcome == "review"
 
 
 def test_nobody_says_that_some_robot_has_what_it_needs(small: Registry) -> None:

@@ -58,6 +58,10 @@ class Hub(msgspec.Struct, frozen=True, kw_only=True):
         files: git blob id of each file by path, empty where it is not known; files that concern all packages of the
             tree, as its changelogs do, are of each.
         notes: sentences of changelogs, by path.
+        possible: names by kind that its build may make beside what it provides, such as programs that it does not
+            install.
+        open: kinds of which it may have any name, as where its build is not understood.
+        runs_files: whether any of its files may be started by its name.
     """
 
     manifest: str | None = None
@@ -68,6 +72,9 @@ class Hub(msgspec.Struct, frozen=True, kw_only=True):
     interfaces: dict[str, Any] = {}
     files: dict[str, str] = {}
     notes: dict[str, tuple[str, ...]] = {}
+    possible: dict[str, tuple[str, ...]] = {}
+    open: tuple[str, ...] = ()
+    runs_files: bool = True
 
 
 class Package(Hub, frozen=True, kw_only=True):
@@ -196,12 +203,17 @@ def decode_documents(data: bytes) -> Extract | PackageDocument:
         msgspec.ValidationError: a key is missing or has a wrong type; the message names its path.
         msgspec.DecodeError: it is not JSON.
     """
+    if data.startswith(_EXTRACT):  # as they are written; to look for the schema first would read them twice
+        return msgspec.json.decode(data, type=Extract)
     schema = msgspec.json.decode(data, type=_Head).schema
     model = _MODELS.get(schema)
     if model is None:
         message = f"its schema is {schema or 'not told'}; this version reads {' and '.join(_MODELS)}"
         raise SchemaError(message)
     return msgspec.json.decode(data, type=model)
+
+
+_EXTRACT: Final = f'{{\n "schema": "{EXTRACT_SCHEMA}",'.encode()
 
 
 class _Head(msgspec.Struct):

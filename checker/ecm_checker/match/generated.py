@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from typing import Final
 
 PARTS: Final = ("Request", "Response", "Goal", "Result", "Feedback")
-_MADE: Final = ("", *PARTS, "Action", "ActionGoal", "ActionResult", "ActionFeedback")
+_MADE: Final = ("", *PARTS, "Action", "ActionGoal", "ActionResult", "ActionFeedback", *(f"_{part}" for part in PARTS))
 _SHAPES: Final = frozenset({"msg", "srv", "action"})
 
 

@@ -74,11 +74,11 @@ def _called_keys(requirement: Requirement) -> Iterator[str]:
 
 
 def _prefixes(requirement: Requirement) -> Iterator[str]:
-    """The name and each name that it begins with: `a::B` of `a::B::c`; constants are found with dots."""
+    """The name and each name that it begins with: `a::B` of `a::B::c`; constants and messages are found with dots."""
     parts = requirement.name.split("::")
     for count in range(2, len(parts) + 1):
         yield "::".join(parts[:count])
-    yield ".".join(parts)
+        yield ".".join(parts[:count])
 
 
 def _dotted_keys(requirement: Requirement) -> Iterator[str]:
@@ -195,12 +195,19 @@ def _method(site: Site, entity: Provision) -> bool:
 
 
 def _cpp(site: Site, entity: Provision) -> bool:
-    """A name of a package of which the file includes a header."""
+    """A name of a package of which the file includes a header; of a message the type that is generated of it."""
+    if entity.kind == "message":
+        return _is_type(entity, site.requirement.name)
     if entity.is_python or not _reaches(site, entity.package):
         return False
     if entity.kind == "constant":
         return _is_section(entity, site.requirement.name.rpartition("::")[0])
     return site.requirement.name == entity.name or site.requirement.name.startswith(f"{entity.name}::")
+
+
+def _is_type(message: Provision, written: str) -> bool:
+    """Whether `a_msgs::State` or `a_msgs::msg::State` is written; names below it are those of its constants."""
+    return written.replace("::", ".") in section_owners(message.name, "")
 
 
 def _reaches(site: Site, package: str) -> bool:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
+from typing import Final
 
 import msgspec
 
@@ -13,7 +14,13 @@ from ecm_checker.hub.provision import Provision
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.match.consumer import Consumer
 from ecm_checker.match.engine import Match, is_open, match
+from ecm_checker.match.generated import headers, interface_package, python_names
 from ecm_checker.match.provisions import Provisions
+
+_PROGRAM: Final = "executable"
+_MESSAGE: Final = "message"
+_FILE: Final = "file"
+_SCRIPT: Final = ".py"
 
 
 class Unmet(msgspec.Struct, frozen=True):
@@ -60,12 +67,29 @@ class Packages:
         return [Consumer(package.name, package.requires) for package in self._packages]
 
     @cached_property
-    def _file_names(self) -> frozenset[tuple[str, str]]:
-        return frozenset((each.name, path.rpartition("/")[2]) for each in self._packages for path in each.files)
+    def by_name(self) -> Mapping[str, Package]:
+        """The packages by name."""
+        return {package.name: package for package in self._packages}
 
-    def _is_file(self, requirement: Requirement) -> bool:
-        """Whether a program is a file of its package: ROS 1 runs it from the source folder, installed or not."""
-        return requirement.kind == "executable" and (requirement.package, requirement.name) in self._file_names
+    @cached_property
+    def _possible(self) -> frozenset[tuple[str, str, str]]:
+        """Package, kind and name of what builds may make, as requirements name it."""
+        rows = ((each.name, *row) for each in self._packages for row in _possible(each))
+        return frozenset((package, kind, name) for package, kind, names in rows for name in names)
+
+    def match(self, requirement: Requirement, consumer: Consumer) -> Match:
+        """Match a requirement; what its package may have without telling is not known to be missing."""
+        found = match(requirement, consumer, self.provisions, self.names)
+        if found.state == "dangling" and self._may_be(requirement):
+            return Match(requirement, "unknown")
+        return found
+
+    def _may_be(self, requirement: Requirement) -> bool:
+        home = requirement.package or interface_package(requirement.name) or ""
+        package = self.by_name.get(home)
+        if package is not None and requirement.kind in package.open:
+            return True
+        return any((home, requirement.kind, name) in self._possible for name in _spellings(requirement))
 
     def may_hide(self, lost: Iterable[Provision]) -> bool:
         """Whether what an earlier release provided may be in what could not be read of these packages."""
@@ -81,10 +105,28 @@ class Packages:
         """
         for consumer in self.consumers:
             for requirement in consumer.requirements:
-                if uses()[requirement.use].stated and not is_open(requirement) and not self._is_file(requirement):
-                    found = match(requirement, consumer, self.provisions, self.names)
+                if uses()[requirement.use].stated and not is_open(requirement):
+                    found = self.match(requirement, consumer)
                     if found.state in {"dangling", "incompatible"}:
                         yield Unmet(consumer.package, found)
+
+
+def _possible(package: Package) -> Iterator[tuple[str, Iterable[str]]]:
+    """Names by kind; a program may be any file where files are started by their names, as ROS 1 does."""
+    yield _PROGRAM, package.possible.get(_PROGRAM, ())
+    if package.runs_files:
+        yield _PROGRAM, (path.rpartition("/")[2] for path in package.files)
+    for name in package.possible.get(_MESSAGE, ()):
+        yield _MESSAGE, python_names(name)
+        yield _FILE, headers(name)
+
+
+def _spellings(requirement: Requirement) -> Iterator[str]:
+    """The name; that of a program may have the suffix of a script or not."""
+    yield requirement.name
+    if requirement.kind == _PROGRAM:
+        yield requirement.name.removesuffix(_SCRIPT)
+        yield f"{requirement.name}{_SCRIPT}"
 
 
 def broken(users: Packages, before: Packages, after: Packages) -> Iterator[Unmet]:
@@ -99,9 +141,9 @@ def broken(users: Packages, before: Packages, after: Packages) -> Iterator[Unmet
     """
     for consumer in users.consumers:
         for requirement in consumer.requirements:
-            was = match(requirement, consumer, before.provisions, before.names)
+            was = before.match(requirement, consumer)
             if was.state != "met":
                 continue
-            now = match(requirement, consumer, after.provisions, after.names)
+            now = after.match(requirement, consumer)
             if now.state != "met":
                 yield Unmet(consumer.package, now, was.found, after.may_hide(was.found))

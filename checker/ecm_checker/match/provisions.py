@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import Final
 
@@ -37,10 +37,15 @@ class Provisions:
         self._entities = tuple(entities)
         self._whole = whole
         self.bound: frozenset[str] = whole.bound if whole is not None else bound
-        self._by_key: dict[tuple[str, str], list[Provision]] = defaultdict(list)
+
+    @cached_property
+    def _by_key(self) -> Mapping[tuple[str, str], Sequence[Provision]]:
+        """Made when something is looked for: where nothing changed nothing is."""
+        found: dict[tuple[str, str], list[Provision]] = defaultdict(list)
         for entity in self._entities:
             for key in dict.fromkeys((*_keys(entity), *self._heirs(entity))):
-                self._by_key[entity.kind, key].append(entity)
+                found[entity.kind, key].append(entity)
+        return found
 
     def _heirs(self, entity: Provision) -> Iterator[str]:
         """Classes that hand their arguments on to an `__init__` are called in its place."""
@@ -126,6 +131,7 @@ def _keys(entity: Provision) -> Iterator[str]:
 def _of_message(entity: Provision) -> Iterator[str]:
     yield from headers(entity.name)
     yield from python_names(entity.name)
+    yield from section_owners(entity.name, "")
 
 
 def _of_constant(entity: Provision) -> Iterator[str]:

@@ -100,11 +100,12 @@ def command(**options: Any) -> int:
     output, what was compared and the verdict to standard error.
     """
     from ecm_extract.cli.progress import progress_bar
+    from ecm_extract.collector import without_collector
     from ecm_extract.diff.run import compare
     from ecm_extract.diff.steps import short_steps
 
     asked = Asked(**options)
-    with progress_bar() as progress:
+    with progress_bar() as progress, without_collector():
         request = _request(asked, progress)
         compared = compare(request)
     comparison, answered = _answered(compared, request, asked)

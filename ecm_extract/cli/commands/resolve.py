@@ -41,8 +41,9 @@ def command(
     """
     with open_registry(url) as registry, registry.reading() as session:
         from ecm_extract.cli.registries import read_profiles
-        from ecm_extract.registry.resolution import NoResolutionError, resolve, wish_of
+        from ecm_extract.registry.resolution import NoResolutionError, resolve
         from ecm_extract.registry.texts import as_json, lock_text
+        from ecm_extract.registry.wishes import wish_of
         from ecm_extract.report.folder import write_document
 
         wishes = [wish_of(each) for each in requests]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from ecm_checker.contract import Evidence
@@ -27,7 +26,6 @@ _NOT_OPENED = "whoever opens it finds nothing"
 _UNCALIBRATED = "camera_info_manager warns and goes on without a calibration"
 _OPEN = frozenset("{}[]<>$!")
 """In a name that somebody fills in: of a template, or the default of a variable that has to be set."""
-_NAMED = re.compile(r"`([^`]*)`")
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
@@ -35,8 +33,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     _ = workspace.systems  # evaluating launch files reports what is missing
     found: dict[tuple[str, str, bool], list[int]] = {}
     for entry in workspace.diagnostics("launch-include-missing", "launch-file-missing"):
-        match = _NAMED.search(entry.message)
-        name = match[1] if match else entry.message
+        name = entry.about
         if _OPEN & set(name) or name.endswith("/"):
             continue  # the last part is for somebody to give
         late = entry.code == "launch-file-missing" and workspace.files.ros_of(entry.path) == 2
@@ -71,8 +68,7 @@ def _absent(workspace: Workspace) -> Iterator[Finding]:
 def _relative(workspace: Workspace) -> Iterator[Finding]:
     """Includes that are there beside the file, where the launch looks from the folder that it is started in."""
     for entry in workspace.diagnostics("launch-include-relative"):
-        match = _NAMED.search(entry.message)
-        name = match[1] if match else entry.message
+        name = entry.about
         text = f"{entry.path} finds {name} only when it is started in its own folder"
         evidence = [Evidence(entry.path, entry.line)]
         yield RULE.finding(

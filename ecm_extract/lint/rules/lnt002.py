@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
+from typing import Final
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 
-from ecm_extract.description.model import Description
+from ecm_extract.description.model import Description, Problem
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.system.files import TREE
@@ -22,10 +22,8 @@ RULE = LintRule(
     consequence="xacro stops with an error and the robot has no description",
     resolution="define it, include the file that does, or correct the name",
 )
-_MACRO = re.compile(r"macro `([^`]+)` is not defined")
-_FILE = re.compile(r"included file `([^`{]+)`(, which an argument chooses,)? is not in the tree")
-_LEFT_OUT = re.compile(r"`([^`]+)`.* not given to macro `[^`]+`")
-_ELSEWHERE = ("is known at launch only", "which an argument chooses")
+_FILES: Final = frozenset({"file", "chosen_file"})
+_ELSEWHERE: Final = frozenset({"late", "chosen_file"})
 _OPEN = frozenset("{}[]<>$")
 """In a name that only the launch knows, or of a template that somebody fills in."""
 
@@ -35,24 +33,24 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     parts = {path for each in workspace.descriptions for path in each.files if path != each.path}
     for description in workspace.descriptions:
         whole = _defines_all(description) and description.path not in parts
-        for path, line, message in description.problems:
-            match = _FILE.search(message) or _LEFT_OUT.search(message)
-            if match is None and whole:
-                match = _MACRO.search(message)
-            if match is None or _OPEN & set(match[1]):
-                continue
-            if match.re is _FILE and _is_elsewhere(match[1], path, workspace):
-                continue
-            text = f"{message} (expanding {description.path})"
-            evidence = [Evidence(path, line)]
-            chosen = match.re is _FILE and match[2] is not None
-            yield RULE.finding(
-                text,
-                Entity("macro", match[1]),
-                workspace.package_of(path),
-                evidence,
-                certainty="likely" if chosen else "proved",
-            )
+        for problem in description.problems:
+            if _is_told(problem, workspace, whole=whole):
+                yield RULE.finding(
+                    f"{problem.message} (expanding {description.path})",
+                    Entity("macro", problem.about),
+                    workspace.package_of(problem.path),
+                    [Evidence(problem.path, problem.line)],
+                    certainty="likely" if problem.kind == "chosen_file" else "proved",
+                )
+
+
+def _is_told(problem: Problem, workspace: Workspace, *, whole: bool) -> bool:
+    """Tell whether xacro stops at a problem; a macro may be defined by who includes a part of a robot."""
+    if not problem.about or _OPEN & set(problem.about):
+        return False
+    if problem.kind in _FILES:
+        return not _is_elsewhere(problem.about, problem.path, workspace)
+    return problem.kind == "argument" or (problem.kind == "macro" and whole)
 
 
 def _is_elsewhere(name: str, path: str, workspace: Workspace) -> bool:
@@ -63,7 +61,6 @@ def _is_elsewhere(name: str, path: str, workspace: Workspace) -> bool:
 
 def _defines_all(description: Description) -> bool:
     """Tell whether every macro must be defined here: a robot without a name is a part that another file includes."""
-    messages = [message for _, _, message in description.problems]
-    outside = any(each in message for message in messages for each in _ELSEWHERE)
-    on_machine = any((match := _FILE.search(message)) and match[1].startswith(("/", "~")) for message in messages)
+    outside = any(each.kind in _ELSEWHERE for each in description.problems)
+    on_machine = any(each.kind in _FILES and each.about.startswith(("/", "~")) for each in description.problems)
     return bool(description.name) and not outside and not on_machine

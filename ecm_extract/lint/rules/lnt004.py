@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 import networkx as nx
 from ecm_checker.contract import Evidence
-from ecm_checker.finding import Entity, Finding, Severity
-from ecm_parsers.xml_tree import without_comments
+from ecm_checker.finding import Depend, Entity, Finding, Severity
+from ecm_parsers.package_references import parse_references
 
 from ecm_extract.discover import is_test_path
 from ecm_extract.lint.rule import LintRule
@@ -25,12 +24,6 @@ RULE = LintRule(
     resolution="add an <exec_depend> (<run_depend> in format 1) to package.xml",
     tier="stable",
 )
-_USED = re.compile(
-    rb"""\$\(find(?:-pkg-share|-pkg-prefix)?\s+(\w+)\s*\)|package://(\w+)/"""
-    rb"""|(?:FindPackageShare|get_package_share_directory|get_package_share_path)\(\s*['"](\w+)['"]"""
-    rb"""|\bpkg\s*=\s*"(\w+)"|\bpackage\s*=\s*['"](\w+)['"]|\bargs\s*=\s*"\s*(?:load|standalone)\s+(\w+)/\w"""
-)
-_COMMENT = re.compile(rb"<!--.*?-->|^[ \t]*#[^\n]*", re.DOTALL | re.MULTILINE)
 _FILES = (".launch", ".launch.xml", ".launch.py", "_launch.py", ".xacro", ".urdf", ".launch.yaml")
 
 
@@ -49,7 +42,8 @@ def check(workspace: Workspace) -> Iterator[Finding]:
             if name not in declared:
                 text = f"{package.name} uses {name}, which its package.xml does not name"
                 level: Severity = "warning" if reach.is_absent(package.name, name) else "info"
-                yield RULE.finding(text, Entity("package", name), package.name, lines[:5], severity=level)
+                entity, edit = Entity("package", name), Depend(name, "run")
+                yield RULE.finding(text, entity, package.name, lines[:5], severity=level, edit=edit)
 
 
 class _Reach:
@@ -73,17 +67,10 @@ def _used(workspace: Workspace, package: PackageFacts) -> dict[str, list[Evidenc
     for entry in package.root.files:
         if not _is_read(entry.path, package):
             continue
-        data = _COMMENT.sub(_blank, without_comments(workspace.files.read(entry.path) or b""))
-        for match in _USED.finditer(data):
-            name = next(part for part in match.groups() if part).decode()
-            line = data.count(b"\n", 0, match.start()) + 1
-            found.setdefault(name, []).append(Evidence(entry.path, line))
+        read = workspace.files.parsed(entry.path, parse_references)
+        for named in read.facts if read is not None else ():
+            found.setdefault(named.package, []).append(Evidence(entry.path, named.line))
     return found
-
-
-def _blank(match: re.Match[bytes]) -> bytes:
-    """Lines keep their numbers when a comment goes."""
-    return b"\n" * match[0].count(b"\n")
 
 
 def _is_read(path: str, package: PackageFacts) -> bool:

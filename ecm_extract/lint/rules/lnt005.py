@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from difflib import SequenceMatcher
 
-from ecm_checker.finding import Entity, Finding
+from ecm_checker.finding import Entity, Finding, Rename
 
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace, evidence_of
@@ -22,7 +21,6 @@ RULE = LintRule(
     consequence="the value has no effect and the node runs with its default",
     resolution="correct the name, or remove the line",
 )
-RENAME = re.compile(r"does not read (?P<old>\S+); it reads (?P<new>[^\s:]+)")
 _ALWAYS = ("use_sim_time", "qos_overrides", "start_type_description_service", "robot_description", "use_intra_process")
 NEAR = 0.86
 
@@ -64,7 +62,8 @@ def _of(parameter: Parameter, node: SystemNode, declared: list[str], workspace: 
     entity = Entity("parameter", parameter.name, near, node.name)
     package = workspace.package_of(parameter.place.path)
     evidence = [evidence_of(parameter.place)]
-    return RULE.finding(text, entity, package, evidence, certainty="likely", resolution=f"write {near}")
+    edit = Rename(parameter.name, near)
+    return RULE.finding(text, entity, package, evidence, certainty="likely", resolution=f"write {near}", edit=edit)
 
 
 def _nearest(name: str, declared: list[str]) -> str | None:

@@ -2,18 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
-from ecm_checker.contract import Evidence
-from ecm_checker.finding import Entity, Finding
-from ecm_parsers.interface_facts import Field
+from ecm_checker.finding import Entity, Finding, Rename
 
-from ecm_extract.lint.near import nearest
+from ecm_extract.lint.known import Asked, Known
 from ecm_extract.lint.rule import LintRule
-from ecm_extract.lint.rules.lnt010 import ACTION_PARTS
-from ecm_extract.lint.workspace import Workspace
-from ecm_extract.read.facts import PackageFacts
 
 RULE = LintRule(
     id="LNT017",
@@ -24,50 +18,33 @@ RULE = LintRule(
     consequence="the interface package does not build, and nothing that uses it does",
     resolution="correct the type, or add the message",
 )
-RENAME = re.compile(r"defines no message (?P<old>\w+); there is \w+/(?P<new>\w+)")
+
+_KIND = "message"
 
 
-def check(workspace: Workspace) -> Iterator[Finding]:
-    """Report fields whose type names a package of the tree that has messages."""
-    known = {
-        package.name: {
-            name
-            for path in (*package.interfaces, *(entry.path for entry in package.root.files))
-            for name in _messages(path)
-        }
-        for package in workspace.packages
-        if package.interfaces
-    }
-    for package in workspace.packages:
-        for path, definition in package.interfaces.items():
-            for section in definition.sections:
-                for field in section.fields:
-                    yield from _of(field, path, package, known, set(workspace.by_name))
+def tell(known: Known) -> Iterator[Finding]:
+    """Report fields whose type names a package that is known and has no such message."""
+    for asked in known.asked("has_field_of"):
+        owner, _, name = asked.requirement.name.split(".")
+        elsewhere = known.provider(_KIND, f"/msg/{name}")
+        if asked.match.state == "dangling" or (elsewhere and _has_none(asked, known)):
+            near = "" if elsewhere else known.near(name, owner, _KIND, f"{owner}/msg/")
+            yield _finding(asked, f"{elsewhere}/{name}" if elsewhere else f"{owner}/{near}" if near else "")
 
 
-def _messages(path: str) -> list[str]:
-    """The messages that a file defines; in ROS 1 an action is generated as seven."""
-    stem, _, suffix = path.rpartition("/")[2].rpartition(".")
-    if suffix == "action":
-        return [f"{stem}{part}" for part in ACTION_PARTS]
-    return [stem] if suffix in {"msg", "idl"} else []
+def _has_none(asked: Asked, known: Known) -> bool:
+    """Tell whether the package that is named is known and has no interface at all, nor lists any."""
+    package = known.packages.by_name.get(asked.requirement.package or "")
+    if package is None or package.name not in known.packages.names or _KIND in package.possible:
+        return False
+    return all(row.kind != _KIND for row in package.provides)
 
 
-def _of(
-    field: Field, path: str, package: PackageFacts, known: dict[str, set[str]], present: set[str]
-) -> Iterator[Finding]:
-    bare = field.type.partition("[")[0].partition("<")[0]
-    owner, _, name = bare.partition("/")
-    name = name.rpartition("/")[2]
-    own = known.get(owner, set())
-    if not name or owner not in present or name in own:
-        return
-    near = nearest(name, own)
-    elsewhere = next((other for other, names in known.items() if name in names), None)
-    if owner not in known and elsewhere is None:
-        return  # it may generate its messages
-    better = f"{elsewhere}/{name}" if elsewhere else f"{owner}/{near}" if near else ""
-    text = f"{owner} defines no message {name}" + (f"; there is {better}" if better else "")
-    evidence = [Evidence(path, field.line)]
+def _finding(asked: Asked, better: str) -> Finding:
+    wanted = asked.requirement
+    text = f"{wanted.package} defines no message {wanted.name.rpartition('.')[2]}"
+    text += f"; there is {better}" if better else ""
     hint = f"write {better}" if better else ""
-    yield RULE.finding(text, Entity("message_field", bare, better), package.name, evidence, resolution=hint)
+    edit = Rename(wanted.name.rpartition(".")[2], better.partition("/")[2]) if better else None
+    entity = Entity("message_field", wanted.said, better)
+    return RULE.finding(text, entity, asked.consumer.name, wanted.evidence, resolution=hint, edit=edit)

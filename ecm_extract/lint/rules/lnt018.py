@@ -26,8 +26,6 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     """Report the contradictions between each `ecm.yaml` and what was read."""
     workspace.assemble()
     for entry in workspace.diagnostics("drift"):
-        name = entry.message.partition(":")[0]
         package = workspace.package_of(entry.path)
-        yield RULE.finding(
-            entry.message.rstrip("."), Entity("contract", name), package, [Evidence(entry.path, entry.line)]
-        )
+        evidence = [Evidence(entry.path, entry.line)]
+        yield RULE.finding(entry.message.rstrip("."), Entity("contract", entry.about), package, evidence)

@@ -9,7 +9,7 @@ from importlib import resources
 from types import MappingProxyType
 
 from ecm_checker.contract import Evidence
-from ecm_checker.finding import Entity, Finding
+from ecm_checker.finding import Depend, Entity, Finding
 
 from ecm_extract.link.units import File
 from ecm_extract.lint.rule import LintRule
@@ -50,7 +50,8 @@ def check(workspace: Workspace) -> Iterator[Finding]:
         for name, lines in _used(files.get(package.name, []), package, workspace, homes).items():
             if name not in declared and name.replace("python3-", "python-") not in declared:
                 text = f"{package.name} uses {name}, which its package.xml does not name"
-                yield RULE.finding(text, Entity("package", name), package.name, lines[:5])
+                entity, edit = Entity("package", name), Depend(name, "build")
+                yield RULE.finding(text, entity, package.name, lines[:5], edit=edit)
 
 
 def _homes(workspace: Workspace) -> dict[str, str]:

@@ -6,11 +6,11 @@ from collections.abc import Iterator
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
-from ecm_parsers.xml_tree import children, line_of, parse_xml
+from ecm_parsers.xml_tree import children, line_of
 from lxml import etree
 
 from ecm_extract.discover import is_test_path
-from ecm_extract.lint.robot_files import robot_of
+from ecm_extract.lint.robot_files import robot_of, root_of
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 
@@ -33,7 +33,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     for package in workspace.packages:
         for entry in package.root.files:
             if entry.path.endswith((".urdf", ".xacro")) and not is_test_path(entry.path, package.root.path):
-                root = parse_xml(workspace.files.read(entry.path) or b"").root
+                root = root_of(entry.path, workspace)
                 found = [each for element in _elements(root) for each in _of(element, entry.path, package.name)]
                 yield from found if len(found) < _SYSTEMATIC else ()
 

@@ -36,7 +36,8 @@ def check(workspace: Workspace) -> Iterator[Finding]:
             folders = entry.path.split("/")[:-1]
             wanted = entry.path.endswith((".yaml", ".yml")) and any(folder in _FOLDERS for folder in folders)
             if wanted and not is_test_path(entry.path, package.root.path):
-                for setting in parse_parameter_yaml(workspace.files.read(entry.path) or b"").facts.sets:
+                read = workspace.files.parsed(entry.path, parse_parameter_yaml)
+                for setting in read.facts.sets if read is not None else ():
                     if _SENTENCE.search(_TEMPLATE.sub("", setting.name)) and "$(" not in setting.name:
                         text = f"the key `{setting.name[:60]}` is a sentence"
                         evidence = [Evidence(entry.path, setting.line, column=setting.column or None)]

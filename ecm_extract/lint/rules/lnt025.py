@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
+from ecm_parsers.package_references import parse_references
 
 from ecm_extract.discover import is_test_path
 from ecm_extract.lint.rule import LintRule
@@ -21,9 +21,7 @@ RULE = LintRule(
     consequence="the robot has no shape there: it is not drawn, and collisions with it are not seen",
     resolution="correct the path, or add the file",
 )
-_MESH = re.compile(rb"package://(\w+)/([\w./-]+\.(?:stl|dae|obj|STL|DAE|OBJ))\b")
-
-_COMMENT = re.compile(rb"<!--.*?-->", re.DOTALL)
+_MESHES = (".stl", ".dae", ".obj", ".STL", ".DAE", ".OBJ")
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
@@ -33,7 +31,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
         single: dict[str, list[Evidence]] = {}
         for entry in package.root.files:
             if entry.path.endswith((".urdf", ".xacro", ".sdf")) and not is_test_path(entry.path, package.root.path):
-                for (owner, name), lines in _named(workspace.files.read(entry.path) or b"").items():
+                for (owner, name), lines in _named(entry.path, workspace).items():
                     if _is_missing(owner, name, workspace):
                         evidence = [Evidence(entry.path, line) for line in lines]
                         if _has_folder(owner, name, workspace):
@@ -62,13 +60,13 @@ def _has_folder(owner: str, name: str, workspace: Workspace) -> bool:
     return any(entry.path.startswith(f"{folder}/") for entry in root.files)
 
 
-def _named(data: bytes) -> dict[tuple[str, str], list[int]]:
+def _named(path: str, workspace: Workspace) -> dict[tuple[str, str], list[int]]:
     """Return the lines of each mesh, by package and path, that a file names outside of comments."""
     found: dict[tuple[str, str], list[int]] = {}
-    data = _COMMENT.sub(lambda match: b"\n" * match[0].count(b"\n"), data)
-    for match in _MESH.finditer(data):
-        line = data.count(b"\n", 0, match.start()) + 1
-        found.setdefault((match[1].decode(), match[2].decode()), []).append(line)
+    read = workspace.files.parsed(path, parse_references)
+    for named in read.facts if read is not None else ():
+        if named.form == "uri" and named.path.endswith(_MESHES):
+            found.setdefault((named.package, named.path), []).append(named.line)
     return found
 
 

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 import msgspec
 from ecm_checker.contract import Evidence
-from ecm_checker.finding import Entity, Finding
+from ecm_checker.finding import Entity, Finding, Rename
 
 from ecm_extract.lint.compiled import is_compiled
 from ecm_extract.lint.near import nearest
@@ -25,7 +24,6 @@ RULE = LintRule(
     consequence="Python stops with AttributeError at the call, C++ does not compile",
     resolution="write a field of the service, or add it there",
 )
-RENAME = re.compile(r"has no field (?P<old>\w+); it has (?P<new>\w+)")
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
@@ -59,4 +57,5 @@ def _of_member(touched: Touched, workspace: Workspace) -> Finding:
 def _finding(service: str, name: str, fields: tuple[str, ...], package: str, place: Evidence) -> Finding:
     near = nearest(name, fields)
     text = f"{service} has no field {name}" + (f"; it has {near}" if near else "")
-    return RULE.finding(text, Entity("message_field", f"{service}.{name}", near or ""), package, [place])
+    entity, edit = Entity("message_field", f"{service}.{name}", near or ""), Rename(name, near) if near else None
+    return RULE.finding(text, entity, package, [place], edit=edit)

@@ -68,7 +68,6 @@ _READ = frozenset(
 """Suffixes of files that can use a package; lists in CMakeLists.txt and prose are no use."""
 _GENERATORS = re.compile(r"gener|cmake|_runtime$|_default_|_common$|^ament|^rosidl|^catkin|^ros_|^roslaunch$")
 _INCLUDE = re.compile(rb"#\s*include\s*[<\"]([^>\"\n]+/[^>\"\n]+)[>\"]")
-MAX_BYTES = 2_000_000
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
@@ -117,7 +116,7 @@ def _used(
 def _read(package: PackageFacts) -> Iterator[str]:
     for entry in package.root.files:
         suffix = entry.path.rpartition("/")[2].partition(".")[2].rpartition(".")[2]
-        if entry.path != package.root.manifest and suffix in _READ and (entry.size or 0) < MAX_BYTES:
+        if entry.path != package.root.manifest and suffix in _READ:
             yield entry.path
 
 

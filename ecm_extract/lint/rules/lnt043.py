@@ -8,12 +8,13 @@ from collections.abc import Iterator
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Certainty, Entity, Finding, Severity
 from ecm_parsers.launch.model import Node
-from ecm_parsers.xml_tree import without_comments
+from ecm_parsers.launch.templates import all_actions, plain_text
+from ecm_parsers.package_references import parse_references
 
 from ecm_extract.discover import is_test_path
 from ecm_extract.lint.install_rules import lives_in_devel_space
 from ecm_extract.lint.rule import LintRule
-from ecm_extract.lint.workspace import Workspace, all_actions, plain_text
+from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
 
 RULE = LintRule(
@@ -31,7 +32,7 @@ _SHOWN = 5
 _DEVEL = "they run from the devel space of the machine that built them, and from nowhere else"
 _NEVER_STARTS = "launch_ros finds no such program and stops the whole launch"
 _NAMING = (".launch", ".launch.xml", ".xacro", ".urdf")
-_IN_SHARE = re.compile(rb"(?:\$\(find(?:-pkg-share)?\s+(\w+)\s*\)|package://(\w+))/([\w./-]+\.\w+)")
+_SUFFIX = re.compile(r"\.\w+$")
 _BUILD = frozenset({"setup.py", "conf.py"})
 _SCRIPTS = (".py", ".sh", ".bash")
 
@@ -108,8 +109,10 @@ def _named(workspace: Workspace) -> dict[str, set[str]]:
     for package in workspace.packages:
         for entry in package.root.files:
             if entry.path.endswith(_NAMING) and not is_test_path(entry.path, package.root.path):
-                for match in _IN_SHARE.finditer(without_comments(workspace.files.read(entry.path) or b"")):
-                    found.setdefault((match[1] or match[2]).decode(), set()).add(match[3].decode())
+                read = workspace.files.parsed(entry.path, parse_references)
+                for named in read.facts if read is not None else ():
+                    if _SUFFIX.search(named.path):
+                        found.setdefault(named.package, set()).add(named.path)
     return found
 
 
@@ -150,15 +153,18 @@ def installed_targets(package: PackageFacts) -> set[str]:
 
 
 def _scripts(package: PackageFacts, started: set[str]) -> set[str]:
-    """Scripts that launch files start, or that have a #! line and are no module, and that no rule installs."""
-    found = set()
+    """Scripts that launch files start, or that have a #! line and are no module, and that no rule installs.
+
+    A program goes by its name: where one of several files of a name is installed, it is there.
+    """
+    found, covered = set[str](), set[str]()
     for entry in package.root.files:
         folder, _, name = entry.path.rpartition("/")
         facts = package.sources.get(entry.path)
         is_program = facts is not None and bool(facts.shebang) and f"{folder}/__init__.py" not in package.sources
         if (is_program or (name in started and name.endswith(_SCRIPTS))) and name not in _BUILD:
-            found |= set() if _is_covered(entry.path, package) else {name}
-    return found
+            (covered if _is_covered(entry.path, package) else found).add(name)
+    return found - covered
 
 
 def _launch_files(package: PackageFacts, workspace: Workspace) -> set[str]:

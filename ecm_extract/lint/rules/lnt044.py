@@ -8,7 +8,6 @@ from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 from ecm_parsers.cmake_facts import Command
 
-from ecm_extract.lint.cmake_makers import brings_targets
 from ecm_extract.lint.install_rules import lives_in_devel_space
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.rules.lnt043 import installed_targets, is_open
@@ -33,7 +32,9 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     everywhere = {name for package in workspace.packages for name in _built(package)}
     for package in workspace.packages:
         built = _built(package)
-        if package.root.rosbuild or any("$" in name for name in built) or brings_targets(package):
+        if package.root.rosbuild or any("$" in name for name in built):
+            continue
+        if any(file.unknown for file in package.cmake.values()):
             continue
         is_unknown = is_open(package) or lives_in_devel_space(package)
         installed = None if is_unknown else _installed(package)

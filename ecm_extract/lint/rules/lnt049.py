@@ -9,10 +9,11 @@ from typing import Final, NamedTuple
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding, Severity
 from ecm_parsers.mesh import mesh_extent
-from ecm_parsers.xml_tree import line_of, parse_xml
+from ecm_parsers.xml_tree import line_of
 from lxml import etree
 
 from ecm_extract.discover import is_test_path
+from ecm_extract.lint.robot_files import root_of
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 
@@ -45,19 +46,22 @@ class Visual(NamedTuple):
 def check(workspace: Workspace) -> Iterator[Finding]:
     """Report meshes of links whose collision shape is a box, cylinder or sphere with numbers, each file once."""
     sizes: dict[tuple[str, str], float | None] = {}
-    seen = set()
+    seen, left_out = set(), set[str]()
     for package in workspace.packages:
         for entry in package.root.files:
             if not entry.path.endswith((".urdf", ".xacro")) or is_test_path(entry.path, package.root.path):
                 continue
-            for visual, shape in _links(workspace.files.read(entry.path) or b""):
+            for visual, shape in _links(root_of(entry.path, workspace)):
                 key = visual.package, visual.file
-                if key not in sizes and len(sizes) < MAX_MESHES:
+                if key not in sizes and len(sizes) >= MAX_MESHES:
+                    left_out.add(entry.path)
+                elif key not in sizes:
                     sizes[key] = _size(visual, workspace)
                 drawn = (sizes.get(key) or 0.0) * visual.scale
                 if drawn and not 1 / _TOO_FAR < drawn / shape < _TOO_FAR and key not in seen:
                     seen.add(key)
                     yield _finding(visual, drawn, shape, Evidence(entry.path, visual.line), package.name)
+    workspace.leave_out(sorted(left_out), "meshes")
 
 
 def _finding(visual: Visual, drawn: float, shape: float, place: Evidence, package: str) -> Finding:
@@ -74,15 +78,11 @@ def _size(visual: Visual, workspace: Workspace) -> float | None:
     if package is None:
         return None
     root = f"{package.root.path}/" if package.root.path else ""
-    data = workspace.files.read(f"{root}{visual.file}")
-    return mesh_extent(visual.file, data) if data else None
+    return workspace.files.parsed(f"{root}{visual.file}", lambda data: mesh_extent(visual.file, data))
 
 
-def _links(data: bytes) -> Iterator[tuple[Visual, float]]:
+def _links(root: etree._Element | None) -> Iterator[tuple[Visual, float]]:
     """The only mesh of each link that has one, with the longest side of its collision shapes."""
-    if b"<mesh" not in data or b"<collision" not in data:
-        return
-    root = parse_xml(data).root
     for link in root.iter("link") if root is not None else ():
         shapes = [side for each in link.iter("collision") for side in [_shape(each)] if side is not None]
         visuals = [visual for each in link.iter("visual") for visual in _meshes(each)]

@@ -4,18 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import Final
+from typing import Final, NamedTuple
 
-from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding, Severity
-from ecm_parsers.package_facts import Dependency
 
-from ecm_extract.lint.fetched import fetched_repositories
+from ecm_extract.lint.known import Asked, Known
 from ecm_extract.lint.known_packages import known_packages
 from ecm_extract.lint.near import nearest
 from ecm_extract.lint.rule import LintRule
-from ecm_extract.lint.workspace import Workspace
-from ecm_extract.read.facts import PackageFacts
 
 RULE = LintRule(
     id="LNT055",
@@ -30,66 +26,80 @@ _NEAR: Final = 0.93
 _LONG: Final = 9
 """Shorter names are alike by chance."""
 
-_NO_PACKAGE: Final = frozenset({"group_depend", "member_of_group", "conflict", "replace"})
-"""Elements that do not ask for a package."""
-
-
 _VENDOR: Final = re.compile(r"(?:lib)?(?:ignition|gz|sdformat|gazebo)(?:-[a-z]+)*-?\d+(?:-dev)?")
 """Keys of the list of Gazebo's makers (github.com/osrf/osrf-rosdep), where each major version has its own."""
+_MANIFEST: Final = "package.xml"
 
 
-def check(workspace: Workspace) -> Iterator[Finding]:
+def tell(known: Known) -> Iterator[Finding]:
     """Report each name once for a package; what holds under a condition only is left alone."""
-    own = frozenset(workspace.by_name) | workspace.externals | fetched_repositories(workspace.tree)
-    for package in workspace.packages:
-        asked = package.manifest.dependencies if package.manifest is not None and not package.root.rosbuild else ()
-        first = {entry.name: entry for entry in reversed(asked) if entry.kind not in _NO_PACKAGE}
-        for name, entry in sorted(first.items()):
-            if name not in own and entry.condition is None and _VENDOR.fullmatch(name) is None:
-                yield from _of(entry, package, frozenset(workspace.by_name))
+    own = frozenset(known.packages.by_name)
+    found, first = _by_build(known), dict[tuple[str, str], Asked]()
+    for asked in known.asked("depends"):
+        if asked.path.endswith(_MANIFEST):
+            first.setdefault((asked.consumer.name, asked.requirement.name), asked)
+    for (package, name), asked in first.items():
+        if name not in own | known.elsewhere and not asked.requirement.conditions and _VENDOR.fullmatch(name) is None:
+            yield from _of(asked, found.get(package, frozenset()), own)
 
 
-def _of(entry: Dependency, package: PackageFacts, own: frozenset[str]) -> Iterator[Finding]:
-    where = known_packages().get(entry.name)
-    if where is not None and not _is_of_other_ros(where, package):
+def _by_build(known: Known) -> dict[str, frozenset[str]]:
+    """Names that the build files of each package look for."""
+    found: dict[str, set[str]] = {}
+    for asked in known.asked("depends"):
+        if not asked.path.endswith(_MANIFEST):
+            found.setdefault(asked.consumer.name, set()).add(asked.requirement.name)
+    return {package: frozenset(names) for package, names in found.items()}
+
+
+def _of(asked: Asked, found: frozenset[str], own: frozenset[str]) -> Iterator[Finding]:
+    """A finding on a name that is not known for the ROS of its package; `found` is what its build looks for."""
+    name, package = asked.requirement.name, asked.consumer
+    where = known_packages().get(name)
+    if where is not None and not _is_of_other_ros(where, package.ros):
         return
     level: Severity = "warning"
     if where is not None:
-        if any(entry.name == each.name for file in package.cmake.values() for each in file.dependencies):
+        if name in found:
             level = "info"  # its build finds it: somebody has it from source
         if package.ros == 1:
             level = "info"  # what is released for ROS 2 now may have been there before, unreleased
-        text = f"{package.name} asks for {entry.name}, which was released for ROS {where} only"
+        text = f"{package.name} asks for {name}, which was released for ROS {where} only"
     else:
-        near = _meant(entry.name, package, own)
-        text = f"{package.name} asks for {entry.name}, which no distribution and no key of rosdep has"
-        text += f"; {near[1]} {near[0]}" if near else ""
+        near = _meant(name, found, own - {package.name})
+        text = f"{package.name} asks for {name}, which no distribution and no key of rosdep has"
+        text += f"; {near.words} {near.name}" if near else ""
         level = "error" if near else "info"
-        alike = None if near else nearest(entry.name, _alike(entry.name), _NEAR)
+        alike = None if near else nearest(name, _alike(name), _NEAR)
         text += f"; released is {alike}" if alike else ""
-    evidence = [Evidence(package.root.manifest or "", entry.line)]
-    yield RULE.finding(text, Entity("package", entry.name), package.name, evidence, severity=level)
+    yield RULE.finding(text, Entity("package", name), package.name, asked.requirement.evidence, severity=level)
 
 
 def _alike(name: str) -> list[str]:
     return [other for other in known_packages() if other[:1] == name[:1]] if len(name) >= _LONG else []
 
 
-def _meant(name: str, package: PackageFacts, own: frozenset[str]) -> tuple[str, str] | None:
-    """The name that a typing error made this one of, and who has it.
+class _Meant(NamedTuple):
+    """A name that a typing error made another one of, and words for who has it."""
+
+    name: str
+    words: str
+
+
+def _meant(name: str, found: frozenset[str], own: frozenset[str]) -> _Meant | None:
+    """The name that was meant.
 
     Only what the build of the package finds, or the workspace holds, is meant: among ten thousand names of released
     packages some are alike by chance.
     """
-    found = {entry.name for file in package.cmake.values() for entry in file.dependencies}
     if len(name) < _LONG or name in found:
         return None
     for names, words in ((found & known_packages().keys(), "its CMakeLists.txt finds"), (own, "the workspace has")):
-        near = nearest(name, names - {package.name}, _NEAR)
+        near = nearest(name, names, _NEAR)
         if near is not None:
-            return near, words
+            return _Meant(near, words)
     return None
 
 
-def _is_of_other_ros(where: str, package: PackageFacts) -> bool:
-    return where in {"1", "2"} and package.ros is not None and where != str(package.ros)
+def _is_of_other_ros(where: str, ros: int | None) -> bool:
+    return where in {"1", "2"} and ros is not None and where != str(ros)

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Certainty, Entity, Finding
+from ecm_parsers.parameter_yaml import parse_parameter_yaml
 
 from ecm_extract.lint.launch_arguments import Handed, Interface, Reach, interfaces
 from ecm_extract.lint.near import nearest
@@ -120,8 +121,11 @@ def _is_filled_in(name: str, path: str, workspace: Workspace) -> bool:
     """Tell whether a parameter file of the package of a launch file reads a value where it is loaded."""
     package = workspace.by_name.get(workspace.package_of(path))
     files = (entry.path for entry in package.root.files) if package is not None else ()
-    wanted = f"$(var {name})".encode()
-    return any(wanted in (workspace.files.read(each) or b"") for each in files if each.endswith((".yaml", ".yml")))
+    wanted = f"$(var {name})"
+    read = (workspace.files.parsed(each, parse_parameter_yaml) for each in files if each.endswith((".yaml", ".yml")))
+    return any(
+        wanted in f"{entry.name} {entry.value}" for file in read if file is not None for entry in file.facts.sets
+    )
 
 
 def _finding(

@@ -6,7 +6,6 @@ from collections.abc import Iterator
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
-from ecm_parsers.result import Diagnostic
 
 from ecm_extract.discover import is_test_path
 from ecm_extract.lint.refused import XML, refusal
@@ -36,11 +35,5 @@ def check(workspace: Workspace) -> Iterator[Finding]:
             problem = refusal(path, workspace.files.read(path) or b"")
             if problem is not None:
                 entity = Entity("file", path)
-                text = f"{path} is not well-formed ({_reason(problem)})"
+                text = f"{path} is not well-formed ({problem.wrong or problem.message.rstrip('.')})"
                 yield RULE.finding(text, entity, package.name, [Evidence(path, problem.line)], certainty="proved")
-
-
-def _reason(problem: Diagnostic) -> str:
-    """What is wrong, without what to do."""
-    message = problem.message.removeprefix("Not well-formed: ").removesuffix(" Correct the XML.")
-    return message.replace("; the line is skipped", "").rstrip(".")

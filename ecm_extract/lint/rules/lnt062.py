@@ -7,10 +7,11 @@ from typing import Final
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
-from ecm_parsers.xml_tree import children, line_of, parse_xml, text_of
+from ecm_parsers.xml_tree import children, line_of, text_of
 from lxml import etree
 
 from ecm_extract.discover import is_test_path
+from ecm_extract.lint.robot_files import root_of
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 
@@ -36,7 +37,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     for package in workspace.packages:
         for entry in package.root.files:
             if entry.path.endswith(_FILES) and not is_test_path(entry.path, package.root.path):
-                root = parse_xml(workspace.files.read(entry.path) or b"").root
+                root = root_of(entry.path, workspace)
                 for plugin in root.iter("plugin") if root is not None else ():
                     yield from _of(plugin, entry.path, package.name)
 

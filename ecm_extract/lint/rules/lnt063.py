@@ -6,7 +6,6 @@ from collections.abc import Iterator
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
-from ecm_parsers.launch.python import parse_launch_python
 
 from ecm_extract.discover import is_test_path
 from ecm_extract.lint.rule import LintRule
@@ -22,7 +21,6 @@ RULE = LintRule(
     resolution="return the LaunchDescription at the end of the function",
 )
 _CODE = "launch-returns-nothing"
-_ENTRY = b"generate_launch_description"
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
@@ -30,15 +28,8 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     for package in workspace.packages:
         for entry in package.root.files:
             if entry.path.endswith("launch.py") and not is_test_path(entry.path, package.root.path):
-                data = workspace.files.read(entry.path) or b""
-                for problem in parse_launch_python(data).diagnostics if _may_end_without(data) else ():
+                for problem in workspace.launch_problems.get(entry.path, ()):
                     if problem.code == _CODE:
                         text = f"generate_launch_description of {entry.path} returns nothing"
                         lines = [Evidence(entry.path, problem.line)]
                         yield RULE.finding(text, Entity("launch_file", entry.path), package.name, lines)
-
-
-def _may_end_without(data: bytes) -> bool:
-    """A cheap look before the file is read: most say `return` after the name of the function."""
-    _, entry, rest = data.partition(_ENTRY)
-    return bool(entry) and b"return" not in rest

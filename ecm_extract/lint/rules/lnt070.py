@@ -35,7 +35,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     """Report what of each `ecm.yaml` means nothing."""
     workspace.assemble()
     for entry in workspace.diagnostics(*_CODES):
-        text, _, advice = entry.message.rstrip(".").partition(". ")
         package = workspace.package_of(entry.path)
         evidence = [Evidence(entry.path, entry.line)]
-        yield RULE.finding(text, Entity("overlay", text), package, evidence, resolution=advice[:1].lower() + advice[1:])
+        resolution = entry.advice[:1].lower() + entry.advice[1:]
+        yield RULE.finding(entry.wrong, Entity("overlay", entry.wrong), package, evidence, resolution=resolution)

@@ -16,9 +16,9 @@ class PeerError(Exception):
 
 
 @contextmanager
-def cut_off(connection: socket.socket, seconds: float = TIMEOUT_S) -> Iterator[None]:
-    """Shut a connection down when a time is over, so that a peer that sends a byte now and then holds nobody up."""
-    timer = threading.Timer(seconds, _shut, (connection,))
+def cut_off(connection: socket.socket) -> Iterator[None]:
+    """Shut a connection down when the time is over, so that a peer that sends a byte now and then holds nobody up."""
+    timer = threading.Timer(TIMEOUT_S, _shut, (connection,))
     timer.daemon = True
     timer.start()
     try:

@@ -9,7 +9,8 @@ from urllib.parse import urlsplit
 
 import msgspec
 
-from ecm_extract.observe.ros1.peer import TIMEOUT_S, PeerError, connected, cut_off
+from ecm_extract.observe.ros1 import peer
+from ecm_extract.observe.ros1.peer import PeerError, connected, cut_off
 
 CALLER: Final = "/ecm_observe"
 _MOST_BYTES: Final = 64_000_000
@@ -61,14 +62,14 @@ def host_and_port(uri: str) -> tuple[str, int]:
 def _posted(uri: str, method: str, arguments: tuple[Any, ...]) -> Any:
     host, port = host_and_port(uri)
     body = xmlrpc.client.dumps((CALLER, *arguments), method).encode()
-    connection = http.client.HTTPConnection(host, port, timeout=TIMEOUT_S)
+    connection = http.client.HTTPConnection(host, port, timeout=peer.TIMEOUT_S)
     connection.sock = connected(host, port)
     try:
         with cut_off(connection.sock):
             connection.request("POST", urlsplit(uri).path or "/", body, {"Content-Type": "text/xml"})
             return _parsed(_read(connection.getresponse()))
     except (OSError, http.client.HTTPException) as error:
-        message = f"{method} is not answered within {TIMEOUT_S:g} s ({type(error).__name__})"
+        message = f"{method} is not answered within {peer.TIMEOUT_S:g} s ({type(error).__name__})"
         raise PeerError(message) from None
     finally:
         connection.close()

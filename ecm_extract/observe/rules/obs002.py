@@ -7,10 +7,11 @@ from collections.abc import Iterator
 from ecm_checker.finding import Entity, Finding, Severity
 from ecm_checker.view import View
 
+from ecm_extract.observe.expected import graph_keys
 from ecm_extract.observe.model import Endpoint
 from ecm_extract.observe.rule import ObserveRule
 from ecm_extract.observe.standard import is_standard
-from ecm_extract.observe.watch import Watch, graph_keys
+from ecm_extract.observe.watch import Watch
 
 RULE = ObserveRule(
     id="OBS002",

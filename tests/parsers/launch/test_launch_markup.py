@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 
 import pytest
+from diagnosed import is_told
 from ecm_parsers.launch.files import parse_launch_xml, parse_launch_yaml
 from ecm_parsers.launch.model import Action, Argument, Group, Include, Node, ParameterFile, ParameterValue, Substitution
 from ecm_parsers.launch.substitution import parse_template
@@ -211,6 +212,8 @@ def test_hostile_yaml_costs_less_than_a_second() -> None:
 @given(st.text(alphabet="$()abc '\"<>/=\n", max_size=60))
 def test_never_raises(text: str) -> None:
     """No text breaks the readers."""
-    parse_template(text)
-    parse_launch_xml(f"<launch><node pkg='{text}'/></launch>".encode())
-    parse_launch_yaml(f"launch:\n- node: {{pkg: {text}}}".encode())
+    xml = f"<launch><node pkg='{text}'/></launch>".encode()
+    yaml = f"launch:\n- node: {{pkg: {text}}}".encode()
+    assert isinstance(parse_template(text), tuple)
+    assert is_told(xml, parse_launch_xml(xml))
+    assert is_told(yaml, parse_launch_yaml(yaml))

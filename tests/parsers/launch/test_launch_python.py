@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 
 import pytest
+from diagnosed import is_told
 from ecm_parsers.launch.model import (
     Action,
     Argument,
@@ -214,5 +215,6 @@ def test_nothing_runs(body: str) -> None:
 @given(st.text(alphabet="abx=()[]{}'.,:+%if \n", max_size=80))
 def test_never_raises(text: str) -> None:
     """No text breaks the reader."""
-    parse_launch_python(text.encode())
-    parse_launch_python(f"def generate_launch_description():\n    return LaunchDescription([Node({text})])".encode())
+    described = f"def generate_launch_description():\n    return LaunchDescription([Node({text})])"
+    for data in (text.encode(), described.encode()):
+        assert is_told(data, parse_launch_python(data))

@@ -47,15 +47,15 @@ def test_offsets_stay() -> None:
 
 def test_deep_nesting_takes_linear_time() -> None:
     """Many nested branches, comments and strings that never end cost no more than their size."""
-    start = time.monotonic()
+    start = time.process_time()
     for text in (b"#if A\n{\n#else\n", b"/*", b'"', b"#if A\n(\n", b"#endif\n", b"'", b"# \\\n"):
         with_one_branch(text * 20_000)
-    assert time.monotonic() - start < 5
+    assert time.process_time() - start < 5
 
 
 def test_quotes_that_nothing_closes_are_passed_in_one_go() -> None:
     """Many escaped quotes outside of a text cost as much as their length."""
     data = b"#if A\n{\n#endif\nint x = " + b'\\"' * 400_000
-    start = time.perf_counter()
+    start = time.process_time()
     with_one_branch(data)
-    assert time.perf_counter() - start < 2
+    assert time.process_time() - start < 2

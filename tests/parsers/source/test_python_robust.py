@@ -36,14 +36,14 @@ def test_facts_survive_the_cache() -> None:
 
 
 @given(st.one_of(st.text().map(str.encode), st.binary()))
-@settings(max_examples=50, deadline=2000)
+@settings(max_examples=50, deadline=None)
 def test_any_bytes_are_read(data: bytes) -> None:
     """No content makes the parser raise, and its facts can always be cached."""
     assert round_trips(parse_python(data))
 
 
 @given(st.data())
-@settings(max_examples=50, deadline=2000)
+@settings(max_examples=50, deadline=None)
 def test_mutated_source_is_read(data: st.DataObject) -> None:
     """Source with a piece cut out, doubled or replaced is read as far as it goes."""
     start = data.draw(st.integers(0, len(SNIPPET)))

@@ -1,0 +1,98 @@
+"""What rules ask that want the other side of a requirement: the packages under lint, and those known beside them.
+
+A rule that asks so reads no source: it gives the same findings from documents that were stored.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
+from typing import Final
+
+import msgspec
+from ecm_checker.hub.package import Package
+from ecm_checker.hub.requirement import Requirement
+from ecm_checker.match.engine import Match
+from ecm_checker.match.packages import Packages
+
+from ecm_extract.lint.near import nearest
+from ecm_extract.system.launch_files import is_aside, is_launch_file
+
+USES: Final = frozenset({"starts", "imports", "has_field_of", "depends"})
+"""What rules of lint ask for: what is read off sources for them."""
+
+
+class Asked(msgspec.Struct, frozen=True):
+    """A requirement of a package under lint, and what became of it."""
+
+    consumer: Package
+    match: Match
+
+    @property
+    def requirement(self) -> Requirement:
+        """What is required."""
+        return self.match.requirement
+
+    @property
+    def path(self) -> str:
+        """The file that requires."""
+        return self.requirement.evidence[0].path
+
+
+class Known:
+    """Packages that are known.
+
+    Attributes:
+        own: names of those under lint. packages: these, and others by their documents.
+        elsewhere: names of packages that the project says to have from elsewhere.
+    """
+
+    def __init__(
+        self, own: Sequence[Package], stored: Sequence[Package] = (), elsewhere: frozenset[str] = frozenset()
+    ) -> None:
+        """Gather packages; of one that is under lint the stored document counts for nothing."""
+        self.own = frozenset(package.name for package in own)
+        self.packages = Packages([*own, *(each for each in stored if each.name not in self.own)])
+        self.elsewhere = elsewhere
+
+    def asked(self, use: str) -> Iterator[Asked]:
+        """Yield the requirements of a use of the packages under lint, without launch files that are put aside."""
+        for consumer in self.packages.consumers:
+            if consumer.package in self.own:
+                package = self.packages.by_name[consumer.package]
+                for requirement in consumer.requirements:
+                    if requirement.use == use and not _is_buried(requirement.evidence[0].path):
+                        yield Asked(package, self.packages.match(requirement, consumer))
+
+    def near(self, name: str, package: str, kind: str, prefix: str = "") -> str:
+        """Return the name of a kind that a package has and that is most like another; empty for none.
+
+        Args:
+            name: that is looked for, without the prefix.
+            package: that would have it.
+            kind: of names.
+            prefix: that the names must have; it is left out of the answer.
+        """
+        names = self._names.get((package, kind), ())
+        return nearest(name, [each.removeprefix(prefix) for each in names if each.startswith(prefix)]) or ""
+
+    def provider(self, kind: str, ending: str) -> str | None:
+        """Return the first package that provides a name of a kind with an ending."""
+        rows = ((package, row) for package in self.packages.by_name.values() for row in package.provides)
+        return next((each.name for each, row in rows if row.kind == kind and row.name.endswith(ending)), None)
+
+    @cached_property
+    def _names(self) -> Mapping[tuple[str, str], Sequence[str]]:
+        """Names by package and kind, with those that builds may make."""
+        found: dict[tuple[str, str], list[str]] = defaultdict(list)
+        for package in self.packages.by_name.values():
+            for row in package.provides:
+                found[package.name, row.kind].append(row.name)
+            for kind, names in package.possible.items():
+                found[package.name, kind].extend(names)
+        return found
+
+
+def _is_buried(path: str) -> bool:
+    return is_launch_file(path) and is_aside(path)

@@ -1,0 +1,69 @@
+"""The packages of a workspace as documents would hold them, as far as rules of lint ask."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Literal, cast
+
+from ecm_checker.hub.package import Package, provided
+from ecm_checker.hub.requirement import Requirement
+from ecm_parsers.source.python import parse_python
+
+from ecm_extract.entities.interfaces import interface_names
+from ecm_extract.entities.packaging import program_entities
+from ecm_extract.entities.possible import makers_of, open_kinds, possible_names, runs_files
+from ecm_extract.link.units import File
+from ecm_extract.read.facts import PackageFacts
+from ecm_extract.requires.collect import ordered
+from ecm_extract.requires.dependencies import dependency_requirements
+from ecm_extract.requires.interface_types import interface_requirements
+from ecm_extract.requires.launch_files import requirements_of_file
+from ecm_extract.requires.python_sources import import_requirements
+
+if TYPE_CHECKING:
+    from ecm_extract.lint.workspace import Workspace
+
+
+def own_packages(workspace: Workspace) -> list[Package]:
+    """Return the packages of a workspace with what `known.USES` asks for, and the kinds of names that these mean."""
+    makers = makers_of(workspace.tree)
+    return [_package(facts, workspace, makers) for facts in workspace.packages]
+
+
+def _package(facts: PackageFacts, workspace: Workspace, makers: frozenset[str]) -> Package:
+    entities = [*program_entities(facts), *interface_names(facts)]
+    return Package(
+        name=facts.name,
+        version=None,
+        path=facts.root.path,
+        ros=cast("Literal[1, 2] | None", facts.ros),
+        manifest=facts.root.manifest,
+        provides=tuple(provided(entity) for entity in entities),
+        requires=ordered(_required(facts, workspace)),
+        files={entry.path: "" for entry in facts.root.files},
+        possible=possible_names(facts),
+        open=open_kinds(facts, makers),
+        runs_files=runs_files(facts),
+    )
+
+
+def _required(facts: PackageFacts, workspace: Workspace) -> Iterator[Requirement]:
+    yield from dependency_requirements(facts)
+    yield from interface_requirements(facts)
+    for path, file in workspace.launches.items():
+        if workspace.package_of(path) == facts.name:
+            yield from requirements_of_file(path, file, workspace.files.lines(path))
+    for source in _python_files(facts, workspace):
+        yield from import_requirements(source)
+
+
+def _python_files(facts: PackageFacts, workspace: Workspace) -> Iterator[File]:
+    """The Python sources of a package, with its launch files, which belong to no program."""
+    for path, source in facts.sources.items():
+        if source.language == "python":
+            yield File(path, facts.name, facts.ros, source)
+    for path in workspace.launches:
+        if path.endswith(".py") and path not in facts.sources and workspace.package_of(path) == facts.name:
+            parsed = workspace.files.parsed(path, parse_python)
+            if parsed is not None:
+                yield File(path, facts.name, facts.ros, parsed.facts)

@@ -1,0 +1,99 @@
+"""Rules that want the other side of a requirement say the same of stored documents as of sources, line for line."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import msgspec
+import pytest
+from ecm_checker.finding import Finding
+from ecm_checker.hub.package import Package
+from lint_fixtures import FIXTURES
+
+from ecm_extract.cli.run import run
+from ecm_extract.extraction import extract
+from ecm_extract.extraction_model import Options
+from ecm_extract.lint.catalogue import catalogue
+from ecm_extract.lint.known import Known
+from ecm_extract.lint.workspace import Workspace
+from ecm_extract.stored import package_of
+from ecm_extract.tree import open_tree
+
+TELLING = [entry for entry in catalogue() if entry.tell is not None]
+MANIFEST = '<package format="3"><name>{0}</name><version>1.0.0</version>{1}</package>'
+DRIVER = {
+    "driver/package.xml": MANIFEST.format("driver", "<depend>rclcpp</depend>"),
+    "driver/CMakeLists.txt": "project(driver)\nadd_executable(arm_driver a.cpp)\ninstall(TARGETS arm_driver)\n"
+    "rosidl_generate_interfaces(driver msg/Grip.msg)\nament_package()\n",
+    "driver/msg/Grip.msg": "float64 width\n",
+}
+USER = {
+    "user/package.xml": MANIFEST.format("user", "<depend>driver</depend>"),
+    "user/CMakeLists.txt": "project(user)\nament_package()\n",
+    "user/launch/a.launch.xml": "<launch>\n  <node\n    pkg='driver'\n    exec='arm_drvier'/>\n"
+    "  <node pkg='driver' exec='arm_driver'/>\n</launch>\n",
+    "user/scripts/a.py": "from driver.msg import Grip, Gripp\n",
+    "user/msg/Hand.msg": "driver/Gripp left\ndriver/Grip right\n",
+}
+
+
+def told(known: Known) -> list[Finding]:
+    return [finding for entry in TELLING if entry.tell is not None for finding in entry.tell(known)]
+
+
+def stored(folder: Path) -> list[Package]:
+    """The packages of a folder as documents on a disk hold them."""
+    found = extract(open_tree(folder), Options(jobs=1, hub=True))
+    return [msgspec.json.decode(msgspec.json.encode(package_of(each)), type=Package) for each in found.packages]
+
+
+def written(folder: Path, *packages: dict[str, str]) -> Path:
+    for path, text in (item for package in packages for item in package.items()):
+        (folder / path).parent.mkdir(parents=True, exist_ok=True)
+        (folder / path).write_text(text)
+    return folder
+
+
+@pytest.mark.parametrize("folder", sorted(FIXTURES.glob("*/*")), ids=lambda each: f"{each.parent.name}/{each.name}")
+def test_documents_give_what_sources_give(folder: Path) -> None:
+    """Over the fixtures of all rules."""
+    workspace = Workspace(open_tree(folder), Options(jobs=1))
+    documents = stored(folder)
+    for part in workspace.parts:
+        own = [each for each in documents if each.name in part.by_name]
+        assert told(part.known) == told(Known(own, elsewhere=part.known.elsewhere))
+
+
+def test_another_package_is_known_by_its_document(tmp_path: Path) -> None:
+    """The findings on a consumer are the same, lines included, whether its provider is a source or a document."""
+    both = Workspace(open_tree(written(tmp_path / "both", DRIVER, USER)), Options(jobs=1))
+    documents = stored(written(tmp_path / "driver", DRIVER))
+    alone = Workspace(open_tree(written(tmp_path / "user", USER)), Options(jobs=1), stored=documents)
+    found = told(alone.known)
+    assert found == [each for each in told(both.known) if each.subjects == ("user",)]
+    assert [(each.rule, each.evidence[0].line, each.about.new if each.about else "") for each in found] == [
+        ("LNT003", 4, "arm_driver"),
+        ("LNT010", 1, "Grip"),
+        ("LNT017", 1, "driver/Grip"),
+    ]
+
+
+def test_what_is_not_known_is_not_missing(tmp_path: Path) -> None:
+    """Without the document of the provider nothing is said of it."""
+    alone = Workspace(open_tree(written(tmp_path, USER)), Options(jobs=1))
+    assert {each.rule for each in told(alone.known)} <= {"LNT055"}
+
+
+def test_documents_are_named_on_the_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """What a launch file starts is looked for there, and one name that is not there is one finding."""
+    provider, user = written(tmp_path / "driver", DRIVER), written(tmp_path / "user", USER)
+    assert run(["extract", str(provider), "-o", str(tmp_path / "documents")]) == 0
+    assert run(["lint", str(user), "--format", "json"]) == 0
+    capsys.readouterr()
+    status = run(["lint", str(user), "--format", "json", "--documents", str(tmp_path / "documents")])
+    out, err = capsys.readouterr()
+    found = [each for each in json.loads(out)["findings"] if each["about"]["kind"] == "executable"]
+    assert (status, [each["rule"] for each in found]) == (1, ["LNT003"])
+    assert found[0]["edit"] == {"kind": "rename", "old": "arm_drvier", "new": "arm_driver"}
+    assert "known from documents: 1 packages" in err
