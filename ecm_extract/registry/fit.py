@@ -6,7 +6,7 @@ governance do not allow (`InstallCompat`). What nobody has shown to the registry
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Final, Literal
 
 import msgspec
@@ -21,9 +21,11 @@ from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from ecm_extract.registry.dependencies import dependencies_of
-from ecm_extract.registry.impact import Impact, Side, impact_of
+from ecm_extract.registry.doubts import Doubt, unread_of
+from ecm_extract.registry.impact import Impact, impact_of
+from ecm_extract.registry.impact_side import Side
 from ecm_extract.registry.outside import outside_of
-from ecm_extract.registry.releases import name_of, package_of_release
+from ecm_extract.registry.releases import name_of
 from ecm_extract.registry.scope import Scope
 from ecm_extract.registry.sides import TwoSides
 from ecm_extract.registry.tables import Dependency, Release
@@ -58,20 +60,19 @@ class Fit(msgspec.Struct, frozen=True):
     Attributes:
         outcome: the worst that any of the following asks for.
         releases: that are asked about. scope: among whom, in words.
-        missing: who belongs there and is not stored.
+        missing: who belongs there and is not stored. doubts: what was not read of releases that take nobody's place.
         impacts: what breaks there. needs: dependencies that are not met, or of which nothing is known.
         findings: of rules: names that are not provided, what the robot lacks or governance forbids.
-        unread: releases that were not read as a whole, of those that are asked about and of who depends on them.
     """
 
     outcome: Outcome
     releases: tuple[str, ...]
     scope: str
     missing: tuple[str, ...]
+    doubts: tuple[Doubt, ...]
     impacts: tuple[Impact, ...]
     needs: tuple[Need, ...]
     findings: tuple[Finding, ...]
-    unread: tuple[str, ...] = ()
     schema: str = SCHEMA
 
 
@@ -95,25 +96,18 @@ def fit(session: Session, pairs: Sequence[TwoSides], scope: Scope, profiles: Pro
     stay = {name: release for name, release in there.items() if name not in names}
     needs = [*_needs(session, sides, _versions(sides, stay, profiles)), *_needed(session, sides, stay)]
     findings = (*_unmet(session, sides, stay), *_installed(sides, profiles))
-    unread = (*(each.label for each in sides if each.package.gaps), *unread_users(session, names, scope))
+    doubts = tuple(unread_of(*(each.after for each in pairs if each.before is None)))
+    known = not scope.missing and not doubts and all(each.is_whole for each in impacts)
     return Fit(
-        outcome=worst([_outcome(impacts, needs, findings), "review" if unread else "accept"]),
+        outcome=worst([_outcome(impacts, needs, findings), "accept" if known else "review"]),
         releases=tuple(each.label for each in sides),
         scope=scope.shown,
         missing=scope.missing,
+        doubts=doubts,
         impacts=tuple(impacts),
         needs=tuple(needs),
         findings=findings,
-        unread=unread,
     )
-
-
-def unread_users(session: Session, packages: Collection[str], scope: Scope) -> tuple[str, ...]:
-    """Return who depends on packages, among the others of a scope, and was not read as a whole."""
-    query = select(Release).join(Dependency, Dependency.release_id == Release.id)
-    query = query.where(Dependency.package.in_(packages), Release.package.not_in(packages))
-    users = session.scalars(query.where(Release.id.in_(scope.query())).order_by(Release.package).distinct())
-    return tuple(name_of(each) for each in users if package_of_release(session, each).gaps)
 
 
 def _there(session: Session, scope: Scope) -> dict[str, Release]:
@@ -176,6 +170,5 @@ def _outcome(impacts: Sequence[Impact], needs: Sequence[Need], findings: Iterabl
     found: list[Outcome] = [decide(findings)]
     for each in impacts:
         found += ["reject" if one.severity == "error" else "review" for one in each.errors]
-        found += ["review"] if each.missing else []
     found += ["review" if each.state == "unknown" else "reject" for each in needs]
     return worst(found)

@@ -21,7 +21,6 @@ from sqlalchemy.orm import Session
 from ecm_extract.diff.migration import Migration
 from ecm_extract.registry import clock
 from ecm_extract.registry.evidence import Kept, contents_of, evidence_of
-from ecm_extract.registry.fit import unread_users
 from ecm_extract.registry.impact import Impact, impact_of
 from ecm_extract.registry.proof import Proof, proof_of, words_that_count
 from ecm_extract.registry.scope import Scope
@@ -119,11 +118,6 @@ class Matter:
             return self.breaking("permissions")
         found = (change for each in self.package.contracts() for change in _brought(each))
         return [each for each in found if each.dimension == "permissions"]
-
-    @cached_property
-    def unread_users(self) -> tuple[str, ...]:
-        """Releases in its scope that depend on it and could not be read as a whole."""
-        return unread_users(self._session, {self.package.name}, Scope("", self.inputs.scope))
 
     @property
     def compatibility_class(self) -> CompatibilityClass:

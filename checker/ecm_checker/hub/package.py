@@ -22,7 +22,7 @@ SUFFIX: Final = ".package.json"
 """How names of package documents end."""
 
 
-class Provided(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
+class Provided(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, gc=False):
     """A provision as it is written; the attributes are those of `Provision`, its lines are `evidence`."""
 
     kind: str

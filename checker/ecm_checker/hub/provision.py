@@ -19,7 +19,7 @@ Line = tuple[str, int]
 """A path and a line, 1-based."""
 
 
-class Form(msgspec.Struct, frozen=True):
+class Form(msgspec.Struct, frozen=True, gc=False):
     """One overload of a function or method.
 
     Attributes:
@@ -51,7 +51,7 @@ class Form(msgspec.Struct, frozen=True):
         return f"({arguments}) -> {self.returns}" if self.returns else f"({arguments})"
 
 
-class Provision(msgspec.Struct, frozen=True, kw_only=True):
+class Provision(msgspec.Struct, frozen=True, kw_only=True, gc=False):
     """One public name.
 
     Attributes:

@@ -11,7 +11,7 @@ from ecm_checker.finding import Certainty
 from ecm_checker.hub.kinds import uses
 
 
-class Given(msgspec.Struct, frozen=True, omit_defaults=True):
+class Given(msgspec.Struct, frozen=True, omit_defaults=True, gc=False):
     """How a name is used: what has to fit what its provider takes and gives.
 
     Attributes:
@@ -32,7 +32,7 @@ class Given(msgspec.Struct, frozen=True, omit_defaults=True):
     inside: bool = False
 
 
-class Requirement(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
+class Requirement(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, gc=False):
     """One name that a package depends on.
 
     Attributes:

@@ -44,10 +44,12 @@ class Names(msgspec.Struct, frozen=True):
     Attributes:
         keys: what provisions are looked up by, of a requirement.
         meant: whether a requirement means one of them.
+        whole: whether the name of a requirement has all the text of the name that it means.
     """
 
     keys: Callable[[Requirement], Iterator[str]]
     meant: Callable[[Site, Provision], bool]
+    whole: bool = False
 
 
 def _whole(requirement: Requirement) -> Iterator[str]:
@@ -250,9 +252,9 @@ def _field(site: Site, entity: Provision) -> bool:
 
 NAMES: Final[Mapping[str, Names]] = {
     "exact": Names(_whole, _exact),
-    "graph": Names(_last, _graph),
+    "graph": Names(_last, _graph, whole=True),
     "remap": Names(_remap_keys, _remap),
-    "parameter": Names(_last, _parameter),
+    "parameter": Names(_last, _parameter, whole=True),
     "plugin": Names(_plugin_name, _plugin),
     "launch": Names(_launch_keys, _launch),
     "header": Names(_whole, _header),
