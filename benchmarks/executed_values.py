@@ -1,0 +1,229 @@
+"""Are values what programs do? `python benchmarks/executed_values.py [--programs N] [--seed S] [--language L]`.
+
+Programs are drawn (executed/), run for real with python or g++, once without and once with an argument, and read by
+the tool. For each line that made publishers:
+
+* contained: each name that the runs made there is one that the tool tells, or fits one of its patterns;
+* folded right: each name that the tool calls literal or folded there was made;
+* told: where the runs made one name, the tool tells that one and no other, without saying `one of`.
+"""
+
+from __future__ import annotations
+
+import argparse
+import re
+import subprocess
+import sys
+import tempfile
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from executed import cpp_programs, python_programs
+
+from ecm_extract.link.forms import form_table
+from ecm_extract.link.linker import Linker
+from ecm_extract.read.reader import Reader
+from ecm_extract.tree import open_tree
+
+BATCH = 25
+SECONDS = 60
+_MANIFEST = (
+    '<package format="3"><name>drawn</name><version>1.0.0</version>'
+    "<export><build_type>ament_{kind}</build_type></export></package>"
+)
+_SURE = {"literal", "folded"}
+_HOLE = re.compile(r"\{[^{}]*\}")
+Place = tuple[str, int]
+Made = dict[Place, set[tuple[str, frozenset[int]]]]
+"""Place -> the names that were made there, each with the lines of the calls that led to it."""
+
+
+@dataclass(frozen=True)
+class Told:
+    """A name that the tool tells of a line, with the lines of the calls that it came through."""
+
+    name: str
+    confidence: str
+    lines: frozenset[int]
+
+
+@dataclass(frozen=True)
+class Judged:
+    """One line of a program: what was made there, and what was told."""
+
+    place: Place
+    calls: frozenset[tuple[str, frozenset[int]]]
+    told: tuple[Told, ...]
+
+    @property
+    def made(self) -> set[str]:
+        return {name for name, _ in self.calls}
+
+    @property
+    def contained(self) -> bool:
+        return all(any(_means(told, name) for told in self.told) for name in self.made)
+
+    @property
+    def sure(self) -> bool:
+        return any(told.confidence in _SURE for told in self.told)
+
+    @property
+    def right(self) -> bool:
+        return all(self._happened(told) for told in self.told if told.confidence in _SURE)
+
+    def _happened(self, told: Told) -> bool:
+        """Whether the name was made; calls that did not run tell nothing."""
+        names = {name for name, lines in self.calls if told.lines <= lines}
+        return not names or told.name in names
+
+    @property
+    def exact(self) -> bool:
+        ran = [told for told in self.told if any(told.lines <= lines for _, lines in self.calls)]
+        return {told.name for told in ran} == self.made and all(told.confidence in _SURE for told in ran)
+
+
+def _means(told: Told, name: str) -> bool:
+    if "{" not in told.name:
+        return told.name == name
+    parts = [re.escape(part) for part in _HOLE.split(told.name)]
+    return re.fullmatch(".*".join(parts), name) is not None or re.fullmatch(".*".join(parts), "/" + name) is not None
+
+
+def _resolved(name: str) -> str:
+    """A name in `/`, as the contract has it."""
+    name = re.sub("/+", "/", f"/{name}")
+    return name.rstrip("/") or "/"
+
+
+def extracted(root: Path) -> Mapping[Place, tuple[Told, ...]]:
+    """What the tool tells of each line that makes a publisher, by the name of the file."""
+    packages = Reader(open_tree(root), False, (), False).read(1, None)
+    found: dict[Place, dict[Told, None]] = defaultdict(dict)
+    for module in Linker(packages, form_table()).link():
+        for entry in module.lines:
+            if entry.role == "publisher":
+                last = entry.evidence[-1]
+                lines = frozenset(place.line for place in entry.evidence)
+                found[Path(last.path).name, last.line][Told(entry.name, entry.confidence, lines)] = None
+    return {place: tuple(told) for place, told in found.items()}
+
+
+def written(root: Path, files: Mapping[str, str]) -> None:
+    for path, text in files.items():
+        target = root / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(text, "utf-8")
+
+
+def printed(text: str) -> Made:
+    made: Made = defaultdict(set)
+    for line in text.splitlines():
+        path, numbers, name = line.split("\t", 2)
+        lines = [int(number) for number in numbers.split(",")]
+        if name:
+            made[path, lines[-1]].add((_resolved(name), frozenset(lines)))
+    return made
+
+
+def python_batch(root: Path, seeds: Sequence[str]) -> tuple[Path, Made]:
+    """Write programs, run each, return the folder of the package and what the runs made."""
+    package, stubs = root / "package", root / "stubs"
+    sources = {f"drawn/p{n}_{s}.py": python_programs.PythonProgram(f"{s}").source() for n, s in enumerate(seeds)}
+    written(package, {**sources, "package.xml": _MANIFEST.format(kind="python"), "drawn/__init__.py": ""})
+    entries = ", ".join(f"'p{n} = drawn.p{n}_{s}:main'" for n, s in enumerate(seeds))
+    setup = f"from setuptools import setup\nsetup(name='drawn', entry_points={{'console_scripts': [{entries}]}})\n"
+    written(package, {"setup.py": setup})
+    written(stubs, python_programs.STUBS)
+    made: Made = defaultdict(set)
+    for path in sources:
+        for more in ((), ("x",)):
+            line = [sys.executable, "-B", str(package / path), *more]
+            done = subprocess.run(
+                line, capture_output=True, text=True, timeout=SECONDS, check=False, env={"PYTHONPATH": str(stubs)}
+            )
+            for place, names in printed(done.stdout).items():
+                made[place] |= names
+    return package, made
+
+
+def cpp_batch(root: Path, seeds: Sequence[str]) -> tuple[Path, Made]:
+    """The same in C++; the programs of a batch are compiled as one and run one by one."""
+    package, stubs = root / "package", root / "stubs"
+    spaces = [f"p{number}" for number in range(len(seeds))]
+    sources = {
+        f"src/{space}.cpp": cpp_programs.CppProgram(f"{seed}", space).source()
+        for space, seed in zip(spaces, seeds, strict=True)
+    }
+    targets = "\n".join(f"add_executable({space} src/{space}.cpp)" for space in spaces)
+    cmake = f"cmake_minimum_required(VERSION 3.8)\nproject(drawn)\n{targets}\n"
+    written(package, {**sources, "package.xml": _MANIFEST.format(kind="cmake"), "CMakeLists.txt": cmake})
+    written(stubs, cpp_programs.STUBS)
+    includes = "\n".join(f'#include "{package}/src/{space}.cpp"' for space in spaces)
+    calls = "\n".join(
+        f"if (which == {n}) try {{ {space}::run(argc - 1); }} catch (...) {{}}" for n, space in enumerate(spaces)
+    )
+    driver = f"{includes}\nint main(int argc, char ** argv) {{ int which = std::atoi(argv[1]); {calls} }}\n"
+    written(root, {"driver.cpp": driver})
+    program = root / "driver"
+    line = ["g++", "-std=c++17", "-O0", "-w", "-DBATCH", f"-I{stubs}", str(root / "driver.cpp"), "-o", str(program)]
+    built = subprocess.run(line, capture_output=True, text=True, check=False)
+    if built.returncode:
+        sys.exit(f"g++ refused a drawn program, mend executed/cpp_programs.py:\n{built.stderr[:3000]}")
+    made: Made = defaultdict(set)
+    for number in range(len(spaces)):
+        for more in ((), ("x",)):
+            done = subprocess.run(
+                [str(program), str(number), *more], capture_output=True, text=True, timeout=SECONDS, check=False
+            )
+            for place, names in printed(done.stdout).items():
+                made[place] |= names
+    return package, made
+
+
+BATCHES = {"python": python_batch, "cpp": cpp_batch}
+
+
+def judged(language: str, seeds: Sequence[str], keep: Path | None = None) -> Iterator[Judged]:
+    """Draw programs from seeds, run and read them, and yield every line that made a publisher."""
+    for start in range(0, len(seeds), BATCH):
+        with tempfile.TemporaryDirectory() as folder:
+            root = keep / f"{language}{start}" if keep else Path(folder)
+            package, made = BATCHES[language](root, seeds[start : start + BATCH])
+            told = extracted(package)
+            for place in sorted(made):
+                yield Judged(place, frozenset(made[place]), told.get(place, ()))
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--programs", type=int, default=300)
+    parser.add_argument("--seed", default="1")
+    parser.add_argument("--language", choices=("python", "cpp", "both"), default="both")
+    parser.add_argument("--show", type=int, default=0, help="lines that are wrong, at most so many")
+    parser.add_argument("--keep", type=Path, help="folder for the drawn programs")
+    asked = parser.parse_args()
+    for language in BATCHES if asked.language == "both" else (asked.language,):
+        seeds = [f"{asked.seed}_{number}" for number in range(asked.programs)]
+        _report(language, list(judged(language, seeds, asked.keep)), asked.show)
+
+
+def _report(language: str, lines: Sequence[Judged], show: int) -> None:
+    single = [line for line in lines if len(line.made) == 1]
+    sure = [line for line in lines if line.sure]
+    print(f"{language}: {len(lines)} lines, {len(single)} with one name")
+    for title, part, whole in (
+        ("contained", [line for line in lines if line.contained], lines),
+        ("folded right", [line for line in sure if line.right], sure),
+        ("told", [line for line in single if line.exact], single),
+        ("all told", [line for line in lines if line.exact], lines),
+    ):
+        print(f"  {title:12} {100 * len(part) / max(1, len(whole)):6.2f} %  ({len(part)} of {len(whole)})")
+    wrong = [line for line in lines if not line.contained or not line.right]
+    for line in (wrong or [line for line in single if not line.exact])[:show]:
+        print("   ", line.place, sorted(line.made), [(told.name, told.confidence) for told in line.told])
+
+
+if __name__ == "__main__":
+    main()
