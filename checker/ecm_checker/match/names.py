@@ -200,11 +200,14 @@ def _cpp(site: Site, entity: Provision) -> bool:
     """A name of a package of which the file includes a header; of a message the type that is generated of it."""
     if entity.kind == "message":
         return _is_type(entity, site.requirement.name)
-    if entity.is_python or not _reaches(site, entity.package):
-        return False
+    # of a large library nearly all names differ, and whose header is included takes longer to tell
+    return not entity.is_python and _is_written(entity, site.requirement.name) and _reaches(site, entity.package)
+
+
+def _is_written(entity: Provision, name: str) -> bool:
     if entity.kind == "constant":
-        return _is_section(entity, site.requirement.name.rpartition("::")[0])
-    return site.requirement.name == entity.name or site.requirement.name.startswith(f"{entity.name}::")
+        return _is_section(entity, name.rpartition("::")[0])
+    return name == entity.name or name.startswith(f"{entity.name}::")
 
 
 def _is_type(message: Provision, written: str) -> bool:
