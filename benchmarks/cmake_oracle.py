@@ -46,6 +46,27 @@ function(catkin_install_python programs)
 endfunction()
 """,
 }
+_NOTHING = (
+    *("rosidl_generate_interfaces", "generate_parameter_library", "pluginlib_export_plugin_description_file"),
+    *(
+        "ament_export_dependencies",
+        "ament_export_include_directories",
+        "ament_export_libraries",
+        "ament_export_targets",
+    ),
+    *("ament_python_install_package", "catkin_python_setup", "add_message_files", "add_service_files"),
+    *("add_action_files", "generate_messages", "generate_dynamic_reconfigure_options", "add_rostest"),
+    *("ament_lint_auto_find_test_dependencies", "ament_add_pytest_test", "rclcpp_components_register_nodes"),
+    *("target_link_libraries", "add_dependencies", "add_launch_test", "generate_parameter_module"),
+)
+"""Commands that make no target and no install rule of their own, for fixtures that call them."""
+_STAND_IN = """
+macro(stand_in method name)
+  set(${name}_FOUND TRUE)
+  include(@STUBS@/${name}/${name}Config.cmake OPTIONAL)
+endmacro()
+cmake_language(SET_DEPENDENCY_PROVIDER stand_in SUPPORTED_METHODS FIND_PACKAGE)
+"""
 
 
 @dataclass(frozen=True)
@@ -84,13 +105,22 @@ class Oracle:
         self.folder = folder
         self.stubs = folder / "stubs"
         self.platform: Path | None = None
+        empty = "".join(f"function({name})\nendfunction()\n" for name in _NOTHING)
+        self.stand_in = self.stubs / "stand_in.cmake"
+        self.stubs.mkdir(parents=True, exist_ok=True)
+        self.stand_in.write_text(_STAND_IN.replace("@STUBS@", str(self.stubs)) + empty)
         for name, text in _STUBS.items():
             place = self.stubs / name
             place.mkdir(parents=True, exist_ok=True)
             (place / f"{name}Config.cmake").write_text(text)
 
-    def ask(self, source: Path) -> Truth | str:
-        """Configure a project; the text is the error where CMake refuses it."""
+    def ask(self, source: Path, is_fixture: bool = False) -> Truth | str:
+        """Configure a project; the text is the error where CMake refuses it.
+
+        Args:
+            source: folder of the project.
+            is_fixture: give it every package that it looks for, empty but for the stubs.
+        """
         build = self.folder / "build"
         shutil.rmtree(build, ignore_errors=True)
         query = build / ".cmake/api/v1/query"
@@ -103,7 +133,8 @@ class Oracle:
         command = [self.program, "-S", str(source), "-B", str(build), "-G", "Ninja", "--trace-expand"]
         command += ["--trace-format=json-v1", f"--trace-redirect={trace}", "-Wno-dev", "-Wno-deprecated"]
         command += [f"-D{name}_DIR={self.stubs / name}" for name in _STUBS]
-        command += ["-DCMAKE_INSTALL_PREFIX=/prefix"]
+        command += ["-DCMAKE_INSTALL_PREFIX=/prefix", "-DCMAKE_POLICY_VERSION_MINIMUM=3.5"]
+        command += [f"-DCMAKE_PROJECT_TOP_LEVEL_INCLUDES={self.stand_in}"] if is_fixture else []
         done = subprocess.run(command, check=False, capture_output=True, text=True)
         if done.returncode:
             return " ".join(done.stderr.split())[:300]

@@ -64,7 +64,8 @@ class _Maker:
         shape = 3 if self.made.ros == 2 else 2
         files["package.xml"] = (
             f'<package format="{shape}"><name>{self.made.name}</name><version>1.0.0</version>'
-            f'<description>d</description><maintainer email="a@b.c">m</maintainer><license>l</license><buildtool_depend>{build}</buildtool_depend>'
+            f'<description>d</description><maintainer email="a@b.c">m</maintainer><license>l</license>'
+            f"<buildtool_depend>{build}</buildtool_depend>"
             + (f"<export><build_type>{build}</build_type></export>" if self.made.ros == 2 else "")
             + "</package>\n"
         )

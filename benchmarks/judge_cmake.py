@@ -31,6 +31,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--count", type=int, default=500)
     parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--fixtures", type=Path, help="judge the packages below this folder instead")
     parser.add_argument("--keep", type=Path, help="keep the projects here")
     parser.add_argument("--recorded", type=Path, help="folder of what CMake said, asked once and read again")
     arguments = parser.parse_args()
@@ -40,6 +41,8 @@ def main() -> int:
         return 0
     with tempfile.TemporaryDirectory() as place:
         report = Report()
+        if arguments.fixtures is not None:
+            return judge_fixtures(arguments.fixtures, Oracle(program, Path(place)), report)
         oracle = Recorded(Oracle(program, Path(place)), arguments.recorded)
         seed = arguments.seed
         while report.projects < arguments.count:
@@ -47,6 +50,18 @@ def main() -> int:
             write(make(seed), folder)
             report.judge(seed, oracle.ask(seed, folder), folder)
             seed += 1
+    return report.print()
+
+
+def judge_fixtures(folder: Path, oracle: Oracle, report: Report) -> int:
+    """Judge copies of our own packages; what CMake refuses for want of a package is counted."""
+    for source in sorted(
+        path.parent for path in folder.rglob("CMakeLists.txt") if (path.parent / "package.xml").exists()
+    ):
+        copy = oracle.folder / "fixture"
+        shutil.rmtree(copy, ignore_errors=True)
+        shutil.copytree(source, copy)
+        report.judge(str(source.relative_to(folder)), oracle.ask(copy, is_fixture=True), copy)
     return report.print()
 
 
@@ -91,7 +106,7 @@ class Report:
         self.counts: Counter[tuple[str, str]] = Counter()
         self.lines: list[str] = []
 
-    def judge(self, seed: int, truth: Truth | str, folder: Path) -> None:
+    def judge(self, seed: int | str, truth: Truth | str, folder: Path) -> None:
         """Compare one project; those that CMake refuses are only counted."""
         if isinstance(truth, str):
             self.refused += 1

@@ -1,8 +1,8 @@
 """Our reading of ROS 1 launch files against Debian's roslaunch: `judge_roslaunch.py CLONES... [--seed 0]`.
 
 Launch files are drawn from clones by a seed and read with their default arguments, by roslaunch's own loader
-(`apt-get install python3-roslaunch`) and by our reader; packages are those of the clone. Nothing is started, and commands
-that launch files name are not run. Compared are nodes with their program, remaps and parameters.
+(`apt-get install python3-roslaunch`) and by our reader; packages are those of the clone. Nothing is started,
+commands that launch files name are not run. Compared are nodes with their program, remaps and parameters.
 """
 
 from __future__ import annotations

@@ -94,7 +94,8 @@ def _differences(told: dict[str, Any], truth: dict[str, Any], counts: Counter[st
         counts[f"{kind} false"] += (ours - theirs).total()
         if ours != theirs:
             missing, false = list((theirs - ours).elements()), list((ours - theirs).elements())
-            yield f"{kind}: missing {len(missing)} {missing[:3]}, false {len(false)} {false[:3]}; {told['problems'][:2]}"
+            cause = "; ".join(told["problems"][:2]) or "no problem told"
+            yield f"{kind}: missing {len(missing)} {missing[:3]}, false {len(false)} {false[:3]}: {cause}"
 
 
 def _counted(rows: list[Any]) -> Counter[str]:

@@ -84,7 +84,8 @@ def _launched(operation: str, paths: Sequence[str], given: Given, dimensions: Di
         message = "--launch goes with the operation system and one workspace"
         raise InputError(message, "write: check system WORKSPACE --launch package/file.launch.py")
     launched = launched_contracts(paths[0], given.launch, given.cache)
-    decided = system(launched.contracts, given.profiles, dimensions, together=True)
+    started = Packages([launched.started])
+    decided = system(launched.contracts, given.profiles, dimensions, together=True, started=started)
     findings = tuple(_with_starts(finding, launched.starts) for finding in decided.findings)
     return msgspec.structs.replace(decided, findings=findings)
 

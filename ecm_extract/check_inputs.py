@@ -74,10 +74,14 @@ def _documented(path: str) -> tuple[Package, ...]:
 
 
 class LaunchedContracts(NamedTuple):
-    """Contracts of the nodes that launch files start, and the line that starts each, by the id of its contract."""
+    """Contracts of the nodes that launch files start, and the line that starts each, by the id of its contract.
+
+    `started` is what the launch makes of names of nodes, see `system.started`.
+    """
 
     contracts: tuple[Contract, ...]
     starts: Mapping[str, Evidence]
+    started: Package
 
 
 def launched_contracts(path: str, words: Sequence[str], cache: bool = True) -> LaunchedContracts:
@@ -94,6 +98,7 @@ def launched_contracts(path: str, words: Sequence[str], cache: bool = True) -> L
     from ecm_extract.extraction_model import Options
     from ecm_extract.system.contracts import instance_contracts
     from ecm_extract.system.model import Given
+    from ecm_extract.system.started import started_package
     from ecm_extract.system.system import read_system
     from ecm_extract.tree import open_tree
 
@@ -108,7 +113,7 @@ def launched_contracts(path: str, words: Sequence[str], cache: bool = True) -> L
         message = f"{', '.join(launches) or path} starts no node that is known before the launch"
         raise InputError(message, "`ecm-extract system` shows what it starts and under which conditions")
     starts = {node.name: Evidence(node.instance.place.path, node.instance.place.line) for node in system.nodes}
-    return LaunchedContracts(found, starts)
+    return LaunchedContracts(found, starts, started_package(system))
 
 
 def profile(path: str | None, kind: type[_Profile]) -> _Profile | None:

@@ -244,7 +244,6 @@ class CppProgram(Draw):
 
     # --- expressions ---------------------------------------------------------------------------------------
 
-
     def _simple(self) -> str:
         simple = [f'std::string("{self.word()}")', *self.names.texts, *self.names.texts, *self.reads]
         simple += [f"std::string({name})" for name in self.constants]

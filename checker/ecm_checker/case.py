@@ -51,6 +51,8 @@ class Case:
         call: what the caller of an invocation brings.
         packages: documents of the packages in question; None where only contracts of modules are known.
         replaced: documents of the packages that these replace. users: of those that use the replaced ones.
+        started: nodes that launch files start together, and whom they name; None where nothing is started.
+        libraries: modules that run inside of others only.
     """
 
     def __init__(
@@ -66,6 +68,8 @@ class Case:
         packages: Packages | None = None,
         replaced: Packages | None = None,
         users: Packages | None = None,
+        started: Packages | None = None,
+        libraries: Sequence[View] = (),
     ) -> None:
         self.modules = tuple(modules)
         self.profiles = profiles
@@ -77,6 +81,8 @@ class Case:
         self.packages = packages
         self.replaced = replaced
         self.users = users
+        self.started = started
+        self.libraries = tuple(libraries)
 
     @cached_property
     def adjacent(self) -> tuple[tuple[View, View], ...]:

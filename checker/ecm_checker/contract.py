@@ -25,7 +25,7 @@ Role = Literal[
 ]
 
 
-class Evidence(msgspec.Struct, frozen=True, omit_defaults=True):
+class Evidence(msgspec.Struct, frozen=True, omit_defaults=True, gc=False):
     """A place in a tree: path relative to its root, 1-based line, 1-based column in characters where it is known."""
 
     path: str

@@ -46,20 +46,18 @@ class Entity(msgspec.Struct, frozen=True):
         return self.old, self.new, self.owner
 
 
-class Rename(msgspec.Struct, frozen=True):
+class Rename(msgspec.Struct, frozen=True, tag_field="kind", tag="rename"):
     """An edit: the first line of the evidence has `old` as a word of its own; write `new` for it."""
 
     old: str
     new: str
-    kind: Literal["rename"] = "rename"
 
 
-class Depend(msgspec.Struct, frozen=True):
+class Depend(msgspec.Struct, frozen=True, tag_field="kind", tag="depend"):
     """An edit: the package.xml of the subject names one more package, which its build needs, or only its run."""
 
     package: str
     need: Literal["build", "run"]
-    kind: Literal["depend"] = "depend"
 
 
 Edit = Rename | Depend

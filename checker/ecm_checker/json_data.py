@@ -48,10 +48,11 @@ def json_data(value: object, depth: int = 0) -> Any:
 
 
 def record_data(record: msgspec.Struct, depth: int = 0) -> dict[str, Any]:
-    """Plain JSON data of a record, see `json_data`."""
+    """Plain JSON data of a record, see `json_data`; one of several kinds begins with the word for its kind."""
     omitted = _omitted(type(record))
     pairs = ((name, getattr(record, name)) for name in record.__struct_fields__)
-    return {name: json_data(item, depth + 1) for name, item in pairs if name not in omitted or item != omitted[name]}
+    data = {name: json_data(item, depth + 1) for name, item in pairs if name not in omitted or item != omitted[name]}
+    return {**_kind(type(record)), **data}
 
 
 def _text(value: str) -> str:
@@ -60,6 +61,12 @@ def _text(value: str) -> str:
 
 def _keyed(mapping: dict[Any, Any]) -> list[tuple[str, Any]]:
     return [(_text(key if isinstance(key, str) else str(key)), item) for key, item in mapping.items()]
+
+
+@cache
+def _kind(record: type[msgspec.Struct]) -> dict[str, Any]:
+    config = record.__struct_config__
+    return {} if config.tag_field is None else {config.tag_field: config.tag}
 
 
 @cache

@@ -11,14 +11,19 @@ from ecm_checker.finding import Certainty, Entity, Finding
 from ecm_checker.hub.kinds import kinds
 from ecm_checker.hub.provision import Provision
 from ecm_checker.hub.requirement import Requirement
+from ecm_checker.match.fit import left_out
 from ecm_checker.match.packages import Unmet
 from ecm_checker.rule import Rule
 
 _SHOWN = 3
+_ADVISED = "it warns at each call, and does what its authors advise against"
 
 
 def unmet_findings(rule: Rule, unmet: Iterable[Unmet]) -> Iterator[Finding]:
-    """Yield one finding of a rule for each name that somebody needs and does not get."""
+    """Yield one finding of a rule for each name that somebody needs and does not get.
+
+    Files that a project keeps for another distribution, and picks when it is launched, are for information.
+    """
     grouped: dict[tuple[str, str | None, str, str], list[Unmet]] = defaultdict(list)
     for each in unmet:
         wanted = each.requirement
@@ -36,13 +41,14 @@ def _finding(rule: Rule, group: list[Unmet]) -> Finding:
     kind = kinds()[wanted.kind]
     said = Said(
         text=_text(group, wanted, home),
-        consequence=kind.silence,
+        consequence=_ADVISED if group[0].match.breach == "advice" else kind.silence,
         entity=Entity(wanted.kind, wanted.name),
         who=kind.who,
         owners=packages,
         subjects=tuple(f"ecm.{name}" for name in packages),
         evidence=tuple(dict.fromkeys(lines)),
         certainty=_certainty(group),
+        severity="info" if all(each.requirement.kept_for for each in group) else None,
     )
     return rule.found(said)
 
@@ -57,10 +63,18 @@ def _text(group: list[Unmet], wanted: Requirement, home: str | None) -> str:
     lines = [f"{at.path}:{at.line}" for each in group for at in each.requirement.evidence]
     more = f" and {len(lines) - _SHOWN} more" if len(lines) > _SHOWN else ""
     of = f" of {home}" if home else ""
-    breach = group[0].match.breach
-    state = f"has another {breach}" if breach else _absence(group)
     kind = wanted.kind.replace("_", " ")
-    return f"{kind} {wanted.name}{of} {state}, and {', '.join(lines[:_SHOWN])}{more} {wanted.phrase}"
+    return f"{kind} {wanted.name}{of} {_state(group)}, and {', '.join(lines[:_SHOWN])}{more} {wanted.phrase}"
+
+
+def _state(group: list[Unmet]) -> str:
+    """What is wrong with the name, in words."""
+    first = group[0]
+    breach, given = first.match.breach, first.requirement.given
+    if breach == "advice" and given is not None:
+        names = dict.fromkeys(name for each in first.match.found for name in left_out(given, each))
+        return f"warns of calls without {', '.join(names)}"
+    return f"has another {breach}" if breach else _absence(group)
 
 
 def _absence(group: list[Unmet]) -> str:

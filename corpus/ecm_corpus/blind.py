@@ -1,4 +1,4 @@
-"""Blind runs: the interface parts of cases in, results with their chain of hashes and the store of contracts out."""
+"""Blind runs: the interface parts of cases in, results with their chain of hashes and the store of documents out."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ from ecm_checker.freeze import content_hash
 from ecm_corpus.blind_child import Answer, Order
 from ecm_corpus.chain import chained, digest_of, extractor_hash
 from ecm_corpus.clones import missing_from
+from ecm_corpus.documents import STORE, keep, kept
 from ecm_corpus.interface import InterfaceCase
 from ecm_corpus.results import SCHEMA, CaseResult, Results
 from ecm_extract.errors import InputError, ToolError
@@ -67,13 +68,13 @@ def run_blind(cases: Sequence[InterfaceCase], run: Run) -> Outcome:
 
 
 def write_outcome(outcome: Outcome, folder: Path) -> None:
-    """Write `results.json` and the store `contracts/`; files of the store that no result names are removed."""
-    store = folder / "contracts"
+    """Write `results.json` and the store `documents/`; files of the store that no result names are removed."""
+    store = folder / STORE
     store.mkdir(parents=True, exist_ok=True)
     for name, data in outcome.files.items():
-        (store / f"{name}.json").write_bytes(data)
-    for file in store.glob("*.json"):
-        if file.stem not in outcome.files:
+        keep(name, data, store)
+    for name, file in kept(store).items():
+        if name not in outcome.files:
             file.unlink()
     (folder / "results.json").write_bytes(results_document(outcome.results))
 

@@ -16,9 +16,10 @@ from ecm_checker.contract import Contract, Interface
 from ecm_checker.delta import gained, lost
 from ecm_checker.view import view
 
-from ecm_corpus.contracts import stored, unpacked
+from ecm_corpus.again import sides_of
+from ecm_corpus.documents import stored, unpacked
 from ecm_corpus.results import CaseResult, Results, StateResult
-from ecm_corpus.verdict import CONSUMER, NEW, OLD
+from ecm_corpus.verdict import CONSUMER, NEW, OLD, contracts
 
 UNRELATED: Final = 2
 """Unrelated pairs beside the states of a case."""
@@ -45,10 +46,10 @@ def briefs(case: CaseResult, results: Results, store: Path) -> list[Brief]:
     Args:
         case: whose states are asked about.
         results: all of them, to take unrelated modules from.
-        store: folder of the contracts.
+        store: folder of the documents.
 
     Raises:
-        InputError: contracts that the results name are not in the store.
+        InputError: documents that the results name are not in the store.
     """
     found = [_of_state(case.case, name, state, store) for name, state in case.states.items()]
     found += _unrelated(case, results, store)
@@ -76,21 +77,18 @@ def _unrelated(case: CaseResult, results: Results, store: Path) -> Iterator[Brie
         theirs = _some_package(other)
         if own is None or theirs is None:
             continue
-        modules = [*unpacked(stored(own, store)), *unpacked(stored(theirs, store))]
+        modules = contracts([*unpacked(stored(own, store)), *unpacked(stored(theirs, store))])
         lines = [_QUESTION["composition"], "", *_side("the modules declare", modules)]
         yield _brief(f"unrelated:{case.case}+{other.case}", lines)
 
 
 def _some_package(case: CaseResult) -> str | None:
-    names = sorted({mark for state in case.states.values() for mark in state.contracts.values()})
+    names = sorted({mark for state in case.states.values() for mark in state.documents.values()})
     return names[0] if names else None
 
 
 def _sides(state: StateResult, store: Path) -> dict[str, list[Contract]]:
-    sides: dict[str, list[Contract]] = {}
-    for name, mark in sorted(state.contracts.items()):
-        sides.setdefault(name.partition("/")[0], []).extend(unpacked(stored(mark, store)))
-    return sides
+    return {side: contracts(packages) for side, packages in sides_of(state, store).items()}
 
 
 def _brief(origin: str, lines: Iterable[str]) -> Brief:

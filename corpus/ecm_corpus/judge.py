@@ -1,4 +1,4 @@
-"""One state judged: trees to contracts, changes and findings."""
+"""One state judged: trees to documents, changes and findings."""
 
 from __future__ import annotations
 
@@ -7,26 +7,30 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 import msgspec
-from ecm_checker.contract import Contract
 from ecm_checker.finding import Finding
+from ecm_checker.hub.package import Package
 from ecm_checker.outcome import ordered
 
 from ecm_corpus.clones import clone_of, open_source
-from ecm_corpus.contracts import digest, packed
+from ecm_corpus.documents import digest, document, instances, packed
 from ecm_corpus.interface import Composition, Source, State, Upgrade, sources_of
 from ecm_corpus.results import StateResult, Versions
 from ecm_corpus.verdict import CONSUMER, LAUNCHED, NEW, OLD, TREE, check_findings
 from ecm_extract.diff.model import RefInfo
 from ecm_extract.diff.run import Request, compare
 from ecm_extract.extraction import extract
-from ecm_extract.extraction_model import Extraction, Options
+from ecm_extract.extraction_model import Options
 from ecm_extract.lint.run import findings_of
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.system.contracts import instance_contracts
 from ecm_extract.system.model import Given
+from ecm_extract.system.started import STARTED, started_package
 from ecm_extract.system.system import read_system
 from ecm_extract.tree import Tree
 from ecm_extract.tree.joined import JoinedTree
+
+Side = dict[str, tuple[Package, ...]]
+"""The packages of a side by name."""
 
 
 class Judged(msgspec.Struct, frozen=True):
@@ -50,25 +54,25 @@ def judge(state: State, clones: Path, options: Options) -> Judged:
 def _composition(state: Composition, clones: Path, options: Options) -> Judged:
     tree = _joined(state.trees, clones)
     packages = _packages(state.trees)
-    contracts = {TREE: _kept(extract(tree, options), packages)}
+    documents = {TREE: _kept(tree, options, packages)}
     if state.launch:
         started = read_system(tree, [_inside(path, state) for path in state.launch], Given(), options)
-        contracts[LAUNCHED] = {"nodes": instance_contracts(started)}
+        documents[LAUNCHED] = {STARTED: (instances(started_package(started), instance_contracts(started)),)}
     workspace = Workspace(tree, options)
     lint = [finding for finding in findings_of(workspace, preview=True) if _is_within(finding, workspace, packages)]
-    return _judged("composition", _commits(sources_of(state), clones), contracts, {"lint": ordered(lint)})
+    return _judged("composition", _commits(sources_of(state), clones), documents, {"lint": ordered(lint)})
 
 
 def _upgrade(state: Upgrade, clones: Path, options: Options) -> Judged:
     old, new = open_source(state.old, clones), open_source(state.new, clones)
     packages = _packages(sources_of(state))
     extracted = {
-        OLD: _kept(extract(old, options), _packages([state.old])),
-        NEW: _kept(extract(new, options), _packages([state.new])),
+        OLD: _kept(old, options, _packages([state.old])),
+        NEW: _kept(new, options, _packages([state.new])),
     }
     trees = [open_source(source, clones) for source in state.consumers]
     if trees:
-        users = [_kept(extract(tree, options), _packages([s])) for tree, s in zip(trees, state.consumers, strict=True)]
+        users = [_kept(tree, options, _packages([s])) for tree, s in zip(trees, state.consumers, strict=True)]
         extracted[CONSUMER] = {name: found for user in users for name, found in user.items()}
     comparison = compare(_request(state, old, new, trees, clones, options))
     diff = [finding for finding in comparison.findings if _concerns(finding, packages) and _hits(finding, trees)]
@@ -107,11 +111,11 @@ def _packages(sources: Iterable[Source]) -> frozenset[str]:
     return frozenset(name for names in named for name in names) if all(named) else frozenset()
 
 
-def _kept(extraction: Extraction, packages: frozenset[str]) -> dict[str, tuple[Contract, ...]]:
-    found: defaultdict[str, tuple[Contract, ...]] = defaultdict(tuple)
-    for package in extraction.packages:
+def _kept(tree: Tree, options: Options, packages: frozenset[str]) -> Side:
+    found: Side = defaultdict(tuple)
+    for package in extract(tree, msgspec.structs.replace(options, hub=True)).packages:
         if not packages or package.name in packages:
-            found[package.name] += package.modules
+            found[package.name] = (*found[package.name], document(package))
     return dict(sorted(found.items()))
 
 
@@ -140,30 +144,31 @@ def _commits(sources: Iterable[Source], clones: Path) -> dict[str, str]:
 def _judged(
     question: str,
     commits: dict[str, str],
-    sides: dict[str, dict[str, tuple[Contract, ...]]],
+    sides: dict[str, Side],
     findings: dict[str, tuple[Finding, ...]],
 ) -> Judged:
     files, names = dict[str, bytes](), dict[str, str]()
     for side, packages in sides.items():
-        for name, contracts in packages.items():
-            data = packed(contracts)
+        for name, documents in packages.items():
+            data = packed(documents)
             names[f"{side}/{name}"] = digest(data)
             files[digest(data)] = data
     flat = {side: [each for found in packages.values() for each in found] for side, packages in sides.items()}
     result = StateResult(
         question=question,  # type: ignore[arg-type]
         commits=commits,
-        contracts=names,
+        documents=names,
         versions=(),
         findings={"check": check_findings(flat), **findings},  # type: ignore[dict-item]
     )
     return Judged(result, files)
 
 
-def _versions(sides: dict[str, dict[str, tuple[Contract, ...]]]) -> tuple[Versions, ...]:
+def _versions(sides: dict[str, Side]) -> tuple[Versions, ...]:
     old, new = ({name: _version(found) for name, found in sides[side].items()} for side in (OLD, NEW))
     return tuple(Versions(name, old.get(name), new.get(name)) for name in sorted({*old, *new}))
 
 
-def _version(contracts: tuple[Contract, ...]) -> str | None:
-    return contracts[0].ecm.version if contracts else None
+def _version(packages: tuple[Package, ...]) -> str | None:
+    versions = (contract.ecm.version for package in packages for contract in package.contracts())
+    return next(versions, None)

@@ -9,7 +9,7 @@ from ecm_checker.finding import Finding
 
 from ecm_corpus.interface import Substrate
 
-SCHEMA: Final = "ecm-corpus/results/1"
+SCHEMA: Final = "ecm-corpus/results/2"
 
 Engine = Literal["check", "diff", "lint"]
 ENGINES: Final[tuple[Engine, ...]] = ("check", "diff", "lint")
@@ -29,16 +29,16 @@ class StateResult(msgspec.Struct, frozen=True, kw_only=True):
     Attributes:
         question: `composition` or `upgrade`.
         commits: `owner/name@ref` -> commit id.
-        contracts: `<side>/<package>` -> SHA-256 of its contracts, the name of their file in the store. Sides are
-            `tree` in a composition, and `old`, `new` and `consumer` in an upgrade.
+        documents: `<side>/<package>` -> SHA-256 of its document, the name of its file in the store. Sides are `tree`
+            and `launched` in a composition, and `old`, `new` and `consumer` in an upgrade.
         versions: of the packages that are upgraded.
-        findings: by engine: the pinned checker over the contracts, consumers against the changed entities, and the
+        findings: by engine: the pinned checker over the documents, consumers against the changed entities, and the
             linter over the trees.
     """
 
     question: Literal["composition", "upgrade"]
     commits: dict[str, str]
-    contracts: dict[str, str]
+    documents: dict[str, str]
     versions: tuple[Versions, ...]
     findings: dict[Engine, tuple[Finding, ...]]
 

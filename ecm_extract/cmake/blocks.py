@@ -23,6 +23,7 @@ from ecm_extract.cmake.text import all_values
 from ecm_extract.cmake.values import Value, is_known, unknown
 
 MAX_TURNS: Final = 2_000
+MAX_WHILE: Final = 500
 MAX_SHOWN: Final = 120
 
 
@@ -164,7 +165,7 @@ def _turns(run: Run, branch: Branch, turns: Sequence[_Turn], place: Place) -> bo
 
 def _turn(run: Run, branch: Branch, turn: _Turn, place: Place) -> bool:
     def body() -> bool:
-        for name, text in zip(turn.names, turn.texts, strict=True):
+        for name, text in zip(turn.names, turn.texts, strict=False):
             run.state.assign(name, Value((text,)))
         return run.bounded(frozenset({"continue"}), lambda: run.steps(branch.body, place))
 
@@ -227,7 +228,7 @@ def _while(run: Run, branch: Branch, place: Place) -> bool:
         return run.bounded(frozenset({"continue"}), lambda: run.steps(branch.body, place))
 
     line = branch.header[0].line if branch.header else 0
-    for _ in range(MAX_TURNS):
+    for _ in range(MAX_WHILE):
         verdict = _verdict(run, branch.header)
         if verdict.never or run.is_exhausted(line, place):
             return True
@@ -236,4 +237,5 @@ def _while(run: Run, branch: Branch, place: Place) -> bool:
             return run.branches([Arm(shown(branch.header), None, body), Arm("", None, lambda: True)])
         if not body():
             return False
+    run.open(place, line, f"while {shown(branch.header)} does not end")
     return True

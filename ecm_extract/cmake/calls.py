@@ -48,7 +48,7 @@ class Call(msgspec.Struct, frozen=True):
         """Return an argument as people write it, a path of the tree from the folder of the file."""
         place = tree_path(text)
         if place is not None and is_known(text):
-            return f"./{posixpath.relpath(place or '.', posixpath.dirname(self.path) or '.')}" if place else self._up()
+            return f"./{relative(place, posixpath.dirname(self.path))}" if place else self._up()
         return written(_named(text.replace(SOURCE, ".")))
 
     def _up(self) -> str:
@@ -62,8 +62,17 @@ class Call(msgspec.Struct, frozen=True):
         place = tree_path(absolute(text, self.folder))
         if place is None:
             return written(_named(text))
-        return posixpath.relpath(place or ".", posixpath.dirname(self.path) or ".") + slash
+        return relative(place, posixpath.dirname(self.path)) + slash
 
 
 def _named(text: str) -> str:
     return text.replace(BINARY, "${CMAKE_BINARY_DIR}").replace(PREFIX, "${CMAKE_INSTALL_PREFIX}")
+
+
+def relative(path: str, folder: str) -> str:
+    """Return a path of the tree from a folder of the tree."""
+    if not folder:
+        return path or "."
+    if path.startswith(f"{folder}/"):
+        return path[len(folder) + 1 :]
+    return posixpath.relpath(f"/{path}", f"/{folder}")

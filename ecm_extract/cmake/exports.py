@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
+import msgspec
 from ecm_parsers.cmake_facts import (
     Dependency,
     FileReference,
@@ -14,6 +15,7 @@ from ecm_parsers.cmake_facts import (
     InterfaceKind,
     ParameterLibrary,
     PluginDescription,
+    Target,
 )
 
 from ecm_extract.cmake.calls import Call
@@ -114,11 +116,17 @@ _AUTO_TARGETS = frozenset({"ament_auto_add_library", "ament_auto_add_executable"
 """What `ament_auto_package` installs by itself."""
 
 
-def installs(calls: tuple[Call, ...]) -> Iterator[Install]:
-    """Yield what is installed where."""
+def installs(calls: tuple[Call, ...], targets: Mapping[str, Target]) -> Iterator[Install]:
+    """Yield what is installed where; targets that go to several folders have a rule for each.
+
+    Args:
+        calls: of one file.
+        targets: of the whole build, by name.
+    """
     for call in calls:
         if call.name == "install" and call.args and call.args[0] in _INSTALL_KINDS:
-            yield from _each(call, _INSTALL_KINDS[call.args[0]])
+            for rule in _each(call, _INSTALL_KINDS[call.args[0]]):
+                yield from _parted(rule, call, targets) if rule.kind == "targets" else (rule,)
         elif call.name == "catkin_install_python":
             yield from _each(call, "python")
         elif call.name == "ament_auto_package":
@@ -152,6 +160,24 @@ def _destination(args: tuple[str, ...]) -> str:
     """Return the folder of programs (RUNTIME) when it is told, else the first one."""
     found = {args[i - 1]: args[i + 1] for i, arg in enumerate(args[:-1]) if arg == "DESTINATION"}
     return found.get("RUNTIME") or next(iter(found.values()), "")
+
+
+def _parted(rule: Install, call: Call, targets: Mapping[str, Target]) -> Iterator[Install]:
+    """Programs go where RUNTIME says, shared libraries where LIBRARY does, others where ARCHIVE does."""
+    words = call.texts
+    told = {words[at - 1]: words[at + 1] for at, word in enumerate(words[:-1]) if word == "DESTINATION"}
+    places: dict[str, list[str]] = {}
+    for item in rule.items:
+        place = told.get(_artefact(targets.get(item)))
+        places.setdefault(rule.destination if place is None else _below_prefix(place, call), []).append(item)
+    for place, items in places.items():
+        yield msgspec.structs.replace(rule, items=tuple(items), destination=place)
+
+
+def _artefact(target: Target | None) -> str:
+    if target is None or target.kind != "library":
+        return "RUNTIME"
+    return "ARCHIVE" if target.is_shared is False else "LIBRARY"
 
 
 def _below_prefix(destination: str, call: Call) -> str:

@@ -28,8 +28,14 @@ def stated(evaluation: Evaluation) -> dict[str, CmakeFile]:
     made = targets(evaluation.calls)
     unread = {path: tuple(each for each in evaluation.unread if each.path == path) for path in calls}
     refused = {path for path, told in evaluation.diagnostics.items() if any(each.code in REFUSED for each in told)}
-    found = {path: _file(tuple(own), made.get(path, ()), unread[path]) for path, own in calls.items()}
-    return {path: msgspec.structs.replace(file, malformed=path in refused) for path, file in found.items()}
+    by_name = {target.name: target for own in made.values() for target in own}
+    files = {path: _file(tuple(own), made.get(path, ()), unread[path]) for path, own in calls.items()}
+    return {
+        path: msgspec.structs.replace(
+            file, malformed=path in refused, installs=tuple(exports.installs(tuple(calls[path]), by_name))
+        )
+        for path, file in files.items()
+    }
 
 
 def _file(calls: tuple[Call, ...], made: tuple[Target, ...], unread: tuple[Unread, ...]) -> CmakeFile:
@@ -44,7 +50,6 @@ def _file(calls: tuple[Call, ...], made: tuple[Target, ...], unread: tuple[Unrea
         parameter_libraries=tuple(exports.parameter_libraries(calls)),
         interfaces=tuple(exports.interfaces(calls)),
         reconfigure_files=tuple(exports.reconfigure_files(calls)),
-        installs=tuple(exports.installs(calls)),
         dependencies=tuple(exports.dependencies(calls)),
         subdirectories=tuple(_subdirectories(calls)),
         options=tuple(_options(calls)),

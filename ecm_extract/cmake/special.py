@@ -147,9 +147,16 @@ def _require(run: Run, command: Command, args: tuple[str, ...], place: Place) ->
 
 
 def _message(run: Run, command: Command, args: tuple[str, ...], place: Place) -> bool:
-    """An error ends the configuration, so no build goes on from it."""
-    del run, command, place
-    return not _STOPS & set(args[:1])
+    """An error ends the configuration, so no build goes on from it.
+
+    Where every build comes to it, something is missing that a build has, such as a submodule: what follows is read.
+    """
+    if not _STOPS & set(args[:1]):
+        return True
+    if run.state.path.conditions:
+        return False
+    run.open(place, command.line, "an error that ends the configuration")
+    return True
 
 
 def _target(run: Run, command: Command, args: tuple[str, ...], place: Place) -> bool:

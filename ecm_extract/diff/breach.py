@@ -2,24 +2,19 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
-from typing import Final
 
 from ecm_checker.finding import Certainty
 from ecm_checker.hub.kinds import uses
 from ecm_checker.hub.provision import Form
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.match.consumer import Consumer
-from ecm_checker.match.fit import misfit
+from ecm_checker.match.fit import is_future, misfit
 from ecm_checker.match.provisions import Provisions
 
 from ecm_extract.diff.broken_names import GONE
 from ecm_extract.diff.effects import placed
 from ecm_extract.diff.model import ENDPOINTS, Located
-
-_FUTURE: Final = re.compile(r"future", re.IGNORECASE)
-_SHARED: Final = re.compile(r"shared", re.IGNORECASE)
 
 
 def breach(requirement: Requirement, consumer: Consumer, located: Located, after: Provisions) -> Certainty | None:
@@ -130,8 +125,4 @@ def _told(forms: Iterable[Form]) -> frozenset[str]:
 def _is_no_longer_shared(old: Iterable[Form], new: Iterable[Form]) -> bool:
     """Whether a form keeps its parameters and gives a future that is no longer shared."""
     before = {form.types: form.returns for form in old}
-    return any(_is_future(before.get(form.types, ""), True) and _is_future(form.returns, False) for form in new)
-
-
-def _is_future(written: str, shared: bool) -> bool:
-    return _FUTURE.search(written) is not None and (_SHARED.search(written) is not None) is shared
+    return any(is_future(before.get(form.types, ""), True) and is_future(form.returns, False) for form in new)

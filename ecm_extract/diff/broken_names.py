@@ -11,7 +11,7 @@ from ecm_checker.hub.provision import Key, Provision
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.match.consumer import Consumer
 from ecm_checker.match.names import called_names
-from ecm_checker.match.provisions import Provisions
+from ecm_checker.match.provisions import Provisions, Sought
 
 from ecm_extract.diff.model import Located
 from ecm_extract.diff.pair import CONTAINERS
@@ -55,11 +55,11 @@ class BrokenNames:
         """Whether nothing can break."""
         return not self._changes and not self._duties and not self._layouts
 
-    def keys(self) -> Iterator[tuple[str, str]]:
-        """Yield kinds and keys by which every requirement that a change may concern is found, and others as well."""
-        yield from self._changed.keys()
-        yield from Provisions(new for each in self._located if (new := each.pair.new) and _is_looked_for(each)).keys()
-        yield from (("message", name) for name in self._layouts)
+    def sought(self) -> Iterator[Sought]:
+        """Yield by what every requirement is found that a change may concern, and others as well."""
+        yield from self._changed.sought()
+        yield from Provisions(new for each in self._located if (new := each.pair.new) and _is_looked_for(each)).sought()
+        yield from (Sought("message", name) for name in self._layouts)
 
     def meant(self, requirement: Requirement, consumer: Consumer) -> Iterator[Located]:
         """Yield the changes of the names that a requirement may mean."""

@@ -8,12 +8,12 @@ from pathlib import PurePosixPath
 import msgspec
 from ecm_checker.hub.provision import Provision
 from ecm_parsers.launch.model import Action, Argument, Group, LaunchFile
+from ecm_parsers.launch.templates import written
 
 from ecm_extract.discover import is_test_path
 from ecm_extract.entities.launch_reads import is_open, reads
 from ecm_extract.entities.nodes import launched_nodes
 from ecm_extract.entities.side_texts import SideTexts
-from ecm_extract.entities.written_text import written
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.system.launch_files import is_launch_file, read_launch
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import msgspec
-from ecm_parsers.launch.model import Include, LaunchFile, Substitution, Template, Unread
+from ecm_parsers.launch.model import Include, LaunchFile, Template, Unread
+from ecm_parsers.launch.templates import plain_text, substitutions
 
 _UNREADABLE = frozenset({"eval", "unknown"})
 
@@ -20,11 +21,12 @@ class Read(msgspec.Struct, frozen=True):
 
 def reads(file: LaunchFile) -> Iterator[Read]:
     """Yield what a file reads with a default; a configuration without one must be set by somebody."""
-    for line, found in substitutions(file.actions, 0):
+    for each in substitutions(file.actions):
+        found = each.substitution
         if found.kind == "arg" and len(found.args) > 1:
-            name = "".join(part for part in found.args[0] if isinstance(part, str))
-            if name and all(isinstance(part, str) for part in found.args[0]):
-                yield Read(name, found.args[1], line)
+            name = plain_text(found.args[0])
+            if name:
+                yield Read(name, found.args[1], each.line)
 
 
 def is_open(file: LaunchFile) -> bool:
@@ -32,23 +34,9 @@ def is_open(file: LaunchFile) -> bool:
 
     In ROS 2 every file that it includes sees what it is given.
     """
-    if any(found.kind in _UNREADABLE for _, found in substitutions(file.actions, 0)):
+    if any(each.substitution.kind in _UNREADABLE for each in substitutions(file.actions)):
         return True
     return any(isinstance(each, Unread) or (file.ros == 2 and isinstance(each, Include)) for each in _all(file.actions))
-
-
-def substitutions(value: object, line: int) -> Iterator[tuple[int, Substitution]]:
-    """Yield every substitution below a value, with the line of the action that holds it."""
-    if isinstance(value, Substitution):
-        yield line, value
-        value = value.args
-    if isinstance(value, tuple | list):
-        for item in value:
-            yield from substitutions(item, line)
-    elif isinstance(value, msgspec.Struct):
-        line = getattr(value, "line", line)
-        for name in value.__struct_fields__:
-            yield from substitutions(getattr(value, name), line)
 
 
 def _all(value: object) -> Iterator[msgspec.Struct]:

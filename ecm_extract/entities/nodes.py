@@ -8,7 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from ecm_checker.hub.provision import HOLE, LAUNCHED, Provision
-from ecm_parsers.launch.model import Action, Group, Node, Template
+from ecm_parsers.launch.model import Action, Group, Node
+from ecm_parsers.launch.templates import plain_text
 
 from ecm_extract.link.linker import LinkedModule
 from ecm_extract.read.facts import PackageFacts
@@ -60,10 +61,3 @@ def all_nodes(actions: Iterable[Action]) -> Iterator[Node]:
             yield from all_nodes(action.components)
         elif isinstance(action, Group):
             yield from all_nodes(action.actions)
-
-
-def plain_text(template: Template | None) -> str | None:
-    """Return a template that holds no substitution as text, None for any other."""
-    if template is None or not all(isinstance(part, str) for part in template):
-        return None
-    return "".join(str(part) for part in template)

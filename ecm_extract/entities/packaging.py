@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 
 from ecm_checker.hub.provision import Provision
+from ecm_parsers.cmake_facts import Target
 
 from ecm_extract.entities.deprecations import deprecated_names
 from ecm_extract.entities.public_files import public_headers
@@ -52,7 +53,7 @@ def _targets(facts: PackageFacts) -> Iterator[Provision]:
         for target in file.targets:
             if target.kind not in {"executable", "library"} or target.is_test or "$" in target.name:
                 continue
-            if target.name in installed:
+            if target.name in installed or _runs_where_built(target, facts):
                 yield Provision(
                     kind=target.kind,
                     package=facts.name,
@@ -80,6 +81,11 @@ def _targets(facts: PackageFacts) -> Iterator[Provision]:
                 path=path,
                 line=component.line,
             )
+
+
+def _runs_where_built(target: Target, facts: PackageFacts) -> bool:
+    """ROS 1 starts programs from where they are built (rosbuild, the devel space of catkin), installed or not."""
+    return facts.ros == 1 and target.kind == "executable"
 
 
 def _scripts(facts: PackageFacts) -> Iterator[Provision]:

@@ -12,13 +12,13 @@ from typing import Final
 
 from ecm_checker.hub.provision import Provision
 from ecm_parsers.launch.model import Action, Group, LaunchFile, Node, ParameterFile
+from ecm_parsers.launch.templates import written
 from ecm_parsers.parameter_yaml import ParameterSet, parse_parameter_yaml
 from ecm_parsers.python_setup_facts import PythonSetup
 
 from ecm_extract.discover import is_test_path
 from ecm_extract.entities.setting import SETTING
 from ecm_extract.entities.side_texts import PARAMETERS, SideTexts
-from ecm_extract.entities.written_text import written
 from ecm_extract.read.facts import PackageFacts
 
 _MAX_INTEGER: Final = 2**63

@@ -8,8 +8,9 @@ from typing import Final
 
 import msgspec
 from ecm_checker.hub.provision import Provision
-from ecm_parsers.source.expr import Call, Expr, Number, Text
+from ecm_parsers.source.expr import Call, Constant, Expr, Name, Number, Op, Text
 from ecm_parsers.source.facts import Function, SourceFile
+from ecm_parsers.source.flow import Block, Branch, blocks, statements
 
 from ecm_extract.entities.public_files import python_modules, stub_modules
 from ecm_extract.entities.signatures import form_of
@@ -96,6 +97,40 @@ def _warning(function: Function) -> str | None:
     return None
 
 
+def advised(function: Function) -> tuple[str, ...]:
+    """Return the optional parameters that a function warns of when they are left out: `if size is None: warn(..)`."""
+    optional = {entry.name for entry in function.params if _is_none(entry.default)}
+    found = [name for name in _warned(function, function.flow) if name in optional]
+    return tuple(dict.fromkeys(found))
+
+
+def _warned(function: Function, block: Block) -> Iterator[str]:
+    """Yield the names of which a block that runs for None alone warns."""
+    for step in block:
+        if isinstance(step, Branch):
+            without = step.then if _tested(step.test, "==") else step.other
+            name = _tested(step.test, "==") or _tested(step.test, "!=")
+            if name and any(_is_warning(function.body[at].value) for at in statements(without)):
+                yield name
+        for inner in blocks(step):
+            yield from _warned(function, inner)
+
+
+def _tested(value: Expr | None, comparison: str) -> str:
+    """The name that is compared with None; empty for any other expression."""
+    if isinstance(value, Op) and value.op == comparison and isinstance(value.operands[0], Name):
+        return value.operands[0].id if _is_none(value.operands[1]) else ""
+    return ""
+
+
+def _is_none(value: Expr | None) -> bool:
+    return isinstance(value, Constant) and value.name == "null"
+
+
+def _is_warning(value: Expr | None) -> bool:
+    return isinstance(value, Call) and dotted_name(value.callee) in _WARN
+
+
 def _texts(expr: Expr) -> Iterator[Text]:
     if isinstance(expr, Text):
         yield expr
@@ -125,6 +160,7 @@ def _function(package: str, path: str, dotted: str, function: Function, classes:
         name=function.name if is_method else f"{dotted}.{function.name}",
         forms=(form,),
         deprecated="marked deprecated" if form.deprecated else _warning(function),
+        advised=advised(function),
         path=path,
         line=function.line,
     )

@@ -9,7 +9,7 @@ from types import MappingProxyType
 from typing import Final
 
 from ecm_checker.hub.provision import Form
-from ecm_parsers.source.facts import Function
+from ecm_parsers.source.facts import Function, Parameter
 
 _NOTHING: Final[Mapping[str, str]] = MappingProxyType({})
 _NAME = re.compile(r"\b[A-Za-z_]\w*\b")
@@ -64,10 +64,15 @@ def written_type(written: str, templates: Mapping[str, str]) -> str:
     return normal_type(written)
 
 
+def _takes_any(entry: Parameter) -> bool:
+    """Whether a parameter stands for any number: `*args`, `T... rest`, `...`."""
+    return entry.name.startswith("*") or entry.type.endswith("...")
+
+
 def form_of(function: Function, virtual: bool = False, templates: Mapping[str, str] = _NOTHING) -> Form:
     """Return the comparable form of a function."""
     params = [entry for entry in function.params if entry.name != "/" and entry.type != "void"]
-    required = sum(entry.default is None and not entry.name.startswith("*") for entry in params)
+    required = sum(entry.default is None and not _takes_any(entry) for entry in params)
     return Form(
         types=tuple(written_type(entry.type, templates) for entry in params),
         required=required,

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Protocol
 
 from ecm_parsers.source.expr import Call, Comprehension, Constant, Expr, Items, Member, Name, Number, Op, Opaque, Text
 from ecm_parsers.source.facts import Statement
-from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Later, Leave, Loop, Step, Switch
+from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Later, Leave, Loop, Step, Switch, statements
 
 from ecm_extract.infer.effects import Effect, Effects, Targets, bare_names, is_plain
 from ecm_extract.infer.held import Held, How, State, joined_states
@@ -170,7 +170,7 @@ class Interpreter:
 
     def _shadow(self, block: Block, state: State | None) -> None:
         """Follow code that no run reaches, so that what it would do is known too."""
-        first = next(_statements(block), -1)
+        first = next(statements(block), -1)
         if state is None or first < 0 or first in self.run.states:
             return
         keep = (self._breaks, self._continues, self._raised, self._left, self.run.returns)
@@ -371,7 +371,7 @@ class Interpreter:
     def _changed_in(self, block: Block) -> set[str]:
         """The variables that steps change."""
         found: set[str] = set()
-        for at in _statements(block):
+        for at in statements(block):
             found |= self._changed_by(at)
         return found
 
@@ -420,7 +420,7 @@ class Interpreter:
 
     def _declared_in(self, block: Block) -> set[str]:
         """The variables that steps declare for themselves."""
-        declaring = (self.body[at] for at in _statements(block))
+        declaring = (self.body[at] for at in statements(block))
         lets = [entry for entry in declaring if entry.kind == "let" or (entry.kind == "each" and not self.python)]
         return {key for entry in lets for key in self._bound_keys(entry.target)} - {""}
 
@@ -754,26 +754,6 @@ def comprehensions(expr: Expr | None) -> Iterator[Comprehension]:
         return
     for part in children(expr):
         yield from comprehensions(part)
-
-
-def _statements(block: Block) -> Iterator[int]:
-    """Yield the statements of steps, at any depth."""
-    for step in block:
-        if isinstance(step, int):
-            yield step
-        elif isinstance(step, Branch):
-            yield from _statements((*step.then, *step.other))
-        elif isinstance(step, Loop):
-            yield from (step.each,) if step.each >= 0 else ()
-            yield from _statements((*step.body, *step.step, *step.other))
-        elif isinstance(step, Switch):
-            for case in step.cases:
-                yield from _statements(case.body)
-        elif isinstance(step, Attempt):
-            for inner in (step.body, *step.handlers, step.other, step.final):
-                yield from _statements(inner)
-        elif isinstance(step, Later):
-            yield from _statements(step.body)
 
 
 def _raises(expr: Expr | None) -> bool:

@@ -16,7 +16,7 @@ _COMPILED: Final = frozenset({".c", ".cc", ".cpp", ".cxx", ".cu"})
 
 
 def files_of(packages: Iterable[PackageFacts]) -> list[File]:
-    """Return the source files of packages, each with the folders that its target looks for headers in."""
+    """Return the source files of packages, each with what the build makes of it."""
     return [file for package in packages for file in _of_package(package)]
 
 
@@ -24,8 +24,8 @@ def _of_package(package: PackageFacts) -> Iterator[File]:
     folders = _include_folders(package)
     dead = _dead(package)
     for path, facts in package.sources.items():
-        if path not in dead:
-            yield File(path, package.name, package.ros, facts, include_folders=folders.get(path, ()))
+        looked_in = folders.get(path, ())
+        yield File(path, package.name, package.ros, facts, include_folders=looked_in, is_built=path not in dead)
 
 
 def _dead(package: PackageFacts) -> frozenset[str]:

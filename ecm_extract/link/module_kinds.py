@@ -32,11 +32,12 @@ _MANAGED = frozenset({"LifecycleNode", "ControllerInterface", "ChainableControll
     "ActuatorInterface",
     "SensorInterface",
 }
+_MANAGED_ALIAS = "rclpy.lifecycle.Node"  # rclpy/lifecycle/__init__.py hands LifecycleNode on under this name too
 
 
 def is_managed(cls: Cls, program: Program) -> bool:
     """Tell whether a class follows the ROS 2 lifecycle: it works in the state active only."""
-    return any(last_name(name) in _MANAGED for name in program.base_names(cls))
+    return any(last_name(name) in _MANAGED or _is(name, _MANAGED_ALIAS) for name in program.base_names(cls))
 
 
 def is_node_base(name: str) -> bool:

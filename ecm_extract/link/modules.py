@@ -92,6 +92,8 @@ class Modules:
         return self._kind(cls) is not None
 
     def _kind(self, cls: Cls) -> str | None:
+        if not cls.file.is_built:
+            return None
         registered = self.registry.classes.get(id(cls))
         kind = class_kind(cls, self.program)
         if registered is not None:
@@ -118,6 +120,8 @@ class Modules:
         return known
 
     def _find_owners(self, unit: Unit) -> tuple[Module, ...]:
+        if not unit.file.is_built:
+            return ()
         found: dict[int, Module] = {}
         seen, pending = {id(unit)}, [unit]
         while pending and len(seen) < MAX_USERS:

@@ -11,12 +11,13 @@ from collections.abc import Mapping, Sequence
 from functools import cache
 from importlib import resources
 from types import MappingProxyType
-from typing import Any
+from typing import Any, NamedTuple
 
 from ecm_checker.contract import Qos
 from ecm_checker.match.generated import snake
 from ecm_parsers.numbers import real, truncated
 from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member, Name, Number, Op
+from ecm_parsers.source.facts import Statement
 
 from ecm_extract.link.calls import dotted_name
 from ecm_extract.link.data import declared_type, plain_type
@@ -49,6 +50,7 @@ _SETTERS = frozenset({*_FLAGS, *_POLICIES, *_TIMES, "keep_last", "avoid_ros_name
     "get",
 }
 MAX_DEPTH = 12
+MAX_STEPS = 40
 
 
 @cache
@@ -61,6 +63,13 @@ def presets() -> Mapping[str, tuple[str, Mapping[str, Any]]]:
         for profile, row in table.items()
         for name in row["names"]
     }
+
+
+class _Steps(NamedTuple):
+    """What follows the making of a profile, and how many branches enclose it."""
+
+    statements: Sequence[Statement]
+    depth: int = 0
 
 
 class QosReader:
@@ -246,7 +255,8 @@ class QosReader:
             value = definition.statement.value
             if value is not None and definition.statement.kind != "each" and not isinstance(value, Constant):
                 policies = self._policies(value, inner, level + 1)
-                return policies | self._mutations(name, definition.func.fact.body[definition.at :], inner)
+                later = definition.func.fact.body[definition.at :]
+                return self._mutated(policies, name, _Steps(later, definition.statement.depth), inner)
         for parameter in env.func.fact.params:
             if parameter.name == name and parameter.default is not None:
                 return self._policies(parameter.default, env, level + 1)
@@ -269,19 +279,23 @@ class QosReader:
         policies = self._policies(default, Env(env.func, depth=env.depth + 1, this=cls), level + 1)
         for method in (method for own in ancestry for method in own.methods):
             inner = Env(method, this=cls, depth=env.depth + 1)
-            policies |= self._mutations(name, method.fact.body, inner)
+            policies = self._mutated(policies, name, _Steps(method.fact.body), inner)
         return policies
 
-    def _mutations(self, name: str, statements: tuple[Any, ...], env: Env) -> dict[str, Any]:
-        """`qos.reliable();` and `qos.depth = 5` after the profile was made."""
-        policies: dict[str, Any] = {}
-        for statement in statements[:40]:
-            value, target = statement.value, statement.target
-            if statement.kind == "do" and isinstance(value, Call) and _root(value) == name:
-                policies |= self._chain(value, env)
-            elif statement.kind == "set" and isinstance(target, Member) and _root(target) == name:
-                policies |= self._assignment(target.name, value, env)
+    def _mutated(self, policies: dict[str, Any], name: str, steps: _Steps, env: Env) -> dict[str, Any]:
+        """What a profile is after `qos.reliable();` and `qos.depth = 5`; where a branch does so, it may be either."""
+        for statement in steps.statements[:MAX_STEPS]:
+            changed = {**policies, **self._mutation(name, statement, env)}
+            policies = changed if statement.depth <= steps.depth else agreed([policies, changed])
         return policies
+
+    def _mutation(self, name: str, statement: Statement, env: Env) -> dict[str, Any]:
+        value, target = statement.value, statement.target
+        if statement.kind == "do" and isinstance(value, Call) and _root(value) == name:
+            return self._chain(value, env)
+        if statement.kind == "set" and isinstance(target, Member) and _root(target) == name and value is not None:
+            return self._assignment(target.name, value, env)
+        return {}
 
     def _chain(self, expr: Expr, env: Env) -> dict[str, Any]:
         if not isinstance(expr, Call) or not isinstance(expr.callee, Member):

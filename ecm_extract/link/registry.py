@@ -123,7 +123,7 @@ def _programs(package: PackageFacts, files: list[File], program: Program, regist
     names = _executables(package, {file.path for file in files})
     entries = _entry_points(package)
     for file in files:
-        for func in _mains(file, program, entries):
+        for func in _mains(file, program, entries) if file.is_built else ():
             stem = PurePosixPath(file.path).stem
             registry.programs[id(func)] = names.get(file.path) or entries.get((stem, func.fact.name)) or stem
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 
 import msgspec
 from ecm_parsers.launch.model import Action, Argument, Include, LaunchFile, SetConfiguration, Substitution
+from ecm_parsers.launch.templates import all_actions, plain_text, substitutions
 
-from ecm_extract.lint.workspace import Workspace, all_actions, plain_text
+from ecm_extract.lint.workspace import Workspace
 from ecm_extract.system.files import TREE, Files
 
 
@@ -54,14 +55,15 @@ def _interface(path: str, facts: LaunchFile, workspace: Workspace) -> Interface:
     read: set[str] = set()
     always: set[str] = set()
     is_open = None in names
-    for line, found, is_sure in _substitutions(facts.actions, 0):
+    for each in substitutions(facts.actions):
+        found = each.substitution
         name = plain_text(found.args[0]) if found.args else None
         is_open |= found.kind in {"eval", "unknown"} or (found.kind == "arg" and name is None)
         if found.kind == "arg" and name is not None:
             read.add(name)
             if len(found.args) == 1:
-                used.setdefault(name, line)
-                always.update({name} if is_sure else ())
+                used.setdefault(name, each.line)
+                always.update({name} if each.is_sure else ())
     return Interface(
         ros=facts.ros,
         declared=frozenset({*(each.name for each in arguments), *(name for name in names if name)}),
@@ -99,21 +101,6 @@ def _target(action: Include, path: str, files: Files) -> str | None:
         text += place
     found = files.find(text)
     return found if found is not None and text.removeprefix(TREE).replace("//", "/").lstrip("/") == found else None
-
-
-def _substitutions(value: object, line: int, *, is_sure: bool = True) -> Iterator[tuple[int, Substitution, bool]]:
-    """Every substitution below a value: the line of the action that holds it, and whether no condition is around it."""
-    if isinstance(value, Substitution):
-        yield line, value, is_sure
-        value = value.args
-    if isinstance(value, tuple | list):
-        for item in value:
-            yield from _substitutions(item, line, is_sure=is_sure)
-    elif isinstance(value, msgspec.Struct):
-        line = getattr(value, "line", line)
-        inside = is_sure and getattr(value, "condition", None) is None
-        for name in value.__struct_fields__:
-            yield from _substitutions(getattr(value, name), line, is_sure=is_sure if name == "condition" else inside)
 
 
 class Reach:

@@ -8,7 +8,8 @@ from functools import cached_property
 from ecm_checker.contract import Evidence
 from ecm_checker.hub.package import Package
 from ecm_checker.versions import in_range
-from ecm_parsers.launch.model import Action, Group, Include, LaunchFile, Node, Template
+from ecm_parsers.launch.model import Action, Include, LaunchFile
+from ecm_parsers.launch.templates import all_actions
 from ecm_parsers.result import Diagnostic, Parsed
 
 from ecm_extract.assemble.contracts import assemble
@@ -187,23 +188,6 @@ class Workspace:
 def evidence_of(place: Place) -> Evidence:
     """Return a place as evidence."""
     return Evidence(place.path, place.line)
-
-
-def all_actions(actions: Sequence[Action]) -> Iterator[Action]:
-    """Yield actions with those in groups and the components of containers, in order."""
-    for action in actions:
-        yield action
-        if isinstance(action, Group):
-            yield from all_actions(action.actions)
-        elif isinstance(action, Node):
-            yield from action.components
-
-
-def plain_text(template: Template | None) -> str | None:
-    """Return a template that holds no substitution as text, None for any other."""
-    if template is None or not all(isinstance(part, str) for part in template):
-        return None
-    return "".join(str(part) for part in template)
 
 
 def _included(actions: Sequence[Action]) -> Iterator[str]:

@@ -16,6 +16,7 @@ from ecm_checker.wire import EvidenceKind
 
 from ecm_extract.diff.migration import uncovered
 from ecm_extract.registry.evidence import Kept
+from ecm_extract.registry.impact import Impact
 from ecm_extract.registry.matter import Matter
 from ecm_extract.registry.proof import Proof, witnesses
 from ecm_extract.registry.releases import name_of
@@ -71,11 +72,14 @@ def _nobody_breaks(matter: Matter) -> Answer:
         return Answer(True, "it is the first release of its package")
     broken = matter.impact.broken
     where = matter.impact.scope
-    if not broken and matter.unread_users:
-        return Answer(False, f"of {where} not all could be read: {_listed(matter.unread_users)}")
-    if not broken and matter.previous is not None and matter.previous.gaps:
-        return Answer(False, f"not all of {matter.previous.version} could be read, so what it lost is not known")
+    if not broken and not matter.impact.is_whole:
+        return Answer(False, f"nobody is known to break of {where}, and not all is known: {_unknown(matter.impact)}")
     return Answer(not broken, f"of {where} it breaks {_listed(broken)}" if broken else f"nobody breaks of {where}")
+
+
+def _unknown(impact: Impact) -> str:
+    doubts = [f"{each.release} {each.path} {each.why}" for each in impact.doubts]
+    return _listed([*(f"{name} is not stored" for name in impact.missing), *doubts])
 
 
 def _new_permissions_reviewed(matter: Matter) -> Answer:

@@ -21,7 +21,9 @@ from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from ecm_extract.registry.dependencies import dependencies_of
-from ecm_extract.registry.impact import Impact, Side, impact_of
+from ecm_extract.registry.doubts import Doubt, unread_of
+from ecm_extract.registry.impact import Impact, impact_of
+from ecm_extract.registry.impact_side import Side
 from ecm_extract.registry.outside import outside_of
 from ecm_extract.registry.releases import name_of
 from ecm_extract.registry.scope import Scope
@@ -58,7 +60,7 @@ class Fit(msgspec.Struct, frozen=True):
     Attributes:
         outcome: the worst that any of the following asks for.
         releases: that are asked about. scope: among whom, in words.
-        missing: who belongs there and is not stored.
+        missing: who belongs there and is not stored. doubts: what was not read of releases that take nobody's place.
         impacts: what breaks there. needs: dependencies that are not met, or of which nothing is known.
         findings: of rules: names that are not provided, what the robot lacks or governance forbids.
     """
@@ -67,6 +69,7 @@ class Fit(msgspec.Struct, frozen=True):
     releases: tuple[str, ...]
     scope: str
     missing: tuple[str, ...]
+    doubts: tuple[Doubt, ...]
     impacts: tuple[Impact, ...]
     needs: tuple[Need, ...]
     findings: tuple[Finding, ...]
@@ -93,11 +96,14 @@ def fit(session: Session, pairs: Sequence[TwoSides], scope: Scope, profiles: Pro
     stay = {name: release for name, release in there.items() if name not in names}
     needs = [*_needs(session, sides, _versions(sides, stay, profiles)), *_needed(session, sides, stay)]
     findings = (*_unmet(session, sides, stay), *_installed(sides, profiles))
+    doubts = tuple(unread_of(*(each.after for each in pairs if each.before is None)))
+    known = not scope.missing and not doubts and all(each.is_whole for each in impacts)
     return Fit(
-        outcome=_outcome(impacts, needs, findings),
+        outcome=worst([_outcome(impacts, needs, findings), "accept" if known else "review"]),
         releases=tuple(each.label for each in sides),
         scope=scope.shown,
         missing=scope.missing,
+        doubts=doubts,
         impacts=tuple(impacts),
         needs=tuple(needs),
         findings=findings,
@@ -164,6 +170,5 @@ def _outcome(impacts: Sequence[Impact], needs: Sequence[Need], findings: Iterabl
     found: list[Outcome] = [decide(findings)]
     for each in impacts:
         found += ["reject" if one.severity == "error" else "review" for one in each.errors]
-        found += ["review"] if each.missing else []
     found += ["review" if each.state == "unknown" else "reject" for each in needs]
     return worst(found)

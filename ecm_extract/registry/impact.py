@@ -7,38 +7,31 @@ changed are taken from the registry.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Final
 
 import msgspec
 from ecm_checker.finding import Certainty, Finding, Severity
-from ecm_checker.hub.package import Package
+from ecm_checker.hub.provision import Provision
 from ecm_checker.match.consumer import Consumer
 from ecm_checker.release import Change
 from sqlalchemy.orm import Session
 
-from ecm_extract.diff.break_findings import finding_of, grouped_uses
+from ecm_extract.diff.break_findings import finding_of
 from ecm_extract.diff.broken_names import BrokenNames
 from ecm_extract.diff.consumers import uses_of
-from ecm_extract.diff.model import RefInfo, Verdict
+from ecm_extract.diff.model import Located, RefInfo, Verdict
 from ecm_extract.diff.run import Request, located_changes, unread_between
 from ecm_extract.diff.use import Use
 from ecm_extract.diff.verdict import repository_verdict
 from ecm_extract.extraction_model import Options
+from ecm_extract.registry.doubts import Doubt, doubts_of, unread_of
+from ecm_extract.registry.impact_side import Side
 from ecm_extract.registry.scope import Scope
 from ecm_extract.registry.users import Line, StoredConsumer, User, consumers_of
 from ecm_extract.stored import Stored, stored_side, unread_in
 
 SCHEMA: Final = "ecm-extract/impact/1"
-
-
-class Side(msgspec.Struct, frozen=True):
-    """One of two releases: its package, and how it is called (`driver@1.2.0`, `src/driver`), with its commit."""
-
-    label: str
-    package: Package
-    commit: str | None = None
-    repository: str = ""
 
 
 class Break(msgspec.Struct, frozen=True):
@@ -67,6 +60,7 @@ class Impact(msgspec.Struct, frozen=True):
     Attributes:
         old, new: the releases. scope: who was asked, in words.
         missing: who belongs to the scope and is not stored, so that nothing is known of it.
+        doubts: what was not read, and computed names that may be those that changed: none of it is known to break.
         breaks: the worst first.
         changes: all changes, `verdict` on them.
     """
@@ -76,6 +70,7 @@ class Impact(msgspec.Struct, frozen=True):
     new: str
     scope: str
     missing: tuple[str, ...]
+    doubts: tuple[Doubt, ...]
     breaks: tuple[Break, ...]
     changes: tuple[Change, ...]
     verdict: Verdict
@@ -86,6 +81,11 @@ class Impact(msgspec.Struct, frozen=True):
         """Releases that have a line that breaks."""
         found = {f"{user.package}@{user.version}" for each in self.errors for user in each.users}
         return tuple(sorted(found))
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether everybody was asked, and everything of them is known."""
+        return not self.missing and not self.doubts
 
     @property
     def errors(self) -> tuple[Break, ...]:
@@ -108,7 +108,7 @@ def impact_of(session: Session, old: Side, new: Side, scope: Scope, beside: Sequ
     request = _request(before, after)
     located = located_changes(request, *sides)
     broken = BrokenNames(located, *sides)
-    consumers = [] if broken.is_empty() else consumers_of(session, broken.keys(), scope)
+    consumers = [] if broken.is_empty() else consumers_of(session, broken.sought(), scope)
     replaced = {new.package.name, *(each.package.name for each in beside)}
     others = [each for each in consumers if each.package not in replaced]
     uses = [*_own(new, broken), *_uses([*others, *map(_consumer, beside)], broken)]
@@ -119,10 +119,16 @@ def impact_of(session: Session, old: Side, new: Side, scope: Scope, beside: Sequ
         new=new.label,
         scope=scope.shown,
         missing=scope.missing,
+        doubts=(*unread_of(old, new, *beside), *doubts_of(session, _changed(located), scope, replaced)),
         breaks=tuple(_breaks(uses)),
         changes=changes,
         verdict=repository_verdict(changes, *sides, unread_between(request, *sides)),
     )
+
+
+def _changed(located: Iterable[Located]) -> list[Provision]:
+    """What was provided before and is not any more, or otherwise."""
+    return [each.pair.old for each in located if each.change.breaking and each.pair.old is not None]
 
 
 class _Used(msgspec.Struct, frozen=True):
@@ -165,17 +171,19 @@ def _uses(consumers: Sequence[StoredConsumer], broken: BrokenNames) -> Iterator[
 
 
 def _breaks(used: Sequence[_Used]) -> Iterator[Break]:
-    by_use = {id(each.use): each.by for each in used}
-    grouped = grouped_uses(each.use for each in used)
-    found = [(finding_of(located, uses), located, uses) for located, uses in grouped]
-    for finding, located, uses in sorted(found, key=lambda entry: _rank(entry[0])):
+    by_change: dict[object, list[_Used]] = defaultdict(list)
+    for each in used:
+        by_change[each.use.located.key].append(each)
+    grouped = [(group[0].use.located, group) for group in by_change.values()]
+    found = [(finding_of(located, [each.use for each in group]), located, group) for located, group in grouped]
+    for finding, located, group in sorted(found, key=lambda entry: _rank(entry[0])):
         yield Break(
             change=located.change,
             severity=finding.severity,
             certainty=finding.certainty,
             message=finding.message,
             instead=finding.resolution,
-            users=tuple(_users(uses, by_use)),
+            users=tuple(_users(group)),
             fingerprint=finding.fingerprint,
         )
 
@@ -184,11 +192,11 @@ def _rank(finding: Finding) -> tuple[int, str, str]:
     return ("error", "warning", "info").index(finding.severity), finding.message, finding.fingerprint
 
 
-def _users(uses: Sequence[Use], by_use: dict[int, StoredConsumer]) -> Iterator[User]:
+def _users(used: Sequence[_Used]) -> Iterator[User]:
     lines: dict[str, list[Line]] = defaultdict(list)
     releases: dict[str, StoredConsumer] = {}
-    for use in uses:
-        by = by_use[id(use)]
+    for each in used:
+        by, use = each.by, each.use
         releases[by.release] = by
         lines[by.release].append(Line(use.path, use.line, use.what, use.certainty))
     for name in sorted(releases):

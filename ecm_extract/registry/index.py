@@ -7,8 +7,8 @@ it stopped, and a tag that moved since is told and not read again.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from concurrent.futures import Executor, as_completed
 from fnmatch import fnmatchcase
+from functools import partial
 from pathlib import Path
 from typing import Literal
 
@@ -21,6 +21,7 @@ from ecm_extract.registry.publish import Origin, make_ready, publish
 from ecm_extract.registry.sources import packages_of
 from ecm_extract.registry.store import Registry
 from ecm_extract.registry.tables import Indexed
+from ecm_extract.registry.workers import Workers
 from ecm_extract.tree import ReleaseTag, open_ref, open_repo, release_tags
 from ecm_extract.tree.remote import repository_name
 
@@ -97,24 +98,20 @@ def _known(job: Job, commit: str) -> Outcome:
     return Outcome(job.repository, job.tag, "skipped", 0, (why,))
 
 
-def run(url: str, jobs: Sequence[Job], executor: Executor | None) -> Iterator[Outcome]:
+def run(url: str, jobs: Sequence[Job], workers: Workers) -> Iterator[Outcome]:
     """Do jobs and yield their outcomes as they come.
 
     Args:
         url: of the registry; each worker opens it.
         jobs: in the order in which they are begun.
-        executor: of processes, or of a cluster; None to do them here.
+        workers: who does them.
     """
-    if executor is None:
-        yield from (index_tag(url, job) for job in jobs)
-        return
-    futures = {executor.submit(index_tag, url, job): job for job in jobs}
-    for future in as_completed(futures):
-        yield _result(future.exception(), futures[future]) if future.exception() else future.result()
+    for done in workers.do(partial(index_tag, url), jobs):
+        yield done.result or _unread(done.job, done.error)
 
 
-def _result(error: BaseException | None, job: Job) -> Outcome:
-    """A worker that was killed takes its tag with it; the next run does it again."""
+def _unread(job: Job, error: str) -> Outcome:
+    """The next run does it again."""
     return Outcome(job.repository, job.tag, "skipped", 0, (f"its worker ended: {error}",))
 
 

@@ -23,10 +23,9 @@ from ecm_extract.registry import clock
 from ecm_extract.registry.evidence import Kept, contents_of, evidence_of
 from ecm_extract.registry.impact import Impact, impact_of
 from ecm_extract.registry.proof import Proof, proof_of, words_that_count
-from ecm_extract.registry.releases import name_of, package_of_release
 from ecm_extract.registry.scope import Scope
 from ecm_extract.registry.sides import stored_side_of
-from ecm_extract.registry.tables import Dependency, Release
+from ecm_extract.registry.tables import Release
 
 
 class Inputs(msgspec.Struct, frozen=True, kw_only=True):
@@ -119,14 +118,6 @@ class Matter:
             return self.breaking("permissions")
         found = (change for each in self.package.contracts() for change in _brought(each))
         return [each for each in found if each.dimension == "permissions"]
-
-    @cached_property
-    def unread_users(self) -> tuple[str, ...]:
-        """Releases in its scope that depend on it and could not be read as a whole."""
-        query = select(Release).join(Dependency, Dependency.release_id == Release.id)
-        query = query.where(Dependency.package == self.package.name, Release.id.in_(self.inputs.scope))
-        users = self._session.scalars(query.order_by(Release.package))
-        return tuple(name_of(each) for each in users if package_of_release(self._session, each).gaps)
 
     @property
     def compatibility_class(self) -> CompatibilityClass:

@@ -99,3 +99,8 @@ def _keys(number: int, entry: Requirement) -> Iterator[dict[str, Any]]:
 def clipped(text: str) -> str:
     """Return text as a database can hold and index it: what is looked for is clipped alike, and then matched whole."""
     return text.replace("\0", "\ufffd")[:_LONGEST]
+
+
+def is_clipped(text: str) -> bool:
+    """Whether text of a row may have been longer."""
+    return len(text) >= _LONGEST

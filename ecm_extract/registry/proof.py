@@ -2,7 +2,7 @@
 
 Of each witness the newest word on each module counts. What one of them contradicts, only they take back; a doubt takes
 back what was confirmed and no contradiction, and what was not seen says nothing. A record confirms the content that it
-names and no other one under the same version.
+names and no other one under the same version, and when something of the contract was seen at all.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 
 import msgspec
 from ecm_checker.wire import EvidenceRecord
+from msgspec import UNSET
 
 from ecm_extract.registry.evidence import Kept, in_time, names_content
 
@@ -45,16 +46,25 @@ def proof_of(kept: Iterable[Kept], contents: Mapping[str | None, str], running: 
         running: its modules that run, each of which must be confirmed when the package is not as a whole.
     """
     counting = words_that_count(kept)
-    said = [each for each in counting if each.evidence.result == "confirmed"]
+    said = [each for each in counting if each.evidence.result == "confirmed" and not _saw_nothing(each.evidence)]
     confirmed = [each for each in said if names_content(each.evidence, contents)]
     about = {each.evidence.subject.module_id for each in confirmed}
     return Proof(
         confirmed=tuple(confirmed),
         against=tuple(each for each in counting if each.evidence.result == "contradicted"),
-        doubtful=tuple(each for each in counting if each.evidence.result == "doubtful"),
+        doubtful=tuple(each for each in counting if _is_doubtful(each.evidence)),
         elsewhere=tuple(each for each in said if each not in confirmed),
         unproved=() if None in about else tuple(sorted(set(running) - about)),
     )
+
+
+def _saw_nothing(record: EvidenceRecord) -> bool:
+    """Whether a contract was compared with nothing: its node was there, and none of its endpoints was seen."""
+    return record.promised is not UNSET and not record.seen
+
+
+def _is_doubtful(record: EvidenceRecord) -> bool:
+    return record.result == "doubtful" or (record.result == "confirmed" and _saw_nothing(record))
 
 
 def words_that_count(kept: Iterable[Kept]) -> list[Kept]:

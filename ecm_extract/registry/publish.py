@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from itertools import islice
+from collections.abc import Iterable, Sequence
 from typing import Any, Final, Literal
 
 import msgspec
@@ -15,12 +14,16 @@ from ecm_extract.errors import InputError
 from ecm_extract.registry import audit
 from ecm_extract.registry.contents import Packed, pack
 from ecm_extract.registry.dependencies import dependencies_of
+from ecm_extract.registry.gaps import gaps_of
+from ecm_extract.registry.groups import grouped
 from ecm_extract.registry.parts import PackedPart, clipped, pack_part, parts_of
 from ecm_extract.registry.tables import (
     Base,
     Content,
     Dependency,
+    Gap,
     Holds,
+    Name,
     Part,
     ProvisionRow,
     Release,
@@ -29,9 +32,9 @@ from ecm_extract.registry.tables import (
     Standing,
 )
 from ecm_extract.registry.versions import rank
+from ecm_extract.registry.words import searched_words
 
 FIRST_CHANNEL: Final = "sandbox"
-_AT_ONCE: Final = 500
 State = Literal["published", "same", "refused"]
 
 
@@ -50,6 +53,7 @@ class Ready(msgspec.Struct, frozen=True):
     content: Packed
     parts: tuple[PackedPart, ...]
     dependencies: dict[str, str]
+    gaps: list[dict[str, Any]]
 
 
 class Published(msgspec.Struct, frozen=True):
@@ -76,7 +80,7 @@ def make_ready(package: Package) -> Ready:
     """Return a package as it is stored."""
     parts = tuple(pack_part(part) for part in parts_of(package))
     needs = {clipped(name): wanted for name, wanted in dependencies_of(package.contracts()).items()}
-    return Ready(package, pack(package), parts, needs)
+    return Ready(package, pack(package), parts, needs, gaps_of(package))
 
 
 def publish(session: Session, packages: Sequence[Ready], origin: Origin) -> list[Published]:
@@ -152,12 +156,14 @@ def _store(session: Session, ready: Ready, origin: Origin) -> None:
     session.add(Standing(release_id=release.id, channel=FIRST_CHANNEL, since=at))
     needs = [{"release_id": release.id, "package": k, "wanted": v} for k, v in sorted(ready.dependencies.items())]
     _insert(session, Dependency, needs)
+    _insert(session, Gap, [{"release_id": release.id, **each} for each in ready.gaps])
     _insert(session, Holds, [{"release_id": release.id, "part_id": each} for each in _part_ids(session, ready.parts)])
 
 
 def _part_ids(session: Session, parts: Sequence[PackedPart]) -> list[int]:
     """Return the ids of parts; those that no release had before are stored."""
     known = _known(session, parts)
+    _add_names(session, (row["name"] for part in parts if part.digest not in known for row in part.provisions))
     for part in parts:
         if part.digest not in known:
             row = Part(digest=part.digest, data=part.data)
@@ -173,10 +179,18 @@ def _part_ids(session: Session, parts: Sequence[PackedPart]) -> list[int]:
     return sorted({known[part.digest] for part in parts})
 
 
+def _add_names(session: Session, provided: Iterable[str]) -> None:
+    """Keep names that nobody provided before."""
+    names = sorted(set(provided))
+    for group in grouped(names):
+        known = set(session.scalars(select(Name.name).where(Name.name.in_(group))))
+        new = [each for each in group if each not in known]
+        _insert(session, Name, [{"name": each, "words": searched_words(each)} for each in new])
+
+
 def _known(session: Session, parts: Sequence[PackedPart]) -> dict[str, int]:
     found: dict[str, int] = {}
-    digests = iter([part.digest for part in parts])
-    while group := list(islice(digests, _AT_ONCE)):
+    for group in grouped([part.digest for part in parts]):
         rows = session.execute(select(Part.digest, Part.id).where(Part.digest.in_(group)))
         found |= {row.digest: row.id for row in rows}
     return found

@@ -9,6 +9,7 @@ from ecm_checker.match.provisions import Provisions, last_part
 from sqlalchemy.orm import Session
 
 from ecm_extract.errors import InputError
+from ecm_extract.registry.doubts import Doubt, doubts_of
 from ecm_extract.registry.releases import find_release, package_of_release
 from ecm_extract.registry.scope import Scope
 from ecm_extract.registry.users import UsedName, used_names
@@ -26,7 +27,14 @@ class Asked(msgspec.Struct, frozen=True):
         return same_kind and self.name in (None, provision.name, last_part(provision.name))
 
 
-def who_uses(session: Session, spec: str, asked: Asked, scope: Scope) -> list[UsedName]:
+class Users(msgspec.Struct, frozen=True):
+    """Who uses names, and what may use them without anybody knowing."""
+
+    names: tuple[UsedName, ...]
+    doubts: tuple[Doubt, ...]
+
+
+def who_uses(session: Session, spec: str, asked: Asked, scope: Scope) -> Users:
     """Return who uses the names of a release.
 
     Args:
@@ -44,4 +52,6 @@ def who_uses(session: Session, spec: str, asked: Asked, scope: Scope) -> list[Us
     if not wanted:
         message = f"{spec} provides nothing that is called {' '.join(filter(None, (asked.kind, asked.name)))}"
         raise InputError(message, f"`ecm-extract registry show {spec} --format json` tells what it provides")
-    return used_names(session, Provisions(everything.values(), frozenset(package.bound)), wanted, scope)
+    whole = Provisions(everything.values(), frozenset(package.bound))
+    doubts = doubts_of(session, wanted, scope, {package.name})
+    return Users(tuple(used_names(session, whole, wanted, scope)), doubts)

@@ -10,7 +10,7 @@ from sqlalchemy.orm import Session
 
 from ecm_extract.errors import InputError
 from ecm_extract.registry.environments import running
-from ecm_extract.registry.impact import Side
+from ecm_extract.registry.impact_side import Side
 from ecm_extract.registry.releases import find_release, name_of, package_of_release, release_before
 from ecm_extract.registry.sources import read_source
 from ecm_extract.registry.tables import Release

@@ -6,10 +6,17 @@ the hundredth release of a package costs only what changed in it. Times are ISO 
 
 from __future__ import annotations
 
-from typing import Any, ClassVar
+from typing import Annotated, Any, ClassVar
 
 from sqlalchemy import ForeignKey, Index, LargeBinary, Text, UniqueConstraint
 from sqlalchemy.orm import DeclarativeBase, Mapped, mapped_column
+
+_Key = Annotated[str, mapped_column(primary_key=True)]
+_Number = Annotated[int, mapped_column(primary_key=True)]
+_OfPart = Annotated[int, mapped_column(ForeignKey("part.id"), primary_key=True)]
+_OfRelease = Annotated[int, mapped_column(ForeignKey("release.id"), primary_key=True)]
+_AboutRelease = Annotated[int, mapped_column(ForeignKey("release.id"), index=True)]
+"""Columns of several tables: keys, and which part or release a row is of."""
 
 
 class Base(DeclarativeBase):
@@ -22,7 +29,7 @@ class Content(Base):
     """A document by the SHA-256 of its canonical JSON; `data` is compressed, `size` is that of the JSON."""
 
     __tablename__ = "content"
-    digest: Mapped[str] = mapped_column(primary_key=True)
+    digest: Mapped[_Key]
     data: Mapped[bytes]
     size: Mapped[int]
 
@@ -38,7 +45,7 @@ class Release(Base):
     """
 
     __tablename__ = "release"
-    id: Mapped[int] = mapped_column(primary_key=True)
+    id: Mapped[_Number]
     package: Mapped[str]
     version: Mapped[str]
     rank: Mapped[str]
@@ -60,7 +67,7 @@ class Dependency(Base):
     """A package that a release depends on, with the range of versions that it names; `*` for any."""
 
     __tablename__ = "dependency"
-    release_id: Mapped[int] = mapped_column(ForeignKey("release.id"), primary_key=True)
+    release_id: Mapped[_OfRelease]
     package: Mapped[str] = mapped_column(primary_key=True, index=True)
     wanted: Mapped[str]
 
@@ -69,7 +76,7 @@ class Part(Base):
     """What one file of a package provides and requires; `data` holds the requirements, compressed."""
 
     __tablename__ = "part"
-    id: Mapped[int] = mapped_column(primary_key=True)
+    id: Mapped[_Number]
     digest: Mapped[str] = mapped_column(unique=True)
     data: Mapped[bytes]
 
@@ -78,7 +85,7 @@ class Holds(Base):
     """A release has a part."""
 
     __tablename__ = "holds"
-    part_id: Mapped[int] = mapped_column(ForeignKey("part.id"), primary_key=True)
+    part_id: Mapped[_OfPart]
     release_id: Mapped[int] = mapped_column(ForeignKey("release.id"), primary_key=True, index=True)
     __table_args__ = ({"sqlite_with_rowid": False},)
 
@@ -87,8 +94,8 @@ class ProvisionRow(Base):
     """One public name that a part provides; `last` is the last part of the name."""
 
     __tablename__ = "provision"
-    part_id: Mapped[int] = mapped_column(ForeignKey("part.id"), primary_key=True)
-    number: Mapped[int] = mapped_column(primary_key=True)
+    part_id: Mapped[_OfPart]
+    number: Mapped[_Number]
     kind: Mapped[str]
     owner: Mapped[str]
     name: Mapped[str]
@@ -106,8 +113,8 @@ class RequirementRow(Base):
     """One name that a part depends on; `number` is its place in the part, `package` the one that must provide it."""
 
     __tablename__ = "requirement"
-    part_id: Mapped[int] = mapped_column(ForeignKey("part.id"), primary_key=True)
-    number: Mapped[int] = mapped_column(primary_key=True)
+    part_id: Mapped[_OfPart]
+    number: Mapped[_Number]
     use: Mapped[str]
     kind: Mapped[str]
     package: Mapped[str | None]
@@ -115,17 +122,39 @@ class RequirementRow(Base):
     name: Mapped[str]
     line: Mapped[int]
     certainty: Mapped[str]
-    __table_args__ = (Index("requirement_of_package", "package", "kind"), {"sqlite_with_rowid": False})
+    __table_args__ = (
+        Index("requirement_of_package", "package", "kind"),
+        Index("requirement_of_use", "use"),
+        {"sqlite_with_rowid": False},
+    )
+
+
+class Name(Base):
+    """A name that some part provides, with the words by which it is searched; the database keeps their index."""
+
+    __tablename__ = "name"
+    id: Mapped[_Number]
+    name: Mapped[str] = mapped_column(unique=True)
+    words: Mapped[str]
+
+
+class Gap(Base):
+    """A file or folder of a release that was not read, so that it may use any name."""
+
+    __tablename__ = "gap"
+    release_id: Mapped[_OfRelease]
+    path: Mapped[_Key]
+    reason: Mapped[str]
 
 
 class RequirementKey(Base):
     """What a requirement is found by: the keys by which matching looks for what it may mean."""
 
     __tablename__ = "requirement_key"
-    key: Mapped[str] = mapped_column(primary_key=True)
-    use: Mapped[str] = mapped_column(primary_key=True)
-    part_id: Mapped[int] = mapped_column(ForeignKey("part.id"), primary_key=True)
-    number: Mapped[int] = mapped_column(primary_key=True)
+    key: Mapped[_Key]
+    use: Mapped[_Key]
+    part_id: Mapped[_OfPart]
+    number: Mapped[_Number]
     __table_args__ = ({"sqlite_with_rowid": False},)
 
 
@@ -139,7 +168,7 @@ class Standing(Base):
     """
 
     __tablename__ = "standing"
-    release_id: Mapped[int] = mapped_column(ForeignKey("release.id"), primary_key=True)
+    release_id: Mapped[_OfRelease]
     channel: Mapped[str | None] = mapped_column(index=True)
     since: Mapped[str]
     deprecated: Mapped[str | None]
@@ -152,8 +181,8 @@ class Running(Base):
     """Which release of a package an environment runs."""
 
     __tablename__ = "running"
-    environment: Mapped[str] = mapped_column(primary_key=True)
-    package: Mapped[str] = mapped_column(primary_key=True)
+    environment: Mapped[_Key]
+    package: Mapped[_Key]
     release_id: Mapped[int] = mapped_column(ForeignKey("release.id"))
     since: Mapped[str]
 
@@ -162,7 +191,7 @@ class EvidenceRow(Base):
     """Something observed or tested of a release; `document` is JSON."""
 
     __tablename__ = "evidence"
-    digest: Mapped[str] = mapped_column(primary_key=True)
+    digest: Mapped[_Key]
     release_id: Mapped[int] = mapped_column(ForeignKey("release.id"), primary_key=True, index=True)
     document: Mapped[str]
 
@@ -171,7 +200,7 @@ class MigrationRow(Base):
     """How consumers follow a release that breaks them; `document` is JSON."""
 
     __tablename__ = "migration"
-    release_id: Mapped[int] = mapped_column(ForeignKey("release.id"), primary_key=True)
+    release_id: Mapped[_OfRelease]
     document: Mapped[str]
 
 
@@ -179,8 +208,8 @@ class WaiverRow(Base):
     """Somebody answers for a gate that a release does not pass."""
 
     __tablename__ = "waiver"
-    id: Mapped[int] = mapped_column(primary_key=True)
-    release_id: Mapped[int] = mapped_column(ForeignKey("release.id"), index=True)
+    id: Mapped[_Number]
+    release_id: Mapped[_AboutRelease]
     channel: Mapped[str]
     gate: Mapped[str]
     name: Mapped[str]
@@ -192,8 +221,8 @@ class VerdictRow(Base):
     """What the gates said of a release: `document` is JSON with all that they stood on."""
 
     __tablename__ = "verdict"
-    id: Mapped[int] = mapped_column(primary_key=True)
-    release_id: Mapped[int] = mapped_column(ForeignKey("release.id"), index=True)
+    id: Mapped[_Number]
+    release_id: Mapped[_AboutRelease]
     channel: Mapped[str]
     at: Mapped[str]
     passed: Mapped[bool]
@@ -204,8 +233,8 @@ class Indexed(Base):
     """A tag of a repository that was indexed: what came of it, and why when nothing did."""
 
     __tablename__ = "indexed"
-    repository: Mapped[str] = mapped_column(primary_key=True)
-    tag: Mapped[str] = mapped_column(primary_key=True)
+    repository: Mapped[_Key]
+    tag: Mapped[_Key]
     commit: Mapped[str]
     releases: Mapped[int]
     skipped: Mapped[str]

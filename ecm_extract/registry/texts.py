@@ -8,6 +8,8 @@ from typing import Any
 import msgspec
 from ecm_checker.json_data import json_data
 
+from ecm_extract.registry.channels import gate_table
+from ecm_extract.registry.doubts import Doubt
 from ecm_extract.registry.evidence import Added
 from ecm_extract.registry.fit import Fit
 from ecm_extract.registry.gates import Verdict
@@ -63,8 +65,24 @@ def _impact(impact: Impact) -> Iterator[str]:
     for each in impact.breaks:
         yield from _break(each)
     yield one_line(_sum(impact), 500)
-    for name in impact.missing:
-        yield one_line(f"not stored, so nothing is known of it: {name}")
+    yield from _unknown(impact.missing, impact.doubts)
+
+
+def _unknown(missing: Sequence[str], doubts: Sequence[Doubt]) -> Iterator[str]:
+    yield from (one_line(f"not stored, so nothing is known of it: {name}") for name in missing)
+    yield from (one_line(f"not known: {_doubt(each)}", 600) for each in doubts[:MAX_LINES])
+    if len(doubts) > MAX_LINES:
+        yield f"not known: {len(doubts) - MAX_LINES} more places; --format json has them all"
+
+
+def _doubt(doubt: Doubt) -> str:
+    at = f"{doubt.path}:{doubt.line}" if doubt.line else doubt.path
+    return f"{doubt.release} {at} {doubt.why}"
+
+
+def doubts_text(doubts: Sequence[Doubt]) -> str:
+    """Return places of which nothing is known, each on a line; empty when there are none."""
+    return "".join(f"{line}\n" for line in _unknown((), doubts))
 
 
 def _break(each: Break) -> Iterator[str]:
@@ -85,7 +103,8 @@ def _lines(user: User) -> Iterator[str]:
 def _sum(impact: Impact) -> str:
     count = len(impact.broken)
     verdict = impact.verdict
-    who = f"{count} releases break: {', '.join(impact.broken)}" if count else "nobody breaks"
+    nobody = "nobody breaks" if impact.is_whole else "nobody is known to break, and not everything is known"
+    who = f"{count} releases break: {', '.join(impact.broken)}" if count else nobody
     step = f"{verdict.compatibility_class}, needs {verdict.required_bump}, takes {verdict.declared_bump or 'unknown'}"
     return f"{impact.old} -> {impact.new} ({step}): {who}; asked: {impact.scope}"
 
@@ -99,7 +118,7 @@ def _impact_markdown(impact: Impact) -> Iterator[str]:
     for each in impact.breaks:
         for user in each.users:
             yield from _rows(each, user)
-    yield from (f"- not stored: {_cell(name)}" for name in impact.missing)
+    yield from (f"- {_cell(line)}" for line in _unknown(impact.missing, impact.doubts))
 
 
 def _rows(each: Break, user: User) -> Iterator[str]:
@@ -123,7 +142,7 @@ def _fit(found: Fit) -> Iterator[str]:
         yield one_line(f"{finding.severity}: {finding.message} [{finding.rule}]", 1000)
         yield one_line(f"    do: {finding.resolution}", 600)
     yield one_line(f"{found.outcome}: {', '.join(found.releases)} among {found.scope}", 600)
-    yield from (one_line(f"not stored, so nothing is known of it: {name}") for name in found.missing)
+    yield from _unknown(found.missing, found.doubts)
 
 
 def _verdict(verdict: Verdict) -> Iterator[str]:
@@ -134,6 +153,8 @@ def _verdict(verdict: Verdict) -> Iterator[str]:
         yield from (one_line(f"    {reason}", 600) for reason in each.reasons)
         if each.waiver is not None:
             yield one_line(f"    {each.waiver.name} answers for it until {each.waiver.ends}: {each.waiver.reason}", 600)
+    if verdict.table != gate_table():
+        yield "judged by a table of the project (--gates), not by that of the paper"
     went = "goes" if verdict.passed else "does not go"
     yield one_line(f"{verdict.release} {went} from {verdict.inputs.source} to {verdict.inputs.channel}")
 

@@ -15,7 +15,7 @@ from ecm_extract.registry.decisions import undecided
 from ecm_extract.registry.parts import requirements_of
 from ecm_extract.registry.publish import make_ready
 from ecm_extract.registry.releases import name_of
-from ecm_extract.registry.tables import AuditEntry, Content, Holds, Part, Release, RequirementRow
+from ecm_extract.registry.tables import AuditEntry, Content, Gap, Holds, Part, Release, RequirementRow
 
 
 class Verified(msgspec.Struct, frozen=True):
@@ -43,9 +43,11 @@ def _releases(session: Session) -> Iterator[str]:
         except ToolError as error:
             yield f"{name_of(release)}: {error.message}"
             continue
-        wanted = {part.digest for part in make_ready(package).parts}
+        ready = make_ready(package)
+        wanted = {part.digest for part in ready.parts}
         held = select(Part.digest).join(Holds, Holds.part_id == Part.id).where(Holds.release_id == release.id)
-        if wanted != set(session.scalars(held)):
+        gaps = select(Gap.path).where(Gap.release_id == release.id)
+        if wanted != set(session.scalars(held)) or {each["path"] for each in ready.gaps} != set(session.scalars(gaps)):
             yield f"{name_of(release)}: what can be asked of it is not what its document says"
 
 

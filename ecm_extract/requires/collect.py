@@ -25,8 +25,10 @@ from ecm_extract.requires.cpp_names import name_requirements
 from ecm_extract.requires.cpp_overrides import override_requirements
 from ecm_extract.requires.cpp_reached import reached_requirements
 from ecm_extract.requires.cpp_results import result_requirements
+from ecm_extract.requires.cpp_switches import switch_requirements
 from ecm_extract.requires.dependencies import dependency_requirements
 from ecm_extract.requires.descriptions import description_requirements
+from ecm_extract.requires.diagnostics import diagnostic_requirements
 from ecm_extract.requires.endpoints import endpoint_requirements
 from ecm_extract.requires.ignored import comments_of, with_answers
 from ecm_extract.requires.interface_types import interface_requirements
@@ -89,6 +91,7 @@ def _of_package(
     yield from description_requirements(texts, facts)
     yield from behavior_tree_requirements(facts)
     yield from policy_requirements(facts)
+    yield from diagnostic_requirements(facts)
     yield from dependency_requirements(facts)
     yield from interface_requirements(facts)
     yield from rviz_requirements(tree, facts)
@@ -105,6 +108,7 @@ def _of_program(workspace: Workspace) -> Iterator[tuple[str, Requirement]]:
     yield from parameter_read_requirements(workspace.program)
     yield from override_requirements(workspace.program)
     yield from result_requirements(workspace.program)
+    yield from switch_requirements(workspace.program)
     for body in bodies(workspace.objects):
         for read in (member_requirements, reached_requirements):
             for found in read(body):

@@ -7,16 +7,20 @@ and what it derives from. What is not declared in the tree (`auto` of a foreign 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import Final
 
 import msgspec
 from ecm_checker.contract import Evidence
+from ecm_checker.handles import verbs
 from ecm_checker.hub.requirement import Given, Requirement
-from ecm_parsers.source.expr import Call, Expr, Member
+from ecm_parsers.source.expr import Call, Expr, Member, Name
 
 from ecm_extract.link.units import Func
 from ecm_extract.requires.cpp_body import Body
 from ecm_extract.requires.foreign_classes import ForeignClasses
 from ecm_extract.requires.place import Place, required
+
+_THIS: Final = Name("this")
 
 
 class _Touched(msgspec.Struct, frozen=True):
@@ -35,6 +39,21 @@ def member_requirements(body: Body) -> Iterator[Requirement]:
             lines.setdefault(touched, {})[line] = None
     for touched, found in lines.items():
         yield _required(touched, body.func, tuple(found))
+    yield from _handled(body)
+
+
+def _handled(body: Body) -> Iterator[Requirement]:
+    """Yield what takes or gives back something, of whichever class: who gives back may hold it in a type not told."""
+    path = body.func.file.path
+    lines: dict[str, int] = {}
+    for statement in body.statements:
+        for expr, line in statement:
+            if isinstance(expr, Call) and isinstance(expr.callee, Member):
+                member = expr.callee
+                if member.name.startswith(verbs()) and member.base != _THIS:
+                    lines.setdefault(member.name, line)
+    for name, line in lines.items():
+        yield required("handles", name, Place(path, line, f"file {path}"), "unknown")
 
 
 def _touched(statement: Sequence[tuple[Expr, int]], classes: ForeignClasses) -> Iterator[tuple[_Touched, int]]:

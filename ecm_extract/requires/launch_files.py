@@ -25,10 +25,10 @@ from ecm_parsers.launch.model import (
     Remap,
     Template,
 )
+from ecm_parsers.launch.templates import holed, plain_text, written
 
 from ecm_extract.entities.launch import launch_files
 from ecm_extract.entities.side_texts import SideTexts
-from ecm_extract.entities.written_text import written
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.name_lines import line_of_name
 from ecm_extract.requires.place import Place, required
@@ -36,7 +36,8 @@ from ecm_extract.requires.place import Place, required
 _FOUND: Final = re.compile(r"\$\((?:find|find_prefix) ([^\s$()]+)\)(/(?:.*/)?)([^/$()]+)$", re.DOTALL)
 """A file of a package: the package, the folders, the name, which stands there as a whole."""
 _STARTS: Final = "starts"
-HOLE: Final = "{}"
+_OUTSIDE: Final = "/../"
+"""Of folders that lead out of the package that is named."""
 MANAGED: Final = "node_names"
 """Parameter by which a lifecycle manager is told its nodes (nav2_lifecycle_manager, nav2_util)."""
 _BELOW_NODE: Final = 2
@@ -100,7 +101,7 @@ def _of_action(action: Action, scope: _Scope) -> Iterator[Requirement]:
 def _of_include(action: Include, scope: _Scope) -> Iterator[Requirement]:
     place = scope.place(action.line)
     found = _FOUND.search(written(action.path))
-    if found is None:
+    if found is None or _OUTSIDE in found[2]:
         return
     given = Given(names=tuple(name for name, _ in action.arguments), forwarded=action.pass_all)
     path = f"{found[2].lstrip('/')}{found[3]}"
@@ -151,9 +152,9 @@ def _names(action: Node, place: Place) -> Iterator[Requirement]:
     name = plain(action.name or ())
     if name:
         yield required("names_node", name, place)
-    target = plain(action.target or ()).rpartition("/")[2]
-    if target:
-        yield required("loads_into", target, place, "likely")
+    target = plain(action.target or ())
+    if target.rpartition("/")[2]:
+        yield required("loads_into", target.rpartition("/")[2], place, "likely", target=target)
 
 
 def _reached(remap: Remap, place: Place) -> Iterator[Requirement]:
@@ -187,20 +188,11 @@ def _listed(value: object) -> Iterator[str]:
 
 def _of_file(path: Template, place: Place) -> Iterator[Requirement]:
     found = _FOUND.search(written(path))
-    if found is not None:
+    if found is not None and _OUTSIDE not in found[2]:
         name = f"{found[2].lstrip('/')}{found[3]}"
         yield required("reads_file", name, place, package=found[1])
 
 
 def plain(template: Template) -> str:
     """Return a template without substitutions as text; empty for any other."""
-    return "".join(part for part in template if isinstance(part, str)) if _is_plain(template) else ""
-
-
-def holed(template: Template) -> str:
-    """Return a template with `{}` for each substitution."""
-    return "".join(part if isinstance(part, str) else HOLE for part in template)
-
-
-def _is_plain(template: Template) -> bool:
-    return all(isinstance(part, str) for part in template)
+    return plain_text(template) or ""

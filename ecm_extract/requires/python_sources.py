@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Final
 
-from ecm_checker.hub.requirement import Given, Requirement
+from ecm_checker.hub.requirement import ONE_VALUE, Given, Requirement
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
 from ecm_parsers.source.facts import Function, Import, Statement
 
@@ -12,6 +13,9 @@ from ecm_extract.link.tuples import count_of
 from ecm_extract.link.units import File
 from ecm_extract.link.walk import dotted, expressions
 from ecm_extract.requires.place import Place, required
+
+SPREAD: Final = "**"
+"""Stands for the name of arguments that a mapping gives."""
 
 
 def python_requirements(file: File) -> Iterator[Requirement]:
@@ -58,8 +62,9 @@ def absolute(entry: Import, file: File) -> str:
 def _of_statement(file: File, statement: Statement, parted: frozenset[str]) -> Iterator[Requirement]:
     for expr, line in expressions(statement):
         yield from _attribute(file, expr, line)
-        if isinstance(expr, Call) and expr.keywords:
+        if isinstance(expr, Call):
             yield from _keywords(file, expr, line)
+            yield from _call(file, expr, line)
     yield from _result(file, statement, parted)
 
 
@@ -83,7 +88,17 @@ def _keywords(file: File, call: Call, line: int) -> Iterator[Requirement]:
     full = _meant(file, dotted(call.callee) or "")
     if full:
         for (word, _), at in zip(call.keywords, call.keyword_lines, strict=True):
-            yield required("gives_keyword", full, _place(file, at), said=word, given=Given(names=(word,)))
+            if word != SPREAD:
+                yield required("gives_keyword", full, _place(file, at), said=word, given=Given(names=(word,)))
+
+
+def _call(file: File, call: Call, line: int) -> Iterator[Requirement]:
+    """A call by an imported name with arguments that can be told: `**rest` may give any."""
+    full = _meant(file, dotted(call.callee) or "")
+    names = tuple(word for word, _ in call.keywords)
+    if full and SPREAD not in names:
+        given = Given(count=len(call.args), names=names)
+        yield required("calls", full, _place(file, line), "likely", given=given)
 
 
 def _result(file: File, statement: Statement, parted: frozenset[str]) -> Iterator[Requirement]:
@@ -107,7 +122,7 @@ def _taken(target: Expr | None, parted: frozenset[str]) -> str:
     count = count_of(target)
     if count is not None:
         return f"{count} values"
-    return "1 value" if isinstance(target, Name) and target.id not in parted else ""
+    return ONE_VALUE if isinstance(target, Name) and target.id not in parted else ""
 
 
 def _taken_apart(function: Function) -> frozenset[str]:

@@ -237,6 +237,22 @@ def test_lifecycle_node_works_when_active(workspace: Workspace) -> None:
     assert value(found.recovery.rollback_state) == "inactive"
 
 
+@pytest.mark.parametrize("imported", ["LifecycleNode", "LifecycleNode as Node", "Node"])
+def test_lifecycle_node_of_python(workspace: Workspace, imported: str) -> None:
+    """rclpy gives the class two names."""
+    name = imported.rpartition(" ")[2]
+    text = f"import rclpy\nfrom rclpy.lifecycle import {imported}\n\nclass N({name}):\n"
+    text += "    def __init__(self):\n        super().__init__('n')\n"
+    found = workspace.package({"pkg/n.py": text}).modules()["ecm.pkg.n"]
+    assert value(found.behavior.preconditions) == ["lifecycle_state == active"]
+
+
+def test_a_plain_node_of_python_has_no_state(workspace: Workspace) -> None:
+    text = "import rclpy\nfrom rclpy.node import Node\n\nclass N(Node):\n"
+    text += "    def __init__(self):\n        super().__init__('n')\n"
+    assert workspace.package({"pkg/n.py": text}).modules()["ecm.pkg.n"].behavior.preconditions is None
+
+
 def test_action_result_constants_are_failure_modes(workspace: Workspace) -> None:
     """Except those that mean success; units come from the comments of the message."""
     action = "float64 speed  # m/s\n---\nuint16 NONE=0\nuint16 BLOCKED=1\nuint16 code\n---\n"

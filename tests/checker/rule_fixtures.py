@@ -44,7 +44,7 @@ def profiles(folder: Path) -> Profiles:
 
 
 def packages(folder: Path, names: str) -> Packages | None:
-    """Documents of packages beside the contracts: `previous` and `dependent` are what they are called for contracts."""
+    """Documents of packages beside the contracts: `previous` and `dependent` are as for contracts."""
     found = [decode_documents(path.read_bytes()) for path in sorted(folder.glob(names))]
     return Packages([each for each in found if isinstance(each, PackageDocument)]) if found else None
 
@@ -59,9 +59,10 @@ def case(folder: Path) -> Case:
         previous=None if previous is None else view(previous),
         dependents=None if dependent is None else (view(dependent),),
         call=profile(folder / "call.yaml", Call),
-        packages=packages(folder, "[!pd]*.package.json"),
+        packages=packages(folder, "[!pds]*.package.json"),
         replaced=packages(folder, "previous.package.json"),
         users=packages(folder, "dependent.package.json"),
+        started=packages(folder, "started.package.json"),
     )
 
 

@@ -42,6 +42,26 @@ SIDE = provision("launch_argument", "side", "arm.launch", path="arm.launch", def
 MODE = provision("message", "arm_msgs/msg/Mode", package="arm_msgs")
 OFF = provision("constant", "OFF", "arm_msgs/msg/Mode", package="arm_msgs")
 STATES: dict[str, tuple[list[Provision], Requirement, str]] = {
+    "any number of arguments": (
+        [ARM, provision("method", "tell", "arm::Arm", forms=(Form(("const char*", "..."), 1, "void"),))],
+        requirement("calls_method", "tell", "arm::Arm", given=Given(count=4)),
+        "met",
+    ),
+    "fewer than any number of arguments after the first": (
+        [ARM, provision("method", "tell", "arm::Arm", forms=(Form(("const char*", "..."), 1, "void"),))],
+        requirement("calls_method", "tell", "arm::Arm", given=Given(count=0)),
+        "incompatible",
+    ),
+    "a future that is taken again and shared": (
+        [provision("method", "send", "arm::Client", forms=(Form(("Request",), 1, "SharedFuture"),))],
+        requirement("takes_again", "send"),
+        "met",
+    ),
+    "a future that is taken again and not shared": (
+        [provision("method", "send", "arm::Client", forms=(Form(("Request",), 1, "FutureAndId"),))],
+        requirement("takes_again", "send"),
+        "incompatible",
+    ),
     "a program that is there": (
         [provision("executable", "arm_node")],
         requirement("starts", "arm_node", package="arm"),
@@ -190,6 +210,16 @@ def test_what_was_met_and_is_no_longer_is_broken() -> None:
     assert not list(broken(user, before, before))
 
 
+@pytest.mark.parametrize(("kept_for", "severity"), [("", "error"), ("humble", "info")])
+def test_what_is_kept_for_another_distribution_is_for_information(kept_for: str, severity: str) -> None:
+    maker = Package(name="arm", version=None, path="arm", ros=None, provides=(provided(HEADER),))
+    rows = (requirement("includes", "arm/arm.hpp", kept_for=kept_for),)
+    user = Packages([Package(name="user", version=None, path="user", ros=None, requires=rows)])
+    gone = Package(name="arm", version=None, path="arm", ros=None)
+    (finding,) = unmet_findings(RULE, broken(user, Packages([maker]), Packages([gone])))
+    assert finding.severity == severity
+
+
 def test_nothing_is_missing_in_what_was_not_read() -> None:
     """A file of the provider is too large: a name that is not found is unknown, and a release may have broken it."""
     user = Packages([package("user", [], [requirement("starts", "arm_node", package="arm")])])
@@ -216,6 +246,37 @@ def test_packages_ask_each_other() -> None:
     wanted = [requirement("starts", "gone", package="arm"), requirement("loads_plugin", "else::Where")]
     found = Packages([package("user", [], wanted), package("arm", [provision("executable", "arm_node")], [])])
     assert [each.requirement.name for each in found.unmet()] == ["gone"]
+
+
+@pytest.mark.parametrize(("ros", "told"), [(1, True), (2, False)])
+def test_ros_2_tolerates_an_argument_that_nobody_declares(ros: int, told: bool) -> None:
+    launch = Package(name="arm", version=None, path="arm", ros=None, provides=(provided(ARM_LAUNCH),))
+    given = requirement("gives_argument", "side", "arm.launch", package="arm", ros=ros)
+    user = Package(name="user", version=None, path="user", ros=None, requires=(given,))
+    assert [each.requirement for each in Packages([launch, user]).unmet()] == [given] * told
+
+
+@pytest.mark.parametrize(("takes", "told"), [("1 value", False), ("3 values", True)])
+def test_one_variable_takes_all_values(takes: str, told: bool) -> None:
+    """Python binds a tuple to it."""
+    split = provision("function", "arm.split", path="arm/__init__.py", forms=(Form((), 0, "2 values"),))
+    maker = Package(name="arm", version=None, path="arm", ros=None, provides=(provided(split),))
+    rows = (requirement("imports", "arm.split", path="u.py"),)
+    rows += (requirement("takes_result", "arm.split", path="u.py", given=Given(takes=takes)),)
+    user = Package(name="user", version=None, path="user", ros=None, requires=rows)
+    assert [each.match.breach for each in Packages([maker, user]).unmet()] == ["signature"] * told
+
+
+def test_a_use_is_broken_only_in_the_ways_that_its_kind_can_be() -> None:
+    """Who calls a function imports it too, and the import tells that it is gone."""
+    maker = Package(
+        name="arm", version=None, path="arm", ros=None,
+        provides=(provided(provision("function", "arm.move", path="arm/__init__.py")),),
+    )  # fmt: skip
+    gone = Package(name="arm", version=None, path="arm", ros=None)
+    rows = tuple(requirement(use, "arm.move", path="u.py", given=Given(count=0)) for use in ("imports", "calls"))
+    user = Packages([Package(name="user", version=None, path="user", ros=None, requires=rows)])
+    assert [each.requirement.use for each in broken(user, Packages([maker]), Packages([gone]))] == ["imports"]
 
 
 def test_a_program_may_be_a_file_of_its_package() -> None:

@@ -193,3 +193,17 @@ def test_catkin_folders_are_known() -> None:
     """The variables of catkin_destinations are folded."""
     text = "find_package(catkin REQUIRED)\ninstall(FILES a DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION}/x)"
     assert run(text)[TOP].installs[0].destination == "share/p/x"
+
+
+def test_an_error_that_all_builds_come_to() -> None:
+    """A tree without its submodules does not configure; what stands behind the error is read, and open."""
+    file = run("if(NOT EXISTS ${CMAKE_SOURCE_DIR}/lib/x)\nmessage(FATAL_ERROR no)\nendif()\nadd_library(n a.cpp)")[TOP]
+    assert [target.name for target in file.targets] == ["n"]
+    assert [entry.line for entry in file.unknown] == [4]
+
+
+def test_libraries_and_programs_go_to_their_own_folders() -> None:
+    """One rule names a folder for each kind of artefact."""
+    text = "add_library(l SHARED a.cpp)\nadd_library(s STATIC a.cpp)\nadd_executable(e a.cpp)\ninstall(TARGETS l s e ARCHIVE DESTINATION ar LIBRARY DESTINATION lib RUNTIME DESTINATION bin)"
+    installs = run(text)[TOP].installs
+    assert {item: rule.destination for rule in installs for item in rule.items} == {"l": "lib", "s": "ar", "e": "bin"}

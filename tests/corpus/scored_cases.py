@@ -36,7 +36,7 @@ def state(*findings: Finding, engine: Engine = "diff", versions: tuple[Versions,
     return StateResult(
         question="upgrade" if engine == "diff" else "composition",
         commits={},
-        contracts={},
+        documents={},
         versions=versions,
         findings={engine: findings},
     )

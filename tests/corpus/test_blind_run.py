@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import lzma
 import subprocess
 import sys
 from pathlib import Path
@@ -9,9 +10,10 @@ from pathlib import Path
 import msgspec
 import pytest
 from corpus_repos import REPOSITORY, driver, make_clone, reader, renamed_topic
+from ecm_corpus.again import judged_again
 from ecm_corpus.blind import Run, results_document, run_blind, write_outcome
 from ecm_corpus.chain import broken_links
-from ecm_corpus.contracts import digest, packed, stored, unpacked
+from ecm_corpus.documents import SUFFIX, digest, keep, kept, packed, stored, unpacked
 from ecm_corpus.guard import BlindnessError
 from ecm_corpus.interface import Composition, InterfaceCase, Source
 from ecm_corpus.results import Results
@@ -26,7 +28,7 @@ def test_an_upgrade_names_the_consumer_that_keeps_the_old_name(judged: Judged) -
     broken = [finding for finding in states["a"].findings["diff"] if finding.severity == "error"]
     assert [finding.rule for finding in broken] == ["VER001"]
     assert broken[0].evidence[0].path == "reader/reader/main.py"
-    assert [f.rule for f in states["a"].findings["check"] if f.severity == "error"] == ["SIG010"]
+    assert [f.rule for f in states["a"].findings["check"] if f.severity == "error"] == ["SIG010", "VER008"]
 
 
 def test_the_consumer_that_followed_is_quiet(judged: Judged) -> None:
@@ -45,38 +47,51 @@ def test_two_runs_give_the_same_bytes(judged: Judged) -> None:
     assert one.files == two.files == three.files
 
 
-def test_the_rebuilt_contracts_are_those_that_were_stored(judged: Judged, golden: object) -> None:
-    """A case rebuilt from its clone gives, byte for byte, the contracts under version control."""
+def test_the_rebuilt_documents_are_those_that_were_stored(judged: Judged, golden: object) -> None:
+    """A case rebuilt from its clone gives, byte for byte, the documents under version control."""
     outcome, state = judged.outcome, judged.states["a"]
     for side in ("old/driver", "new/driver", "consumer/reader"):
-        golden(f"corpus/{side.replace('/', '_')}.json", outcome.files[state.contracts[side]].decode())  # type: ignore[operator]
+        golden(f"corpus/{side.replace('/', '_')}.json", outcome.files[state.documents[side]].decode())  # type: ignore[operator]
 
 
 def test_the_store_holds_what_the_results_name_and_nothing_else(judged: Judged, tmp_path: Path) -> None:
     outcome = judged.outcome
-    (tmp_path / "out" / "contracts").mkdir(parents=True)
-    (tmp_path / "out" / "contracts" / "old.json").write_text("[]")
+    (tmp_path / "out" / "documents").mkdir(parents=True)
+    (tmp_path / "out" / "documents" / f"old{SUFFIX}").write_bytes(b"")
     write_outcome(outcome, tmp_path / "out")
-    named = {name for case in outcome.results.cases for s in case.states.values() for name in s.contracts.values()}
-    assert {file.stem for file in (tmp_path / "out" / "contracts").iterdir()} == named
+    named = {name for case in outcome.results.cases for s in case.states.values() for name in s.documents.values()}
+    assert kept(tmp_path / "out" / "documents").keys() == named
     read = msgspec.json.decode((tmp_path / "out" / "results.json").read_bytes(), type=Results)
     assert read == outcome.results
 
 
-def test_the_checker_says_the_same_of_stored_contracts(judged: Judged) -> None:
+def test_the_checker_says_the_same_of_stored_documents(judged: Judged) -> None:
     outcome = judged.outcome
     for state in judged.states.values():
         sides: dict[str, list[object]] = {}
-        for name, mark in state.contracts.items():
+        for name, mark in state.documents.items():
             sides.setdefault(name.partition("/")[0], []).extend(unpacked(outcome.files[mark]))
         assert check_findings(sides) == state.findings["check"]  # type: ignore[arg-type]
 
 
-def test_a_store_file_that_was_changed_is_refused(tmp_path: Path) -> None:
+def test_what_is_judged_again_from_the_store_is_the_same(tmp_path: Path) -> None:
+    """Nothing but the documents is needed; what is not the checker's finding of today is replaced."""
+    outcome = run_blind([renamed_topic(tmp_path / "clones")], Run(tmp_path / "clones"))
+    write_outcome(outcome, tmp_path / "out")
+    results = outcome.results
+    first = results.cases[0]
+    quiet = msgspec.structs.replace(first.states["a"], findings={**first.states["a"].findings, "check": ()})
+    changed = msgspec.structs.replace(first, states={**first.states, "a": quiet})
+    again = judged_again(msgspec.structs.replace(results, cases=(changed,)), tmp_path / "out" / "documents")
+    assert again == results
+
+
+@pytest.mark.parametrize("change", [b"", b"[]", lzma.compress(b"[]")])
+def test_a_store_file_that_was_changed_is_refused(tmp_path: Path, change: bytes) -> None:
     data = packed(())
-    (tmp_path / f"{digest(data)}.json").write_bytes(data)
+    keep(digest(data), data, tmp_path)
     assert stored(digest(data), tmp_path) == data
-    (tmp_path / f"{digest(data)}.json").write_bytes(data + b" ")
+    kept(tmp_path)[digest(data)].write_bytes(change)
     with pytest.raises(InputError, match="was changed"):
         stored(digest(data), tmp_path)
 

@@ -42,4 +42,4 @@ def test_an_unknown_case_is_an_error_of_the_user(corpus: Path) -> None:
 def test_briefs_repeat(corpus: Path) -> None:
     outputs = {CliRunner().invoke(command, ["R-small", "--corpus", str(corpus)]).output for _ in range(2)}
     assert len(outputs) == 1
-    assert msgspec.json.decode((corpus / "results.json").read_bytes())["schema"] == "ecm-corpus/results/1"
+    assert msgspec.json.decode((corpus / "results.json").read_bytes())["schema"] == "ecm-corpus/results/2"

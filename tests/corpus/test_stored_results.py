@@ -5,8 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from ecm_corpus.again import sides_of
 from ecm_corpus.chain import broken_links
-from ecm_corpus.contracts import stored, unpacked
+from ecm_corpus.documents import kept
 from ecm_corpus.folder import interfaces, narratives, read_results
 from ecm_corpus.results import CaseResult
 from ecm_corpus.verdict import check_findings
@@ -27,15 +28,12 @@ def test_every_case_was_judged_and_has_its_story() -> None:
 
 
 def test_the_store_holds_what_the_results_name() -> None:
-    named = {mark for case in RESULTS.cases for state in case.states.values() for mark in state.contracts.values()}
-    assert {file.stem for file in (CORPUS / "contracts").iterdir()} == named
+    named = {mark for case in RESULTS.cases for state in case.states.values() for mark in state.documents.values()}
+    assert kept(CORPUS / "documents").keys() == named
 
 
 @pytest.mark.parametrize("case", RESULTS.cases, ids=lambda case: case.case)
 def test_the_checker_says_the_same_today(case: CaseResult) -> None:
     """What was decided from the stored contracts is decided again, to the last finding."""
     for state in case.states.values():
-        sides: dict[str, list[object]] = {}
-        for name, mark in state.contracts.items():
-            sides.setdefault(name.partition("/")[0], []).extend(unpacked(stored(mark, CORPUS / "contracts")))
-        assert check_findings(sides) == state.findings["check"]  # type: ignore[arg-type]
+        assert check_findings(sides_of(state, CORPUS / "documents")) == state.findings["check"]

@@ -67,6 +67,11 @@ CPP_UNSEEN = [
         ("unknown", "volatile", "keep_last", 1),
     ),
     (
+        "rclcpp::QoS q(1); if (fast) { q.best_effort(); q.keep_last(1); }",
+        "q",
+        ("unknown", "volatile", "keep_last", 1),
+    ),
+    (
         "",
         "fast ? rclcpp::QoS(1).best_effort() : rclcpp::QoS(1)",
         ("unknown", "volatile", "keep_last", 1),

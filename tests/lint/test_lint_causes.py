@@ -218,7 +218,7 @@ LEVELS = [
         "LNT016",
         1,
         {"urdf/a.urdf": JOINT.format("revolute", LIMIT.replace("3.142", "3.1416"))},
-        "info",
+        "warning",
     ),
     ("pi of three digits", "LNT016", 1, {"urdf/a.urdf": JOINT.format("revolute", LIMIT)}, "warning"),
     (

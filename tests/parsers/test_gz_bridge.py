@@ -54,4 +54,4 @@ def test_never_raises(text: str) -> None:
     """No text breaks the parser."""
     assert is_told(text.encode(), parse_bridge_yaml(text.encode()))
     bridged = bridged_argument(text)
-    assert bridged is None or bridged.ros_topic in text
+    assert bridged is None or bridged.name in text

@@ -15,7 +15,8 @@ from ecm_extract.diff.run import Request, compare
 from ecm_extract.errors import InputError
 from ecm_extract.extraction_model import Options
 from ecm_extract.registry.environments import record
-from ecm_extract.registry.impact import Impact, Side, impact_of
+from ecm_extract.registry.impact import Impact, impact_of
+from ecm_extract.registry.impact_side import Side
 from ecm_extract.registry.publish import Origin
 from ecm_extract.registry.scope import EVERYTHING, Scope, distribution_scope, environment_scope
 from ecm_extract.registry.sides import two_sides

@@ -3,48 +3,30 @@
 from __future__ import annotations
 
 import subprocess
-from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 import msgspec
 import pytest
-from sample import driver, panel, write
-from workers import context
+from clones import clone_of_three, git, release
+from sample import driver, write
 
 from ecm_extract.cli.run import run as main
 from ecm_extract.registry.index import Outcome, jobs_of, run, split_known
 from ecm_extract.registry.releases import list_releases
 from ecm_extract.registry.store import Registry
 from ecm_extract.registry.verify import verify
-
-
-def _git(folder: Path, *words: str) -> None:
-    identity = ["-c", "user.name=t", "-c", "user.email=t@example.org", "-c", "commit.gpgsign=false"]
-    subprocess.run(["git", *identity, *words], cwd=folder, check=True, capture_output=True)
+from ecm_extract.registry.workers import Here, Processes
 
 
 @pytest.fixture
 def clone(tmp_path: Path) -> Path:
     """Three releases and a candidate."""
-    folder = tmp_path / "robot"
-    folder.mkdir()
-    _git(folder, "init", "-q", "-b", "main")
-    for version, files in (("1.0.0", driver()), ("1.1.0", panel()), ("1.2.0", driver("1.2.0", topic="status"))):
-        _release(folder, version, files)
-    _git(folder, "tag", "1.3.0-rc1")
-    return folder
-
-
-def _release(folder: Path, tag: str, files: dict[str, str]) -> None:
-    write(folder, files)
-    _git(folder, "add", "-A")
-    _git(folder, "commit", "-q", "-m", tag)
-    _git(folder, "tag", tag)
+    return clone_of_three(tmp_path / "robot")
 
 
 def _run(registry: Registry, url: str, clone: Path, pattern: str | None = None) -> list[Outcome]:
     todo, known = split_known(registry, jobs_of(clone, pattern))
-    return [*known, *run(url, todo, None)]
+    return [*known, *run(url, todo, Here())]
 
 
 def test_all_tags_become_releases(registry: Registry, url: str, clone: Path) -> None:
@@ -65,8 +47,8 @@ def test_a_second_run_goes_on(small: Registry, tmp_path: Path, clone: Path) -> N
 
 def test_processes_do_the_same(url: str, clone: Path) -> None:
     """The same job runs anywhere."""
-    with Registry.create(url) as registry, ProcessPoolExecutor(2, mp_context=context()) as pool:
-        assert sorted(each.state for each in run(url, jobs_of(clone, None), pool)) == ["indexed"] * 3
+    with Registry.create(url) as registry:
+        assert sorted(each.state for each in run(url, jobs_of(clone, None), Processes(2))) == ["indexed"] * 3
         with registry.reading() as session:
             assert len(list_releases(session)) == 3
 
@@ -76,8 +58,8 @@ def test_a_tag_that_moved_is_told(small: Registry, tmp_path: Path, clone: Path) 
     url = str(tmp_path / "small.sqlite")
     _run(small, url, clone)
     write(clone, driver("1.2.0", topic="other"))
-    _git(clone, "commit", "-q", "-a", "-m", "again")
-    _git(clone, "tag", "-f", "1.2.0")
+    git(clone, "commit", "-q", "-a", "-m", "again")
+    git(clone, "tag", "-f", "1.2.0")
     moved = [each for each in _run(small, url, clone) if each.state == "skipped"]
     assert "its tag moved" in moved[0].skipped[0]
 
@@ -86,13 +68,13 @@ def test_another_clone_of_the_same_name_is_told(small: Registry, tmp_path: Path,
     """Without a remote a clone is called like its folder; the tags of another one are not these."""
     url = str(tmp_path / "small.sqlite")
     jobs = [*jobs_of(clone, "1.0.0"), msgspec.structs.replace(jobs_of(clone, "1.1.0")[0], tag="1.0.0")]
-    assert [each.state for each in run(url, jobs, None)] == ["indexed", "skipped"]
+    assert [each.state for each in run(url, jobs, Here())] == ["indexed", "skipped"]
 
 
 def test_a_version_that_was_not_raised_is_told(small: Registry, tmp_path: Path, clone: Path) -> None:
     """Other content under the version of the tag before."""
     url = str(tmp_path / "small.sqlite")
-    _release(clone, "1.4.0", driver("1.2.0", topic="other"))
+    release(clone, "1.4.0", driver("1.2.0", topic="other"))
     told = [why for each in _run(small, url, clone) for why in each.skipped]
     assert len(told) == 1
     assert "driver@1.2.0: it is stored with other content" in told[0]
@@ -103,11 +85,19 @@ def test_the_command_tells_what_was_skipped(tmp_path: Path, clone: Path, capsys:
     url = str(tmp_path / "new.sqlite")
     subprocess.run(["git", "rm", "-q", "-r", "."], cwd=clone, check=True)
     write(clone, {"notes": "empty"})
-    _git(clone, "add", "-A")
-    _git(clone, "commit", "-q", "-m", "empty")
-    _git(clone, "tag", "2.0.0")
+    git(clone, "add", "-A")
+    git(clone, "commit", "-q", "-m", "empty")
+    git(clone, "tag", "2.0.0")
     assert main(["registry", "init", "--registry", url]) == 0
     assert main(["registry", "index", str(clone), "--jobs", "1", "--registry", url]) == 1
     out, err = capsys.readouterr()
     assert "3 indexed, 0 known before, 1 skipped; 3 new releases" in out
     assert "it holds no ROS package" in err
+
+
+def test_a_file_is_not_shared_by_a_cluster(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """SQLite locks within one machine."""
+    url = str(tmp_path / "registry.sqlite")
+    assert main(["registry", "init", "--registry", url]) == 0
+    assert main(["registry", "index", str(tmp_path), "--dask", "tcp://127.0.0.1:9", "--registry", url]) == 2
+    assert "cannot share a registry that is a file" in capsys.readouterr().err

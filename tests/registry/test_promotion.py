@@ -129,7 +129,9 @@ def test_a_project_has_its_own_table(place: Path, capsys: pytest.CaptureFixture[
     levels = 'column = "contract"\nlevels.any = []\n'
     text = f'[channels.lab]\ncontract = "any"\n[channels.field]\ncontract = "any"\n[gates.contract]\n{levels}'
     file = write(place, {"gates.toml": text.replace("lab", "sandbox")}) / "gates.toml"
+    capsys.readouterr()
     assert run(["promote", "driver@2.0.0", "--to", "field", "--gates", str(file)]) == 0
+    assert "judged by a table of the project (--gates), not by that of the paper" in capsys.readouterr().out
     bad = write(place, {"bad.toml": text.replace('contract = "any"', 'contract = "none"')}) / "bad.toml"
     assert run(["promote", "driver@2.0.0", "--to", "field", "--gates", str(bad)]) == 2
     unknown = write(place, {"odd.toml": text.replace("levels.any = []", 'levels.any = ["luck"]')}) / "odd.toml"

@@ -43,6 +43,7 @@ HOLDING = [
     pytest.param([record("confirmed")], id="the package as a whole"),
     pytest.param([record("confirmed", "a"), record("confirmed", "b", by="Grace")], id="each module that runs"),
     pytest.param([record("contradicted"), record("confirmed")], id="taken back by the witness"),
+    pytest.param([record("confirmed", promised=4, seen=1)], id="seen in a recording of one topic"),
     pytest.param([record("confirmed"), record("not_seen", "a")], id="seen once, not seen later"),
     pytest.param([record("contradicted", by="robot 7"), record("confirmed", by=" Robot  7")], id="one name, two ways"),
 ]
@@ -59,6 +60,8 @@ NOT_HOLDING = [
     pytest.param([record("contradicted", "a"), record("confirmed")], id="the whole does not speak of its module"),
     pytest.param([record("confirmed", contract="sha256:other")], id="another content"),
     pytest.param([record("confirmed", contract=None)], id="no content"),
+    pytest.param([record("confirmed", promised=4, seen=0)], id="none of its endpoints was seen"),
+    pytest.param([record("confirmed", promised=0, seen=0)], id="there was nothing to compare"),
     pytest.param([record("confirmed", "c", contract="sha256:all")], id="a module that it does not have"),
     pytest.param([record("confirmed", "a", contract="sha256:b")], id="the content of another module"),
 ]

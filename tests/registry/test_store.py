@@ -33,8 +33,14 @@ def test_tables_are_what_the_revisions_make(url: str) -> None:
     Registry.create(url).close()
     engine = open_engine(registry_url(url))
     with engine.connect() as connection:
-        assert compare_metadata(MigrationContext.configure(connection), Base.metadata) == []
+        context = MigrationContext.configure(connection, opts={"include_object": _is_ours})
+        assert compare_metadata(context, Base.metadata) == []
     engine.dispose()
+
+
+def _is_ours(_object: object, name: str, *_rest: object) -> bool:
+    """The index of words is the database's own: tables of FTS5, or an index over an expression."""
+    return not name.startswith(("name_search", "name_words"))
 
 
 def test_making_a_registry_again_loses_nothing(registry: Registry, url: str, tmp_path: Path) -> None:
@@ -112,7 +118,7 @@ def test_who_uses_tells_the_lines(registry: Registry, tmp_path: Path) -> None:
     published(registry, packages(tmp_path / "b", panel("1.0.0")))
     with registry.reading() as session:
         found = who_uses(session, "driver", Asked(), EVERYTHING)
-    lines = {(name.kind, name.name, user.package, user.version) for name in found for user in name.users}
+    lines = {(name.kind, name.name, user.package, user.version) for name in found.names for user in name.users}
     assert ("topic", "/state", "panel", "1.0.0") in lines
     assert ("parameter", "rate", "panel", "1.0.0") in lines
     assert not [each for each in lines if each[3] == "0.9.0"]

@@ -21,10 +21,13 @@ from test_gates import PANEL, TOPIC, Bench
 from ecm_extract.cli.run import run
 from ecm_extract.diff.migration import Migration
 from ecm_extract.registry.evidence import Statement, add_evidence, stated
+from ecm_extract.registry.fit import fit
 from ecm_extract.registry.gates import Waiver
 from ecm_extract.registry.migration_documents import keep_migration
 from ecm_extract.registry.promotion import waive
 from ecm_extract.registry.resolution import NoResolutionError, resolve
+from ecm_extract.registry.scope import EVERYTHING
+from ecm_extract.registry.sides import two_sides
 from ecm_extract.registry.store import Registry
 from ecm_extract.registry.tables import EvidenceRow, MigrationRow, Release, Standing, WaiverRow
 from ecm_extract.registry.verify import verify
@@ -101,15 +104,26 @@ def test_what_was_not_read_is_not_complete(
 
 
 def test_who_could_not_be_read_may_break(small: Registry) -> None:
-    """Of who depends on the release and was read in part only nobody knows that nothing breaks."""
+    """A topic is gone: of who was read in part only nobody knows that nothing breaks."""
     partly = msgspec.structs.replace(PANEL, version="1.1.0", unread=(GAP,))
     depends = contract(versioning__dependencies={"delivery": "*"})
     identity = msgspec.structs.replace(depends.ecm, package="panel", module_id="ecm.panel.show")
     user = package("1.1.0", msgspec.structs.replace(depends, ecm=identity))
-    bench = _shown(small, _release("1.0.1"))
-    published(small, (msgspec.structs.replace(partly, modules=user.modules),))
+    bench = _shown(small, _release("1.0.1", provides=()), _release("1.0.0"))
+    quiet = msgspec.structs.replace(partly, modules=user.modules, requires=())
+    published(small, (quiet,))
     verdict = bench.judge("stable", scope=("panel",))
-    assert "of what is in stable not all could be read: panel@1.1.0" in str(verdict.gates)
+    assert "panel@1.1.0 delivery/grasp.py was not read: too-large" in str(verdict.gates)
+
+
+def test_a_fit_with_who_was_not_read_is_a_doubt(small: Registry) -> None:
+    """What a release lost is not known where a file of it was not read."""
+    published(small, (_release("1.0.0"),))
+    published(small, (_release("1.0.1", unread=(GAP,)),))
+    with small.reading() as session:
+        found = fit(session, [two_sides(session, "delivery", None)], EVERYTHING)
+    assert {each.release for impact in found.impacts for each in impact.doubts} == {"delivery@1.0.1"}
+    assert found.outcome == "review"
 
 
 def test_nobody_says_that_some_robot_has_what_it_needs(small: Registry) -> None:

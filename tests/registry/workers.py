@@ -6,6 +6,7 @@ they do.
 
 from __future__ import annotations
 
+import os
 from multiprocessing import get_context
 from multiprocessing.connection import Connection
 from multiprocessing.context import ForkServerContext
@@ -54,3 +55,10 @@ def read(url: str, count: int) -> int:
                 assert verify(session).problems == ()
                 who_uses(session, "driver", Asked(), EVERYTHING)
     return count
+
+
+def end_at(job: int) -> str:
+    """A worker that dies of one job, as when the system takes its memory."""
+    if str(job) == os.environ["ECM_TEST_BAD"]:
+        os._exit(9)
+    return str(job)

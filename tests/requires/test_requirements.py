@@ -61,6 +61,33 @@ PARAMETERS = """arm_node:
     plugin: "arm_lib::Simple"
     base_frame: tool
 """
+ANALYZERS = """pub_rate: 1.0
+analyzers:
+  power:
+    type: diagnostic_aggregator/GenericAnalyzer
+    path: Power
+    remove_prefix: arm_driver
+    contains: [Battery]
+  other:
+    type: diagnostic_aggregator/GenericAnalyzer
+    path: Other
+    remove_prefix: "the arm: "
+"""
+SWITCH = """#include <hardware_interface/system_interface.hpp>
+namespace arm {
+hardware_interface::return_type Hardware::prepare_command_mode_switch(
+  const std::vector<std::string> & start, const std::vector<std::string> & stop) {
+  for (const auto & each : start) {
+    effort_ = effort_ || each.substr(each.find("/") + 1) == "effort";
+  }
+  return hardware_interface::return_type::OK;
+}
+}
+"""
+CONTAINED = """<launch>
+  <node pkg="nodelet" type="nodelet" name="hand" args="load hand/Hand /manager"/>
+</launch>
+"""
 TREE = """<root main_tree_to_execute="Main"><BehaviorTree ID="Main">
 <Grip force="3"/>
 </BehaviorTree></root>
@@ -166,6 +193,7 @@ CASES: dict[str, tuple[int, dict[str, str], list[dict[str, Any]]]] = {
             {"use": "reads_field", "owner": "arm_msgs.msg.Force", "name": "value", "line": 8},
             {"use": "takes_result", "name": "arm_lib.tools.count", "line": 9},
             {"use": "gives_keyword", "name": "arm_lib.tools.Gripper", "line": 10},
+            {"use": "calls", "name": "arm_lib.tools.Gripper", "line": 10},
             {"use": "uses_name", "name": "arm_lib.other.reset", "line": 11},
         ],
     ),
@@ -193,6 +221,21 @@ CASES: dict[str, tuple[int, dict[str, str], list[dict[str, Any]]]] = {
             {"use": "names_frame", "name": "tool", "line": 5, "certainty": "likely"},
         ],
     ),
+    "analyzers": (
+        1,
+        {"config/analyzers.yaml": ANALYZERS},
+        [{"use": "strips_prefix", "kind": "node", "name": "arm_driver", "line": 3}],
+    ),
+    "switch": (
+        2,
+        {"src/hardware.cpp": SWITCH},
+        [{"use": "answers_switch", "name": "*", "scope": "arm::Hardware", "line": 3}],
+    ),
+    "container": (
+        1,
+        {"launch/hand.launch": CONTAINED},
+        [{"use": "loads_into", "name": "manager", "target": "/manager", "line": 2}],
+    ),
     "behaviour tree": (
         2,
         {"trees/main.xml": TREE},
@@ -215,7 +258,20 @@ CASES: dict[str, tuple[int, dict[str, str], list[dict[str, Any]]]] = {
 def rows(workspace: Workspace) -> list[dict[str, Any]]:
     found = requirements(read_workspace(open_tree(workspace.root), Options(jobs=1, cache=False), {}))
     flat = [each for entries in found.values() for each in entries]
-    fields = ("use", "kind", "package", "owner", "name", "type", "value", "certainty", "conditions", "said", "target")
+    fields = (
+        "use",
+        "kind",
+        "package",
+        "owner",
+        "name",
+        "type",
+        "value",
+        "certainty",
+        "conditions",
+        "scope",
+        "said",
+        "target",
+    )
     return [{**{f: getattr(each, f) for f in fields}, "line": at.line} for each in flat for at in each.evidence]
 
 
@@ -234,6 +290,18 @@ def test_a_file_whose_name_the_launch_decides_is_nobodys(workspace: Workspace) -
     text = '<launch><arg name="arm"/><include file="$(find arm)/launch/$(arg arm)_arm.launch"/></launch>'
     found = rows(workspace.package({"launch/a.launch": text}, 1))
     assert not [row for row in found if row["use"] == "includes_launch"]
+
+
+def test_a_prefix_that_is_no_name_is_of_no_node(workspace: Workspace) -> None:
+    found = rows(workspace.package({"config/analyzers.yaml": ANALYZERS}, 1))
+    assert [row["name"] for row in found if row["use"] == "strips_prefix"] == ["arm_driver"]
+
+
+@pytest.mark.parametrize("own", ['"joint_1/" + each', 'each == info_.joints[0].name + "/effort"'])
+def test_who_looks_at_its_own_names_answers_for_itself(workspace: Workspace, own: str) -> None:
+    text = SWITCH.replace('each.substr(each.find("/") + 1) == "effort"', f"mine({own})" if "joint_1" in own else own)
+    found = rows(workspace.package({"src/hardware.cpp": text}))
+    assert not [row for row in found if row["use"] == "answers_switch"]
 
 
 def test_what_the_language_brings_is_not_required(workspace: Workspace) -> None:

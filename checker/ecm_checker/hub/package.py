@@ -22,7 +22,7 @@ SUFFIX: Final = ".package.json"
 """How names of package documents end."""
 
 
-class Provided(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
+class Provided(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, gc=False):
     """A provision as it is written; the attributes are those of `Provision`, its lines are `evidence`."""
 
     kind: str
@@ -42,6 +42,7 @@ class Provided(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
     bases: tuple[str, ...] = ()
     qos: Qos | None = None
     ros: int | None = None
+    advised: tuple[str, ...] = ()
     open: bool = False
     written: str = ""
 
@@ -147,6 +148,7 @@ def provided(provision: Provision) -> Provided:
         bases=provision.bases,
         qos=provision.qos,
         ros=provision.ros,
+        advised=provision.advised,
         open=provision.open,
         written=provision.written,
     )
@@ -174,6 +176,7 @@ def provision(package: str, row: Provided) -> Provision:
         bases=row.bases,
         qos=row.qos,
         ros=row.ros,
+        advised=row.advised,
         deprecated=row.deprecated,
         confidence=row.confidence,
         open=row.open,

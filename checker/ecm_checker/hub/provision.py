@@ -19,7 +19,7 @@ Line = tuple[str, int]
 """A path and a line, 1-based."""
 
 
-class Form(msgspec.Struct, frozen=True):
+class Form(msgspec.Struct, frozen=True, gc=False):
     """One overload of a function or method.
 
     Attributes:
@@ -51,7 +51,7 @@ class Form(msgspec.Struct, frozen=True):
         return f"({arguments}) -> {self.returns}" if self.returns else f"({arguments})"
 
 
-class Provision(msgspec.Struct, frozen=True, kw_only=True):
+class Provision(msgspec.Struct, frozen=True, kw_only=True, gc=False):
     """One public name.
 
     Attributes:
@@ -70,6 +70,7 @@ class Provision(msgspec.Struct, frozen=True, kw_only=True):
         sharers: owners beside `owner` that have an endpoint by the same line.
         others: message types that its owner has under that name as well, by a condition.
         confidence: how surely the name is known.
+        advised: optional parameters of a function that it warns of when they are left out.
         open: whether it may have names below it that are not told, as a launch file that could not be read whole.
         written: hash of the line that declares it, without its name; empty where that says nothing.
         chain: the calls from the module to the one that makes it; more than one when a wrapper or library does.
@@ -93,6 +94,7 @@ class Provision(msgspec.Struct, frozen=True, kw_only=True):
     qos: Qos | None = None
     ros: int | None = None
     deprecated: str | None = None
+    advised: tuple[str, ...] = ()
     confidence: Confidence = "literal"
     open: bool = False
     written: str = ""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Final
 
 import msgspec
 
@@ -10,8 +10,10 @@ from ecm_checker.contract import Evidence, Qos
 from ecm_checker.finding import Certainty
 from ecm_checker.hub.kinds import uses
 
+ONE_VALUE: Final = "1 value"
 
-class Given(msgspec.Struct, frozen=True, omit_defaults=True):
+
+class Given(msgspec.Struct, frozen=True, omit_defaults=True, gc=False):
     """How a name is used: what has to fit what its provider takes and gives.
 
     Attributes:
@@ -32,7 +34,7 @@ class Given(msgspec.Struct, frozen=True, omit_defaults=True):
     inside: bool = False
 
 
-class Requirement(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
+class Requirement(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, gc=False):
     """One name that a package depends on.
 
     Attributes:
@@ -43,7 +45,8 @@ class Requirement(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True)
         owner: of the name: a node or pattern of nodes, a message, a class, a launch file.
         scope: namespace or class in which C++ looks the owner up; empty where it is written in full.
         plugin: of a parameter, the class whose block it stands in; empty where it stands in none.
-        target: of a remap the name that it leads to; of an include the path of the file, as written.
+        target: of a remap the name that it leads to, of a component that of its container in full; of an include the
+            path of the file, as written.
         type: message type, type of a given value.
         value: that is given, as data.
         qos: that is asked for, or offered.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 from typing import Final
 
@@ -9,6 +10,8 @@ from ecm_checker.hub.kinds import Breach
 from ecm_checker.hub.provision import Form, Provision
 from ecm_checker.hub.requirement import Given, Requirement
 
+_FUTURE: Final = re.compile(r"future", re.IGNORECASE)
+_SHARED: Final = re.compile(r"shared", re.IGNORECASE)
 _TYPED: Final = frozenset({"topic", "service", "action", "parameter"})
 
 
@@ -16,11 +19,33 @@ def misfit(requirement: Requirement, provision: Provision) -> Breach | None:
     """Return in which way a use does not fit; None when it fits, or nothing tells."""
     if provision.kind in _TYPED:
         return "type" if _is_other_type(requirement, provision) else None
+    if requirement.use == "takes_again":
+        return "signature" if _can_be_taken_once(provision) else None
     given = requirement.given
     if given is None or not provision.forms:
         return None
+    if requirement.use == "calls":
+        return "advice" if left_out(given, provision) else None
     check = _CHECKS.get(requirement.use)
     return "signature" if check is not None and not any(check(given, form) for form in provision.forms) else None
+
+
+def is_future(written: str, shared: bool) -> bool:
+    """Whether a type is that of a future that is shared, which can be taken again, or of one that is not."""
+    return _FUTURE.search(written) is not None and (_SHARED.search(written) is not None) is shared
+
+
+def _can_be_taken_once(provision: Provision) -> bool:
+    """Whether a call with one argument gives a future that is not shared."""
+    forms = [form for form in provision.forms if form.required <= 1 <= len(form.types)]
+    return bool(forms) and all(is_future(form.returns, False) for form in forms)
+
+
+def left_out(given: Given, provision: Provision) -> tuple[str, ...]:
+    """Return the arguments that a function asks for by a warning, and a call of it does not give."""
+    places = {name: at for form in provision.forms for at, name in enumerate(form.names)}
+    count = given.count or 0
+    return tuple(name for name in provision.advised if name not in given.names and places.get(name, -1) >= count)
 
 
 def _is_other_type(requirement: Requirement, provision: Provision) -> bool:
@@ -29,7 +54,8 @@ def _is_other_type(requirement: Requirement, provision: Provision) -> bool:
 
 
 def _takes_count(given: Given, form: Form) -> bool:
-    return given.count is None or form.required <= given.count <= len(form.types)
+    at_most = len(form.types) if not any(each.endswith("...") for each in form.types) else given.count
+    return given.count is None or form.required <= given.count <= (at_most or 0)
 
 
 def _takes_names(given: Given, form: Form) -> bool:

@@ -44,10 +44,12 @@ class Names(msgspec.Struct, frozen=True):
     Attributes:
         keys: what provisions are looked up by, of a requirement.
         meant: whether a requirement means one of them.
+        whole: whether the name of a requirement has all the text of the name that it means.
     """
 
     keys: Callable[[Requirement], Iterator[str]]
     meant: Callable[[Site, Provision], bool]
+    whole: bool = False
 
 
 def _whole(requirement: Requirement) -> Iterator[str]:
@@ -198,17 +200,19 @@ def _cpp(site: Site, entity: Provision) -> bool:
     """A name of a package of which the file includes a header; of a message the type that is generated of it."""
     if entity.kind == "message":
         return _is_type(entity, site.requirement.name)
-    if entity.is_python or not _reaches(site, entity.package):
-        return False
+    # of a large library nearly all names differ, and whose header is included takes longer to tell
+    return not entity.is_python and _is_written(entity, site.requirement.name) and _reaches(site, entity.package)
+
+
+def _is_written(entity: Provision, name: str) -> bool:
     if entity.kind == "constant":
-        return _is_section(entity, site.requirement.name.rpartition("::")[0])
-    return site.requirement.name == entity.name or site.requirement.name.startswith(f"{entity.name}::")
+        return _is_section(entity, name.rpartition("::")[0])
+    return name == entity.name or name.startswith(f"{entity.name}::")
 
 
 def _is_type(message: Provision, written: str) -> bool:
-    """Whether `a_msgs::State`, `a_msgs::msg::State` or a name below it is written."""
-    name = written.replace("::", ".")
-    return any(name == owner or name.startswith(f"{owner}.") for owner in section_owners(message.name, ""))
+    """Whether `a_msgs::State` or `a_msgs::msg::State` is written; names below it are those of its constants."""
+    return written.replace("::", ".") in section_owners(message.name, "")
 
 
 def _reaches(site: Site, package: str) -> bool:
@@ -251,9 +255,9 @@ def _field(site: Site, entity: Provision) -> bool:
 
 NAMES: Final[Mapping[str, Names]] = {
     "exact": Names(_whole, _exact),
-    "graph": Names(_last, _graph),
+    "graph": Names(_last, _graph, whole=True),
     "remap": Names(_remap_keys, _remap),
-    "parameter": Names(_last, _parameter),
+    "parameter": Names(_last, _parameter, whole=True),
     "plugin": Names(_plugin_name, _plugin),
     "launch": Names(_launch_keys, _launch),
     "header": Names(_whole, _header),

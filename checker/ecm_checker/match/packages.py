@@ -11,7 +11,7 @@ import msgspec
 from ecm_checker.hub.kinds import uses
 from ecm_checker.hub.package import Package, provisions
 from ecm_checker.hub.provision import Provision
-from ecm_checker.hub.requirement import Requirement
+from ecm_checker.hub.requirement import ONE_VALUE, Requirement
 from ecm_checker.match.consumer import Consumer
 from ecm_checker.match.engine import Match, is_open, match
 from ecm_checker.match.generated import headers, interface_package, python_names
@@ -66,6 +66,10 @@ class Packages:
         """Each of them as a consumer."""
         return [Consumer(package.name, package.requires) for package in self._packages]
 
+    def version(self, name: str) -> str | None:
+        """Return the version of a package; None where it is not here, or declares none."""
+        return next((each.version for each in self._packages if each.name == name), None)
+
     @cached_property
     def by_name(self) -> Mapping[str, Package]:
         """The packages by name."""
@@ -105,7 +109,7 @@ class Packages:
         """
         for consumer in self.consumers:
             for requirement in consumer.requirements:
-                if uses()[requirement.use].stated and not is_open(requirement):
+                if _is_asked(requirement):
                     found = self.match(requirement, consumer)
                     if found.state in {"dangling", "incompatible"}:
                         yield Unmet(consumer.package, found)
@@ -129,6 +133,14 @@ def _spellings(requirement: Requirement) -> Iterator[str]:
         yield f"{requirement.name}{_SCRIPT}"
 
 
+def _is_asked(requirement: Requirement) -> bool:
+    """Whether what others provide now decides: one variable takes whatever a function returns."""
+    row, given = uses()[requirement.use], requirement.given
+    is_tolerated = row.tolerated != 0 and requirement.ros == row.tolerated
+    takes_any = given is not None and given.takes == ONE_VALUE
+    return row.stated and not is_open(requirement) and not is_tolerated and not takes_any
+
+
 def broken(users: Packages, before: Packages, after: Packages) -> Iterator[Unmet]:
     """Yield what users got of a release and do not get of the next one (paper, "Release Discipline").
 
@@ -145,5 +157,5 @@ def broken(users: Packages, before: Packages, after: Packages) -> Iterator[Unmet
             if was.state != "met":
                 continue
             now = after.match(requirement, consumer)
-            if now.state != "met":
+            if now.state != "met" and (now.breach or "gone") in uses()[requirement.use].breaches:
                 yield Unmet(consumer.package, now, was.found, after.may_hide(was.found))

@@ -8,6 +8,8 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import Final
 
+import msgspec
+
 from ecm_checker.hub.kinds import kinds, uses
 from ecm_checker.hub.provision import HOLE, Key, Provision
 from ecm_checker.hub.requirement import Requirement
@@ -20,6 +22,20 @@ from ecm_checker.match.ways import Ways
 _PARTS: Final = re.compile(r"[/.:~]+")
 OPEN: Final = "*"
 """Key of names whose last part is computed."""
+
+
+class Sought(msgspec.Struct, frozen=True):
+    """By what requirements are looked for.
+
+    Attributes:
+        kind: that they may mean.
+        key: of the name; `OPEN` where its last part is computed.
+        name: in which something is computed; empty for others.
+    """
+
+    kind: str
+    key: str
+    name: str = ""
 
 
 class Provisions:
@@ -83,15 +99,23 @@ class Provisions:
         """Packages that generate headers and modules of interface files."""
         return frozenset(each.package for each in self._entities if each.kind == "message")
 
-    def keys(self) -> Iterator[tuple[str, str]]:
-        """Yield the kinds and keys by which requirements find what is here."""
-        yield from self._by_key
+    def sought(self) -> Iterator[Sought]:
+        """Yield by what the requirements are found that may mean what is here."""
+        for (kind, key), entities in self._by_key.items():
+            if key != OPEN:
+                yield Sought(kind, key)
+            else:
+                yield from (Sought(kind, key, name) for name in dict.fromkeys(each.name for each in entities))
 
     def of(self, kind: str, key: str) -> Iterator[Provision]:
         """Yield the provisions of a kind that a key finds, those whose names are computed last."""
         yield from self._by_key.get((kind, key), ())
         if key != OPEN:
             yield from self._by_key.get((kind, OPEN), ())
+
+    def of_kind(self, kind: str) -> Iterator[Provision]:
+        """Yield all provisions of a kind."""
+        return (each for each in self._entities if each.kind == kind)
 
     def owners(self, package: str | None, name: str) -> list[Provision]:
         """Return the provisions of a package, of any kind, that have a name themselves."""
@@ -107,8 +131,7 @@ class Provisions:
         for kind in row.of:
             for key in names.keys(requirement):
                 for entity in self.of(kind, key):
-                    fits = row.facet in {"", entity.facet} and entity.key not in found
-                    if fits and names.meant(site, entity):
+                    if row.facet in {"", entity.facet} and names.meant(site, entity):
                         found[entity.key] = entity
         return list(found.values())
 

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from fnmatch import fnmatchcase
+from functools import lru_cache
 from typing import Final
 
 from ecm_checker.hub.provision import HOLE
 
 _UNKNOWN: Final = re.compile(r"\{[^{}]*\}")
+_KEPT: Final = 4096
+"""Patterns that are kept compiled: the names of one release are compared with those of all consumers."""
 _EVERY_NODE: Final = frozenset({"", "/**", "/*", "**", "*"})
 
 
@@ -21,23 +25,34 @@ def graph_name_matches(offered: str, used: str) -> bool:
     given = _UNKNOWN.sub(HOLE, used).lstrip("~/")
     if not rest or not given or not given.replace(HOLE, "").strip("/"):
         return False
-    pattern = _pattern(rest)
-    if offered.startswith("~") and not used.startswith("~"):
-        return re.fullmatch(rf"(?:.*/)[^/]+/{pattern}|[^/]+/{pattern}", given) is not None
-    return re.fullmatch(rf"(?:.*/)?{pattern}", given) is not None
+    below_node = offered.startswith("~") and not used.startswith("~")
+    return _graph_pattern(rest, below_node).fullmatch(given) is not None
 
 
-def _pattern(name: str) -> str:
-    return "[^/]+".join(re.escape(part) for part in name.split(HOLE))
+@lru_cache(_KEPT)
+def _graph_pattern(name: str, below_node: bool) -> re.Pattern[str]:
+    pattern = "[^/]+".join(re.escape(part) for part in name.split(HOLE))
+    return re.compile(rf"(?:.*/)[^/]+/{pattern}|[^/]+/{pattern}" if below_node else rf"(?:.*/)?{pattern}")
 
 
 def parameter_name_matches(declared: str, given: str) -> bool:
     """Compare parameter names; a computed part fits any name, ROS 1 names hang below namespaces."""
     rest = declared.lstrip("~/")
-    pattern = ".+".join(re.escape(part) for part in rest.split(HOLE))
-    if re.fullmatch(pattern, given.lstrip("~/")):
+    if _parameter_pattern(rest, False).fullmatch(given.lstrip("~/")):
         return True
-    return "/" in rest and re.fullmatch(rf"(?:.*/)?{pattern}", given) is not None
+    return "/" in rest and _parameter_pattern(rest, True).fullmatch(given) is not None
+
+
+@lru_cache(_KEPT)
+def _parameter_pattern(name: str, below_namespace: bool) -> re.Pattern[str]:
+    pattern = ".+".join(re.escape(part) for part in name.split(HOLE))
+    return re.compile(rf"(?:.*/)?{pattern}" if below_namespace else pattern)
+
+
+def text_pattern(names: Iterable[str]) -> re.Pattern[str]:
+    """Return what finds the text of one of some names in what is given; something else may stand before it."""
+    found = (".*".join(map(re.escape, name.lstrip("~/").split(HOLE))).removeprefix(".*") for name in names)
+    return re.compile("|".join(rf"(?s:{each})\Z" for each in dict.fromkeys(found)))
 
 
 def node_matches(owner: str, node: str) -> bool:

@@ -19,6 +19,7 @@ def system(
     *,
     together: bool = False,
     packages: Packages | None = None,
+    started: Packages | None = None,
 ) -> Report:
     """May these modules run as one system?
 
@@ -29,7 +30,10 @@ def system(
         together: whether they are known to run together, as by a launch file. Modules of a repository could, and
             then a conflict between two of them is only likely.
         packages: documents of their packages; None where there are none.
+        started: nodes that launch files start, see `Case`; None where nothing is started.
     """
     views = sorted((ready(module) for module in modules), key=lambda each: each.id)
-    case = Case([each for each in views if each.runs], profiles, together=together, packages=packages)
+    libraries = [each for each in views if not each.runs]
+    runs = [each for each in views if each.runs]
+    case = Case(runs, profiles, together=together, packages=packages, started=started, libraries=libraries)
     return report("system", examine("system", case, dimensions), profiles, dimensions)

@@ -14,18 +14,18 @@ if TYPE_CHECKING:
 _EPILOG = """\b
 Examples:
   ecm-extract blind R-bdda1fa --clones ~/clones          one case, results to standard output
-  ecm-extract blind --all --clones ~/clones -o corpus    all of them, and the contracts that they rest on
+  ecm-extract blind --all --clones ~/clones -o corpus    all of them, and the documents that they rest on
+  ecm-extract blind --stored -o corpus                   the checker changed: its findings anew, without clones
 """
 
 
 @click.command(short_help="Judge documented bugs from their interfaces alone.", epilog=_EPILOG)
 @click.argument("cases", nargs=-1)
 @click.option("--all", "everything", is_flag=True, help="Judge every case.")
-@click.option(
-    "--clones", required=True, metavar="DIR", help="Folder with local clones, as OWNER/NAME or OWNER/NAME.git."
-)
+@click.option("--clones", metavar="DIR", help="Folder with local clones, as OWNER/NAME or OWNER/NAME.git.")
+@click.option("--stored", is_flag=True, help="Judge the stored documents again with the checker of today; no clones.")
 @click.option("--corpus", metavar="DIR", help="Folder with the cases.  [default: the one of the checkout]")
-@click.option("-o", "--output", metavar="DIR", help="Write results.json and contracts/ here, not to standard output.")
+@click.option("-o", "--output", metavar="DIR", help="Write results.json and documents/ here, not to standard output.")
 @click.option("--jobs", type=click.IntRange(min=1), help="Cases at a time.  [default: one per core]")
 @click.option("--no-cache", is_flag=True, help="Take nothing from the cache and add nothing to it.")
 @click.pass_context
@@ -34,7 +34,8 @@ def command(
     /,
     cases: tuple[str, ...],
     everything: bool,
-    clones: str,
+    clones: str | None,
+    stored: bool,
     corpus: str | None,
     output: str | None,
     jobs: int | None,
@@ -47,6 +48,12 @@ def command(
     """
     from ecm_corpus.blind import results_document, run_blind, write_outcome
 
+    if stored:
+        _again(corpus, output)
+        return
+    if clones is None:
+        message = "name the folder of the clones with --clones, or give --stored"
+        raise click.UsageError(message, ctx)
     if not cases and not everything:
         message = "name cases, or give --all"
         raise click.UsageError(message, ctx)
@@ -59,6 +66,21 @@ def command(
     for url, case in missing.items():
         click.echo(f"missing: {url} (for {case})", err=True)
     ctx.exit(2 if missing else 0)
+
+
+def _again(corpus: str | None, output: str | None) -> None:
+    """Write the stored results with what the checker of today says of their documents."""
+    from ecm_corpus.again import judged_again
+    from ecm_corpus.blind import results_document
+    from ecm_corpus.documents import STORE
+    from ecm_corpus.folder import corpus_folder, read_results
+
+    folder = corpus_folder(corpus)
+    document = results_document(judged_again(read_results(folder / "results.json"), folder / STORE))
+    if output is not None:
+        (Path(output) / "results.json").write_bytes(document)
+    else:
+        click.echo(document.decode(), nl=False)
 
 
 def _cases(names: tuple[str, ...], corpus: str | None) -> list[InterfaceCase]:

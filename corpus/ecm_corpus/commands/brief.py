@@ -9,7 +9,7 @@ import click
 
 @click.command(short_help="Interface-only briefs of a documented bug.")
 @click.argument("case")
-@click.option("--corpus", metavar="DIR", help="Folder with results and contracts.  [default: the one of the checkout]")
+@click.option("--corpus", metavar="DIR", help="Folder with results and documents.  [default: the one of the checkout]")
 @click.option("--key", metavar="FILE", help="Write here which brief is which; keep it from who judges.")
 def command(case: str, corpus: str | None, key: str | None) -> None:
     """Print what the sides of CASE declare, its repaired twins and unrelated pairs mixed in, without the story.
@@ -17,6 +17,7 @@ def command(case: str, corpus: str | None, key: str | None) -> None:
     Answers go to `ecm-extract agree`.
     """
     from ecm_corpus.brief import briefs
+    from ecm_corpus.documents import STORE
     from ecm_corpus.folder import corpus_folder, read_results
     from ecm_extract.errors import InputError
 
@@ -26,7 +27,7 @@ def command(case: str, corpus: str | None, key: str | None) -> None:
     if wanted is None:
         message = f"no results of a case {case!r}"
         raise InputError(message, "ecm-extract blind judges cases and writes results")
-    found = briefs(wanted, results, folder / "contracts")
+    found = briefs(wanted, results, folder / STORE)
     click.echo("\n".join(brief.text for brief in found), nl=False)
     if key is not None:
         Path(key).write_text("".join(f"{brief.id}: {brief.origin}\n" for brief in found), "utf-8")

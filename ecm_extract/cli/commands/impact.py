@@ -31,7 +31,7 @@ Examples:
     type=click.Choice(["error", "warning", "never"]),
     default="warning",
     show_default=True,
-    help="Exit with 1 when a line surely breaks; also when it is likely.",
+    help="Exit with 1 when a line surely breaks; also when it is likely, or not everything is known.",
 )
 @registry_option
 def command(
@@ -59,6 +59,8 @@ def command(
             raise InputError(message, "name two releases, or a folder as NEW")
         found = impact_of(session, sides.before, sides.after, scope_of(session, environment, distribution))
     click.echo(_rendered(found, form), nl=False)
+    if fail_on == "warning" and not found.is_whole:
+        return 1
     levels = {"error": ("error",), "warning": ("error", "warning"), "never": ()}[fail_on]
     return int(any(each.severity in levels for each in found.breaks))
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
@@ -14,16 +13,15 @@ import msgspec
 from ecm_extract.cli.registries import open_registry, registry_option, require_extra
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-    from concurrent.futures import Executor
-
     from ecm_extract.registry.index import Job, Outcome
+    from ecm_extract.registry.workers import Workers
 
 _EPILOG: Final = """\b
 Examples:
   ecm-extract registry init
   ecm-extract registry publish src/my_robot@1.2.0
   ecm-extract registry index clones/*
+  ecm-extract registry search cmd_vel
   ecm-extract registry who-uses nav2_controller FollowPath
 """
 
@@ -77,23 +75,26 @@ def publish(source: str, tag: str | None, jobs: int | None, url: str | None) -> 
 @click.argument("repositories", nargs=-1, required=True, metavar="REPOSITORY...")
 @click.option("--tags", metavar="PATTERN", help="Only tags like this, e.g. `1.*`.  [default: all but pre-releases]")
 @click.option("--jobs", type=click.IntRange(min=1), help="Worker processes.  [default: one per core]")
+@click.option("--dask", metavar="ADDRESS", help="Let the workers of this Dask scheduler do it.")
 @registry_option
-def index(repositories: tuple[str, ...], tags: str | None, jobs: int | None, url: str | None) -> int:
+def index(repositories: tuple[str, ...], tags: str | None, jobs: int | None, dask: str | None, url: str | None) -> int:
     """Store all releases of clones, oldest first: each tag that names a version.
 
     May be stopped at any time and run again: what is stored is not read again. What was skipped is told with its
-    reason; the exit status is 1 when a tag could not be read.
+    reason; the exit status is 1 when a tag could not be read. The workers of a cluster need the clones under the same
+    paths, and a registry on a server.
     """
     with open_registry(url) as registry:
         from ecm_extract.registry.index import run, split_known
         from ecm_extract.registry.place import registry_url
 
+        place = registry_url(url)
+        workers = _workers(jobs, dask, place)
         todo, known = split_known(registry, _jobs(repositories, tags))
-        total, count, done = len(todo), _workers(jobs), list(known)
-        with _executor(min(count, total)) as executor:
-            for number, outcome in enumerate(run(registry_url(url), todo, executor), 1):
-                _say_outcome(outcome, f"{number}/{total}")
-                done.append(outcome)
+        done = list(known)
+        for number, outcome in enumerate(run(place, todo, workers), 1):
+            _say_outcome(outcome, f"{number}/{len(todo)}")
+            done.append(outcome)
     return _say_sum(done)
 
 
@@ -103,20 +104,16 @@ def _jobs(repositories: Sequence[str], tags: str | None) -> list[Job]:
     return [job for each in repositories for job in jobs_of(Path(each), tags)]
 
 
-def _workers(jobs: int | None) -> int:
-    return jobs or os.cpu_count() or 1
+def _workers(jobs: int | None, dask: str | None, url: str) -> Workers:
+    from ecm_extract.registry.workers import Here, Processes
 
+    if dask is not None:
+        from ecm_extract.registry.cluster import Cluster, require_shared
 
-@contextmanager
-def _executor(count: int) -> Iterator[Executor | None]:
-    if count <= 1:
-        yield None
-        return
-    from concurrent.futures import ProcessPoolExecutor
-    from multiprocessing import get_context
-
-    with ProcessPoolExecutor(count, mp_context=get_context("spawn")) as executor:
-        yield executor
+        require_shared(url)
+        return Cluster(dask)
+    count = jobs or os.cpu_count() or 1
+    return Processes(count) if count > 1 else Here()
 
 
 def _say_outcome(outcome: Outcome, place: str) -> None:
@@ -178,6 +175,37 @@ def show(release: str, form: str, url: str | None) -> None:
     click.echo(f"{'requires:':12}{len(package.requires)} names")
 
 
+@command.command()
+@click.argument("texts", nargs=-1, required=True, metavar="TEXT...")
+@click.option("--kind", help="Only names of this kind: topic, parameter, message, package, ...")
+@click.option("--environment", metavar="NAME", help="Search only what this environment runs.")
+@click.option("--limit", type=click.IntRange(min=1), default=100, show_default=True, help="Names that are told.")
+@_format
+@registry_option
+def search(
+    texts: tuple[str, ...], kind: str | None, environment: str | None, limit: int, form: str, url: str | None
+) -> None:
+    """Find public names by their words: `cmd_vel` finds `/robot/cmd_vel_smoothed`, `navigate` finds `NavigateToPose`.
+
+    A name must have every TEXT in it, and words that are written together stand together; the last may go on.
+    Searched is the newest release of each package.
+    """
+    with open_registry(url) as registry, registry.reading() as session:
+        from ecm_extract.registry.name_search import search
+        from ecm_extract.registry.scope import EVERYTHING, environment_scope
+
+        scope = environment_scope(session, environment) if environment else EVERYTHING
+        found = search(session, texts, scope, kind)
+    if form == "json":
+        click.echo(_json({"schema": "ecm-extract/search/1", "count": len(found), "names": found[:limit]}))
+        return
+    for each in found[:limit]:
+        of, typed = f" of {each.owner}" if each.owner else "", f" ({each.type})" if each.type else ""
+        click.echo(_plain(f"{each.kind} {each.name}{of}{typed}  {each.package}@{each.version}"))
+    if len(found) > limit:
+        click.echo(f"and {len(found) - limit} more; add a word, --kind or --limit", err=True)
+
+
 @command.command(name="who-uses")
 @click.argument("release")
 @click.argument("name", required=False)
@@ -187,10 +215,11 @@ def show(release: str, form: str, url: str | None) -> None:
 @registry_option
 def who_uses(
     release: str, name: str | None, kind: str | None, environment: str | None, form: str, url: str | None
-) -> None:
+) -> int:
     """Tell who uses what a package provides: all its names, or NAME, or the names that end in NAME.
 
-    RELEASE is `PACKAGE@VERSION`, or PACKAGE for its newest one. Asked is the newest release of each package.
+    RELEASE is `PACKAGE@VERSION`, or PACKAGE for its newest one. Asked is the newest release of each package. Status
+    1 when more may use it than is known: what was not read, and names that are computed.
     """
     with open_registry(url) as registry, registry.reading() as session:
         from ecm_extract.registry.questions import Asked, who_uses
@@ -199,14 +228,18 @@ def who_uses(
         scope = environment_scope(session, environment) if environment else EVERYTHING
         found = who_uses(session, release, Asked(name, kind), scope)
     if form == "json":
-        click.echo(_json({"schema": "ecm-extract/who-uses/1", "release": release, "names": found}))
-        return
-    for each in found:
+        click.echo(_json({"schema": "ecm-extract/who-uses/1", "release": release, **msgspec.structs.asdict(found)}))
+        return int(bool(found.doubts))
+    for each in found.names:
         click.echo(_plain(f"{each.kind} {each.name}{f' of {each.owner}' if each.owner else ''}"))
         for user in each.users:
             for at in user.lines:
                 fits = "" if user.fits else "  (does not fit)"
                 click.echo(_plain(f"  {user.package}@{user.version} {at.path}:{at.line} {at.what}{fits}"))
+    from ecm_extract.registry.texts import doubts_text
+
+    click.echo(doubts_text(found.doubts), nl=False, err=True)
+    return int(bool(found.doubts))
 
 
 @command.command()

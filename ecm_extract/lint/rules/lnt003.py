@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ecm_checker.finding import Entity, Finding, Rename
+from ecm_checker.finding import Entity, Finding
 
 from ecm_extract.lint.known import Asked, Known
+from ecm_extract.lint.near import slip
 from ecm_extract.lint.rule import LintRule
 
 RULE = LintRule(
@@ -46,7 +47,7 @@ def _finding(package: str, name: str, group: list[Asked], known: Known) -> Findi
         [place for asked in group for place in asked.requirement.evidence],
         consequence=_GOES_ON if group[0].consumer.ros == 1 else "",
         resolution=f"write {near}" if near else "",
-        edit=Rename(name, near) if near else None,
+        edit=slip(name, near),
     )
 
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from difflib import SequenceMatcher
 
-from ecm_checker.finding import Entity, Finding, Rename
+from ecm_checker.finding import Entity, Finding
 
+from ecm_extract.lint.near import slip
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace, evidence_of
 from ecm_extract.system.node_model import Parameter, SystemNode
@@ -62,7 +63,7 @@ def _of(parameter: Parameter, node: SystemNode, declared: list[str], workspace: 
     entity = Entity("parameter", parameter.name, near, node.name)
     package = workspace.package_of(parameter.place.path)
     evidence = [evidence_of(parameter.place)]
-    edit = Rename(parameter.name, near)
+    edit = slip(parameter.name, near)
     return RULE.finding(text, entity, package, evidence, certainty="likely", resolution=f"write {near}", edit=edit)
 
 

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ecm_checker.finding import Entity, Finding, Rename
+from ecm_checker.finding import Entity, Finding
 
 from ecm_extract.lint.known import Asked, Known
+from ecm_extract.lint.near import slip
 from ecm_extract.lint.rule import LintRule
 
 RULE = LintRule(
@@ -33,5 +34,5 @@ def _finding(asked: Asked, known: Known) -> Finding:
     package, shape, name = asked.requirement.name.split(".")
     near = known.near(name, package, _KIND, f"{package}/{shape}/")
     text = f"{package} has no {shape}/{name}" + (f"; it has {near}" if near else "")
-    entity, edit = Entity(_KIND, f"{package}/{shape}/{name}", near), Rename(name, near) if near else None
+    entity, edit = Entity(_KIND, f"{package}/{shape}/{name}", near), slip(name, near)
     return RULE.finding(text, entity, asked.consumer.name, asked.requirement.evidence, edit=edit)

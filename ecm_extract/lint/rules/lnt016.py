@@ -22,8 +22,6 @@ RULE = LintRule(
     resolution="write ${pi}, or round towards zero",
 )
 _CLOSE = 0.002
-_NOTHING = 1e-5
-"""Of four digits and more: no solver tells it from pi."""
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
@@ -39,7 +37,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
                     continue
                 seen.add(joint.where)
                 text = f"{joint.name} has the {side} limit {value:g}, which is beyond {_multiple(abs(value))} pi"
-                severity: Severity = "warning" if _is_felt(abs(value)) and _turns_fully(joint) else "info"
+                severity: Severity = "warning" if _multiple(abs(value)) == 1 and _turns_fully(joint) else "info"
                 evidence = [Evidence(joint.where.path, joint.where.line)]
                 entity = Entity("joint", joint.name, side, description.name)
                 package = workspace.package_of(joint.where.path)
@@ -53,10 +51,6 @@ def _multiple(value: float) -> int:
 def _is_rounded(value: float) -> bool:
     excess = value - _multiple(value) * math.pi
     return _multiple(value) > 0 and 1e-9 < excess < _CLOSE
-
-
-def _is_felt(value: float) -> bool:
-    return _multiple(value) == 1 and value - math.pi > _NOTHING
 
 
 def _turns_fully(joint: Joint) -> bool:

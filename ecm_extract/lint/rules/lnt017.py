@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ecm_checker.finding import Entity, Finding, Rename
+from ecm_checker.finding import Entity, Finding
 
 from ecm_extract.lint.known import Asked, Known
+from ecm_extract.lint.near import slip
 from ecm_extract.lint.rule import LintRule
 
 RULE = LintRule(
@@ -45,6 +46,6 @@ def _finding(asked: Asked, better: str) -> Finding:
     text = f"{wanted.package} defines no message {wanted.name.rpartition('.')[2]}"
     text += f"; there is {better}" if better else ""
     hint = f"write {better}" if better else ""
-    edit = Rename(wanted.name.rpartition(".")[2], better.partition("/")[2]) if better else None
+    edit = slip(wanted.name.rpartition(".")[2], better.partition("/")[2])
     entity = Entity("message_field", wanted.said, better)
     return RULE.finding(text, entity, asked.consumer.name, wanted.evidence, resolution=hint, edit=edit)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
@@ -23,6 +23,7 @@ RULE = LintRule(
     resolution="make the URDF anew from the xacro, or correct the xacro",
 )
 _TOLERANCE = 1e-3
+_SHOWN = 6
 _ANGLES = ("origin roll", "origin pitch", "origin yaw")
 _PLACE = ("origin x", "origin y", "origin z", *_ANGLES)
 
@@ -50,11 +51,16 @@ def _compared(made: Description, written: Description, package: str) -> Iterator
     ]
     if found:
         joint, source, what = found[0]
-        more = f" and {len(found) - 1} more joints differ" if len(found) > 1 else ""
-        text = f"{joint.name} of {written.path} has {what}{more}"
+        text = f"{joint.name} of {written.path} has {what}{_others([other.name for other, _, _ in found[1:]])}"
         evidence = [Evidence(*place) for other, origin, _ in found for place in (other.where, origin.where)]
         entity = Entity("joint", joint.name, what.partition(",")[0].rpartition(" ")[0], written.name)
         yield RULE.finding(text, entity, package, evidence, certainty="likely")
+
+
+def _others(names: Sequence[str]) -> str:
+    """The joints that differ as well, by name as far as people read them."""
+    more = f" and {len(names) - _SHOWN} more" if len(names) > _SHOWN else ""
+    return f"; {', '.join(names[:_SHOWN])}{more} differ{'s' * (len(names) == 1)} too" if names else ""
 
 
 def _difference(source: Joint, joint: Joint) -> str | None:

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 
 import msgspec
 from ecm_checker.contract import Evidence
-from ecm_checker.finding import Entity, Finding, Rename
+from ecm_checker.finding import Entity, Finding
 
 from ecm_extract.lint.compiled import is_compiled
-from ecm_extract.lint.near import nearest
+from ecm_extract.lint.near import nearest, slip
 from ecm_extract.lint.requests import Touched, touched_fields
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.service_calls import ServiceCall
@@ -57,5 +57,5 @@ def _of_member(touched: Touched, workspace: Workspace) -> Finding:
 def _finding(service: str, name: str, fields: tuple[str, ...], package: str, place: Evidence) -> Finding:
     near = nearest(name, fields)
     text = f"{service} has no field {name}" + (f"; it has {near}" if near else "")
-    entity, edit = Entity("message_field", f"{service}.{name}", near or ""), Rename(name, near) if near else None
+    entity, edit = Entity("message_field", f"{service}.{name}", near or ""), slip(name, near)
     return RULE.finding(text, entity, package, [place], edit=edit)

@@ -8,11 +8,12 @@ from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 from ecm_parsers.diagnostics_yaml import Analyzer
 from ecm_parsers.launch.model import Node
+from ecm_parsers.launch.templates import all_actions, plain_text
 from ecm_parsers.xml_tree import without_comments
 
 from ecm_extract.lint.near import nearest
 from ecm_extract.lint.rule import LintRule
-from ecm_extract.lint.workspace import Workspace, all_actions, plain_text
+from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
 
 RULE = LintRule(

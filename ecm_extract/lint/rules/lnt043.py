@@ -8,12 +8,13 @@ from collections.abc import Iterator
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Certainty, Entity, Finding, Severity
 from ecm_parsers.launch.model import Node
+from ecm_parsers.launch.templates import all_actions, plain_text
 from ecm_parsers.package_references import parse_references
 
 from ecm_extract.discover import is_test_path
 from ecm_extract.lint.install_rules import lives_in_devel_space
 from ecm_extract.lint.rule import LintRule
-from ecm_extract.lint.workspace import Workspace, all_actions, plain_text
+from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
 
 RULE = LintRule(

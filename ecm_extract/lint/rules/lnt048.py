@@ -11,9 +11,10 @@ from typing import Final, NamedTuple
 
 from ecm_checker.contract import Interface
 from ecm_checker.finding import Entity, Finding
-from ecm_parsers.source.expr import Call, Member
+from ecm_parsers.source.expr import Call, Expr, Member
 from ecm_parsers.source.facts import Statement
 
+from ecm_extract.link.walk import dotted, expressions
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.rules.lnt008 import mismatch
 from ecm_extract.lint.workspace import Workspace
@@ -30,6 +31,10 @@ RULE = LintRule(
 _ANY: Final = re.compile(r"/?\{[^{}]*\}")
 _POLICIES: Final = frozenset({"reliability", "durability"})
 _ALL: Final = _POLICIES | {"history", "depth"}
+_LOADERS: Final = frozenset(
+    {"json.load", "yaml.full_load", "yaml.load", "yaml.load_all", "yaml.safe_load", "yaml.safe_load_all"}
+)
+"""How Python loads a file of lists; `json.loads` takes a message apart."""
 _SETTERS: Final = _POLICIES | {"reliable", "best_effort", "transient_local", "durability_volatile"}
 CALL_LINES: Final = 3
 MAX_PLACES: Final = 3
@@ -67,9 +72,14 @@ def _readers(workspace: Workspace) -> Iterator[Reader]:
 
 
 def _reads_lists(package: str, workspace: Workspace) -> bool:
-    """Tell whether Python of a package reads YAML or JSON: the topics may be those that a file of its own lists."""
+    """Tell whether Python of a package loads YAML or JSON files: the topics may be those that a file lists."""
     files = [file for file in workspace.linker.program.files if file.package == package]
-    return any(entry.module in {"yaml", "json"} for file in files for entry in file.facts.imports)
+    bodies = [fact.body for file in files for fact in file.facts.functions if file.facts.language == "python"]
+    return any(_loads(expr) for body in bodies for step in body for expr, _ in expressions(step))
+
+
+def _loads(expr: Expr) -> bool:
+    return isinstance(expr, Call) and dotted(expr.callee) in _LOADERS
 
 
 def _asks(interface: Interface) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from string import ascii_letters, digits
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.cpp_expr import ExprReader
@@ -14,7 +15,9 @@ if TYPE_CHECKING:
 def parameters(reader: ExprReader, listed: Node | None) -> tuple[Parameter, ...]:
     """Return the parameters of a parameter list with their types as written."""
     found = []
-    for child in listed.named_children if listed is not None else ():
+    for child in listed.children if listed is not None else ():
+        if child.type == "...":
+            found.append(Parameter("", child.type))
         kind = child.child_by_field_name("type")
         if kind is None or reader.text(child) == "void":
             continue
@@ -27,6 +30,7 @@ def parameters(reader: ExprReader, listed: Node | None) -> tuple[Parameter, ...]
         written = reader.data[child.start_byte : end.start_byte if end is not None else child.end_byte]
         suffix = _suffix(reader, declarator)
         text = " ".join(written.decode("utf-8", "replace").rstrip(" =").split()) + suffix
+        text += "..." if child.type == "variadic_parameter_declaration" else ""
         value = reader.read(default) if default is not None else None
         found.append(Parameter(name, text, value))
     return tuple(found)
@@ -44,6 +48,7 @@ def declared_name(reader: ExprReader, node: Node) -> str:
     return reader.name(node)
 
 
+_WORD = f"{ascii_letters}{digits}_"
 _NAMES = frozenset(
     {
         "identifier",
@@ -57,9 +62,18 @@ _NAMES = frozenset(
 )
 
 
+def _pointer(reader: ExprReader, declarator: Node) -> str:
+    """The rest of the type of a pointer to a function, without its name: `(*)(int)`, `(Arm::*)(int)`."""
+    inner, taken = declarator.child_by_field_name("declarator"), declarator.child_by_field_name("parameters")
+    held = reader.text(inner).removesuffix(")").rstrip(_WORD) if inner is not None else ""
+    return " ".join(f"{held or '(*'}){reader.text(taken) if taken is not None else ''}".split())
+
+
 def _suffix(reader: ExprReader, declarator: Node | None) -> str:
     if declarator is None:
         return ""
+    if declarator.type == "function_declarator":
+        return " " + _pointer(reader, declarator)
     if declarator.type.startswith("abstract_"):
         return " " + reader.text(declarator)
     marks = reader.data[declarator.start_byte : declarator.start_byte + 2].decode("utf-8", "replace")

@@ -6,6 +6,7 @@ statements simply follow each other has no flow.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Literal, TypeAlias
 
 import msgspec
@@ -109,3 +110,29 @@ class FlowWriter:
         """Return the steps of the body; nothing where its statements simply follow each other."""
         steps = self._open[0]
         return () if all(type(step) is int for step in steps) else tuple(steps)
+
+
+def blocks(step: Step) -> Iterator[Block]:
+    """Yield the blocks within a step."""
+    if isinstance(step, Branch):
+        yield from (step.then, step.other)
+    elif isinstance(step, Loop):
+        yield from (step.body, step.step, step.other)
+    elif isinstance(step, Switch):
+        yield from (case.body for case in step.cases)
+    elif isinstance(step, Attempt):
+        yield from (step.body, *step.handlers, step.other, step.final)
+    elif isinstance(step, Later):
+        yield step.body
+
+
+def statements(block: Block) -> Iterator[int]:
+    """Yield the statements of steps, at any depth, by their index."""
+    for step in block:
+        if isinstance(step, int):
+            yield step
+            continue
+        if isinstance(step, Loop) and step.each >= 0:
+            yield step.each
+        for inner in blocks(step):
+            yield from statements(inner)

@@ -282,3 +282,16 @@ def test_a_comment_in_a_macro_of_several_lines_hides_nothing() -> None:
 def test_an_access_that_the_grammar_mends_is_none() -> None:
     """`class{public::` has an access without a word, which changes nothing."""
     assert parse_cpp(b"class{public::// c\n}").facts.classes
+
+
+@pytest.mark.parametrize(
+    ("parameter", "written"),
+    [
+        ("void (*done)(int, int)", "void (*)(int, int)"),
+        ("void (Arm::*done)(const Goal &)", "void (Arm::*)(const Goal &)"),
+        ("void done(int)", "void (*)(int)"),
+    ],
+)
+def test_a_pointer_to_a_function_is_a_parameter_like_any(parameter: str, written: str) -> None:
+    (function,) = parse_cpp(f"void start(const char *name, {parameter}) {{}}".encode()).facts.functions
+    assert [entry.type for entry in function.params] == ["const char *", written]
