@@ -64,7 +64,8 @@ class Flow:
             self._runs.clear()
         entry = Env(env.func, 0, env.args, env.types, env.this, env.made, env.depth + 1, State(), env.outer)
         try:
-            run = Interpreter(entry, self).result()
+            with self.folder.steps.apart():
+                run = Interpreter(entry, self).result()
         finally:
             self._running.discard(key)
         self._runs[key] = (env, run)

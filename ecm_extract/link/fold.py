@@ -6,7 +6,7 @@ defaults, functions that return a value. Every result has a confidence; unknown 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from itertools import islice, product
 from types import MappingProxyType
 from typing import Any, Final
@@ -56,6 +56,8 @@ from ecm_extract.link.values import (
     weaker,
 )
 
+MAX_NESTED = 60
+"""Questions within questions."""
 _Asked = tuple[int, str, int, int, int, int, int, int]
 """A name with everything that its value depends on."""
 
@@ -79,7 +81,8 @@ class Folder:
         self.cuts = 0
         self.cycles = 0
         self.steps = Steps(sum(len(func.fact.body) for group in program.functions.values() for func in group))
-        self._active: set[tuple[int, str, int, int]] = set()
+        self._active: set[Hashable] = set()
+        self._meanwhile: dict[Hashable, tuple[Value, ...]] = {}
         self._answers: dict[_Asked, tuple[Env, tuple[Value, ...]]] = {}
 
     def fold(self, expr: Expr | None, env: Env) -> tuple[Value, ...]:
@@ -118,22 +121,35 @@ class Folder:
         return (unknown("value"),)
 
     def guarded(
-        self, label: str, env: Env, work: Callable[[], tuple[Value, ...]], circle: Value | None = None
+        self, asked: Hashable, label: str, work: Callable[[], tuple[Value, ...]], circle: Value | None = None
     ) -> tuple[Value, ...]:
         """Break cycles such as `x = f(x)` in a loop or members that are set from each other.
 
-        `circle` is what a question is answered with that comes from itself; an unknown value where none is given.
+        Args:
+            asked: the question; who comes to it again while it is answered is told `circle`, or that it is unknown.
+            label: what the value is called.
+            work: gives the answer.
+            circle: what a question is answered with that comes from itself.
         """
-        key = (id(env.func), label, env.at, id(env.state))
-        if key in self._active or len(self._active) > 60:
+        if asked in self._active or len(self._active) > MAX_NESTED:
             self.cuts += 1
             self.cycles += 1
             return (circle or unknown(label),)
-        self._active.add(key)
+        known = self._meanwhile.get(asked)
+        if known is not None:
+            self.cycles += 1  # whoever uses it has a part in the cycle
+            return known
+        cycles = self.cycles
+        self._active.add(asked)
         try:
-            return work()
+            values = work()
         finally:
-            self._active.discard(key)
+            self._active.discard(asked)
+        if not self._active:
+            self._meanwhile.clear()
+        elif cycles != self.cycles:
+            self._meanwhile[asked] = values
+        return values
 
     def once(self, label: str, env: Env, work: Callable[[], tuple[Value, ...]]) -> tuple[Value, ...]:
         """Answer a question that several branches ask once, as long as no cycle had a part in the answer."""
@@ -142,7 +158,7 @@ class Folder:
         if known is not None:
             return known[1]
         cycles = self.cycles
-        values = self.guarded(label, env, work)
+        values = self.guarded(("name", label, env.func, env.at, env.state), label, work)
         if self.steps.depth and cycles == self.cycles:
             self._answers[key] = (env, values)  # with the environment, so that no other one gets its identity
         return values

@@ -153,7 +153,7 @@ class CallFolder:
         closure = self._closure(expr, call, env)
         if closure is not None:
             return closure
-        return self.folder.guarded(f"{call.path}()", _apart(env), lambda: self._returns(call, env))
+        return self.folder.guarded(_asked(expr, env), f"{call.path}()", lambda: self._returns(call, env))
 
     def _same(self, call: Invocation, env: Env) -> tuple[Value, ...]:
         """Conversions: a text of what is passed, or a number."""
@@ -429,9 +429,9 @@ def _takes(func: Func, kinds: Sequence[str]) -> bool:
     return not any(kind and other and kind != other for kind, other in zip(kinds, wanted, strict=False))
 
 
-def _apart(env: Env) -> Env:
-    """A place that tells a call with its arguments from the same call with others."""
-    return Env(env.func, hash((env.at, id(env.args), id(env.state))))
+def _asked(expr: Call, env: Env) -> tuple[object, ...]:
+    """What tells a call with its arguments from the same call with others."""
+    return "call", expr, env.func, env.at, env.state, tuple(env.args.values())
 
 
 def with_names(env: Env, given: Mapping[str, Bound]) -> Env:

@@ -45,7 +45,7 @@ class HeldFolder:
             return known
         folder = self.folder
         marks = (folder.cuts, folder.cycles)
-        values = folder.guarded(_label(held.name), _marked(env, held), lambda: self._values(held, env))
+        values = folder.guarded(("held", held), _label(held.name), lambda: self._values(held, env))
         if marks == (folder.cuts, folder.cycles):
             held.settled["values"] = values
         return values
@@ -233,11 +233,6 @@ def _label(key: str) -> str:
 def _statement(held: Held) -> Statement | None:
     body = held.env.func.fact.body if held.env is not None else ()
     return body[held.at] if 0 <= held.at < len(body) else None
-
-
-def _marked(env: Env, held: Held) -> Env:
-    """A place that tells one thing held from another, so that only real circles are cut."""
-    return Env(env.func, id(held))
 
 
 def _as_declared(values: tuple[Value, ...], statement: Statement | None) -> tuple[Value, ...]:

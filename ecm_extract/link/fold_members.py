@@ -113,10 +113,8 @@ class MemberFolder:
         if not self.folder.reads.is_declared(name, package):
             return None
         known = self.folder.reads.default(name, package)
-        label = f"{package}.{name}"  # a default may be the parameter itself: declare_parameter("a", params_.a)
-        values = self.folder.guarded(
-            label, Env(env.func), lambda: self.folder.calls.default_value(name, known, None, env)
-        )
+        asked = ("parameter", package, name)  # a default may be the parameter itself: declare_parameter("a", params_.a)
+        values = self.folder.guarded(asked, name, lambda: self.folder.calls.default_value(name, known, None, env))
         return set_by(name, values)
 
     def member_value(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
@@ -126,9 +124,8 @@ class MemberFolder:
         if known is not None:
             return known
         cuts = self.folder.cuts
-        label = f"{cls.qualified}.{name}"
-        place, itself = Env(env.func), circular(name)
-        values = self.folder.guarded(label, place, lambda: self._member_value(name, cls, env), itself)
+        asked = ("member", cls, name, None if anyone else env.made)
+        values = self.folder.guarded(asked, name, lambda: self._member_value(name, cls, env), circular(name))
         if anyone and cuts == self.folder.cuts:
             self._known[id(cls), name] = values
         return values
