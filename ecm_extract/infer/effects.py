@@ -15,7 +15,6 @@ from ecm_parsers.source.facts import Statement
 from ecm_extract.infer.places import key_of, root_of
 
 if TYPE_CHECKING:
-    from ecm_extract.link.env import Env
     from ecm_extract.link.units import Func
 
 Kind = Literal["changed", "lost", "out", "handed"]
@@ -44,8 +43,8 @@ class Effect:
 class Targets(Protocol):
     """Who knows which function of the tree a call means."""
 
-    def target(self, call: Call, env: Env) -> Func | None:
-        """Return the function with a body that a call means."""
+    def target(self, call: Call, func: Func, at: int) -> Func | None:
+        """Return the function with a body that a call in a statement of a function means."""
 
     def keeps(self, name: str) -> bool:
         """Tell whether a call of that name is one of a client library, which leaves what it gets as it is."""
@@ -77,6 +76,7 @@ class Effects:
         self.python = func.file.language == "python"
         self.member = func.cls is not None and not self.python
         self.calls = calls_of(func.file.language)
+        self._known: dict[int, tuple[Effect, ...]] = {}
 
     def key(self, expr: Expr | None) -> str:
         """Return the key of the variable that an expression is, empty for none."""
@@ -86,13 +86,17 @@ class Effects:
         """Return the key of the variable that an expression reaches into, empty for none."""
         return root_of(expr, self.own, self.member)
 
-    def of(self, at: int, env: Env) -> Iterator[Effect]:
-        """Yield what the calls of a statement change, inner calls first."""
-        statement = self.func.fact.body[at]
-        for call in self.func.calls[at]:
-            yield from self._of_call(call, statement, env)
+    def of(self, at: int) -> tuple[Effect, ...]:
+        """Return what the calls of a statement change, inner calls first."""
+        known = self._known.get(at)
+        if known is None:
+            self._known[at] = ()  # who asks in a circle
+            statement = self.func.fact.body[at]
+            found = [effect for call in self.func.calls[at] for effect in self._of_call(call, at, statement)]
+            known = self._known[at] = tuple(found)
+        return known
 
-    def _of_call(self, call: Call, statement: Statement, env: Env) -> Iterator[Effect]:
+    def _of_call(self, call: Call, at: int, statement: Statement) -> Iterator[Effect]:
         callee = call.callee
         if isinstance(callee, Member):
             yield from self._on_receiver(call, callee, statement)
@@ -108,8 +112,9 @@ class Effects:
         changing = isinstance(callee, Member) and last in self.calls.changing
         if not (passed or named) or last in self.calls.reading or changing:
             return
-        target = self.targets.target(call, env)
-        if target is None and self.targets.keeps(last):
+        target = self.targets.target(call, self.func, at)
+        own = isinstance(callee, Name) and callee.id in self.own  # a variable that holds a function is no library's
+        if target is None and not own and self.targets.keeps(last):
             return
         params = target.fact.params if target is not None else ()
         for index, arg in passed:

@@ -17,7 +17,9 @@ MAX_WAYS = 8
 MAX_LAYER = 16
 """Changes beyond which a state is written out in full."""
 
-How = Literal["value", "each", "made", "given", "shared", "lost", "read", "changed", "stored", "out", "handed"]
+How = Literal[
+    "value", "each", "made", "given", "shared", "lost", "read", "changed", "stored", "out", "handed", "looped"
+]
 
 
 @dataclass(slots=True, eq=False, repr=False)
@@ -30,7 +32,8 @@ class Held:
             `lost`: nobody knows; `read` from a ROS parameter (`expr` its name, `more` its
             default); `changed` by a method (`expr` the call); `stored`: an element (`expr` the place, `more` the
             value); `out`: written by a function that got it (`expr` the call, `name` its parameter there); `handed` to
-            somebody who may have changed what it consists of.
+            somebody who may have changed what it consists of; `looped`: what it held before a loop or after a round
+            of it (`before`).
         name: the variable, for messages and patterns; of `out` the parameter.
         env: where the expressions are evaluated.
         at: statement that made it so; -1 for none.

@@ -7,7 +7,7 @@ others run once with what their body changes unknown. What is not modelled makes
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Protocol
 
@@ -15,9 +15,9 @@ from ecm_parsers.source.expr import Call, Comprehension, Constant, Expr, Items, 
 from ecm_parsers.source.facts import Statement
 from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Later, Leave, Loop, Step, Switch, statements
 
-from ecm_extract.infer.effects import Effect, Effects, Targets, bare_names, is_plain
-from ecm_extract.infer.held import Held, How, State, joined_states
-from ecm_extract.infer.places import own_names
+from ecm_extract.infer.effects import Effect, Targets, bare_names, is_plain
+from ecm_extract.infer.held import MAX_WAYS, Held, How, State, joined_states
+from ecm_extract.infer.outline import Outline
 from ecm_extract.link.walk import children
 
 if TYPE_CHECKING:
@@ -40,6 +40,9 @@ class Judge(Targets, Protocol):
     def truth(self, test: Expr, env: Env) -> bool | None:
         """Tell whether a condition holds; None when that is not decided."""
 
+    def likely(self, test: Expr, env: Env) -> bool | None:
+        """Tell whether a condition holds as long as nobody sets a parameter; None when that is not known."""
+
     def alike(self, one: Expr, other: Expr, env: Env) -> bool | None:
         """Tell whether two expressions have the same value; None when that is not decided."""
 
@@ -49,11 +52,11 @@ class Judge(Targets, Protocol):
     def is_own(self, call: Call, env: Env) -> bool:
         """Tell whether a call may run a function of the tree."""
 
-    def reads(self, func: Func) -> Mapping[int, Sequence[tuple[Expr, Expr, Expr | None]]]:
-        """Return statement -> (variable, name, default) of the parameters that a function reads into variables."""
+    def reaches_object(self, call: Call, env: Env) -> bool:
+        """Tell whether a call of a function of the tree may run a method of the object at hand."""
 
-    def inner(self, func: Func) -> Sequence[Func]:
-        """Return the functions that are declared within a function."""
+    def outline(self, func: Func) -> Outline:
+        """Return what is known of a function before it runs."""
 
     def settle(self, held: Held) -> None:
         """Evaluate now, so that a long chain of changes needs no deep recursion later."""
@@ -98,10 +101,10 @@ class Interpreter:
         self.judge = judge
         self.python = self.func.file.language == "python"
         self.body = self.func.fact.body
-        self.effects = Effects(self.func, own_names(self.func.fact, self.python), judge)
+        self.outline = judge.outline(self.func)
+        self.effects = self.outline.effects
         self.run = Run()
-        self._reads = judge.reads(self.func)
-        self._escaped: set[str] = set(self._assigned_inside())
+        self._escaped: set[str] = set(self.outline.escaped)
         self._derived: dict[str, str] = {}
         self._breaks: list[list[State]] = []
         self._continues: list[list[State]] = []
@@ -117,11 +120,10 @@ class Interpreter:
 
     def result(self) -> Run:
         """Run the function from its beginning."""
-        block = self.func.fact.flow or tuple(range(len(self.body)))
         for key in self._escaped:
             if self._is_open(key):
                 self.run.shown[key].append(Held("lost", key))
-        end = self._block(block, State())
+        end = self._block(self.outline.block, State())
         self.run.end = joined_states([*self._left, *(state for _, state in self.run.returns), end])
         return self.run
 
@@ -149,7 +151,7 @@ class Interpreter:
         if self.python or self._nesting == 0 or before is None or state is None:
             return state
         lets = (self.body[step] for step in block if isinstance(step, int) and self.body[step].kind == "let")
-        hidden = {key for entry in lets for key in self._bound_keys(entry.target)}
+        hidden = {key for entry in lets for key in self.outline.bound_keys(entry.target)}
         return state.having({key: before.holds[key] for key in hidden if key in before.holds})
 
     def _step(self, step: Step, state: State) -> State | None:
@@ -194,7 +196,8 @@ class Interpreter:
         number = self._new()
         then = self._block(step.then, state.on(number))
         other = self._block(step.other, state.on(-number))
-        return joined_states([then, other])
+        by_default = self.judge.likely(step.test, self._env(state)) is not False
+        return joined_states([then, other] if by_default else [other, then])
 
     def _switch(self, step: Switch, state: State) -> State | None:
         return self._falling(step, state) if step.falls else self._chosen(step, state)
@@ -352,9 +355,10 @@ class Interpreter:
         return self._bind(each.target, Held("each", "", each.value, self._env(state), at), state)
 
     def _blur(self, loop: Loop, state: State) -> State | None:
-        """Run the body once with everything that it changes unknown, which stands for any number of rounds."""
-        blocks = (loop.body, loop.step)
-        start = self._lost(state, {key for block in blocks for key in self._changed_in(block)})
+        """Run the body once with what it changes unknown, which stands for any number of rounds."""
+        changed = {key for block in (loop.body, loop.step) for key in self._changed_in(block)}
+        start = self._lost(state, changed)
+        heads = {key: start.holds[key][0] for key in changed}
         self._enter()
         inside = start.on(self._new())
         if loop.each >= 0:
@@ -366,7 +370,16 @@ class Interpreter:
         if after is not None:
             after = self._block(loop.step, after)
         self._blurred -= 1
+        for key, head in heads.items():
+            self._close(head, self._known(key, state, None), after.holds[key] if after is not None else ())
         return self._exit(loop, joined_states([start, after]))
+
+    def _close(self, head: Held, before: tuple[Held, ...], after: tuple[Held, ...]) -> None:
+        """What a variable holds when a round begins: what it held before the loop, or what a round left."""
+        ways = tuple(dict.fromkeys([*before, *(held for held in after if held is not head)]))
+        if len(ways) <= MAX_WAYS and head.name not in self._escaped:
+            head.how, head.before = "looped", ways
+            head.settled.clear()
 
     def _changed_in(self, block: Block) -> set[str]:
         """The variables that steps change."""
@@ -376,20 +389,8 @@ class Interpreter:
         return found
 
     def _changed_by(self, at: int) -> set[str]:
-        statement = self.body[at]
-        found = {effect.key for effect in self.effects.of(at, self.env)}
-        found |= {self.effects.key(target) or self.effects.root(target) for target, _, _ in self._reads.get(at, ())}
-        if statement.kind != "do":
-            found |= set(self._bound_keys(statement.target))
-        found |= {self._derived[key] for key in found if key in self._derived}
-        return found - {""}
-
-    def _bound_keys(self, target: Expr | None) -> Iterator[str]:
-        if isinstance(target, Items):
-            for item in target.items:
-                yield from self._bound_keys(item)
-        else:
-            yield self.effects.key(target) or self.effects.root(target)
+        found = self.outline.changed_by(at)
+        return found | {self._derived[key] for key in found if key in self._derived}
 
     def _lost(self, state: State, keys: Iterable[str]) -> State:
         """The state in which nobody knows what some variables hold; what they were made as is kept."""
@@ -410,7 +411,7 @@ class Interpreter:
         keep = (self._breaks, self._continues, self._raised)
         self._breaks, self._continues, self._raised = [[]], [[]], []
         self._later += 1
-        again = {key for key in state.holds if self._counts().get(key, 0) > 1}
+        again = {key for key in state.holds if self.outline.changes.get(key, 0) > 1}
         shared = {key: (Held("shared", key),) for key in again | inside if self._is_open(key)}
         start = self._lost(state, inside | again | own).having(shared)
         self._block(step.body, start.on(self._new()))
@@ -422,35 +423,7 @@ class Interpreter:
         """The variables that steps declare for themselves."""
         declaring = (self.body[at] for at in statements(block))
         lets = [entry for entry in declaring if entry.kind == "let" or (entry.kind == "each" and not self.python)]
-        return {key for entry in lets for key in self._bound_keys(entry.target)} - {""}
-
-    def _counts(self) -> Mapping[str, int]:
-        """How often each variable is changed in the whole body."""
-        if not hasattr(self, "_changes"):
-            self._changes: dict[str, int] = defaultdict(int)
-            for at in range(len(self.body)):
-                for key in self._changed_by(at):
-                    self._changes[key] += 1
-        return self._changes
-
-    def _assigned_inside(self) -> Iterator[str]:
-        """What functions that are declared within this one change of its variables."""
-        for func in self.judge.inner(self.func):
-            own = own_names(func.fact, self.python)
-            inner = Effects(func, own, self.judge)
-            for at, statement in enumerate(func.fact.body):
-                targets = [statement.target] if statement.kind in {"set", "each"} else []
-                keys = [inner.key(target) or inner.root(target) for target in targets]
-                keys += [effect.key for effect in inner.of(at, self.env) if not self._is_text(effect)]
-                for key in keys:
-                    if key.split(".")[0] not in own:
-                        yield key if key in self.effects.own or not self.effects.member or "." in key else f".{key}"
-
-    def _is_text(self, effect: Effect) -> bool:
-        """Whether somebody only gets a variable that is declared as a literal text, which nobody can change."""
-        lets = [entry for entry in self.body if entry.kind == "let" and entry.target == Name(effect.key)]
-        fixed = all(isinstance(entry.value, Text) and ("*" in entry.type or entry.type == "auto") for entry in lets)
-        return effect.kind == "handed" and bool(lets) and fixed
+        return {key for entry in lets for key in self.outline.bound_keys(entry.target)} - {""}
 
     # --- statements --------------------------------------------------------------------------------------
 
@@ -465,7 +438,7 @@ class Interpreter:
         self._record_all(at, self._with_loops(statement, at, state))
         env = self._env(state)
         state = self._changed(at, state, env)
-        for target, name, default in self._reads.get(at, ()):
+        for target, name, default in self.outline.reads.get(at, ()):
             key = self.effects.key(target)
             before = state.holds.get(key, ())
             state = self._hold(key, Held("read", key, name, env, at, default, before), state) if key else state
@@ -569,7 +542,7 @@ class Interpreter:
         """An element of a loop is a part of what the loop is over."""
         root = self.effects.root(each.value)
         if root and (self.python or each.type.endswith("&")):
-            for key in self._bound_keys(each.target):
+            for key in self.outline.bound_keys(each.target):
                 self._derived[key] = root
 
     def _bind(self, target: Expr | None, held: Held, state: State) -> State:
@@ -648,10 +621,17 @@ class Interpreter:
     # --- effects of calls --------------------------------------------------------------------------------
 
     def _changed(self, at: int, state: State, env: Env) -> State:
-        for effect in self.effects.of(at, env):
+        for effect in self.effects.of(at):
             state = self._apply(effect, at, env, state)
-        if any(self.judge.is_own(call, env) or self._waits(call) for call in self.func.calls[at]):
-            state = self._given_again(state)
+        calls = self.func.calls[at]
+        waits = any(self._waits(call) for call in calls)
+        own = [call for call in calls if self.judge.is_own(call, env)]
+        if waits or any(self.judge.reaches_object(call, env) for call in own):
+            state = self._given_again([key for key in state.holds if key.startswith(".")], state)
+            state = State(state.holds, state.path, state.live, True)
+        if waits or own:
+            outside = [key for key in state.holds if self._is_open(key) and not key.startswith(".")]
+            state = self._given_again(outside, state)
         return state
 
     def _apply(self, effect: Effect, at: int, env: Env, state: State) -> State:
@@ -729,14 +709,13 @@ class Interpreter:
         last = callee.name if isinstance(callee, Member) else callee.id if isinstance(callee, Name) else ""
         return last.rsplit("::", 1)[-1] in self.effects.calls.waiting
 
-    def _given_again(self, state: State) -> State:
+    def _given_again(self, keys: Iterable[str], state: State) -> State:
         """A function of the tree may assign members and variables outside of functions."""
-        open_ = [key for key in state.holds if self._is_open(key)]
-        for key in open_:
+        again = tuple(keys)
+        for key in again:
             known = self.run.shown[key]
             known += [held for held in state.holds[key] if held.how not in {"given", "shared"} and held not in known]
-        after = state.having({key: (Held("shared", key),) for key in open_})
-        return State(after.holds, after.path, after.live, True)
+        return state.having({key: (Held("shared", key),) for key in again})
 
     def _known(self, key: str, state: State, env: Env | None) -> tuple[Held, ...]:
         """What a variable holds, which a function may have not given anything yet."""

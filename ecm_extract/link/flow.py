@@ -4,30 +4,34 @@ from __future__ import annotations
 
 import sys
 from collections import defaultdict
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Call, Expr, Name, Op, Opaque
+from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Name, Number, Op, Opaque, Text
 
 from ecm_extract.infer.compute import UNKNOWN, operate, truth
 from ecm_extract.infer.effects import Effects
 from ecm_extract.infer.held import Held, State
 from ecm_extract.infer.interpreter import Interpreter, Run
-from ecm_extract.infer.places import own_names
-from ecm_extract.link.env import MAX_DEPTH, Bound, Env, invocation_of
+from ecm_extract.infer.outline import Outline
+from ecm_extract.link.env import MAX_DEPTH, Bound, Env, Instance, invocation_of
+from ecm_extract.link.objects import is_super
 from ecm_extract.link.units import File, Func
-from ecm_extract.link.values import Value, data_in, is_proved
+from ecm_extract.link.values import Value, data_in, is_known, is_proved
+from ecm_extract.link.walk import children
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
 
-MAX_RUNS = 500
+_THIS = Name("this")
+MAX_RUNS = 5_000
 """Runs with arguments that are remembered."""
 MAX_FRAMES = 6_000
 """Calls within calls: our own bounds (MAX_DEPTH, MAX_RUNNING, MAX_NESTING) end before that, the default does not."""
 MAX_RUNNING = 8
 """Runs within runs: what a function is called with may be what another function does."""
-_Key = tuple[int, int, int, int]
+MAX_KEY = 4
+"""Callers of callers that tell one run from another; beyond, each is a run of its own."""
 
 
 class Flow:
@@ -36,13 +40,11 @@ class Flow:
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
         sys.setrecursionlimit(max(sys.getrecursionlimit(), MAX_FRAMES))
-        self._runs: dict[_Key, tuple[Env, Run]] = {}
-        self._running: set[_Key] = set()
-        self._effects: dict[int, Effects] = {}
+        self._runs: dict[Hashable, tuple[Env, Run]] = {}
+        self._running: set[Hashable] = set()
+        self._outlines: dict[Func, Outline] = {}
         self._changes: dict[tuple[int, str], bool] = {}
         self._inner: dict[int, Mapping[str, list[Func]]] = {}
-        self._touched: dict[int, set[str]] = {}
-        self._again: dict[int, Mapping[str, int]] = {}
 
     def forget(self) -> None:
         """Drop runs, since more is known of parameters now."""
@@ -61,7 +63,7 @@ class Flow:
             return None
         self._running.add(key)
         if len(self._runs) > MAX_RUNS:
-            self._runs.clear()
+            self._runs = {asked: known for asked, known in self._runs.items() if not known[0].args}
         entry = Env(env.func, 0, env.args, env.types, env.this, env.made, env.depth + 1, State(), env.outer)
         try:
             with self.folder.steps.apart():
@@ -84,19 +86,25 @@ class Flow:
 
     def places(self, env: Env) -> list[Env]:
         """Return a place once for each state in which a run reaches it; itself where that is not known."""
-        states = self.states(env)
-        return [env.within(state, env.at) for state in states] or [env]
+        if self._is_certain(env):
+            return [env]
+        return [env.within(state, env.at) for state in self.states(env)] or [env]
 
     def is_reached(self, env: Env) -> bool:
         """Tell whether a run with these arguments can get to a place."""
+        if self._is_certain(env):
+            return True
         states = self.states(env)
         return not states or any(state.live for state in states)
+
+    def _is_certain(self, env: Env) -> bool:
+        return env.state is None and env.at in self.outline(env.func).certain
 
     def ways(self, expr: Expr, env: Env) -> list[tuple[Held, ...]]:
         """Return what a variable may hold at a place, for each state; nothing where the function leaves it alone."""
         effects = self.effects(env.func)
         key = effects.key(expr)
-        if not key:
+        if not key or (env.state is None and key not in self.outline(env.func).changes):
             return []
         states = self.states(env)
         found = [state.holds.get(key, ()) for state in states]
@@ -105,62 +113,52 @@ class Flow:
         shared = key.startswith(".") and key.count(".") == 1 and any(state.called for state in states)
         return [ways or (Held("shared" if shared else "given", key),) for ways in found]
 
+    def outline(self, func: Func) -> Outline:
+        """Return what is known of a function before it runs."""
+        known = self._outlines.get(func)
+        if known is None:
+            known = self._outlines[func] = Outline(func, self.reads(func), self.inner(func), self)
+        return known
+
     def effects(self, func: Func) -> Effects:
         """Return who knows the effects of a function's statements."""
-        known = self._effects.get(id(func))
-        if known is None:
-            own = own_names(func.fact, func.file.language == "python")
-            known = self._effects[id(func)] = Effects(func, own, self)
-        return known
+        return self.outline(func).effects
 
     def is_bound_once(self, func: Func, key: str) -> bool:
         """Tell whether a function gives a variable one value and never changes it."""
-        known = self._again.get(id(func))
-        if known is None:
-            counts: dict[str, int] = defaultdict(int)
-            effects, env = self.effects(func), Env(func)
-            for at, statement in enumerate(func.fact.body):
-                target = effects.key(statement.target) or effects.root(statement.target)
-                counts[target] += statement.kind != "do"
-                for effect in effects.of(at, env):
-                    counts[effect.key] += 1
-            known = self._again[id(func)] = counts
-        return known.get(key, 0) <= 1
-
-    def touched(self, func: Func) -> Collection[str]:
-        """Return the keys of the variables that a function may change, its own among them."""
-        known = self._touched.get(id(func))
-        if known is None:
-            effects, env = self.effects(func), Env(func)
-            known = {effect.key for at in range(len(func.fact.body)) for effect in effects.of(at, env)}
-            known |= {effects.root(statement.target) for statement in func.fact.body if statement.kind == "set"}
-            self._touched[id(func)] = known
-        return known
+        return self.outline(func).changes.get(key, 0) <= 1
 
     # --- what a run asks ---------------------------------------------------------------------------------
 
     def truth(self, test: Expr, env: Env) -> bool | None:
         """Tell whether a condition holds; None when that is not decided."""
+        return self._holds(test, env, is_proved)
+
+    def likely(self, test: Expr, env: Env) -> bool | None:
+        """Tell whether a condition holds as long as nobody sets a parameter; None when that is not known."""
+        return self._holds(test, env, is_known)
+
+    def _holds(self, test: Expr, env: Env, counts: Callable[[Value], bool]) -> bool | None:
         if isinstance(test, Opaque):
             return None
         if isinstance(test, Op) and test.op == "!":
-            inner = self.truth(test.operands[0], env)
+            inner = self._holds(test.operands[0], env, counts)
             return None if inner is None else not inner
         if isinstance(test, Op) and test.op in {"&&", "||"}:
-            return self._all_of(test, env)
+            return self._all_of(test, env, counts)
         python = env.func.file.language == "python"
         values = self.folder.fold(test, env)
-        found = {truth(data_in(value), python) if is_proved(value) else None for value in values}
+        found = {truth(data_in(value), python) if counts(value) else None for value in values}
         if found == {None} and python:
             items = self.folder.lists.items(test, env)
             return None if items is None else bool(items)
         return found.pop() if len(found) == 1 else None
 
-    def _all_of(self, test: Op, env: Env) -> bool | None:
+    def _all_of(self, test: Op, env: Env, counts: Callable[[Value], bool]) -> bool | None:
         ends = test.op == "||"
         undecided = False
         for operand in test.operands:
-            holds = self.truth(operand, env)
+            holds = self._holds(operand, env, counts)
             if holds is ends:
                 return None if undecided else ends
             undecided = undecided or holds is None
@@ -177,8 +175,9 @@ class Flow:
         """Return what a loop is over, each element once; None when not all of it is known."""
         return self.folder.lists.items(over, env)
 
-    def target(self, call: Call, env: Env) -> Func | None:
-        """Return the function with a body that a call means."""
+    def target(self, call: Call, func: Func, at: int) -> Func | None:
+        """Return the function with a body that a call in a statement of a function means."""
+        env = Env(func, at, this=func.cls)
         return self.folder.objects.callee(invocation_of(call, env), env)
 
     def keeps(self, name: str) -> bool:
@@ -195,9 +194,9 @@ class Flow:
         return known
 
     def _may_change(self, func: Func, name: str) -> bool:
-        effects, env = self.effects(func), Env(func)
+        effects = self.effects(func)
         for at, statement in enumerate(func.fact.body):
-            if any(effect.key == name for effect in effects.of(at, env)):
+            if any(effect.key == name for effect in effects.of(at)):
                 return True
             within = effects.root(statement.target) == name and effects.key(statement.target) != name
             grown = effects.key(statement.target) == name and statement.type.endswith("=")
@@ -210,6 +209,22 @@ class Flow:
         """Tell whether a call may run a function of the tree."""
         last = invocation_of(call, env).last
         return bool(last) and bool(self.folder.program.seen_functions(last, env.func.file))
+
+    def reaches_object(self, call: Call, env: Env) -> bool:
+        """Tell whether a call of a function of the tree may run a method of the object at hand."""
+        found = invocation_of(call, env)
+        if found.receiver == _THIS or is_super(found.receiver):
+            return True
+        handed = (*call.args, *(value for _, value in call.keywords))
+        return any(_hands_on(arg) for arg in handed) or (found.receiver is None and self._is_method(found.last, env))
+
+    def _is_method(self, name: str, env: Env) -> bool:
+        cls = env.this or env.func.cls
+        if cls is None or env.func.file.language == "python":
+            return False
+        program = self.folder.program
+        lineage = (*program.ancestry(cls), *program.derived(cls))
+        return any(method.fact.name == name for entry in lineage for method in entry.methods)
 
     def reads(self, func: Func) -> Mapping[int, Sequence[tuple[Expr, Expr, Expr | None]]]:
         """Return statement -> (variable, name, default) of the parameters that a function reads into variables."""
@@ -251,11 +266,38 @@ class Flow:
             self.folder.held.items(held, held.env)
 
 
-def _key(env: Env) -> _Key:
-    made = env.made
-    trivial = made is None or not (made.args or made.types or made.maker)
+def _key(env: Env, depth: int = 0) -> Hashable:
+    """What a run depends on: the function, what its parameters are, its object, who is around it."""
     this = env.this or env.func.cls
-    return id(env.func), id(env.args) if env.args else 0, id(this), (0 if trivial else id(made)) ^ id(env.outer)
+    around = _key(env.outer, depth + 1) if env.outer is not None else None
+    return env.func, _bound_keys(env.args, depth), this, _made_key(env.made, depth), around
+
+
+def _bound_keys(args: Mapping[str, Bound], depth: int) -> tuple[Hashable, ...]:
+    return tuple([(name, _bound_key(bound, depth)) for name, bound in args.items()])
+
+
+def _bound_key(bound: Bound, depth: int) -> Hashable:
+    """An argument by what it is and where it stands: one that is written out means the same everywhere."""
+    env, expr = bound.env, bound.expr
+    if isinstance(expr, Text | Number | Constant):
+        return expr
+    if env.state is not None:  # a state belongs to one run, and so to what that run depends on
+        return expr, env.func, env.at, env.state, env.this, _made_key(env.made, depth)
+    return (expr, env.at, _key(env, depth + 1)) if depth < MAX_KEY else bound
+
+
+def _made_key(made: Instance | None, depth: int) -> Hashable:
+    if made is None or not (made.args or made.types or made.maker):
+        return None
+    if depth >= MAX_KEY:
+        return made
+    return made.cls, made.maker, _bound_keys(made.args, depth + 1), tuple(made.types.items())
+
+
+def _hands_on(arg: Expr) -> bool:
+    """Whether an argument gives the object at hand, or a function that may use it."""
+    return arg == _THIS or isinstance(arg, Lambda) or any(_hands_on(part) for part in children(arg))
 
 
 def _same(one: Value, other: Value, python: bool) -> bool | None:

@@ -120,6 +120,16 @@ class Folder:
                 return (unknown(expr.text),)
         return (unknown("value"),)
 
+    @property
+    def marks(self) -> tuple[int, int]:
+        """What changes when a bound or a circle has a part in an answer, which is then not for everybody."""
+        return self.cuts, self.cycles
+
+    @property
+    def is_asking(self) -> bool:
+        """Whether a question is being answered."""
+        return bool(self._active)
+
     def guarded(
         self, asked: Hashable, label: str, work: Callable[[], tuple[Value, ...]], circle: Value | None = None
     ) -> tuple[Value, ...]:

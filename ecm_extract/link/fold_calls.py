@@ -26,6 +26,7 @@ from ecm_extract.link.spelling import plain
 from ecm_extract.link.units import Func
 from ecm_extract.link.values import (
     PARENT_NAMESPACE,
+    Hole,
     Value,
     alternatives,
     below_namespace,
@@ -37,6 +38,7 @@ from ecm_extract.link.values import (
     node_name,
     node_namespace,
     set_by,
+    setting,
     unknown,
 )
 
@@ -146,7 +148,7 @@ class CallFolder:
         if call.receiver is not None and call.last in _PROPERTY_READS:
             return self._property(call.receiver, env) or (unknown(call.last),)
         if call.receiver is not None and call.last in formats.VALUE_READS:
-            return self.folder.fold(call.receiver, env)
+            return self._read_from(call.receiver, call.last, env)
         known = self._of_library(call, env)
         if known is not None:
             return known
@@ -154,6 +156,13 @@ class CallFolder:
         if closure is not None:
             return closure
         return self.folder.guarded(_asked(expr, env), f"{call.path}()", lambda: self._returns(call, env))
+
+    def _read_from(self, receiver: Expr, name: str, env: Env) -> tuple[Value, ...]:
+        """What a value of a parameter holds: `parameter.as_string()` of one that nothing shows is what somebody sets."""
+        values = self.folder.fold(receiver, env)
+        if name not in formats.PARAMETER_READS:
+            return values
+        return tuple([setting(value.text.strip("{}")) if _is_unknown(value) else value for value in values])
 
     def _same(self, call: Invocation, env: Env) -> tuple[Value, ...]:
         """Conversions: a text of what is passed, or a number."""
@@ -413,7 +422,11 @@ class CallFolder:
             values = lowered(self.folder.fold(known[0], known[1].before(known[1].at)), "default")
         if values and (values[0].text or len(values) > 1):
             return values
-        return (unknown(name.rsplit("/", 1)[-1].rsplit(".", 1)[-1].strip("~{}")),)
+        return (setting(name.rsplit("/", 1)[-1].rsplit(".", 1)[-1].strip("~{}")),)
+
+
+def _is_unknown(value: Value) -> bool:
+    return len(value.parts) == 1 and isinstance(value.parts[0], Hole) and value.parts[0].kind == "unknown"
 
 
 def kind_of_type(written: str) -> str:

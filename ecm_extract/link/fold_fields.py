@@ -27,7 +27,9 @@ class FieldFolder:
 
     def value(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """Return what the field can hold; empty when nothing at hand writes it."""
-        return self.folder.guarded(("field", expr, env.func, env.at, env.state), expr.name, lambda: self._value(expr, env))
+        return self.folder.guarded(
+            ("field", expr, env.func, env.at, env.state), expr.name, lambda: self._value(expr, env)
+        )
 
     def _value(self, expr: Member, env: Env) -> tuple[Value, ...]:
         found = [*self._of_functions(expr, env), *self._of_class(expr, env)]

@@ -44,9 +44,9 @@ class HeldFolder:
         if isinstance(known, tuple):
             return known
         folder = self.folder
-        marks = (folder.cuts, folder.cycles)
+        marks = folder.marks
         values = folder.guarded(("held", held), _label(held.name), lambda: self._values(held, env))
-        if marks == (folder.cuts, folder.cycles):
+        if marks == folder.marks:
             held.settled["values"] = values
         return values
 
@@ -68,6 +68,8 @@ class HeldFolder:
             return self._stored(held, inner)
         if held.how == "out":
             return self._written(held, inner)
+        if held.how == "looped":
+            return self.of([held.before], env)
         if held.how == "handed":
             return self._handed(held, env, inner.func.file.language == "python")
         return (unknown(_label(held.name)),)
@@ -180,11 +182,11 @@ class HeldFolder:
         if env.depth > MAX_DEPTH or held in self._asked:
             self.folder.cuts += 1
             return None
-        marks = (self.folder.cuts, self.folder.cycles)
+        marks = self.folder.marks
         self._asked.add(held)
         found = self._items(held, env.deeper(env.depth + 1))
         self._asked.discard(held)
-        if marks == (self.folder.cuts, self.folder.cycles):
+        if marks == self.folder.marks:
             held.settled["items"] = found
         return found
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Hashable
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import (
@@ -44,7 +44,7 @@ class MemberFolder:
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
-        self._known: dict[tuple[int, str], tuple[Value, ...]] = {}
+        self._known: dict[Hashable, tuple[Value, ...]] = {}
 
     def forget(self) -> None:
         """Drop remembered members, since more of the parameters is known now."""
@@ -120,14 +120,15 @@ class MemberFolder:
     def member_value(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
         """Return the values that the methods of a class and its bases give one of its data members."""
         anyone = env.made is None or env.made.cls is not cls or not (env.made.args or env.made.types)
-        known = self._known.get((id(cls), name)) if anyone else None
+        asked = ("member", cls, name, None if anyone else env.made)
+        known = self._known.get(asked)
         if known is not None:
             return known
-        cuts = self.folder.cuts
-        asked = ("member", cls, name, None if anyone else env.made)
-        values = self.folder.guarded(asked, name, lambda: self._member_value(name, cls, env), circular(name))
-        if anyone and cuts == self.folder.cuts:
-            self._known[id(cls), name] = values
+        marks = self.folder.marks
+        place = Env(env.func, env.at, this=env.this, made=env.made)  # at no depth: the answer is for everybody
+        values = self.folder.guarded(asked, name, lambda: self._member_value(name, cls, place), circular(name))
+        if marks == self.folder.marks or not self.folder.is_asking:
+            self._known[asked] = values
         return values
 
     def _member_value(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:

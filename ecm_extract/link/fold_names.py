@@ -22,7 +22,9 @@ from ecm_extract.link.values import (
     Enumerator,
     Value,
     alternatives,
+    constant,
     demoted,
+    literal,
     lowered,
     parameter,
     unknown,
@@ -35,7 +37,7 @@ if TYPE_CHECKING:
 
 
 @cache
-def outside_constants() -> Mapping[str, str]:
+def outside_constants() -> Mapping[str, str | float]:
     """Return constants of public headers outside the tree by their own name."""
     text = (resources.files("ecm_extract.link") / "outside_constants.toml").read_text("utf-8")
     return MappingProxyType(tomllib.loads(text)["constants"])
@@ -113,11 +115,11 @@ class NameFolder:
     def _outside(self, name: str, env: Env) -> tuple[Value, ...]:
         if env.func.file.language == "python":
             return self._of_module(name, env.func.file, env) or self.imported(name, env)
-        constant = self.folder.scope.constant(name, env)
-        if constant is not None:
-            return self._of_namespace(name, constant, env)
-        text = outside_constants().get(last_name(name))
-        return () if text is None else (Value((text,), "folded"),)
+        found = self.folder.scope.constant(name, env)
+        if found is not None:
+            return self._of_namespace(name, found, env)
+        known = outside_constants().get(last_name(name))
+        return () if known is None else demoted((literal(known) if isinstance(known, str) else constant(known),))
 
     def _of_namespace(self, name: str, found: tuple[Constant, File], env: Env) -> tuple[Value, ...]:
         """A constant, or a variable that functions may assign to."""
@@ -155,7 +157,11 @@ class NameFolder:
         for func in self.folder.program.functions_in(file):
             if name in func.fact.shared:
                 return True
-            if func.fact.name != "<module>" and name not in flow.effects(func).own and name in flow.touched(func):
+            if (
+                func.fact.name != "<module>"
+                and name not in flow.effects(func).own
+                and name in flow.outline(func).changes
+            ):
                 return True
         return False
 

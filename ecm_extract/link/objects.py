@@ -212,7 +212,7 @@ class Objects:
         if call.last not in self.program.functions:
             return ()
         own = env.func.cls or env.this
-        if _is_super(call.receiver) and own is not None:
+        if is_super(call.receiver) and own is not None:
             return self._methods(call, next(iter(self.program.bases(own)), None))
         if call.receiver is not None:
             return self._methods(call, self.class_of(call.receiver, env.before(env.at)))
@@ -240,7 +240,7 @@ def _fitting(call: Invocation, funcs: Iterable[Func]) -> list[Func]:
     return [func for fit, func in sorted(scored, key=lambda entry: -entry[0]) if fit != NO]
 
 
-def _is_super(receiver: Expr | None) -> bool:
+def is_super(receiver: Expr | None) -> bool:
     """`super()`, or `super(Class, self)`."""
     return isinstance(receiver, Call) and receiver.callee == Name("super")
 

@@ -60,8 +60,12 @@ class Scope:
         """Return the assignments that may have given a variable of a function what it holds at a place, in order."""
         found: dict[int, Definition] = {}
         pending = [held for helds in self.ways(expr, env) for held in helds]
+        seen: set[Held] = set()
         while pending:
             held = pending.pop(0)
+            if held in seen:
+                continue
+            seen.add(held)
             pending += held.before
             body = env.func.fact.body
             if held.env is None or held.env.func is not env.func or not 0 <= held.at < len(body):

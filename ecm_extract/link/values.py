@@ -102,15 +102,36 @@ def is_proved(value: Value) -> bool:
     return value.confidence in {"literal", "folded", "one_of"} and value.template is None
 
 
+def is_known(value: Value) -> bool:
+    """Tell whether a value is this one, or is as long as nobody sets a parameter."""
+    return value.confidence != "pattern"
+
+
 def alternatives(values: Iterable[Value]) -> tuple[Value, ...]:
-    """Values of which one is true: several are each `one of`, a pattern stays beside them."""
+    """Values of which one is true: several are each `one of`, a pattern stays beside them.
+
+    What somebody may set through a parameter makes what stands beside it a default.
+    """
     listed = unique(values)
+    fixed = tuple([value for value in listed if not is_setting(value)])
+    if len(fixed) < len(listed) and any(value.confidence != "pattern" for value in fixed):
+        listed = lowered(fixed, "default")
     return listed if len(listed) <= 1 else lowered(listed, "one_of")
 
 
 def unknown(label: str) -> Value:
     """A value that nothing shows; the label tells what it is called in source."""
     return Value((Hole(_label(label)),), "pattern")
+
+
+def setting(label: str) -> Value:
+    """The value of a parameter, or of a port of a behaviour tree, of which no default is known."""
+    return Value((Hole(_label(label), "setting"),), "pattern")
+
+
+def is_setting(value: Value) -> bool:
+    """Tell whether a value is no more than what somebody sets."""
+    return len(value.parts) == 1 and isinstance(value.parts[0], Hole) and value.parts[0].kind == "setting"
 
 
 def circular(label: str) -> Value:

@@ -130,12 +130,19 @@ class BodyReader:
         self._depth += 1
         if node.type == "do_statement":
             body = self._inner(node.child_by_field_name("body"), deeper=0)
-            test = self._condition(node.child_by_field_name("condition"))
+            test, again = self._asked_again(node)
         else:
-            test = self._condition(node.child_by_field_name("condition"))
+            test, again = self._asked_again(node)
             body = self._inner(node.child_by_field_name("body"), deeper=0)
         self._depth -= 1
-        self.flow.add(Loop(-1, test, body, first=node.type == "do_statement"))
+        self.flow.add(Loop(-1, test, body, again, first=node.type == "do_statement"))
+
+    def _asked_again(self, node: Node) -> tuple[Expr, Block]:
+        """Return the condition of a loop, and what it assigns each time that it is asked."""
+        before = len(self.statements)
+        test = self._condition(node.child_by_field_name("condition"))
+        asked = range(before, len(self.statements))
+        return test, tuple([at for at in asked if self.statements[at].kind == "set"])
 
     def _for(self, node: Node) -> None:
         self._depth += 1
@@ -262,9 +269,20 @@ class BodyReader:
         if isinstance(read, Op) and read.op == "=":
             self._effect(node, read)
             return read.operands[0]
+        self._assigned_within(node, read)
         if matters(read):
             self._add("do", node, read)
         return read
+
+    def _assigned_within(self, node: Node, value: Expr) -> None:
+        """`while (stream >> name)` and `if ((n = next()) > 0)` change variables before they are decided."""
+        if not isinstance(value, Op):
+            return
+        if value.op in {">>", "="}:
+            self._effect(node, value)
+            return
+        for operand in value.operands:
+            self._assigned_within(node, operand)
 
     def _expression(self, node: Node) -> None:
         if node.type == "call_expression" and self.expr.data.startswith(_LOGGING_BYTES, node.start_byte):

@@ -1,0 +1,106 @@
+"""What is known of a function before it runs: which variables its statements change, and which of them surely run."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence, Set
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from ecm_parsers.source.expr import Expr, Items, Name, Text
+from ecm_parsers.source.flow import Block, Later, Leave, Step, blocks
+
+from ecm_extract.infer.effects import Effect, Effects, Targets
+from ecm_extract.infer.places import own_names
+
+if TYPE_CHECKING:
+    from ecm_extract.link.units import Func
+
+Reads = Mapping[int, Sequence[tuple[Expr, Expr, Expr | None]]]
+"""Statement -> (variable, name, default) of the parameters that are read into variables."""
+
+
+class Outline:
+    """The variables of one function, by key (see `places`).
+
+    Args:
+        func: the function. reads: what it reads of parameters. inner: functions declared in it. targets: resolves calls.
+    """
+
+    def __init__(self, func: Func, reads: Reads, inner: Sequence[Func], targets: Targets) -> None:
+        self.func = func
+        self.reads = reads
+        self.inner = inner
+        self.python = func.file.language == "python"
+        self.effects = Effects(func, own_names(func.fact, self.python), targets)
+
+    @cached_property
+    def block(self) -> Block:
+        """Its steps."""
+        return self.func.fact.flow or tuple(range(len(self.func.fact.body)))
+
+    @cached_property
+    def changes(self) -> Mapping[str, int]:
+        """Variable -> how many times the body changes it."""
+        counts = Counter(key for at in range(len(self.func.fact.body)) for key in self.changed_by(at))
+        return counts + Counter(self.escaped)
+
+    @cached_property
+    def escaped(self) -> Set[str]:
+        """The variables that functions which are declared within it change: any time from then on."""
+        return frozenset(key for func in self.inner for key in self._changed_inside(func))
+
+    @cached_property
+    def certain(self) -> Set[int]:
+        """The statements that every run of the function takes, once each."""
+        found: set[int] = set()
+        for step in self.block:
+            if isinstance(step, int):
+                found.add(step)
+            elif self._may_end(step):
+                break
+        return found
+
+    def _may_end(self, step: Step) -> bool:
+        """Whether the function may be left within a step."""
+        if isinstance(step, int):
+            return self.func.fact.body[step].kind == "return"
+        if isinstance(step, Leave):
+            return step.how in {"return", "throw"}
+        inner = () if isinstance(step, Later) else blocks(step)
+        return any(self._may_end(entry) for block in inner for entry in block)
+
+    def changed_by(self, at: int) -> set[str]:
+        """Return the variables that a statement changes."""
+        statement = self.func.fact.body[at]
+        found = {effect.key for effect in self.effects.of(at)}
+        found |= {self.effects.key(target) or self.effects.root(target) for target, _, _ in self.reads.get(at, ())}
+        if statement.kind != "do":
+            found |= set(self.bound_keys(statement.target))
+        return found - {""}
+
+    def bound_keys(self, target: Expr | None) -> Iterator[str]:
+        """Yield the variables that an assignment to a target changes."""
+        if isinstance(target, Items):
+            for item in target.items:
+                yield from self.bound_keys(item)
+        else:
+            yield self.effects.key(target) or self.effects.root(target)
+
+    def _changed_inside(self, func: Func) -> Iterator[str]:
+        own = own_names(func.fact, self.python)
+        inner = Effects(func, own, self.effects.targets)
+        for at, statement in enumerate(func.fact.body):
+            targets = [statement.target] if statement.kind in {"set", "each"} else []
+            keys = [inner.key(target) or inner.root(target) for target in targets]
+            keys += [effect.key for effect in inner.of(at) if not self._is_text(effect)]
+            for key in keys:
+                if key.split(".")[0] not in own:
+                    yield key if key in self.effects.own or not self.effects.member or "." in key else f".{key}"
+
+    def _is_text(self, effect: Effect) -> bool:
+        """Whether somebody only gets a variable that is declared as a literal text, which nobody can change."""
+        body = self.func.fact.body
+        lets = [entry for entry in body if entry.kind == "let" and entry.target == Name(effect.key)]
+        fixed = all(isinstance(entry.value, Text) and ("*" in entry.type or entry.type == "auto") for entry in lets)
+        return effect.kind == "handed" and bool(lets) and fixed
