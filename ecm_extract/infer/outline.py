@@ -24,7 +24,10 @@ class Outline:
     """The variables of one function, by key (see `places`).
 
     Args:
-        func: the function. reads: what it reads of parameters. inner: functions declared in it. targets: resolves calls.
+        func: the function.
+        reads: what it reads of parameters.
+        inner: the functions that are declared in it.
+        targets: who resolves calls.
     """
 
     def __init__(self, func: Func, reads: Reads, inner: Sequence[Func], targets: Targets) -> None:

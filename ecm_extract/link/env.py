@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Hashable, Mapping
 from dataclasses import dataclass, field
 
 from ecm_parsers.source.expr import Call, Expr, Items
@@ -55,6 +55,7 @@ class Env:
         depth: nesting of evaluations so far.
         state: what the variables hold there; None for every state in which the statement is reached.
         outer: the place that calls a function which is declared there, and so sees its variables.
+        asked: what tells runs apart, once that was asked (see `flow`).
     """
 
     func: Func
@@ -66,6 +67,7 @@ class Env:
     depth: int = 0
     state: State | None = None
     outer: Env | None = None
+    asked: Hashable = None
 
     def before(self, at: int) -> Env:
         """The same place, at another statement."""

@@ -11,7 +11,7 @@ from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Name, Number, 
 
 from ecm_extract.infer.compute import UNKNOWN, operate, truth
 from ecm_extract.infer.effects import Effects
-from ecm_extract.infer.held import Held, State
+from ecm_extract.infer.held import Held, State, joined_states
 from ecm_extract.infer.interpreter import Interpreter, Run
 from ecm_extract.infer.outline import Outline
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, Instance, invocation_of
@@ -89,6 +89,12 @@ class Flow:
         if self._is_certain(env):
             return [env]
         return [env.within(state, env.at) for state in self.states(env)] or [env]
+
+    def naming(self, env: Env, given: Mapping[str, Bound]) -> Env:
+        """Return a place at which more names are bound."""
+        state = joined_states(self.states(env)) or State()
+        held = {name: (Held("value", name, bound.expr, bound.env),) for name, bound in given.items()}
+        return env.within(state.having(held), env.at)
 
     def is_reached(self, env: Env) -> bool:
         """Tell whether a run with these arguments can get to a place."""
@@ -268,9 +274,14 @@ class Flow:
 
 def _key(env: Env, depth: int = 0) -> Hashable:
     """What a run depends on: the function, what its parameters are, its object, who is around it."""
-    this = env.this or env.func.cls
-    around = _key(env.outer, depth + 1) if env.outer is not None else None
-    return env.func, _bound_keys(env.args, depth), this, _made_key(env.made, depth), around
+    if env.asked is None or depth:
+        this = env.this or env.func.cls
+        around = _key(env.outer, depth + 1) if env.outer is not None else None
+        asked = env.func, _bound_keys(env.args, depth), this, _made_key(env.made, depth), around
+        if depth:
+            return asked
+        env.asked = asked
+    return env.asked
 
 
 def _bound_keys(args: Mapping[str, Bound], depth: int) -> tuple[Hashable, ...]:

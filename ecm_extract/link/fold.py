@@ -25,9 +25,8 @@ from ecm_parsers.source.expr import (
 )
 
 from ecm_extract.infer.compute import NULL, UNKNOWN, formatted, operate, shown, streamed
-from ecm_extract.infer.held import Held, State
 from ecm_extract.link import formats
-from ecm_extract.link.env import MAX_DEPTH, Bound, Env
+from ecm_extract.link.env import MAX_DEPTH, Env
 from ecm_extract.link.flow import Flow
 from ecm_extract.link.fold_calls import CallFolder
 from ecm_extract.link.fold_fields import FieldFolder
@@ -289,22 +288,20 @@ class Folder:
         if items is None:
             groups = [self.fold(operand, env) for operand in expr.operands]
             return self.combined(groups, lambda data: operate(expr.op, data[0], data[1], True), "value")
-        found = [self.flow.alike(expr.operands[0], Name("#item"), _with_item(env, item)) for item in items]
+        found = [
+            self.flow.alike(expr.operands[0], Name("#item"), self.flow.naming(env, {"#item": item})) for item in items
+        ]
         if None in found and True not in found:
             return (unknown("value"),)
         return (constant((True in found) is (expr.op == "in"))._replace(confidence="folded"),)
-
-
-def _with_item(env: Env, item: Bound) -> Env:
-    state = (env.state or State()).having({"#item": (Held("value", "#item", item.expr, item.env),)})
-    return env.within(state, env.at)
 
 
 def _left_open(values: Sequence[Value], label: str) -> Value:
     """What is not computed: it still depends on the parameters that its parts depend on."""
     holes = [part for value in values for part in value.parts if isinstance(part, Hole)]
     open_ = tuple([hole._replace(default=None) for hole in holes if hole.kind in {"param", "made"}])
-    return Value(open_, "pattern") if open_ else unknown(label)
+    named = next((hole.label for hole in holes), label) if label == "value" else label
+    return Value(open_, "pattern") if open_ else unknown(named)
 
 
 def _as_sure(result: Value, values: Sequence[Value]) -> Value:

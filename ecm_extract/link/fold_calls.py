@@ -16,7 +16,6 @@ from ecm_parsers.source.expr import (
 )
 
 from ecm_extract.infer.compute import UNKNOWN, is_number, method, shown, truth
-from ecm_extract.infer.held import Held, State
 from ecm_extract.link import formats
 from ecm_extract.link.calls import Invocation
 from ecm_extract.link.env import Bound, Env, bind, invocation_of
@@ -158,7 +157,7 @@ class CallFolder:
         return self.folder.guarded(_asked(expr, env), f"{call.path}()", lambda: self._returns(call, env))
 
     def _read_from(self, receiver: Expr, name: str, env: Env) -> tuple[Value, ...]:
-        """What a value of a parameter holds: `parameter.as_string()` of one that nothing shows is what somebody sets."""
+        """What a value of a parameter holds; of one that nothing shows it is what somebody sets."""
         values = self.folder.fold(receiver, env)
         if name not in formats.PARAMETER_READS:
             return values
@@ -246,7 +245,7 @@ class CallFolder:
         if len(helds) > 1 or not plain or not own or not isinstance(body, Lambda) or len(body.params) != len(call.args):
             return (unknown(call.last),)
         given = {name: Bound(arg, env) for name, arg in zip(body.params, call.args, strict=True)}
-        return demoted(self.folder.fold(body.body, with_names(env, given)))
+        return demoted(self.folder.fold(body.body, self.folder.flow.naming(env, given)))
 
     def _absolute(self, name: Expr, env: Env) -> tuple[Value, ...]:
         """`ros::names::resolve(name)`: below the namespace of the node, whatever handle it is given to later."""
@@ -445,12 +444,6 @@ def _takes(func: Func, kinds: Sequence[str]) -> bool:
 def _asked(expr: Call, env: Env) -> tuple[object, ...]:
     """What tells a call with its arguments from the same call with others."""
     return "call", expr, env.func, env.at, env.state, tuple(env.args.values())
-
-
-def with_names(env: Env, given: Mapping[str, Bound]) -> Env:
-    """Return a place at which more names are bound."""
-    held = {name: (Held("value", name, bound.expr, bound.env),) for name, bound in given.items()}
-    return env.within((env.state or State()).having(held), env.at)
 
 
 def _converted(value: Value, kind: str) -> Value:

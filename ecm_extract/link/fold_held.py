@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import Call, Member
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.compute import UNKNOWN, changed
-from ecm_extract.infer.held import Held
+from ecm_extract.infer.held import Held, How
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, bind, invocation_of
 from ecm_extract.link.numbers import NUMBERS, as_number
 from ecm_extract.link.spelling import plain
-from ecm_extract.link.values import Value, alternatives, constant, demoted, literal, lowered, unknown
+from ecm_extract.link.values import Value, alternatives, constant, demoted, is_setting, literal, lowered, unknown
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
@@ -28,6 +28,14 @@ class HeldFolder:
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
         self._asked: set[Held] = set()
+        self._work: Mapping[How, Callable[[Held, Env], tuple[Value, ...]]] = {
+            "each": self._element,
+            "read": self._read,
+            "made": self._made,
+            "changed": self._changed,
+            "stored": self._stored,
+            "out": self._written,
+        }
 
     def of(self, ways: Iterable[tuple[Held, ...]], env: Env) -> tuple[Value, ...]:
         """Return the values of a variable: `ways` has what it may hold in each state of the place."""
@@ -52,27 +60,29 @@ class HeldFolder:
 
     def _values(self, held: Held, env: Env) -> tuple[Value, ...]:
         inner = held.env.deeper(env.depth + 1) if held.env is not None else env.deeper(env.depth + 1)
-        if held.how == "value":
-            return _as_declared(demoted(self.folder.fold(held.expr, inner)), _statement(held))
-        if held.how == "each":
-            return self.folder.lists.elements(held.expr, inner)
+        work = self._work.get(held.how)
+        if work is not None:
+            return work(held, inner)
         if held.how in {"given", "shared"}:
             return self.given(held.name, env, first=held.how == "given")
-        if held.how == "read":
-            return self._read(held, inner)
-        if held.how == "made":
-            return self._made(held)
-        if held.how == "changed":
-            return self._changed(held, inner)
-        if held.how == "stored":
-            return self._stored(held, inner)
-        if held.how == "out":
-            return self._written(held, inner)
         if held.how == "looped":
             return self.of([held.before], env)
         if held.how == "handed":
             return self._handed(held, env, inner.func.file.language == "python")
-        return (unknown(_label(held.name)),)
+        return self._assigned(held, env, inner) if held.how == "value" else (unknown(_label(held.name)),)
+
+    def _assigned(self, held: Held, env: Env, inner: Env) -> tuple[Value, ...]:
+        values = _as_declared(demoted(self.folder.fold(held.expr, inner)), _statement(held))
+        return self._by_default(held, env) or values if all(map(is_setting, values)) else values
+
+    def _element(self, held: Held, env: Env) -> tuple[Value, ...]:
+        return self.folder.lists.elements(held.expr, env)
+
+    def _by_default(self, held: Held, env: Env) -> tuple[Value, ...]:
+        """What a member holds that somebody sets through a parameter, as long as nobody does."""
+        if not held.name.startswith(".") or held.name.count(".") > 1:
+            return ()
+        return tuple([value for value in self.given(held.name, env, first=False) if value.confidence != "pattern"])
 
     def given(self, key: str, env: Env, first: bool = True) -> tuple[Value, ...]:
         """Return what a variable is that the function did not give anything, `first`: yet."""
@@ -114,12 +124,13 @@ class HeldFolder:
         if held.expr is None:
             return (unknown(_label(held.name)),)
         values = self.folder.calls.parameter_value(held.expr, held.more, env)
-        kept = [value for value in self._before(held, env) if value.text] if held.before and held.more is None else []
+        kept = self._before(held, env) if held.before and held.more is None else ()
+        kept = tuple([value for value in kept if value.text and value.confidence != "pattern"])
         if any(value.confidence == "pattern" for value in values) and kept:
             return self.folder.calls.kept_value(held.expr, kept, env)
         return values
 
-    def _made(self, held: Held) -> tuple[Value, ...]:
+    def _made(self, held: Held, _: Env) -> tuple[Value, ...]:
         """A variable that is declared without a value."""
         statement = _statement(held)
         last = plain(statement.type).rsplit("::", 1)[-1] if statement is not None else ""

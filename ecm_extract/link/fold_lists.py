@@ -25,7 +25,6 @@ from ecm_extract.infer.compute import NULL, UNKNOWN, method
 from ecm_extract.infer.held import Held, State
 from ecm_extract.link.calls import Invocation
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, Instance, invocation_of
-from ecm_extract.link.fold_calls import with_names
 from ecm_extract.link.scope import Definition
 from ecm_extract.link.spelling import last_name, plain
 from ecm_extract.link.units import Cls
@@ -117,7 +116,7 @@ class ListFolder:
         """The value of a key: of the last entry that has it, of any that may have it."""
         found: list[Value] = []
         for entry in reversed(entries):
-            alike = self.folder.flow.alike(key, Name("#key"), with_names(env, {"#key": entry.key}))
+            alike = self.folder.flow.alike(key, Name("#key"), self.folder.flow.naming(env, {"#key": entry.key}))
             if alike is not False:
                 found += self.fold(entry.value, env)
             if alike:
@@ -128,7 +127,7 @@ class ListFolder:
         """Return `table.get(key, default)`."""
         found: list[Value] = []
         for entry in reversed(entries):
-            alike = self.folder.flow.alike(key, Name("#key"), with_names(env, {"#key": entry.key}))
+            alike = self.folder.flow.alike(key, Name("#key"), self.folder.flow.naming(env, {"#key": entry.key}))
             if alike is not False:
                 found += self.fold(entry.value, env)
             if alike:
@@ -299,9 +298,21 @@ class ListFolder:
                 items = self.items(each.value, place) if each is not None else None
                 if items is None or len(items) * len(places) > MAX_ITEMS:
                     return None
-                wider += [_bound_to(each.target, item, place) for item in items if each is not None]
+                wider += [self._bound_to(each.target, item, place) for item in items if each is not None]
             places = wider
         return self._passing(expr, places)
+
+    def _bound_to(self, target: Expr | None, item: Bound, env: Env) -> Env:
+        """A place at which a loop has bound its target to an element."""
+        if isinstance(target, Name):
+            return self.folder.flow.naming(env, {target.id: item})
+        given: dict[str, Bound] = {}
+        for index, part in enumerate(target.items if isinstance(target, Items) else ()):
+            pair = item.expr.items if isinstance(item.expr, Items) else ()
+            value = pair[index] if index < len(pair) else Op("[]", (item.expr, Number(index)))
+            if isinstance(part, Name):
+                given[part.id] = Bound(value, item.env)
+        return self.folder.flow.naming(env, given)
 
     def _passing(self, expr: Comprehension, places: Iterable[Env]) -> list[Bound] | None:
         kept: list[Bound] = []
@@ -613,7 +624,7 @@ class ListFolder:
             return []
         local = self.folder.scope.local(expr, env) if isinstance(expr, Name) else []
         if local:
-            return [(definition, env.before(definition.at)) for definition in reversed(local)]
+            return [(definition, env.before(definition.at)) for definition in local]
         found = self._member_definitions(name, env.this or env.func.cls, env)
         if found or not isinstance(expr, Name):
             return found
@@ -639,19 +650,6 @@ class Entry(NamedTuple):
 
     key: Bound
     value: Bound
-
-
-def _bound_to(target: Expr | None, item: Bound, env: Env) -> Env:
-    """A place at which a loop has bound its target to an element."""
-    if isinstance(target, Name):
-        return with_names(env, {target.id: item})
-    given: dict[str, Bound] = {}
-    for index, part in enumerate(target.items if isinstance(target, Items) else ()):
-        pair = item.expr.items if isinstance(item.expr, Items) else ()
-        value = pair[index] if index < len(pair) else Op("[]", (item.expr, Number(index)))
-        if isinstance(part, Name):
-            given[part.id] = Bound(value, item.env)
-    return with_names(env, given)
 
 
 def _row(*parts: Bound) -> Bound:

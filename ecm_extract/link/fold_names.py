@@ -190,15 +190,15 @@ class NameFolder:
         target = ".".join([env.func.file.imported.get(head, head), *rest])
         owner, _, last = target.rpartition(".")
         owner_last = owner.rsplit(".", 1)[-1]
-        for file, constant in self.folder.program.seen_constants(last, env.func.file):
+        for file, entry in self.folder.program.seen_constants(last, env.func.file):
             stem = file.path.rsplit("/", 1)[-1].removesuffix(".py")
-            near = bool(owner_last) and owner_last in {stem, constant.scope, ""}
-            if file.language != "python" or constant.value is None or not near:
+            near = bool(owner_last) and owner_last in {stem, entry.scope, ""}
+            if file.language != "python" or entry.value is None or not near:
                 continue
-            if not constant.scope:
+            if not entry.scope:
                 return self._of_module(last, file, env)
             inner = Env(self._file_env(file, env).func, depth=env.depth + 1)
-            return demoted(self.folder.fold(constant.value, inner))
+            return demoted(self.folder.fold(entry.value, inner))
         return ()
 
 

@@ -14,7 +14,9 @@ VALUE_READS = frozenset(
     | {"c_str", "data", "decode", "encode", "get", "str", "string", "toStdString", "to_string"}
 )
 """Members and methods that give the text of what they are called on."""
-PARAMETER_READS = frozenset({"as_string", "as_string_array", "get_parameter_value", "string_array_value", "string_value"})
+PARAMETER_READS = frozenset(
+    {"as_string", "as_string_array", "get_parameter_value", "string_array_value", "string_value"}
+)
 """Those of them that values of parameters alone have."""
 _MAX_INDEX = 6
 """Digits of an index that are read: no call has as many arguments."""

@@ -25,11 +25,12 @@ class Hole(NamedTuple):
 
     `param`: a parameter of the function at hand, which its callers know; `made`: a parameter of the constructor,
     which whoever makes the object knows; `node`: the name of the node at hand; `space`: its namespace, or the one above
-    that; `circle`: what is asked for itself; `unknown`: nobody does.
+    that; `circle`: what is asked for itself; `setting`: the value of a parameter that somebody
+    sets; `unknown`: nobody does.
     """
 
     label: str
-    kind: Literal["param", "made", "node", "space", "circle", "unknown"] = "unknown"
+    kind: Literal["param", "made", "node", "space", "circle", "setting", "unknown"] = "unknown"
     default: str | None = None
 
 
