@@ -6,6 +6,7 @@ from collections import defaultdict
 from collections.abc import Callable, Container, Mapping, Sequence
 
 from ecm_extract.link.calls import Invocation
+from ecm_extract.link.closures import is_returned, uses
 from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.overloads import NO, score
@@ -38,6 +39,9 @@ class CallTargets:
 
     def callers(self, func: Func) -> Sequence[Invocation]:
         """Return the calls of a function by others: those that mean it by name, arguments and receiver."""
+        if is_returned(func):
+            maker = self.folder.flow.enclosing(func)
+            return list(uses(self.callers(maker))) if maker is not None else ()
         asked = (func.fact.name, func.file.package)
         if asked not in self._asked:
             self._asked.add(asked)
@@ -90,7 +94,8 @@ class CallTargets:
     def _classes(self, call: Invocation) -> Container[Cls]:
         """The classes whose method a call can run: those of its receiver, any for one of unknown type."""
         if call.receiver is None:
-            return self.folder.program.ancestry(call.func.cls) if call.func.cls is not None else ()
+            own = self.folder.flow.object_of(call.func)
+            return self.folder.program.ancestry(own) if own is not None else ()
         env = self.place(call)
         owner = self.folder.objects.class_of(call.receiver, env)
         if owner is not None:

@@ -7,7 +7,7 @@ from collections import defaultdict
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Name, Number, Op, Opaque, Text
+from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Member, Name, Number, Op, Opaque, Text
 
 from ecm_extract.infer.compute import UNKNOWN, operate, truth
 from ecm_extract.infer.effects import Effects
@@ -16,7 +16,7 @@ from ecm_extract.infer.interpreter import Interpreter, Run
 from ecm_extract.infer.outline import Outline
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, Instance, invocation_of
 from ecm_extract.link.objects import is_super
-from ecm_extract.link.units import File, Func
+from ecm_extract.link.units import Cls, File, Func
 from ecm_extract.link.values import Value, data_in, is_known, is_proved
 from ecm_extract.link.walk import children
 
@@ -141,8 +141,27 @@ class Flow:
         return self._holds(test, env, is_proved)
 
     def likely(self, test: Expr, env: Env) -> bool | None:
-        """Tell whether a condition holds as long as nobody sets a parameter; None when that is not known."""
-        return self._holds(test, env, is_known)
+        """Tell whether a condition holds as long as nobody sets a parameter; None when that is not known.
+
+        A name that somebody else gives is taken for one that is not empty.
+        """
+        holds = self._holds(test, env, is_known)
+        return self._if_given(test, env) if holds is None else holds
+
+    def _if_given(self, test: Expr, env: Env) -> bool | None:
+        if isinstance(test, Op) and test.op == "!":
+            inner = self._if_given(test.operands[0], env)
+            return None if inner is None else not inner
+        if isinstance(test, Op) and test.op in {"==", "!="} and Text("") in test.operands:
+            named = next((operand for operand in test.operands if operand != Text("")), None)
+            return test.op == "!=" if named is not None and self._is_given(named, env) else None
+        if isinstance(test, Call) and isinstance(test.callee, Member) and test.callee.name == "empty":
+            return False if self._is_given(test.callee.base, env) else None
+        return None
+
+    def _is_given(self, expr: Expr, env: Env) -> bool:
+        values = self.folder.fold(expr, env)
+        return all(value.open("param") or value.open("made") or value.open("node") for value in values)
 
     def _holds(self, test: Expr, env: Env, counts: Callable[[Value], bool]) -> bool | None:
         if isinstance(test, Opaque):
@@ -256,6 +275,15 @@ class Flow:
             if other.fact.name == last and other.fact.scope == head and other.fact.body:
                 return other
         return None
+
+    def object_of(self, func: Func) -> Cls | None:
+        """Return the class of the object at hand: that of a method, of a lambda that of the function around it."""
+        while func.cls is None and "lambda" in func.fact.traits:
+            outer = self.enclosing(func)
+            if outer is None or outer is func:
+                return None
+            func = outer
+        return func.cls
 
     def _inside(self, file: File) -> Mapping[str, list[Func]]:
         known = self._inner.get(id(file))

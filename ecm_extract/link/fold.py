@@ -51,6 +51,7 @@ from ecm_extract.link.values import (
     demoted,
     joined,
     literal,
+    lowered,
     unknown,
     weaker,
 )
@@ -228,6 +229,9 @@ class Folder:
         holds = self.flow.truth(expr.operands[0], env)
         if holds is not None:
             return demoted(self.fold(expr.operands[1 if holds else 2], env))
+        likely = self.flow.likely(expr.operands[0], env)
+        if likely is not None:
+            return lowered(self.fold(expr.operands[1 if likely else 2], env), "default")
         return alternatives(value for operand in expr.operands[1:] for value in self.fold(operand, env))
 
     def _percent(self, expr: Op, env: Env) -> tuple[Value, ...]:

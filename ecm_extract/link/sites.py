@@ -15,6 +15,7 @@ from ecm_parsers.source.expr import Expr, Name
 from ecm_extract.link.call_index import call_index
 from ecm_extract.link.call_targets import CallTargets
 from ecm_extract.link.calls import Invocation
+from ecm_extract.link.closures import captured
 from ecm_extract.link.env import Env, Instance, bind
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.match import Matcher, name_argument, positions
@@ -73,8 +74,9 @@ class Sites:
 
     def root_env(self, func: Func, at: int) -> Env:
         """Return the place of a statement of a function about whose callers nothing is assumed."""
-        made = Instance(func.cls, {}, {}) if func.cls is not None else None
-        return Env(func, at, this=func.cls, made=made)
+        own = self.folder.flow.object_of(func)
+        made = Instance(own, {}, {}) if own is not None else None
+        return Env(func, at, this=own, made=made)
 
     def _place(self, call: Invocation) -> Env:
         return self.root_env(call.func, self.position(call))
@@ -187,6 +189,9 @@ class Sites:
         func, at = following.func, self.position(following)
         args = bind(func, link, env)
         types = self._template(func, link, env, args)
+        if "lambda" in func.fact.traits:
+            outer = captured(func, link, env, self.folder)
+            return Env(func, at, args, types, outer.this, outer.made, outer=outer)
         if func.cls is None:
             return Env(func, at, args, types)
         if func.is_constructor or self.makes(link, func.cls):

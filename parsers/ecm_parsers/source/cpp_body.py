@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from tree_sitter import Node
 
 MAX_NESTING = 200
+RETURNED = "<returned>"
+"""Name of a lambda that a function returns."""
 _BLOCKS = frozenset(
     {
         "compound_statement",
@@ -351,7 +353,11 @@ class BodyReader:
     def _return(self, node: Node) -> None:
         values = [child for child in node.named_children if child.type != "comment"]
         for child in values:
-            self._add("return", node, self.expr.read(child))
+            if child.type == "lambda_expression":
+                self._named_lambda(RETURNED, child)
+                self._add("return", node, Name(RETURNED))
+            else:
+                self._add("return", node, self.expr.read(child))
         if not values:
             self.flow.add(Leave("return"))
 
