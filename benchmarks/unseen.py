@@ -11,10 +11,11 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import msgspec
-from accuracy import ENDPOINTS, is_framework, match_row, once
+from accuracy import ENDPOINTS, is_framework, once
 from extracted import Extraction, Interface, extract
 from truth_format import same_name, same_type
 from unseen_format import SourceNode, SourceRow, load, resolved
+from unseen_match import best
 
 
 class Share(msgspec.Struct):
@@ -96,7 +97,7 @@ class Comparison:
                 self._told(one)
 
     def _asked(self, row: SourceRow) -> None:
-        one, _ = match_row(row, self.interfaces)
+        one = best(row, self.interfaces, self.node)
         found = self.tally.parameters if row.role == "parameter" else self.tally.endpoints
         found.count(one is not None)
         if one is None:
@@ -118,7 +119,7 @@ class Comparison:
 
     def _field(self, row: SourceRow, share: Share, right: bool, told: str) -> None:
         share.count(right)
-        if not right and match_row(row, self.interfaces)[0]:
+        if not right and best(row, self.interfaces, self.node):
             self._say("~", row, told)
 
     def _same_place(self, row: SourceRow, one: Interface) -> bool:
@@ -127,10 +128,10 @@ class Comparison:
         return resolved(row.name, self.node.name) == resolved(one.name, self.node.name)
 
     def _told(self, one: Interface) -> None:
-        if any(match_row(row, [one])[0] for row in self.node.interfaces):
+        if any(best(row, [one], self.node) for row in self.node.interfaces):
             self.tally.true.count(right=True)
             return
-        added = next((row for row in self.node.also if match_row(row, [one])[0]), None)
+        added = next((row for row in self.node.also if best(row, [one], self.node)), None)
         self.tally.true.count(added is not None)
         if added is not None:
             self._say("o", added, "")
