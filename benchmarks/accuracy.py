@@ -65,8 +65,8 @@ def of_node(truth: Truth, extraction: Extraction) -> tuple[list[Interface], str]
     chosen = [module for module in package.modules if re.search(truth.module, module.ecm.module_id)]
     if chosen:
         found = [interface for module in chosen for interface in module.signature.interfaces]
-        return once(found), "modules " + ", ".join(module.ecm.module_id for module in chosen)
-    return once(_of_files(package, truth.files)), f"files, since no module is called {truth.module}"
+        return _once(found), "modules " + ", ".join(module.ecm.module_id for module in chosen)
+    return _once(_of_files(package, truth.files)), f"files, since no module is called {truth.module}"
 
 
 def _of_files(package: Package, files: list[str]) -> Iterator[Interface]:
@@ -76,7 +76,7 @@ def _of_files(package: Package, files: list[str]) -> Iterator[Interface]:
                 yield interface
 
 
-def once(interfaces: Iterator[Interface] | list[Interface]) -> list[Interface]:
+def _once(interfaces: Iterator[Interface] | list[Interface]) -> list[Interface]:
     return list({(one.role, one.name or one.raw_name): one for one in interfaces}.values())
 
 

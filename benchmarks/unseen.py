@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import msgspec
-from accuracy import ENDPOINTS, is_framework, once
+from accuracy import ENDPOINTS, is_framework
 from extracted import Extraction, Interface, extract
 from truth_format import same_name, same_type
 from unseen_format import SourceNode, SourceRow, load, resolved
@@ -69,7 +69,7 @@ class Tally(msgspec.Struct):
 def of_files(node: SourceNode, extraction: Extraction) -> list[Interface]:
     """The interfaces of the node's package with evidence in the node's files, once each."""
     wanted = set(node.files)
-    return once(
+    return _once(
         one
         for package in extraction.packages
         if package.name == node.package
@@ -77,6 +77,10 @@ def of_files(node: SourceNode, extraction: Extraction) -> list[Interface]:
         for one in module.signature.interfaces
         if any({place.path, f"{package.path}/{place.path}".lstrip("./")} & wanted for place in one.evidence)
     )
+
+
+def _once(interfaces: Iterator[Interface]) -> list[Interface]:
+    return list({(one.role, one.name or one.raw_name, one.type): one for one in interfaces}.values())
 
 
 class Comparison:
