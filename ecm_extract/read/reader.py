@@ -214,12 +214,10 @@ class Reader:
             classes = self.parse(path, plugin_xml.parse)
             if classes is not None:
                 package.plugins[path] = classes
-        for folder, file in package.cmake.items():
-            for library in file.parameter_libraries:
-                path = _beside(folder, library.path)
-                found = self.parse(path, parameter_library.parse_parameter_library)
-                if found is not None:
-                    package.parameters[path] = found
+        for path in _parameter_files(package):
+            found = self.parse(path, parameter_library.parse_parameter_library)
+            if found is not None:
+                package.parameters[path] = found
 
     def _plugin_files(self, package: PackageFacts) -> set[str]:
         listed = {entry.path for entry in package.root.files}
@@ -253,6 +251,13 @@ def _counting(progress: Progress | None, total: int) -> Callable[[int], None]:
             progress(count, total)
 
     return done
+
+
+def _parameter_files(package: PackageFacts) -> list[str]:
+    """Declarations that generate_parameter_library makes code of, as CMake and `setup.py` name them."""
+    found = [_beside(at, library.path) for at, file in package.cmake.items() for library in file.parameter_libraries]
+    found += [_beside(at, path) for at, setup in package.setups.items() for path in setup.parameter_files]
+    return list(dict.fromkeys(found))
 
 
 def _beside(path: str, relative: str) -> str:
