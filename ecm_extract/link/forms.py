@@ -40,6 +40,7 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         min_args: fewer positional arguments are another function.
         frame: positions of frames, for transforms.
         latch: position of the flag that keeps the last message for who comes later (ROS 1).
+        beside: last part of the name of a second endpoint in the same namespace. beside_type: its type.
     """
 
     callee: str
@@ -59,6 +60,8 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     min_args: int = 0
     frame: str = ""
     latch: str = ""
+    beside: str = ""
+    beside_type: str = ""
 
     def __post_init__(self) -> None:
         """Refuse positions that mean nothing, so that a misspelt one is an error and not a form without effect."""
