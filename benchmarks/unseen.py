@@ -1,7 +1,7 @@
 """How much of nodes that nobody here had read is told: `python benchmarks/unseen.py truth_unseen CLONES_DIR`.
 
-The truth was written from the sources before the first run. Each difference is printed on a line: `-` in the
-source and not extracted, `+` extracted and not in the source, `~` extracted otherwise, `o` added by a library (right).
+The truth was written from the sources before the first run. Each difference is a line: `-` in the source and not
+extracted, `+` extracted and not in the source, `~` extracted otherwise, `o` added by a library (not counted).
 """
 
 from __future__ import annotations
@@ -136,10 +136,10 @@ class Comparison:
             self.tally.true.count(right=True)
             return
         added = next((row for row in self.node.also if best(row, [one], self.node)), None)
-        self.tally.true.count(added is not None)
         if added is not None:
             self._say("o", added, "")
             return
+        self.tally.true.count(right=False)
         place = f"{one.evidence[0].path}:{one.evidence[0].line}"
         self.lines.append(f"  + {one.role} {_name(one)} [{one.type or '-'}] {place}")
 

@@ -31,7 +31,7 @@ class SourceNode(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         package: name of its package.
         files: what was read for it, from the root of the repository; rows with evidence there are compared.
         interfaces: what a reader finds there.
-        also: what libraries add for it (right when extracted, not asked for).
+        also: what libraries add for it (neither asked for nor counted).
         notes: what a row cannot say.
     """
 
