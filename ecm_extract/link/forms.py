@@ -30,7 +30,8 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         role: what the call makes of its module.
         match: `method` of any object, `function` by qualified name, `construct` for objects of a class.
         language: `cpp` or `python`. ros: 1, 2 or 0 for both.
-        name: position of the ROS name. type: position of the type, or a fixed `package/kind/Name`.
+        name: position of the ROS name. type: position of the type, or a fixed `package/kind/Name`; of a parameter of
+            rclpy the position of its descriptor.
         qos: position of the QoS profile or queue size. default: position of a parameter's default.
         out: position of the variable that receives a parameter's value.
         receiver: last names of the classes whose objects have the method; empty for any.
