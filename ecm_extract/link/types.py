@@ -151,7 +151,7 @@ class Types:
         return TypeFound(full or self._in_lower_case(bare, env, role))
 
     def _relative(self, bare: str, env: Env, role: Role) -> str | None:
-        """`msg::Goal` within `namespace pkg`: generated types stand in the outermost namespace, named as the package."""
+        """`msg::Goal` in `namespace pkg`: generated types stand in the outermost namespace, named as the package."""
         scope = env.func.cls.fact.scope if env.func.cls is not None else env.func.fact.scope
         outer = scope.removeprefix("::").partition("::")[0]
         if not outer or self.program.class_named(outer, env.func.file) is not None:
