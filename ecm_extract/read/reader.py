@@ -30,7 +30,7 @@ from ecm_extract.read.facts import PackageFacts
 from ecm_extract.read.parallel import SourceParse
 from ecm_extract.read.parsed_file import BlobFacts, ParsedFile, Task
 from ecm_extract.read.prefetch import Prefetch
-from ecm_extract.tree import FileDiagnostic, Tree, Unread, printable
+from ecm_extract.tree import FileDiagnostic, Tree, Unread, printable, unread_of
 
 OVERLAY = "ecm.yaml"
 _NO_MANIFEST = frozenset(
@@ -96,7 +96,9 @@ class Reader:
 
     def _read_packages(self, packages: list[PackageFacts]) -> None:
         self._contents.fetch(entry for package in packages for entry in package.root.files)
-        build_files = BuildFiles((entry.path for entry in self.tree.files()), self._contents.read)
+        paths = [entry.path for entry in self.tree.files()]
+        absent = [entry.path for entry in unread_of(self.tree.diagnostics) if entry.reason == "submodule"]
+        build_files = BuildFiles(paths, self._contents.read, absent)
         for package in packages:
             package.cmake = read_cmake(build_files, package.root, self.tree)
             for path in package.cmake:
