@@ -68,15 +68,21 @@ class Tally(msgspec.Struct):
 
 def of_files(node: SourceNode, extraction: Extraction) -> list[Interface]:
     """The interfaces of the node's package with evidence in the node's files, once each."""
-    wanted = set(node.files)
     return _once(
         one
         for package in extraction.packages
         if package.name == node.package
         for module in package.modules
         for one in module.signature.interfaces
-        if any({place.path, f"{package.path}/{place.path}".lstrip("./")} & wanted for place in one.evidence)
+        if _is_of(node, one, package.path)
     )
+
+
+def _is_of(node: SourceNode, one: Interface, folder: str) -> bool:
+    """Whether evidence stands in a file of the node's own, or all of it in files that it shares with others."""
+    files = set(node.files)
+    met = [({place.path, f"{folder}/{place.path}".lstrip("./")} & files) for place in one.evidence]
+    return any(paths - set(node.shared) for paths in met) or (bool(met) and all(met))
 
 
 def _once(interfaces: Iterator[Interface]) -> list[Interface]:

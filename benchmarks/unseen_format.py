@@ -30,6 +30,8 @@ class SourceNode(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         name: what it is called when it runs; a hole where no source decides it.
         package: name of its package.
         files: what was read for it, from the root of the repository; rows with evidence there are compared.
+        shared: those of the files that other nodes use too; a row that meets the node only there is compared when
+            nothing of its evidence is elsewhere.
         interfaces: what a reader finds there.
         also: what libraries add for it (neither asked for nor counted).
         notes: what a row cannot say.
@@ -40,6 +42,7 @@ class SourceNode(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     package: str
     files: list[str]
     interfaces: list[SourceRow]
+    shared: list[str] = []
     also: list[SourceRow] = []
     notes: list[str] = []
 
