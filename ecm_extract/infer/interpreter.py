@@ -405,7 +405,7 @@ class Interpreter:
 
     def _run_later(self, step: Later, state: State) -> State:
         """A lambda may run any time from now on: what it assigns, and what is assigned after it, is unknown to it."""
-        own = self._declared_in(step.body) | set(step.params)
+        own = (self._declared_in(step.body) | set(step.params)) - {""}  # a parameter may have no name
         inside = self._changed_in(step.body) - own
         self._escaped |= inside
         keep = (self._breaks, self._continues, self._raised)
