@@ -1,0 +1,15 @@
+"""The fixtures of the rules, apart from the repository that they are kept in."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+from lint_fixtures import FIXTURES
+
+
+@pytest.fixture(scope="session")
+def apart(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A copy that nobody writes to: what lies in no repository is read without asking git."""
+    return Path(shutil.copytree(FIXTURES, tmp_path_factory.mktemp("apart") / "lint"))
