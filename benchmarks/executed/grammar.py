@@ -21,6 +21,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
+from typing import Any
 
 HOLE = re.compile(r"\$(?:\{([a-z_0-9]+)\}|([a-z_0-9]+))")
 FOLDER = Path(__file__).parent
@@ -95,14 +96,11 @@ def grammar(language: str) -> Grammar:
     Raises:
         OSError: there is no file of that language.
     """
-    tables = {**_read("shared"), **_read(language)}
-    return Grammar(
-        {symbol: tuple(_forms(ideas)) for symbol, ideas in tables.items()},
-        _read("ideas"),
-    )
+    tables: dict[str, dict[str, list[str]]] = {**_read("shared"), **_read(language)}
+    return Grammar({symbol: tuple(_forms(ideas)) for symbol, ideas in tables.items()}, _read("ideas"))
 
 
-def _read(name: str) -> dict[str, dict[str, list[str]]]:
+def _read(name: str) -> dict[str, Any]:
     return tomllib.loads((FOLDER / f"{name}.toml").read_text("utf-8"))
 
 
