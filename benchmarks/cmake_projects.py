@@ -332,10 +332,8 @@ class _Maker:
 
     def _installs(self) -> list[str]:
         forms = _FORMS["installs"] + (_FORMS["installs_ros1"] if self.made.ros == 1 else [])
-        lines: list[str] = []
-        for chosen in self.rng.sample(forms, self.rng.randint(1, 4)):
-            lines += _written(chosen, _PLACES[self.made.ros])
-        return lines
+        chosen = self.rng.sample(forms, self.rng.randint(1, 4))
+        return [line for form in chosen for line in _written(form, _PLACES[self.made.ros])]
 
 
 def _written(form: str, given: Mapping[str, str]) -> list[str]:

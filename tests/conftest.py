@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import os
 import tempfile
 from collections.abc import Iterator
@@ -11,42 +10,17 @@ from pathlib import Path
 
 import hypothesis
 import pytest
+from golden_files import Golden
 from workspaces import Workspace
 
 from ecm_extract.cache.version import version_of
 
-GOLDEN = Path(__file__).parent / "golden"
 _IN_MEMORY = Path("/dev/shm")
 _MAKERS_OF_KEYS = ("ecm_extract.cache.extractions.version_of", "ecm_extract.cache.blobs.version_of")
 
 # How long one example takes says how busy the machine is; tests of bounds measure the time of the processor.
 hypothesis.settings.register_profile("any machine", deadline=None)
 hypothesis.settings.load_profile("any machine")
-
-
-class Golden:
-    """Compares text with a file under version control."""
-
-    def __init__(self, update: bool) -> None:
-        self._update = update
-
-    def __call__(self, name: str, text: str) -> None:
-        """Fail with a diff unless `text` equals tests/golden/NAME."""
-        self.check(GOLDEN / name, text)
-
-    def check(self, path: Path, text: str) -> None:
-        """Fail with a diff unless `text` equals the file at `path`; write the file when asked to update."""
-        before = path.read_text("utf-8") if path.is_file() else ""
-        if before == text:
-            return
-        if self._update:
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text, "utf-8")
-            return
-        diff = difflib.unified_diff(
-            before.splitlines(), text.splitlines(), f"{path.name} (golden)", f"{path.name} (now)", lineterm=""
-        )
-        pytest.fail("\n".join([*diff, "if this is meant: pytest --update-golden"]), pytrace=False)
 
 
 def pytest_configure() -> None:
