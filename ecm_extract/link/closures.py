@@ -51,7 +51,10 @@ def captured(func: Func, use: Invocation, env: Env, folder: Folder) -> Env:
     """Return the place at which a returned lambda was made, which it sees the variables of; that of who calls it else.
 
     Args:
-        func: the lambda. use: its call. env: where that stands. folder: resolves the function that returned it.
+        func: the lambda.
+        use: its call.
+        env: where that stands.
+        folder: resolves the function that returned it.
     """
     outer = folder.flow.enclosing(func)
     made = making(use) if is_returned(func) else None

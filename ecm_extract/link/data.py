@@ -41,7 +41,7 @@ _PYTHON_TYPES = {
     "STRING_ARRAY",
     "BYTE_ARRAY",
 }
-_WRAPPERS = frozenset({"ParameterValue", "string", "move", "Duration", "bool", "vector", *NUMBERS})
+_WRAPPERS = frozenset({"ParameterValue", "string", "move", "Duration", "bool", *NUMBERS})
 
 
 def data_of(expr: Expr | None, env: Env, folder: Folder, depth: int = 0) -> Any:

@@ -5,19 +5,31 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Call, Member
+from ecm_parsers.source.expr import Call, Expr, Member, Name
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.compute import UNKNOWN, changed
 from ecm_extract.infer.held import Held, How
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, bind, invocation_of
 from ecm_extract.link.numbers import NUMBERS, as_number
-from ecm_extract.link.spelling import plain
-from ecm_extract.link.values import Value, alternatives, constant, demoted, is_setting, literal, lowered, unknown
+from ecm_extract.link.spelling import last_name, plain
+from ecm_extract.link.units import Func
+from ecm_extract.link.values import (
+    Value,
+    alternatives,
+    constant,
+    demoted,
+    is_setting,
+    literal,
+    lowered,
+    node_name,
+    unknown,
+)
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
 
+_NODES = frozenset({"Node", "LifecycleNode"})
 _TEXTS = frozenset({"string", "stringstream", "ostringstream", "QString"})
 _CONTAINERS = frozenset({"vector", "map", "unordered_map", "set", "deque", "list", "unordered_set"})
 
@@ -72,7 +84,10 @@ class HeldFolder:
         return self._assigned(held, env, inner) if held.how == "value" else (unknown(_label(held.name)),)
 
     def _assigned(self, held: Held, env: Env, inner: Env) -> tuple[Value, ...]:
-        values = _as_declared(demoted(self.folder.fold(held.expr, inner)), _statement(held))
+        statement = _statement(held)
+        if statement is not None and is_name_of_node(inner.func, statement):
+            return (node_name(),)
+        values = _as_declared(demoted(self.folder.fold(held.expr, inner)), statement)
         return self._by_default(held, env) or values if all(map(is_setting, values)) else values
 
     def _element(self, held: Held, env: Env) -> tuple[Value, ...]:
@@ -237,6 +252,23 @@ class HeldFolder:
             known = known and items is not None
             found += items or []
         return found, known
+
+
+def is_name_of_node(func: Func, statement: Statement) -> bool:
+    """Tell whether a constructor gives a member what it gives its node as a name: `Node(name), name_(name)`."""
+    if statement.kind != "init" or statement.value is None:
+        return False
+    calls = (entry.value for entry in func.fact.body if entry.kind == "init" and _is_node(entry.target))
+    return any(isinstance(call, Call) and call.args[:1] == (_only(statement.value),) for call in calls)
+
+
+def _is_node(target: Expr | None) -> bool:
+    return isinstance(target, Name) and last_name(target.id) in _NODES
+
+
+def _only(value: Expr) -> Expr:
+    """What an initialiser `x_(value)` holds."""
+    return value.args[0] if isinstance(value, Call) and len(value.args) == 1 else value
 
 
 def _label(key: str) -> str:

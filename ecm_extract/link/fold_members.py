@@ -6,19 +6,16 @@ from collections.abc import Collection, Hashable
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import (
-    Call,
     Expr,
     Member,
     Name,
 )
-from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.held import Held
 from ecm_extract.link.calls import dotted_name
 from ecm_extract.link.env import Env, Instance
 from ecm_extract.link.fold_names import is_fresh
 from ecm_extract.link.formats import VALUE_READS
-from ecm_extract.link.spelling import last_name
 from ecm_extract.link.units import Cls, Func
 from ecm_extract.link.values import (
     MAX_ALTERNATIVES,
@@ -28,15 +25,12 @@ from ecm_extract.link.values import (
     demoted,
     is_circle,
     lowered,
-    node_name,
     set_by,
     unknown,
 )
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
-
-_NODES = frozenset({"Node", "LifecycleNode"})
 
 
 class MemberFolder:
@@ -135,7 +129,7 @@ class MemberFolder:
         values: list[Value] = []
         sources = self.sources(name, cls, env)
         for held, place in sources:
-            values += self._source_value(held, place)
+            values += self.folder.held.values(held, place)
         for entry in self.folder.program.ancestry(cls):
             for method, at, read, default in self.folder.reads.members(entry, name):
                 if at not in self._reads_of(method, name):
@@ -152,12 +146,6 @@ class MemberFolder:
         found = self.folder.flow.reads(method)
         effects = self.folder.flow.effects(method)
         return [at for at, entries in found.items() if any(effects.key(entry[0]) == f".{name}" for entry in entries)]
-
-    def _source_value(self, held: Held, place: Env) -> tuple[Value, ...]:
-        statement = place.func.fact.body[held.at] if 0 <= held.at < len(place.func.fact.body) else None
-        if statement is not None and _is_name_of_node(place.func, statement):
-            return (node_name(),)
-        return self.folder.held.values(held, place)
 
     def initial(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
         """Return what a member holds before any method runs: its default; that of a derived class hides others."""
@@ -199,20 +187,3 @@ class MemberFolder:
 def _makes(held: Held) -> bool:
     """Tell whether a value does not depend on what was there before."""
     return held.how in {"value", "each"}
-
-
-def _is_name_of_node(func: Func, statement: Statement) -> bool:
-    """Tell whether a constructor gives a member what it gives its node as a name: `Node(name), name_(name)`."""
-    if statement.kind != "init" or statement.value is None:
-        return False
-    calls = (entry.value for entry in func.fact.body if entry.kind == "init" and _is_node(entry.target))
-    return any(isinstance(call, Call) and call.args[:1] == (_only(statement.value),) for call in calls)
-
-
-def _is_node(target: Expr | None) -> bool:
-    return isinstance(target, Name) and last_name(target.id) in _NODES
-
-
-def _only(value: Expr) -> Expr:
-    """What an initialiser `x_(value)` holds."""
-    return value.args[0] if isinstance(value, Call) and len(value.args) == 1 else value

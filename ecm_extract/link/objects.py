@@ -216,7 +216,14 @@ class Objects:
             return self._methods(call, next(iter(self.program.bases(own)), None))
         if call.receiver is not None:
             return self._methods(call, self.class_of(call.receiver, env.before(env.at)))
-        return self._methods(call, env.this or env.func.cls) or self._free(call, env)
+        return self._methods(call, self._named_base(call, env) or env.this or env.func.cls) or self._free(call, env)
+
+    def _named_base(self, call: Invocation, env: Env) -> Cls | None:
+        """`Base::name()` means that of the base, whatever a derived class has."""
+        owner = env.this or env.func.cls
+        qualifier = last_name(call.path.rpartition("::")[0])
+        lineage = self.program.ancestry(owner) if owner is not None and qualifier else ()
+        return next((entry for entry in lineage if entry.fact.name == qualifier), None)
 
     def _methods(self, call: Invocation, cls: Cls | None) -> Sequence[Func]:
         """The methods of an object's class, or else of its nearest base, that fit a call."""
