@@ -7,10 +7,10 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from fnmatch import fnmatchcase
 from typing import Any, NamedTuple
 
-from ecm_checker.contract import Interface, Qos, Role
+from ecm_checker.contract import Qos, Role
+from ecm_checker.hub.running import RunningEndpoint, RunningModule
 
 from ecm_extract.description.model import Description
-from ecm_extract.link.linker import LinkedModule
 from ecm_extract.system.bridges import bridged
 from ecm_extract.system.controllers import Controller
 from ecm_extract.system.files import Files
@@ -33,7 +33,7 @@ _HOLE = re.compile(r"\{[^{}]*\}")
 class Plugged(NamedTuple):
     """A module of a node; `name` is what the node's parameters call a plugin, empty for the node's own module."""
 
-    module: LinkedModule
+    module: RunningModule
     name: str
 
     def called(self, text: str) -> str:
@@ -65,7 +65,7 @@ class NodeMaker:
     def __init__(self, index: ModuleIndex, launched: Launched, files: Files) -> None:
         self.index = index
         self.files = files
-        self._set: dict[int, tuple[SystemNode, Sequence[Setting]]] = {}
+        self._set: dict[SystemNode, Sequence[Setting]] = {}
         self.launched = launched
 
     def nodes(self) -> list[SystemNode]:
@@ -88,7 +88,7 @@ class NodeMaker:
         """Drivers of the tree that have endpoints of their own; one without makes no node that could be talked to."""
         for instance in hosts.hardware():
             module = self.index.plugin(instance.plugin)
-            if module is not None and any(entry.role != "parameter" for entry in module.interfaces):
+            if module is not None and any(entry.role != "parameter" for entry in module.endpoints):
                 yield self._node(instance, Loaded(module), first=True)
 
     def _of(self, instance: Instance) -> Iterator[SystemNode]:
@@ -139,11 +139,11 @@ class NodeMaker:
 
     def _node(self, instance: Instance, loaded: Loaded, *, first: bool) -> SystemNode:
         module = loaded.module
-        own = loaded.name or module.node or module.module.name
+        own = loaded.name or module.node or module.name
         name = (instance.name or own) if first else own
         namespace = join(instance.namespace, own) if loaded.nested and not first else instance.namespace
         node = SystemNode(join(namespace, name), instance, (module,))
-        plugins = {entry.module.module: entry for entry in self._plugins(node) if entry.module is not module}
+        plugins = {_key(entry.module): entry for entry in self._plugins(node) if _key(entry.module) != _key(module)}
         node.modules = (module, *(entry.module for entry in plugins.values()))
         node.endpoints = tuple(self._endpoints(node, [Plugged(module, ""), *plugins.values()]))
         node.parameters = tuple(self._parameters(node, [Plugged(module, ""), *plugins.values()]))
@@ -160,10 +160,10 @@ class NodeMaker:
 
     def _settings(self, node: SystemNode) -> Sequence[Setting]:
         """What the launch sets for a node, later ones win; names are the node's own."""
-        known = self._set.get(id(node))
-        if known is None or known[0] is not node:
-            known = self._set[id(node)] = (node, self._read_settings(node))
-        return known[1]
+        known = self._set.get(node)
+        if known is None:
+            known = self._set[node] = self._read_settings(node)
+        return known
 
     def _read_settings(self, node: SystemNode) -> Sequence[Setting]:
         instance = node.instance
@@ -191,10 +191,10 @@ class NodeMaker:
     def _endpoints(self, node: SystemNode, plugged: Sequence[Plugged]) -> Iterator[Endpoint]:
         seen = set()
         for entry in plugged:
-            for interface in entry.module.interfaces:
-                if interface.role == "parameter":
+            for declared in entry.module.endpoints:
+                if declared.role == "parameter":
                     continue
-                for endpoint in self._resolved(node, entry, interface):
+                for endpoint in self._resolved(node, entry, declared):
                     key = (endpoint.role, endpoint.name, endpoint.type)
                     if key not in seen:
                         seen.add(key)
@@ -202,20 +202,19 @@ class NodeMaker:
         if node.instance.kind in _OWN_STATE:
             yield from _state_services(node, plugged)
 
-    def _resolved(self, node: SystemNode, entry: Plugged, interface: Interface) -> Iterator[Endpoint]:
-        names = entry.module.local.get((interface.role, interface.name, interface.type), (interface.name,))
+    def _resolved(self, node: SystemNode, entry: Plugged, declared: RunningEndpoint) -> Iterator[Endpoint]:
         own = node.name.rpartition("/")[2]
         around = Around(node.namespace, own, node.instance.remaps, lambda name: self._given(node, entry.called(name)))
-        place = Place(interface.evidence[0].path, interface.evidence[0].line)
-        for resolved in (each for local in names for each in resolve(entry.called(local), around)):
-            yield _endpoint(node, interface.role, interface.type, resolved, place, interface.qos)
+        place = Place(declared.path, declared.line)
+        for resolved in (each for local in declared.local_names for each in resolve(entry.called(local), around)):
+            yield _endpoint(node, declared.role, declared.type, resolved, place, declared.qos)
 
     def _parameters(self, node: SystemNode, plugged: Sequence[Plugged]) -> Iterator[Parameter]:
         declared = Declared(
-            (entry.called(_own(interface, node)), interface.default)
+            (entry.called(_own(each, node)), each.default)
             for entry in plugged
-            for interface in entry.module.interfaces
-            if interface.role == "parameter"
+            for each in entry.module.endpoints
+            if each.role == "parameter"
         )
         found = {name: Parameter(name, default, None, declared=True) for name, default in declared.plain.items()}
         for setting in self._settings(node):
@@ -226,7 +225,7 @@ class NodeMaker:
 
 def _state_services(node: SystemNode, plugged: Sequence[Plugged]) -> Iterator[Endpoint]:
     """The services by which the state of a managed node is changed and read; rclcpp_lifecycle makes them."""
-    own = next((entry.module.module for entry in plugged if not entry.name and entry.module.lifecycle), None)
+    own = next((entry.module for entry in plugged if not entry.name and entry.module.lifecycle), None)
     for leaf, kind in _STATE_SERVICES if own is not None else ():
         name = join(node.name, leaf)
         place = Place(own.path, own.line) if own is not None else node.instance.place
@@ -250,9 +249,11 @@ def _endpoint(
     )
 
 
-def _own(interface: Interface, node: SystemNode) -> str:
+def _own(declared: RunningEndpoint, node: SystemNode) -> str:
     """Name of a parameter without the node that ROS 1 puts before it."""
-    if node.instance.ros == 2:
-        return interface.name
-    raw = interface.raw_name
-    return raw.lstrip("~/")
+    return declared.name if node.instance.ros == 2 else declared.raw_name.lstrip("~/")
+
+
+def _key(module: RunningModule) -> tuple[str, str, str, int]:
+    """What tells modules of two packages, files or lines apart."""
+    return module.package, module.name, module.path, module.line

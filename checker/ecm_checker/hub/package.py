@@ -9,11 +9,13 @@ from collections.abc import Mapping
 from typing import Any, Final, Literal
 
 import msgspec
+from msgspec import UNSET, UnsetType
 
 from ecm_checker.contract import Confidence, Contract, Evidence, Qos
 from ecm_checker.encode import decode as decode_contract
 from ecm_checker.hub.provision import Form, Key, Provision
 from ecm_checker.hub.requirement import Requirement
+from ecm_checker.hub.running import Running
 from ecm_checker.json_data import json_data
 from ecm_checker.wire import EXTRACT_SCHEMA, Diagnostic, Module, NotRead, Origin
 
@@ -63,6 +65,7 @@ class Hub(msgspec.Struct, frozen=True, kw_only=True):
             install.
         open: kinds of which it may have any name, as where its build is not understood.
         runs_files: whether any of its files may be started by its name.
+        running: what launch files need of it; documents of older versions and those of a corpus have none.
     """
 
     manifest: str | None = None
@@ -76,6 +79,7 @@ class Hub(msgspec.Struct, frozen=True, kw_only=True):
     possible: dict[str, tuple[str, ...]] = {}
     open: tuple[str, ...] = ()
     runs_files: bool = True
+    running: Running | UnsetType = UNSET
 
 
 class Package(Hub, frozen=True, kw_only=True):

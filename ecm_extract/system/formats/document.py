@@ -37,7 +37,7 @@ def document(system: System) -> dict[str, Any]:
         ],
         "robots": [_robot(robot) for robot in system.robots],
         "controllers": [_controller(controller) for controller in system.controllers],
-        "diagnostics": [msgspec.to_builtins(entry) for entry in system.tree.diagnostics],
+        "diagnostics": [msgspec.to_builtins(entry) for entry in system.diagnostics],
     }
 
 
@@ -76,7 +76,7 @@ def _node(node: SystemNode) -> dict[str, Any]:
         "package": instance.package,
         "executable": instance.executable,
         "plugin": instance.plugin,
-        "modules": [f"ecm.{entry.module.package}.{entry.module.name}" for entry in node.modules],
+        "modules": [f"ecm.{entry.package}.{entry.name}" for entry in node.modules],
         "guessed": node.guessed,
         "ros": instance.ros,
         "container": instance.container,

@@ -191,7 +191,7 @@ def _problems(system: System) -> Iterator[str]:
     found = list(
         dict.fromkeys(
             f"  {entry.path}:{entry.line}  {entry.message}"
-            for entry in system.tree.diagnostics
+            for entry in system.diagnostics
             if entry.code.startswith(_LAUNCH_PROBLEMS) or entry.path in launches
         )
     )
