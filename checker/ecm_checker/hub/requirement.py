@@ -8,7 +8,7 @@ import msgspec
 
 from ecm_checker.contract import Evidence, Qos
 from ecm_checker.finding import Certainty
-from ecm_checker.hub.condition import Condition
+from ecm_checker.hub.condition import Condition, text_of
 from ecm_checker.hub.kinds import uses
 
 ONE_VALUE: Final = "1 value"
@@ -86,8 +86,8 @@ class Requirement(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True,
 
     @property
     def phrase(self) -> str:
-        """What the line does, in words."""
-        return uses()[self.use].phrase.format(
+        """What the line does, in words, and under which condition."""
+        does = uses()[self.use].phrase.format(
             name=self.name,
             owner=self.owner,
             package=self.package,
@@ -95,3 +95,9 @@ class Requirement(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True,
             said=self.said,
             last=self.name.rpartition(".")[2],
         )
+        return f"{does} if {text_of(self.when)}" if self.when else does
+
+    @property
+    def needs(self) -> Certainty:
+        """How surely the line needs the name: no more than `likely` below a condition that is not decided."""
+        return "likely" if self.when and self.certainty == "proved" else self.certainty
