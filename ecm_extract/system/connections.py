@@ -55,10 +55,16 @@ def _package(system: System) -> Package:
 
 def _open_kinds(system: System) -> Iterator[str]:
     """Kinds of which something that is not known may offer any name."""
-    if not system.launched.is_complete or any(origin_of(node) == "unknown" for node in system.nodes):
+    if not _is_known(system):
         yield from (name for name, kind in kinds().items() if kind.world == "graph")
     elif not any(robot.hardware for robot in system.robots):
         yield uses()[CLAIM].of[0]
+
+
+def _is_known(system: System) -> bool:
+    """Whether everything that runs, and every name that it has, is known."""
+    is_whole = system.launched.is_complete and system.launched.is_closed and not system.unknown
+    return is_whole and all(origin_of(node) != "unknown" for node in system.nodes)
 
 
 def _by_key(offers: Iterable[Provision]) -> Iterator[Provision]:
@@ -109,9 +115,10 @@ def _wants(system: System) -> Iterator[Requirement]:
             use = roles()[entry.role].joins
             if use:
                 yield _want(use, entry, node)
+    chained = tuple(f"{each.name}/" for each in system.controllers)
     for controller in system.controllers:
         if controller.active:
-            yield from _claims(controller)
+            yield from _claims(controller, chained)
 
 
 def _want(use: str, entry: Endpoint, node: SystemNode) -> Requirement:
@@ -133,7 +140,8 @@ def _want(use: str, entry: Endpoint, node: SystemNode) -> Requirement:
     )
 
 
-def _claims(controller: Controller) -> Iterator[Requirement]:
+def _claims(controller: Controller, chained: tuple[str, ...]) -> Iterator[Requirement]:
+    """What a controller claims; reference interfaces that other controllers export (`chained`) nobody tells."""
     for name in controller.claims or ():
         yield Requirement(
             use=CLAIM,
@@ -142,7 +150,7 @@ def _claims(controller: Controller) -> Iterator[Requirement]:
             owner="",
             name=_name(name),
             type=None,
-            certainty="unknown" if "{" in name else "likely",
+            certainty="unknown" if "{" in name or name.startswith(chained) else "likely",
             conditions=(controller.conditional,) if controller.conditional else (),
             when=_when(controller.conditional),
             said=name,

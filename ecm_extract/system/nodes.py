@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from fnmatch import fnmatchcase
-from typing import Any, NamedTuple
+from typing import Any, Final, NamedTuple
 
 from ecm_checker.contract import Qos, Role
 from ecm_checker.hub.running import RunningEndpoint, RunningModule
@@ -21,12 +21,18 @@ from ecm_extract.system.names import Around, Resolved, node_matches, resolve
 from ecm_extract.system.node_model import Endpoint, Parameter, SystemNode
 from ecm_extract.system.public_nodes import default_name, public_endpoints
 from ecm_extract.system.settings import all_given
+from ecm_extract.system.spawners import spawned
 
 _OWN_NAME = re.compile(r"\{(?:name|plugin_name|plugin|layer_name|prefix|plugin_id)\}")
 """Holes that stand for the name under which a plugin is loaded."""
 _OWN_STATE = frozenset({"node", "lifecycle_node", "component"})
 """What a manager hosts has its state changed by calls, not by services."""
-_STATE_SERVICES = (("change_state", "ChangeState"), ("get_state", "GetState"))
+_OF_STATE: Final[Sequence[tuple[Role, str, str]]] = (
+    ("service_server", "change_state", "lifecycle_msgs/srv/ChangeState"),
+    ("service_server", "get_state", "lifecycle_msgs/srv/GetState"),
+    ("publisher", "transition_event", "lifecycle_msgs/msg/TransitionEvent"),
+)
+"""What rclcpp_lifecycle and rclpy.lifecycle make of every managed node (design.ros2.org, "Managed nodes")."""
 _HOLE = re.compile(r"\{[^{}]*\}")
 
 
@@ -60,13 +66,18 @@ class Declared:
 
 
 class NodeMaker:
-    """Makes the nodes of what a launch started."""
+    """Makes the nodes of what a launch started.
+
+    Attributes:
+        unknown: what runs beside nodes, or in them, and may have endpoints that nothing tells.
+    """
 
     def __init__(self, index: ModuleIndex, launched: Launched, files: Files) -> None:
         self.index = index
         self.files = files
         self._set: dict[SystemNode, Sequence[Setting]] = {}
         self.launched = launched
+        self.unknown: set[str] = set()
 
     def nodes(self) -> list[SystemNode]:
         """Return every node, in the order in which they are started."""
@@ -82,17 +93,23 @@ class NodeMaker:
                 nodes.append(self._node(hosts.controller(controller), Loaded(module), first=True))
             elif controller.type:
                 nodes.append(self._outside(hosts.controller(controller)))
+            else:
+                self.unknown.add(controller.name)
         return [*nodes, *self._hardware(hosts)]
 
     def _hardware(self, hosts: Hosts) -> Iterator[SystemNode]:
         """Drivers of the tree that have endpoints of their own; one without makes no node that could be talked to."""
         for instance in hosts.hardware():
             module = self.index.plugin(instance.plugin)
-            if module is not None and any(entry.role != "parameter" for entry in module.endpoints):
+            if module is None:
+                self.unknown.add(instance.plugin)
+            elif any(entry.role != "parameter" for entry in module.endpoints):
                 yield self._node(instance, Loaded(module), first=True)
 
     def _of(self, instance: Instance) -> Iterator[SystemNode]:
         if instance.kind == "process":
+            if not any(spawned([instance])):
+                self.unknown.add(" ".join(word.text for word in instance.arguments))
             return
         modules = self.index.of(instance)
         if not modules:
@@ -155,6 +172,8 @@ class NodeMaker:
             for value in setting.value if isinstance(setting.value, list) else [setting.value]:
                 if isinstance(value, str) and ("::" in value or "/" in value):
                     module = self.index.plugin(value)
+                    if module is None and "::" in value:
+                        self.unknown.add(value)
                     if module is not None:
                         yield Plugged(module, setting.name.rpartition(".")[0].rpartition("/")[2])
 
@@ -200,7 +219,7 @@ class NodeMaker:
                         seen.add(key)
                         yield endpoint
         if node.instance.kind in _OWN_STATE:
-            yield from _state_services(node, plugged)
+            yield from _of_state(node, plugged)
 
     def _resolved(self, node: SystemNode, entry: Plugged, declared: RunningEndpoint) -> Iterator[Endpoint]:
         own = node.name.rpartition("/")[2]
@@ -223,13 +242,13 @@ class NodeMaker:
         yield from (found[name] for name in sorted(found))
 
 
-def _state_services(node: SystemNode, plugged: Sequence[Plugged]) -> Iterator[Endpoint]:
-    """The services by which the state of a managed node is changed and read; rclcpp_lifecycle makes them."""
+def _of_state(node: SystemNode, plugged: Sequence[Plugged]) -> Iterator[Endpoint]:
+    """The endpoints by which the state of a managed node is changed, read and told."""
     own = next((entry.module for entry in plugged if not entry.name and entry.module.lifecycle), None)
-    for leaf, kind in _STATE_SERVICES if own is not None else ():
+    for role, leaf, kind in _OF_STATE if own is not None else ():
         name = join(node.name, leaf)
         place = Place(own.path, own.line) if own is not None else node.instance.place
-        yield _endpoint(node, "service_server", f"lifecycle_msgs/srv/{kind}", Resolved(name, name, None, ()), place)
+        yield _endpoint(node, role, kind, Resolved(name, name, None, ()), place)
 
 
 def _endpoint(

@@ -38,6 +38,7 @@ class System:
         tree: where it was read. launched: what the launch files themselves say.
         nodes: with their endpoints. controllers: with their claims.
         robots: descriptions in use. frames: transforms that are published.
+        unknown: what runs beside nodes, or in them, and may have endpoints that nothing tells.
         diagnostics: of the packages, then of the launch, each once.
     """
 
@@ -47,6 +48,7 @@ class System:
     controllers: list[Controller]
     robots: list[Description]
     frames: list[FrameEdge]
+    unknown: frozenset[str] = frozenset()
     diagnostics: tuple[LocatedDiagnostic, ...] = ()
 
 
@@ -161,6 +163,7 @@ def evaluated_system(tree: Tree, files: Files, index: ModuleIndex, paths: Sequen
         controllers=controllers,
         robots=robots,
         frames=frames_of(nodes, robots),
+        unknown=frozenset(maker.unknown),
     )
 
 

@@ -37,6 +37,8 @@ LAUNCH = """<launch>
   {more}
 </launch>
 """
+INCLUDE = '<include file="$(find-pkg-share other)/launch/more.launch.xml"/>'
+PLUGGED = '<node pkg="pkg" exec="mouth" name="more"><param name="layer" value="other::Layer"/></node>'
 SPEAKS = 'self.pub = self.create_publisher({type}, "word", QoSProfile(depth=1, reliability={level}))'
 HEARS = 'self.sub = self.create_subscription({type}, "word", print, QoSProfile(depth=1, reliability={level}))'
 RELIABLE, BEST_EFFORT = "ReliabilityPolicy.RELIABLE", "ReliabilityPolicy.BEST_EFFORT"
@@ -74,6 +76,9 @@ def nodes(
         (nodes(), {"ear": 'namespace="left"'}, "dangling", None),
         (nodes(), {"ear": 'namespace="left"', "more": '<node pkg="other" exec="other"/>'}, "unknown", None),
         (nodes(), {"ear": 'namespace="left"', "more": '<node pkg="rviz2" exec="rviz2"/>'}, "dangling", None),
+        (nodes(), {"ear": 'namespace="left"', "more": '<executable cmd="other --fast"/>'}, "unknown", None),
+        (nodes(), {"ear": 'namespace="left"', "more": INCLUDE}, "unknown", None),
+        (nodes(), {"ear": 'namespace="left"', "more": PLUGGED}, "unknown", None),
     ],
 )
 def test_states(
