@@ -127,3 +127,21 @@ def test_documents_and_a_tree_are_not_mixed(
     document = stored(workspace.root, tmp_path, capsys)
     assert run(["system", str(document), "pkg/a.launch.xml", "--workspace", str(workspace.root)]) == 2
     assert "leave --workspace" in capsys.readouterr().err
+
+
+def test_check_of_a_launch_in_documents(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What a launch file composes is checked the same with documents."""
+    shutil.copytree(FIXTURES / "path_a", tmp_path / "ws")
+    monkeypatch.chdir(tmp_path)
+    stored(Path("ws"), tmp_path, capsys)
+    launch = ["--launch", "cmd_vel_robot/two_writers.launch", "--format", "json"]
+    statuses = [run(["check", "system", "ws", *launch])]
+    found = [capsys.readouterr().out]
+    shutil.rmtree("ws")
+    statuses.append(run(["check", "system", "stored.json", *launch]))
+    found.append(capsys.readouterr().out)
+    assert statuses[0] == statuses[1]
+    assert found[0] == found[1]
+    assert json.loads(found[0])["findings"]
