@@ -22,15 +22,15 @@ from ecm_checker.match.engine import Match
 from ecm_checker.match.exclusive import contended
 from ecm_checker.match.packages import Packages
 
+from ecm_extract.description.model import Hardware
 from ecm_extract.system.controllers import Controller
 from ecm_extract.system.holes import with_mark
 from ecm_extract.system.model import Instance, Place
 from ecm_extract.system.node_model import Endpoint, SystemNode
 from ecm_extract.system.origins import origin_of
+from ecm_extract.system.started import STARTED
 from ecm_extract.system.system import System
 
-LAUNCH: Final = "launch"
-"""Name under which what one launch starts stands."""
 CLAIM: Final = "claims"
 
 
@@ -43,7 +43,7 @@ def connections(system: System) -> Sequence[Match]:
 
 def _package(system: System) -> Package:
     return Package(
-        name=LAUNCH,
+        name=STARTED,
         version=None,
         path="",
         ros=None,
@@ -84,20 +84,29 @@ def _offers(system: System) -> Iterator[Provision]:
             if row.provides and row.channel is not None:
                 yield _offer(row.provides, row.facet, entry, node)
     for robot in system.robots:
-        for part in (part for hardware in robot.hardware for part in hardware.parts):
-            yield from (_interface(name, robot.name, Place(*part.where)) for name in part.interfaces())
+        for hardware in robot.hardware:
+            yield from _interfaces(hardware, robot.name)
 
 
-def _interface(name: str, robot: str, place: Place) -> Provision:
-    kind = uses()[CLAIM].of[0]
-    return Provision(kind=kind, package=LAUNCH, owner=robot, name=_name(name), path=place.path, line=place.line)
+def _interfaces(hardware: Hardware, robot: str) -> Iterator[Provision]:
+    for part in hardware.parts:
+        for name in part.interfaces():
+            yield Provision(
+                kind=uses()[CLAIM].of[0],
+                package=STARTED,
+                owner=robot,
+                name=_name(name),
+                path=part.where.path,
+                line=part.where.line,
+                when=_when(hardware.conditional),
+            )
 
 
 def _offer(kind: str, facet: str, entry: Endpoint, node: SystemNode) -> Provision:
     return Provision(
         kind=kind,
         facet=facet,
-        package=LAUNCH,
+        package=STARTED,
         owner=node.name,
         name=_name(entry.name),
         type=entry.type,
@@ -125,7 +134,7 @@ def _want(use: str, entry: Endpoint, node: SystemNode) -> Requirement:
     return Requirement(
         use=use,
         kind=uses()[use].of[0],
-        package=LAUNCH,
+        package=STARTED,
         owner="",
         name=_name(entry.name),
         type=entry.type,
@@ -146,7 +155,7 @@ def _claims(controller: Controller, chained: tuple[str, ...]) -> Iterator[Requir
         yield Requirement(
             use=CLAIM,
             kind=uses()[CLAIM].of[0],
-            package=LAUNCH,
+            package=STARTED,
             owner="",
             name=_name(name),
             type=None,
