@@ -10,6 +10,7 @@ from ecm_extract.link.env import Env
 from ecm_extract.link.program import Program
 from ecm_extract.link.scope import Definition, Scope
 from ecm_extract.link.units import Func
+from ecm_extract.resolve.cpp_constants import Stated
 
 
 class FileScope:
@@ -24,13 +25,13 @@ class FileScope:
         """Return the type of a variable as declared, empty when none of that name is visible."""
         if env.func.file.language != "cpp":
             return ""
-        last = name.rsplit("::", 1)[-1]
-        near = [
-            (self.program.nearness(file, env.func.file), constant.type)
-            for file, constant in self.program.constants.get(last, ())
-            if constant.type and file.language == "cpp" and "enum" not in constant.traits
-        ]
-        return max((entry for entry in near if entry[0]), key=lambda entry: entry[0], default=(0, ""))[1]
+        found = self._meant(name, env.func)
+        return found.constant.type if found is not None and "enum" not in found.constant.traits else ""
+
+    def _meant(self, name: str, func: Func) -> Stated | None:
+        if name.rsplit("::", 1)[-1] not in self.program.constants:
+            return None
+        return self.program.constant_named(name, func.file, f"{func.fact.scope}::{func.fact.name}")
 
     def definitions(self, name: str, env: Env) -> list[Definition]:
         """Return the assignments of a variable in all functions that see it."""
@@ -38,8 +39,9 @@ class FileScope:
             return []
         if self._assigned is None:
             self._assigned = self._index()
-        found = self._assigned.get(name.rsplit("::", 1)[-1], [])
-        return [entry for entry in found if self.program.nearness(entry.func.file, env.func.file)]
+        last = name.rsplit("::", 1)[-1]
+        own = self._meant(name, env.func)
+        return [entry for entry in self._assigned.get(last, []) if self._meant(last, entry.func) == own]
 
     def _index(self) -> dict[str, list[Definition]]:
         index: dict[str, list[Definition]] = defaultdict(list)

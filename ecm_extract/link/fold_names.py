@@ -144,19 +144,8 @@ class NameFolder:
 
     def imported(self, dotted: str, env: Env) -> tuple[Value, ...]:
         """A constant of another Python module, by its dotted name."""
-        head, *rest = dotted.split(".")
-        target = ".".join([env.func.file.imported.get(head, head), *rest])
-        owner, _, last = target.rpartition(".")
-        owner_last = owner.rsplit(".", 1)[-1]
-        for file, constant in self.folder.program.seen_constants(last, env.func.file):
-            stem = file.path.rsplit("/", 1)[-1].removesuffix(".py")
-            if (
-                file.language == "python"
-                and constant.value is not None
-                and owner_last in {stem, constant.scope, ""}
-                and owner_last
-            ):
-                return demoted(
-                    self.folder.fold(constant.value, Env(self._file_env(file, env).func, depth=env.depth + 1))
-                )
-        return ()
+        found = self.folder.program.constant_named(dotted, env.func.file)
+        if found is None or found.constant.value is None:
+            return ()
+        inner = Env(self._file_env(found.file, env).func, depth=env.depth + 1)
+        return demoted(self.folder.fold(found.constant.value, inner))

@@ -214,12 +214,12 @@ class Objects:
         return next((funcs[0] for funcs in found if funcs), None)
 
     def _free(self, call: Invocation, env: Env) -> Func | None:
-        """The function outside of classes, or method named with its class, that is nearest and fits best."""
-        least = 0 if "::" in call.path or "." in call.path else 1
-        seen = self.program.seen_functions(call.last, call.func.file)
-        free = [f for f in seen if f.cls is None or call.path.endswith(f"{f.cls.fact.name}::{f.fact.name}")]
-        near = [f for f in free if self.program.nearness(f.file, env.func.file) >= least]
-        return max(_fitting(call, near), key=lambda f: self.program.nearness(f.file, env.func.file), default=None)
+        """The function outside of classes, or method named with its class, that a call means and that fits best."""
+        free = self.program.functions_named(call.path, call.func.file, env.scope)
+        owner = self.program.class_named(call.path.rpartition("::")[0], call.func.file, env.scope)
+        methods = self.program.ancestry(owner) if owner is not None else ()
+        named = [func for cls in methods for func in cls.methods if func.fact.name == call.last]
+        return next(iter(_fitting(call, [*free, *named])), None)
 
 
 def _fitting(call: Invocation, funcs: Iterable[Func]) -> list[Func]:

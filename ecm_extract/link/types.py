@@ -150,11 +150,12 @@ class Types:
 
     def _macro(self, name: str, env: Env) -> str | None:
         """What `#define name other::name` stands for, as trees for two distributions rename packages."""
-        for file, constant in self.program.constants.get(name, ()):
-            renames = "define" in constant.traits and isinstance(constant.value, Name)
-            if renames and isinstance(constant.value, Name) and self.program.nearness(file, env.func.file):
-                return constant.value.id
-        return None
+        if name not in self.program.constants:
+            return None
+        found = self.program.constant_named(name, env.func.file)
+        if found is None or "define" not in found.constant.traits or not isinstance(found.constant.value, Name):
+            return None
+        return found.constant.value.id
 
     def _in_lower_case(self, bare: str, env: Env, role: Role) -> str | None:
         """`my_pkg::cloud_info`: a message named against the convention, told by the header that generation makes."""
@@ -175,7 +176,7 @@ class Types:
                 stem = parts[-1].rsplit(".", 1)[0]
                 if len(parts) in {2, 3} and (stem == name or (len(parts) == 3 and stem == snake(name))):
                     return self._full("::".join([*parts[:-1], name]), role)
-        for using in env.func.file.facts.usings:
+        for using in (entry.namespace for entry in env.func.file.facts.usings):
             if using.rsplit("::", 1)[-1] in _KINDS or using.endswith("_msgs"):
                 return self._full(f"{using}::{name}", role)
         return None

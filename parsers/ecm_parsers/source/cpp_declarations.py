@@ -21,7 +21,7 @@ from ecm_parsers.source.cpp_parameters import declared_name, parameters
 from ecm_parsers.source.cpp_parser import parser
 from ecm_parsers.source.cpp_place import Place
 from ecm_parsers.source.expr import Expr, Items
-from ecm_parsers.source.facts import Alias, Class, Constant, Function, Import, Macro, SourceFile
+from ecm_parsers.source.facts import Alias, Class, Constant, Function, Import, Macro, SourceFile, Using
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -36,7 +36,7 @@ class DeclarationReader:
         self.data = data
         self.expr = ExprReader(data, lambda body: None)
         self.imports: list[Import] = []
-        self.usings: list[str] = []
+        self.usings: list[Using] = []
         self.aliases: list[Alias] = []
         self.classes: list[Class] = []
         self.functions: list[Function] = []
@@ -231,7 +231,7 @@ class DeclarationReader:
         for child in node.named_children:
             name = self.expr.name(child)
             if "namespace" in self.expr.text(node).split():
-                self.usings.append(name)
+                self.usings.append(Using(name, place.scope))
             elif "::" in name:
                 self.aliases.append(Alias(name.rsplit("::", 1)[1], place.scope, name, lines_of(node)[0]))
 
@@ -239,7 +239,8 @@ class DeclarationReader:
         """`#include`."""
         path = node.child_by_field_name("path")
         if path is not None:
-            self.imports.append(Import(self.expr.text(path).strip('<>"'), "", "", lines_of(node)[0]))
+            written, line = self.expr.text(path), lines_of(node)[0]
+            self.imports.append(Import(written.strip('<>"'), "", "", line, written.startswith("<")))
 
     def define(self, node: Node, place: Place) -> None:
         """`#define` of a value."""
