@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TypeVar
 
 from ecm_parsers.source.facts import Constant, Function
+from msgspec.structs import replace
 
 from ecm_extract.link.class_alternatives import alternatives_joined
 from ecm_extract.link.spelling import plain
@@ -58,8 +59,12 @@ class Program:
             self._names.add(file, self.classes_in(file), self.functions_in(file))
 
     def _index(self, file: File) -> None:
-        for function in file.facts.functions:
-            owner = self._owner(function, file)
+        renamed: dict[str, str] = {}
+        for written in file.facts.functions:
+            owner = self._owner(written, file)
+            if owner is not None and owner.qualified != written.scope:
+                renamed[written.scope] = owner.qualified
+            function = _in_scope(written, renamed) if renamed else written
             namesakes = self.functions[function.name]
             func = Func(function, file, owner, namesakes)
             namesakes.append(func)
@@ -194,6 +199,14 @@ def _group_classes(files: tuple[File, ...]) -> dict[str, list[Cls]]:
         for fact in alternatives_joined(file.facts.classes) if file.language == "cpp" else file.facts.classes:
             grouped[fact.name].append(Cls(fact, file, fields={entry.name: entry for entry in fact.fields}))
     return grouped
+
+
+def _in_scope(function: Function, renamed: Mapping[str, str]) -> Function:
+    """A function, with those inside it, in the scope of its class, where it writes another name of that."""
+    for written, qualified in renamed.items():
+        if function.scope == written or function.scope.startswith(f"{written}::"):
+            return replace(function, scope=qualified + function.scope.removeprefix(written))
+    return function
 
 
 def _by_file(classes: Mapping[str, list[Cls]]) -> Mapping[File, list[Cls]]:

@@ -43,7 +43,7 @@ def _macros(file: File, program: Program, registry: Registry) -> None:
         if kind is None:
             continue
         for arg in macro.args:
-            cls = program.class_named(plain(arg), file)
+            cls = program.class_named(plain(arg), file, macro.scope)
             if cls is not None:
                 _register(_namesake(cls, program), kind, registry)
                 break

@@ -39,6 +39,11 @@ class CppClasses:
                 return found
         return External(name)
 
+    def seen(self, name: str, file: File) -> FoundClass:
+        """Return the class of the outermost scope that a file sees itself under a name."""
+        found = self._within(name, "", self._views.of(file))
+        return External(name) if found is None else found
+
     def alias(self, name: str, file: File, scope: str) -> str | None:
         """Return what the alias stands for that a name means; None of other names and where several are meant."""
         for view in self._seen(file):

@@ -5,22 +5,20 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from ecm_extract.link.units import Cls, File
-from ecm_extract.resolve.cpp_scopes import Scopes
-from ecm_extract.resolve.views import View, Views
+from ecm_extract.resolve.cpp_classes import CppClasses
+from ecm_extract.resolve.outcome import External
 
 
 class CppOwners:
     """Looks up the class in front of the name of a member.
 
     Args:
-        scopes: spells out names.
-        views: what files see.
+        lookup: of classes.
         classes: by their qualified names.
     """
 
-    def __init__(self, scopes: Scopes, views: Views, classes: Mapping[str, Sequence[Cls]]) -> None:
-        self._scopes = scopes
-        self._views = views
+    def __init__(self, lookup: CppClasses, classes: Mapping[str, Sequence[Cls]]) -> None:
+        self._lookup = lookup
         self._classes = classes
         self._last_names = frozenset(name.rpartition("::")[2] for name in classes)
 
@@ -31,20 +29,12 @@ class CppOwners:
         """
         if scope.rpartition("::")[2] not in self._last_names:
             return None
-        view = self._views.of(file)
         for written in _endings(scope):
-            found = self._seen(written, view)
-            if found:
-                return found[0] if len(found) == 1 else None
+            found = self._lookup.seen(f"::{written}", file)
+            if not isinstance(found, External):
+                return found if isinstance(found, Cls) else None
         inside = [cls for cls in self._classes.get(scope, ()) if cls.file.package == file.package]
         return inside[0] if len(inside) == 1 else None
-
-    def _seen(self, scope: str, view: View) -> Sequence[Cls]:
-        exact = [cls for cls in self._classes.get(scope, ()) if cls.file in view]
-        if exact:
-            return exact
-        level = next(iter(self._scopes.levels(f"::{scope}", "", view)))
-        return [cls for each in level for cls in self._classes.get(each, ()) if cls.file in view]
 
 
 def _endings(scope: str) -> Iterator[str]:

@@ -82,8 +82,6 @@ class Scopes:
 
 
 def _through_usings(scope: str, name: str, view: View) -> Iterator[str]:
-    """A name by the using-directives of a scope; a scope that a definition writes may itself be named through one."""
+    """A name by the using-directives of a scope, whose namespaces are looked up from there."""
     for namespace in view.usings.get(scope, ()):
         yield from (joined(joined(prefix, namespace), name) for prefix in enclosing_scopes(scope))
-    for namespace in view.usings.get("", ()) if scope else ():
-        yield joined(namespace, joined(scope, name))

@@ -152,11 +152,15 @@ class Using(_Fact, frozen=True):
 
 
 class Macro(_Fact, frozen=True):
-    """A macro used like a declaration, e.g. `PLUGINLIB_EXPORT_CLASS(a::B, c::D)`; arguments as written."""
+    """A macro used like a declaration, e.g. `PLUGINLIB_EXPORT_CLASS(a::B, c::D)`; arguments as written.
+
+    `scope` is the namespace in which it stands.
+    """
 
     name: str
     args: tuple[str, ...]
     line: int
+    scope: str = ""
 
 
 class Mention(_Fact, frozen=True):
