@@ -39,9 +39,9 @@ class FileScope:
             return []
         if self._assigned is None:
             self._assigned = self._index()
-        last = name.rsplit("::", 1)[-1]
+        assigned = self._assigned.get(name.rsplit("::", 1)[-1], [])
         own = self._meant(name, env.func)
-        return [entry for entry in self._assigned.get(last, []) if self._meant(last, entry.func) == own]
+        return [entry for entry in assigned if self._meant(_target(entry), entry.func) == own]
 
     def _index(self) -> dict[str, list[Definition]]:
         index: dict[str, list[Definition]] = defaultdict(list)
@@ -69,3 +69,8 @@ class FileScope:
             return True
         own = any(parameter.name == name for parameter in func.fact.params)
         return own or bool(self.scope.member_type(name, func.cls))
+
+
+def _target(definition: Definition) -> str:
+    target = definition.statement.target
+    return target.id if isinstance(target, Name) else ""

@@ -54,7 +54,7 @@ class Scopes:
             depth: how many aliases led to the name.
         """
         bare = name.removeprefix("::")
-        for prefix in enclosing_scopes(scope) if bare is name else ("",):
+        for prefix in enclosing_scopes(scope.removeprefix("::")) if bare is name else ("",):
             found = [joined(prefix, bare), *_through_usings(prefix, bare, view)]
             yield list(dict.fromkeys(each for one in found for each in self._meanings(one, view, depth)))
 

@@ -76,9 +76,10 @@ class PythonNames:
             file: in which it stands.
             scope: in which it stands, the function included.
         """
-        parts = name.replace("::", ".").split(".")
-        found = () if name.startswith(".") else self._walk(self._bound(parts[0], file, scope, 0), parts[1:], 0)
-        return tuple(dict.fromkeys(chain(found, self._imported(name, file))))
+        dotted = name.replace("::", ".")
+        parts = dotted.split(".")
+        found = () if dotted.startswith(".") else self._walk(self._bound(parts[0], file, scope, 0), parts[1:], 0)
+        return tuple(dict.fromkeys(chain(found, self._imported(dotted, file))))
 
     def _imported(self, name: str, file: File) -> Iterator[Symbol]:
         """What a name means whose first parts are a module that the file imports."""
@@ -103,7 +104,7 @@ class PythonNames:
         known = self._files.get(file)
         if known is None or hops > MAX_HOPS:
             return ()
-        for prefix in enclosing_scopes(scope):
+        for prefix in enclosing_scopes(scope.removeprefix("::")):
             own = known.symbols.get(joined(prefix, name), ()) if prefix else ()
             if own and (prefix == scope or not _is_class(known.symbols.get(prefix, ()))):
                 return tuple(own)

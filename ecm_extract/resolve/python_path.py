@@ -80,14 +80,21 @@ class PythonPath:
         return others.pop() if len(others) == 1 else None
 
     def _places(self, file: File) -> Iterator[str]:
-        """Folders of scripts: that of the file, and those above it in its package, from where it may be imported."""
+        """The folder from which the package of a file is imported; folders of scripts, its own and those above it."""
         folder, root = dirname(file.path), self._layout(file.package).root
+        if folder in self._packages:
+            yield self._outside(folder)
         if folder not in self._packages or file.ros == 1 or file.facts.shebang:
             yield folder
         while folder != root and folder:
             folder = dirname(folder)
             if folder in self._script_folders:
                 yield folder
+
+    def _outside(self, folder: str) -> str:
+        while folder in self._packages:
+            folder = dirname(folder)
+        return folder
 
     def _installed(self, rest: str, package: str) -> str | None:
         layout = self._layout(package)
