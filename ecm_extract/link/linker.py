@@ -84,7 +84,7 @@ class Linker:
     """Everything that is known of one tree while its endpoints are found."""
 
     def __init__(self, packages: Sequence[PackageFacts], forms: FormTable) -> None:
-        self.packages = packages
+        packages = self.packages = sorted(packages, key=lambda package: package.root.path)
         files = files_of(packages)
         self.program = Program(files, Sight(packages, files), layouts(packages))
         self.parameters = Parameters(forms)

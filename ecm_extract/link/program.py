@@ -15,6 +15,7 @@ from ecm_extract.link.units import Cls, File, Func
 from ecm_extract.resolve.cpp_constants import Stated
 from ecm_extract.resolve.headers import Headers
 from ecm_extract.resolve.layout import PackageLayout
+from ecm_extract.resolve.messages import Messages
 from ecm_extract.resolve.names import Names
 from ecm_extract.resolve.python_path import PythonPath
 from ecm_extract.resolve.sight import Sight
@@ -51,9 +52,10 @@ class Program:
         self._renamed: dict[_Named, str | None] = {}
         self._mro: dict[Cls, tuple[Cls, ...]] = {}
         classes = (cls for group in self.classes.values() for cls in group)
-        path = PythonPath(self.files, sight, layouts)
-        self._names = Names(self.files, self._headers, path, classes, lambda cls: self.ancestry(cls)[1:])
+        self._path = PythonPath(self.files, sight, layouts)
+        self._names = Names(self.files, self._headers, self._path, classes, lambda cls: self.ancestry(cls)[1:])
         self.aliases = self._names.aliases
+        self._messages = Messages(layouts, self.included)
         for file in self.files:
             self._index(file)
             self._names.add(file, self.classes_in(file), self.functions_in(file))
@@ -158,6 +160,15 @@ class Program:
         if key not in self._renamed:
             self._renamed[key] = self._names.alias(name, file, scope)
         return self._renamed[key]
+
+    def installed_module(self, dotted: str, package: str) -> File | None:
+        """Return the file of a module that a package installs; None of one that its build does not show."""
+        found = self._path.installed(dotted, package)
+        return self._path.file(found) if found is not None else None
+
+    def message_named(self, name: str, file: File, scope: str) -> str | None:
+        """Return the whole name of a C++ `msg::Name` whose package is a namespace around it; None of other names."""
+        return self._messages.find(name, file, scope)
 
     def bases(self, cls: Cls) -> list[Cls]:
         """Return the direct base classes that stand in the tree."""

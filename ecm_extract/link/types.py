@@ -145,8 +145,15 @@ class Types:
         outer = (self.program.alias(head, env.func.file, self._scope(env)) or self._macro(head, env)) if tail else None
         if outer is not None and plain(outer) != head:
             return self.written(f"{_bare(outer)}::{tail}", env, role, depth + 1)
+        if head in _KINDS and env.func.file.ros != 1:
+            return self._in_namespace(bare, env, role)
         full = self._full(bare, role) if "::" in bare else self._unqualified(bare, env, role)
         return TypeFound(full or self._in_lower_case(bare, env, role))
+
+    def _in_namespace(self, bare: str, env: Env, role: Role) -> TypeFound:
+        """`msg::Name`: a namespace around it is the package; what is no name of a package is none in ROS 2."""
+        whole = self.program.message_named(bare, env.func.file, self._scope(env))
+        return TypeFound(self._full(whole, role)) if whole is not None else UNKNOWN_TYPE
 
     def _macro(self, name: str, env: Env) -> str | None:
         """What `#define name other::name` stands for, as trees for two distributions rename packages."""

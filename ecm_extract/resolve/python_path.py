@@ -71,10 +71,10 @@ class PythonPath:
         for place in self._places(file):
             if self.has(tree_path(place, rest)):
                 return tree_path(place, rest)
-        own = self._installed(rest, file.package)
+        own = self.installed(dotted, file.package)
         if own is not None:
             return own
-        others = {self._installed(rest, package) for package in self._sight.of(file.package)} - {None}
+        others = {self.installed(dotted, package) for package in self._sight.of(file.package)} - {None}
         if not others and self._edits_path(file):
             others = set(self._anywhere(rest, file))
         return others.pop() if len(others) == 1 else None
@@ -96,14 +96,16 @@ class PythonPath:
             folder = dirname(folder)
         return folder
 
-    def _installed(self, rest: str, package: str) -> str | None:
+    def installed(self, dotted: str, package: str) -> str | None:
+        """Return the path of a module that a package installs; None of others."""
         layout = self._layout(package)
+        rest = dotted.replace(".", "/")
         top, _, below = rest.partition("/")
-        known = layout.modules.get(rest.replace("/", ".")) or layout.modules.get(top)
-        if known is not None:
-            found = known if rest.replace("/", ".") in layout.modules else tree_path(known, below)
-            if self.has(found):
-                return found
+        known = [layout.modules[dotted]] if dotted in layout.modules else []
+        known += [tree_path(layout.modules[top], below)] if top in layout.modules else []
+        named = next((found for found in known if self.has(found)), None)
+        if named is not None:
+            return named
         rooted = (tree_path(folder, rest) for folder in layout.python_roots)
         return next((found for found in rooted if self.has(found)), None)
 

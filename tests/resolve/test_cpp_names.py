@@ -88,7 +88,7 @@ def test_a_function_is_looked_up_scope_by_scope(workspace: Any, head: str, body:
 
 def test_a_header_beside_is_no_header_that_is_included(workspace: Any) -> None:
     """Two headers of one name in sibling folders: each program has what its own declares (R1)."""
-    files = {"CMakeLists.txt": "project(pkg)\nadd_executable(one a/one.cpp)\nadd_executable(two b/two.cpp)\n"}
+    files = {}
     for folder, name in (("a", "one"), ("b", "two")):
         files[f"{folder}/main_window.hpp"] = "struct Window { void open(rclcpp::Node * n); };\n"
         files[f"{folder}/main_window.cpp"] = (
@@ -96,9 +96,9 @@ def test_a_header_beside_is_no_header_that_is_included(workspace: Any) -> None:
             f'void Window::open(rclcpp::Node * n) {{ n->create_publisher<std_msgs::msg::Bool>("{name}", 1); }}\n'
         )
         files[f"{folder}/{name}.cpp"] = main("Window part; " + OPEN, '#include "main_window.hpp"\n')
-    files["CMakeLists.txt"] = (
-        "project(pkg)\nadd_executable(one a/one.cpp a/main_window.cpp)\nadd_executable(two b/two.cpp b/main_window.cpp)\n"
-    )
+    sources = {"one": "a/one.cpp a/main_window.cpp", "two": "b/two.cpp b/main_window.cpp"}
+    build = "".join(f"add_executable({name} {listed})\n" for name, listed in sources.items())
+    files["CMakeLists.txt"] = f"project(pkg)\n{build}"
     workspace.package(files)
     assert (published(workspace, "one"), published(workspace, "two")) == ({"/one"}, {"/two"})
 

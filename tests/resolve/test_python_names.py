@@ -61,7 +61,11 @@ def test_the_folder_of_the_script_comes_first(workspace: Any) -> None:
         "scripts/run.py": script("from context import Context", "Context"),
         "scripts/context.py": CONTEXT.format(topic="own"),
     }
-    assert published(workspace.package(files)) == {"/own"}
+    workspace.package(files)
+    manifest = workspace.root / "pkg/package.xml"
+    text = manifest.read_text("utf-8")
+    manifest.write_text(text.replace("<export>", "<depend>other</depend><export>"), "utf-8")
+    assert published(workspace) == {"/own"}
 
 
 def test_a_module_of_another_package_is_found_where_it_is_installed(workspace: Any) -> None:
@@ -124,7 +128,8 @@ def test_a_path_that_the_program_edits_may_lead_anywhere_once(workspace: Any) ->
 
 def test_a_global_of_another_module_is_none_of_the_program(workspace: Any) -> None:
     """A global is that of the module, or one that it imports."""
-    text = "import rclpy\nfrom std_msgs.msg import Bool\n{0}\ndef main():\n    node = rclpy.create_node('n')\n    node.create_publisher(Bool, TOPIC, 1)\nmain()\n"
+    text = "import rclpy\nfrom std_msgs.msg import Bool\n{0}\ndef main():\n    node = rclpy.create_node('n')\n"
+    text += "    node.create_publisher(Bool, TOPIC, 1)\nmain()\n"
     files = {"scripts/run.py": text.format(""), "scripts/other.py": "TOPIC = 'other'\n"}
     assert published(workspace.package(files)) == {"/{TOPIC}"}
     assert published(workspace.package({"scripts/run.py": text.format("from other import TOPIC")})) == {"/other"}
@@ -132,6 +137,7 @@ def test_a_global_of_another_module_is_none_of_the_program(workspace: Any) -> No
 
 def test_a_static_method_is_called_through_its_class(workspace: Any) -> None:
     """`Context.open(node)` of an imported class runs that method."""
-    text = "from std_msgs.msg import Bool\nclass Context:\n    @staticmethod\n    def open(node):\n        node.create_publisher(Bool, 'own', 1)\n"
+    text = "from std_msgs.msg import Bool\nclass Context:\n    @staticmethod\n    def open(node):\n"
+    text += "        node.create_publisher(Bool, 'own', 1)\n"
     files = {"scripts/run.py": script("from context import Context", "Context.open"), "scripts/context.py": text}
     assert published(workspace.package(files)) == {"/own"}
