@@ -19,6 +19,8 @@ from ecm_extract.resolve.paths import tree_path
 from ecm_extract.resolve.sight import Sight
 
 _NOWHERE = PackageLayout("")
+_Compiled = tuple[File, str, tuple[str, ...]]
+"""A file, with the package and the include folders of the source that it is compiled with."""
 
 
 class Headers:
@@ -35,6 +37,7 @@ class Headers:
         self._layouts = layouts
         self._by_name: dict[str, list[File]] = defaultdict(list)
         self._reached: dict[File, Mapping[File, None]] = {}
+        self._direct_of: dict[_Compiled, Sequence[File]] = {}
         for file in files:
             if file.language == "cpp":
                 self._by_name[basename(file.path)].append(file)
@@ -56,12 +59,15 @@ class Headers:
                     pending.append(header)
         return found
 
-    def _direct(self, file: File, unit: File) -> Iterator[File]:
-        for entry in file.facts.imports:
-            named = self._by_name.get(basename(entry.module))
-            found = self._named(entry, file, unit, named) if named else None
-            if found is not None:
-                yield found
+    def _direct(self, file: File, unit: File) -> Sequence[File]:
+        """What a file includes itself when it is compiled as a part of another; the same for sources built alike."""
+        key = (file, unit.package, unit.include_folders)
+        known = self._direct_of.get(key)
+        if known is None:
+            named = ((entry, self._by_name.get(entry.module.rpartition("/")[2])) for entry in file.facts.imports)
+            found = (self._named(entry, file, unit, others) for entry, others in named if others)
+            known = self._direct_of[key] = tuple([header for header in found if header is not None])
+        return known
 
     def _named(self, entry: Import, file: File, unit: File, named: Sequence[File]) -> File | None:
         seen = self._sight.of(unit.package) | self._sight.of(file.package)
