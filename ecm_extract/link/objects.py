@@ -42,6 +42,7 @@ class Objects:
         for _ in range(3):
             name = plain(pointee(written))
             found = self.program.class_named(name, env.func.file, env.scope) if name else None
+            found = found or (self._of_inherited_member(name, env) if name else None)
             if found is not None or not name:
                 return found
             alias = self.program.alias(name, env.func.file, env.scope)
@@ -49,6 +50,14 @@ class Objects:
             if written == name:
                 return None
         return None
+
+    def _of_inherited_member(self, name: str, env: Env) -> Cls | None:
+        """The class of a member of a base, which names it where the base stands."""
+        cls = env.this or env.func.cls
+        bases = self.program.ancestry(cls)[1:] if cls is not None else ()
+        naming = (base for base in bases if any(plain(pointee(each.type)) == name for each in base.fields.values()))
+        found = (self.program.class_named(name, base.file, base.qualified) for base in naming)
+        return next((each for each in found if each is not None), None)
 
     def type_of(self, expr: Expr, env: Env) -> str:
         """Return the type of an object as written, empty when the tree does not show it."""

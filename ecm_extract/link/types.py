@@ -147,6 +147,8 @@ class Types:
             return self.written(f"{_bare(outer)}::{tail}", env, role, depth + 1)
         if head in _KINDS and env.func.file.ros != 1:
             return self._in_namespace(bare, env, role)
+        if bare.count("::") == 1 and _is_template(text) and env.func.file.ros != 1:
+            return UNKNOWN_TYPE  # `pcl::PointCloud<P>` is sent as a message, but is none
         full = self._full(bare, role) if "::" in bare else self._unqualified(bare, env, role)
         return TypeFound(full or self._in_lower_case(bare, env, role))
 
@@ -246,6 +248,10 @@ class Types:
         methods = [func for func in candidates if func.cls in lineage]
         near = [func for func in candidates if func.file is env.func.file]
         return [*methods, *near]
+
+
+def _is_template(text: str) -> bool:
+    return "<" in pointee(text)
 
 
 def _serves(func: Func) -> bool:

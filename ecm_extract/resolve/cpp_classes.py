@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from ecm_extract.link.spelling import plain
+from ecm_extract.link.spelling import plain, pointee
 from ecm_extract.link.units import Cls, File
 from ecm_extract.resolve.aliases import Aliases, Declared
 from ecm_extract.resolve.cpp_scopes import Scopes
@@ -84,7 +84,7 @@ class CppClasses:
             if entry in self._asked:
                 continue
             self._asked.add(entry)
-            meant = self.find(plain(entry.alias.target), entry.file, entry.scope)
+            meant = self.find(plain(pointee(entry.alias.target)), entry.file, entry.scope)
             self._asked.discard(entry)
             found += [meant] if isinstance(meant, Cls) else []
             outside = outside or (meant if not isinstance(meant, Cls) else None)

@@ -155,3 +155,23 @@ def test_a_constant_is_looked_up_scope_by_scope(workspace: Any, head: str, topic
     found = [entry for entry in workspace.interfaces() if entry.role == "publisher"]
     assert [entry.name for entry in found] == [topic or "/{NAME}"]
     assert [entry.confidence for entry in found] == ["folded" if topic else "pattern"]
+
+
+INHERITED = """
+namespace core {
+struct Part { void open(rclcpp::Node * n) { n->create_publisher<std_msgs::msg::Bool>("core", 1); } };
+using PartPtr = std::shared_ptr<Part>;
+struct Base { PartPtr part; };
+}
+namespace other {
+struct Part { void open(rclcpp::Node * n) { n->create_publisher<std_msgs::msg::Bool>("other", 1); } };
+struct Own : core::Base { void go(rclcpp::Node * n) { part->open(n); } };
+}
+"""
+
+
+def test_the_type_of_an_inherited_member_is_looked_up_where_the_base_stands(workspace: Any) -> None:
+    """The base names the class of its member by a name of its own namespace, here a pointer to it."""
+    text = main("other::Own own; own.go(n.get());", INHERITED)
+    workspace.package({"CMakeLists.txt": BUILD, "src/one.cpp": text})
+    assert published(workspace) == {"/core"}

@@ -67,3 +67,9 @@ def test_a_message_is_looked_up_through_a_directive(workspace: Any) -> None:
     used = workspace.package({"src/driver.cpp": head.format("using namespace robot;")}).only("publisher")
     assert used.type == "robot/msg/Temperature"
     assert workspace.package({"src/driver.cpp": head.format("")}).only("publisher").type is None
+
+
+def test_a_template_of_a_library_is_no_message(workspace: Any) -> None:
+    """`pcl::PointCloud<P>` is turned into a message when it is sent: no package `pcl` has one of that name."""
+    text = NODE.format(head="", body='create_publisher<pcl::PointCloud<pcl::PointXYZ>>("t", 1);')
+    assert workspace.package({"src/driver.cpp": text}).only("publisher").type is None
