@@ -262,13 +262,9 @@ def _serves(func: Func) -> bool:
 
 def _bare(text: str) -> str:
     """The type's name without pointers, references and template arguments of pointers."""
-    stripped = _whole(
-        " ".join(
-            word
-            for word in text.replace("&", " ").replace("*", " ").split()
-            if word not in {"const", "typename", "template"}
-        )
-    )
+    words = text.replace("&", " ").replace("*", " ").split()
+    written = " ".join(word for word in words if word not in {"const", "typename", "template"})
+    stripped = _whole(written.replace(" ::", "::").replace(":: ", "::"))
     inner = pointee(stripped)
     inner = " ".join(word for word in inner.split() if word not in {"const", "typename"})
     head = inner.split("<", 1)[0].strip()
