@@ -147,7 +147,7 @@ class Types:
             return self.written(f"{_bare(outer)}::{tail}", env, role, depth + 1)
         if head in _KINDS and env.func.file.ros != 1:
             return self._in_namespace(bare, env, role)
-        if bare.count("::") == 1 and _is_template(text) and env.func.file.ros != 1:
+        if bare.count("::") == 1 and not bare.endswith("_") and _is_template(text) and env.func.file.ros != 1:
             return UNKNOWN_TYPE  # `pcl::PointCloud<P>` is sent as a message, but is none
         full = self._full(bare, role) if "::" in bare else self._unqualified(bare, env, role)
         return TypeFound(full or self._in_lower_case(bare, env, role))
