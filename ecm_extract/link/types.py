@@ -154,8 +154,14 @@ class Types:
 
     def _in_namespace(self, bare: str, env: Env, role: Role) -> TypeFound:
         """`msg::Name`: a namespace around it is the package; what is no name of a package is none in ROS 2."""
-        whole = self.program.message_named(bare, env.func.file, self._scope(env))
+        whole = self.program.message_named(bare, env.func.file, self._scope(env)) or self._outermost(bare, env)
         return TypeFound(self._full(whole, role)) if whole is not None else UNKNOWN_TYPE
+
+    def _outermost(self, bare: str, env: Env) -> str | None:
+        """Generated types stand in the outermost namespace; a header that is not seen may bring them."""
+        scope = env.func.cls.fact.scope if env.func.cls is not None else env.func.fact.scope
+        outer = scope.removeprefix("::").partition("::")[0]
+        return f"{outer}::{bare}" if outer and self.program.class_named(outer, env.func.file) is None else None
 
     def _macro(self, name: str, env: Env) -> str | None:
         """What `#define name other::name` stands for, as trees for two distributions rename packages."""

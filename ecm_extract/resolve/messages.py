@@ -38,8 +38,7 @@ class Messages:
         for package in (*enclosing_scopes(scope.removeprefix("::")), *self._used(file)):
             if package and self._has(package, kind, last, file):
                 return f"{package}::{name}"
-        outermost = scope.removeprefix("::").partition("::")[0]  # a header that is not seen may include the message's
-        return f"{outermost}::{name}" if outermost in self._layouts else None
+        return None
 
     def _used(self, file: File) -> Iterator[str]:
         for each in (file, *self._included(file)):
