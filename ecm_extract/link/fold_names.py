@@ -186,20 +186,13 @@ class NameFolder:
 
     def imported(self, dotted: str, env: Env) -> tuple[Value, ...]:
         """A constant of another Python module, by its dotted name."""
-        head, *rest = dotted.split(".")
-        target = ".".join([env.func.file.imported.get(head, head), *rest])
-        owner, _, last = target.rpartition(".")
-        owner_last = owner.rsplit(".", 1)[-1]
-        for file, entry in self.folder.program.seen_constants(last, env.func.file):
-            stem = file.path.rsplit("/", 1)[-1].removesuffix(".py")
-            near = bool(owner_last) and owner_last in {stem, entry.scope, ""}
-            if file.language != "python" or entry.value is None or not near:
-                continue
-            if not entry.scope:
-                return self._of_module(last, file, env)
-            inner = Env(self._file_env(file, env).func, depth=env.depth + 1)
-            return demoted(self.folder.fold(entry.value, inner))
-        return ()
+        found = self.folder.program.constant_named(dotted, env.func.file)
+        if found is None or found.constant.value is None:
+            return ()
+        if not found.constant.scope:
+            return self._of_module(found.constant.name, found.file, env)
+        inner = Env(self._file_env(found.file, env).func, depth=env.depth + 1)
+        return demoted(self.folder.fold(found.constant.value, inner))
 
 
 def is_fresh(env: Env) -> bool:

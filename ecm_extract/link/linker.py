@@ -44,13 +44,14 @@ from ecm_extract.link.qos import QosReader
 from ecm_extract.link.references import References, Unit
 from ecm_extract.link.registry import build_registry
 from ecm_extract.link.scope import Scope
-from ecm_extract.link.sight import Sight
 from ecm_extract.link.site import Site
 from ecm_extract.link.sites import Sites, overrides
 from ecm_extract.link.stamps import Stamp, stamps
 from ecm_extract.link.types import Types
 from ecm_extract.link.values import Value, literal, settled, unknown, weaker
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.resolve.layout import layouts
+from ecm_extract.resolve.sight import Sight
 from ecm_extract.tree import Tree
 
 MAX_NAMES = 40
@@ -84,9 +85,9 @@ class Linker:
     """Everything that is known of one tree while its endpoints are found."""
 
     def __init__(self, packages: Sequence[PackageFacts], forms: FormTable) -> None:
-        self.packages = packages
+        packages = self.packages = sorted(packages, key=lambda package: package.root.path)
         files = files_of(packages)
-        self.program = Program(files, Sight(packages, files))
+        self.program = Program(files, Sight(packages, files), layouts(packages))
         self.parameters = Parameters(forms)
         self.folder = Folder(self.program, Scope(self.program), self.parameters)
         self.types = Types(self.folder)

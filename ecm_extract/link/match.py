@@ -87,7 +87,8 @@ class Matcher:
         if target is not None:
             return _qualified(plain(target), form.callee)
         namespace = form.callee.rsplit("::", 1)[0]
-        return any(using == namespace or using.endswith("::" + namespace) for using in call.func.file.facts.usings)
+        usings = (using.namespace for using in call.func.file.facts.usings)
+        return any(using == namespace or using.endswith("::" + namespace) for using in usings)
 
 
 def _forwards(func: Func) -> bool:

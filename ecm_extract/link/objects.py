@@ -42,6 +42,7 @@ class Objects:
         for _ in range(3):
             name = plain(pointee(written))
             found = self.program.class_named(name, env.func.file, env.scope) if name else None
+            found = found or (self._of_inherited_member(name, env) if name else None)
             if found is not None or not name:
                 return found
             alias = self.program.alias(name, env.func.file, env.scope)
@@ -49,6 +50,14 @@ class Objects:
             if written == name:
                 return None
         return None
+
+    def _of_inherited_member(self, name: str, env: Env) -> Cls | None:
+        """The class of a member of a base, which names it where the base stands."""
+        cls = env.this or env.func.cls
+        bases = self.program.ancestry(cls)[1:] if cls is not None else ()
+        naming = (base for base in bases if any(plain(pointee(each.type)) == name for each in base.fields.values()))
+        found = (self.program.class_named(name, base.file, base.qualified) for base in naming)
+        return next((each for each in found if each is not None), None)
 
     def type_of(self, expr: Expr, env: Env) -> str:
         """Return the type of an object as written, empty when the tree does not show it."""
@@ -232,13 +241,12 @@ class Objects:
         return next((funcs for funcs in found if funcs), ())
 
     def _free(self, call: Invocation, env: Env) -> Sequence[Func]:
-        """The functions outside of classes, or methods named with their class, that are nearest."""
-        least = 0 if "::" in call.path or "." in call.path else 1
-        seen = self.program.seen_functions(call.last, call.func.file)
-        free = [f for f in seen if f.cls is None or call.path.endswith(f"{f.cls.fact.name}::{f.fact.name}")]
-        near = [(self.program.nearness(f.file, env.func.file), f) for f in _fitting(call, free)]
-        best = max((nearness for nearness, _ in near), default=least)
-        return [func for nearness, func in near if nearness == best >= least]
+        """The functions outside of classes, or methods named with their class, that a call can mean."""
+        free = self.program.functions_named(call.path, call.func.file, env.scope)
+        owner = self.program.class_named(call.path.rpartition("::")[0], call.func.file, env.scope)
+        methods = self.program.ancestry(owner) if owner is not None else ()
+        named = [func for cls in methods for func in cls.methods if func.fact.name == call.last]
+        return _fitting(call, [*free, *named])
 
 
 def _fitting(call: Invocation, funcs: Iterable[Func]) -> list[Func]:

@@ -158,39 +158,12 @@ class Scope:
 
     def constant(self, name: str, env: Env) -> tuple[Constant, File] | None:
         """Return the constant that `name` means at a place, with the file it stands in."""
-        last = name.rsplit("::", 1)[-1]
-        best, rank = None, 0
-        for file, constant in self.program.seen_constants(last, env.func.file):
-            nothing = constant.value is None and "enum" not in constant.traits
-            if nothing or file.language != env.func.file.language:
-                continue
-            score = self._constant_rank(name, constant.scope, file, env)
-            if score > rank:
-                best, rank = (constant, file), score
-        return best
-
-    def _constant_rank(self, name: str, scope: str, file: File, env: Env) -> int:
-        here = env.func.file
-        near = self.program.nearness(file, here)
-        if "::" in name:
-            qualifier = name.rsplit("::", 1)[0]
-            return (
-                10 + near
-                if scope == qualifier or scope.endswith("::" + qualifier) or (qualifier.endswith(scope) and scope)
-                else 0
-            )
-        inside = bool(scope) and (env.scope == scope or env.scope.startswith(scope + "::"))
-        if self._in_ancestry(scope, env):
-            return 20 + near
-        if inside:
-            return 10 + len(scope.split("::")) + near
-        if not scope or any(scope == using or scope.endswith("::" + using) for using in here.facts.usings):
-            return 5 + near if near else 0
-        return 0
-
-    def _in_ancestry(self, scope: str, env: Env) -> bool:
-        cls = env.this or env.func.cls
-        return bool(scope) and cls is not None and any(entry.qualified == scope for entry in self.program.ancestry(cls))
+        cls = env.func.cls
+        scope = f"{cls.qualified}::{env.func.fact.name}" if cls is not None else env.scope
+        found = self.program.constant_named(name, env.func.file, scope)
+        if found is None or (found.constant.value is None and "enum" not in found.constant.traits):
+            return None
+        return found.constant, found.file
 
     def option(self, name: str, file: File) -> Expr | None:
         """Return the default of a command line option that a Python file adds with `add_argument`."""

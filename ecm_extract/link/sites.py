@@ -263,12 +263,7 @@ class Sites:
             return False
         scope = f"{call.func.fact.scope}::{call.func.fact.name}"
         path = call.path.replace(".", "::") if call.func.file.language == "cpp" else call.path
-        return self.program.class_named(path, call.func.file, scope) is cls or self._imported_as(call, cls)
-
-    def _imported_as(self, call: Invocation, cls: Cls) -> bool:
-        if cls.file.language != "python" or call.func.file.language != "python":
-            return False
-        return self.program.class_named(call.path.rsplit(".", 1)[-1], call.func.file) is cls
+        return self.program.class_named(path, call.func.file, scope) is cls
 
 
 def overrides(func: Func) -> bool:

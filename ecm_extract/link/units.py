@@ -15,9 +15,10 @@ from ecm_extract.link.walk import calls_in
 
 @dataclass(slots=True, eq=False, repr=False)
 class File:
-    """One source file: its path, the package it belongs to, its facts, where its target looks for headers.
+    """One source file: its path, the package it belongs to, its facts, where its targets look for headers.
 
-    `is_built` is False of a source that no target compiles, as far as the build is known.
+    `targets` are the names of those that compile it; `is_built` is False of a source that none does, as far as the
+    build is known.
     """
 
     path: str
@@ -27,6 +28,7 @@ class File:
     imported: dict[str, str] = field(default_factory=dict)
     include_folders: tuple[str, ...] = ()
     is_built: bool = True
+    targets: tuple[str, ...] = ()
 
     @property
     def language(self) -> str:

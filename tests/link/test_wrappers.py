@@ -16,7 +16,7 @@ void declare_once(NodeT node, const std::string & name, const rclcpp::ParameterV
 
 def test_a_helper_function_in_another_package_is_a_form(workspace: Any) -> None:
     """The call of the helper is the declaration: its name, its default, its line first."""
-    workspace.package({"include/util/util.hpp": HELPER}, name="util")
+    workspace.package({"include/util/util.hpp": f"namespace util {{{HELPER}}}"}, name="util")
     node = 'class D : public rclcpp::Node { D() : Node("d") {\n util::declare_once(this, "speed", rclcpp::ParameterValue(0.5)); } };'
     workspace.package({"src/d.cpp": '#include "util/util.hpp"\n' + node})
     entry = workspace.only("parameter")

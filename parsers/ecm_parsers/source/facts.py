@@ -139,21 +139,33 @@ class Import(_Fact, frozen=True):
     """An include (`module` is the path, `name` empty) or a Python import.
 
     Python `import a.b as c` -> module `a.b`, name empty, alias `c`; `from a import b as c` -> module `a`, name `b`,
-    alias `c`. A star import has name `*`.
+    alias `c`. A star import has name `*`. `angled`: `#include <...>`, which is not looked for beside the file.
     """
 
     module: str
     name: str
     alias: str
     line: int
+    angled: bool = False
+
+
+class Using(_Fact, frozen=True):
+    """`using namespace a` in a scope; that of a directive within a function is not read."""
+
+    namespace: str
+    scope: str = ""
 
 
 class Macro(_Fact, frozen=True):
-    """A macro used like a declaration, e.g. `PLUGINLIB_EXPORT_CLASS(a::B, c::D)`; arguments as written."""
+    """A macro used like a declaration, e.g. `PLUGINLIB_EXPORT_CLASS(a::B, c::D)`; arguments as written.
+
+    `scope` is the namespace in which it stands.
+    """
 
     name: str
     args: tuple[str, ...]
     line: int
+    scope: str = ""
 
 
 class Mention(_Fact, frozen=True):
@@ -173,7 +185,7 @@ class SourceFile(_Fact, frozen=True):
 
     language: Literal["cpp", "python"]
     imports: tuple[Import, ...] = ()
-    usings: tuple[str, ...] = ()
+    usings: tuple[Using, ...] = ()
     aliases: tuple[Alias, ...] = ()
     classes: tuple[Class, ...] = ()
     functions: tuple[Function, ...] = ()
