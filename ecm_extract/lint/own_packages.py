@@ -11,14 +11,16 @@ from ecm_parsers.source.python import parse_python
 
 from ecm_extract.entities.interfaces import interface_names
 from ecm_extract.entities.packaging import program_entities
-from ecm_extract.entities.possible import makers_of, open_kinds, possible_names, runs_files
+from ecm_extract.entities.told_of_build import Surroundings, surroundings, told_of_build
 from ecm_extract.link.units import File
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.requires.build_files import build_file_requirements
 from ecm_extract.requires.collect import ordered
 from ecm_extract.requires.dependencies import dependency_requirements
 from ecm_extract.requires.interface_types import interface_requirements
 from ecm_extract.requires.launch_files import requirements_of_file
 from ecm_extract.requires.python_sources import import_requirements
+from ecm_extract.requires.share_files import share_file_requirements
 
 if TYPE_CHECKING:
     from ecm_extract.lint.workspace import Workspace
@@ -26,11 +28,11 @@ if TYPE_CHECKING:
 
 def own_packages(workspace: Workspace) -> list[Package]:
     """Return the packages of a workspace with what `known.USES` asks for, and the kinds of names that these mean."""
-    makers = makers_of(workspace.tree)
-    return [_package(facts, workspace, makers) for facts in workspace.packages]
+    around = surroundings(workspace.tree, workspace.packages)
+    return [_package(facts, workspace, around) for facts in workspace.packages]
 
 
-def _package(facts: PackageFacts, workspace: Workspace, makers: frozenset[str]) -> Package:
+def _package(facts: PackageFacts, workspace: Workspace, around: Surroundings) -> Package:
     entities = [*program_entities(facts), *interface_names(facts)]
     return Package(
         name=facts.name,
@@ -41,15 +43,15 @@ def _package(facts: PackageFacts, workspace: Workspace, makers: frozenset[str]) 
         provides=tuple(provided(entity) for entity in entities),
         requires=ordered(_required(facts, workspace)),
         files={entry.path: "" for entry in facts.root.files},
-        possible=possible_names(facts),
-        open=open_kinds(facts, makers),
-        runs_files=runs_files(facts),
+        **told_of_build(facts, around),
     )
 
 
 def _required(facts: PackageFacts, workspace: Workspace) -> Iterator[Requirement]:
     yield from dependency_requirements(facts)
     yield from interface_requirements(facts)
+    yield from build_file_requirements(workspace.tree, facts)
+    yield from share_file_requirements(workspace.tree, facts)
     for path, file in workspace.launches.items():
         if workspace.package_of(path) == facts.name:
             yield from requirements_of_file(path, file, workspace.files.lines(path))

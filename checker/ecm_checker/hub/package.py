@@ -6,6 +6,7 @@ One file a package beside its manifests, and the same keys in the extract docume
 from __future__ import annotations
 
 from collections.abc import Mapping
+from pathlib import PurePosixPath
 from typing import Any, Final, Literal
 
 import msgspec
@@ -60,9 +61,11 @@ class Hub(msgspec.Struct, frozen=True, kw_only=True):
             tree, as its changelogs do, are of each.
         notes: sentences of changelogs, by path.
         possible: names by kind that its build may make beside what it provides, such as programs that it does not
-            install.
+            install; of files, below its share folder, a path that ends in a slash stands for all below it.
         open: kinds of which it may have any name, as where its build is not understood.
         runs_files: whether any of its files may be started by its name.
+        makes_files: whether its build may make files, or put some where nothing tells.
+        tells_installed: whether all that it installs is known, and there is something.
     """
 
     manifest: str | None = None
@@ -76,6 +79,8 @@ class Hub(msgspec.Struct, frozen=True, kw_only=True):
     possible: dict[str, tuple[str, ...]] = {}
     open: tuple[str, ...] = ()
     runs_files: bool = True
+    makes_files: bool = True
+    tells_installed: bool = False
 
 
 class Package(Hub, frozen=True, kw_only=True):
@@ -94,6 +99,13 @@ class Package(Hub, frozen=True, kw_only=True):
     modules: tuple[Module, ...] = ()
     diagnostics: tuple[Diagnostic, ...] = ()
     unread: tuple[NotRead, ...] = ()
+
+    @property
+    def shared(self) -> frozenset[str]:
+        """Its files and folders, from its own folder."""
+        root = f"{self.path}/" if self.path else ""
+        files = [path.removeprefix(root) for path in self.files if path.startswith(root)]
+        return frozenset(files) | {str(folder) for path in files for folder in PurePosixPath(path).parents}
 
     @property
     def gaps(self) -> tuple[NotRead, ...]:
