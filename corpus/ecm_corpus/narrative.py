@@ -28,8 +28,8 @@ class Conflict(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     Attributes:
         files: one of them is in the finding's evidence, compared from the end of the path; empty for any.
-        names: one of them stands, as a whole word, in the names that the finding is about or in what its rule speaks of;
-            empty for any.
+        names: one of them stands, as a whole word, in the names that the finding is about or in what its rule
+            speaks of; empty for any.
         lines: `path:line` in the evidence counts like a name: of several things with one cause a finding is about the
             first, and has the lines of all.
         old, new: the entity before and after, where there is one.

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from pathlib import PurePosixPath
 from typing import Any, Final
 
 import msgspec
 
+from ecm_extract.cmake.sources import built_sources
 from ecm_extract.entities.install_rules import InstallRule, install_rules, is_open, place_of, tells_installed
 from ecm_extract.entities.possible import makers_of, open_kinds, possible_names, runs_files
 from ecm_extract.read.facts import PackageFacts
@@ -16,6 +18,7 @@ from ecm_extract.tree.submodules import FILE_NAME, submodule_names
 
 FILE: Final = "file"
 _MAKING: Final = frozenset({"add_custom_command", "configure_file"})
+_COMPILED: Final = frozenset({".c", ".cc", ".cpp", ".cxx"})
 _COPYING: Final = frozenset({"FILES", "DIRECTORY"})
 
 
@@ -49,6 +52,7 @@ def told_of_build(facts: PackageFacts, around: Surroundings) -> dict[str, Any]:
         "runs_files": runs_files(facts),
         "makes_files": makes_files(facts),
         "tells_installed": tells_installed(facts),
+        "unbuilt": tuple(_unbuilt(facts)),
     }
 
 
@@ -65,6 +69,13 @@ def makes_files(facts: PackageFacts) -> bool:
     commands = [command for file in facts.cmake.values() for command in file.commands]
     makes = any(command.name in _MAKING or "DOWNLOAD" in command.args for command in commands)
     return not facts.cmake or makes or not (facts.root.rosbuild or not is_open(facts))
+
+
+def _unbuilt(facts: PackageFacts) -> list[str]:
+    """Sources of C++ that no target has; none where the build does not tell all that it compiles."""
+    built = built_sources(facts.cmake) if facts.cmake else None
+    sources = (path for path in facts.sources if PurePosixPath(path).suffix in _COMPILED)
+    return [] if built is None else sorted(path for path in sources if path not in built)
 
 
 def _copied(facts: PackageFacts, root: str) -> Iterator[str]:

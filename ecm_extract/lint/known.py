@@ -24,6 +24,8 @@ USES: Final = frozenset(
         "depends",
         "exports_headers",
         "exports_library",
+        "gives_field",
+        "has_field",
         "has_field_of",
         "imports",
         "installs_file",
@@ -89,6 +91,11 @@ class Known:
         """
         names = self._names.get((package, kind), ())
         return nearest(name, [each.removeprefix(prefix) for each in names if each.startswith(prefix)]) or ""
+
+    def members(self, package: str, owner: str, kind: str) -> Sequence[str]:
+        """Return the names of a kind that something of a package has, as the fields of a message, in their order."""
+        rows = self.packages.by_name[package].provides if package in self.packages.by_name else ()
+        return [row.name for row in rows if row.kind == kind and row.owner == owner]
 
     def may_have(self, package: str, kind: str, name: str) -> bool:
         """Whether a package provides a name of a kind, or its build may make one."""

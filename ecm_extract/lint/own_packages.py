@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Literal, cast
 
 from ecm_checker.hub.package import Package, provided
 from ecm_checker.hub.requirement import Requirement
 from ecm_parsers.source.python import parse_python
 
-from ecm_extract.entities.interfaces import interface_names
+from ecm_extract.entities.interfaces import interface_entities
 from ecm_extract.entities.packaging import program_entities
 from ecm_extract.entities.told_of_build import Surroundings, surroundings, told_of_build
 from ecm_extract.link.units import File
@@ -20,6 +21,7 @@ from ecm_extract.requires.dependencies import dependency_requirements
 from ecm_extract.requires.interface_types import interface_requirements
 from ecm_extract.requires.launch_files import requirements_of_file
 from ecm_extract.requires.python_sources import import_requirements
+from ecm_extract.requires.service_fields import service_field_requirements
 from ecm_extract.requires.share_files import share_file_requirements
 
 if TYPE_CHECKING:
@@ -29,11 +31,24 @@ if TYPE_CHECKING:
 def own_packages(workspace: Workspace) -> list[Package]:
     """Return the packages of a workspace with what `known.USES` asks for, and the kinds of names that these mean."""
     around = surroundings(workspace.tree, workspace.packages)
-    return [_package(facts, workspace, around) for facts in workspace.packages]
+    of_program = _of_program(workspace)
+    return [_package(facts, workspace, around, of_program[facts.name]) for facts in workspace.packages]
 
 
-def _package(facts: PackageFacts, workspace: Workspace, around: Surroundings) -> Package:
-    entities = [*program_entities(facts), *interface_names(facts)]
+def _of_program(workspace: Workspace) -> Mapping[str, list[Requirement]]:
+    """What is required by sources that are understood together only, by package."""
+    found: dict[str, list[Requirement]] = defaultdict(list)
+    for package, each in service_field_requirements(
+        workspace.linker.program.files, workspace.linked, workspace.packages
+    ):
+        found[package].append(each)
+    return found
+
+
+def _package(
+    facts: PackageFacts, workspace: Workspace, around: Surroundings, of_program: Sequence[Requirement]
+) -> Package:
+    entities = [*program_entities(facts), *interface_entities(facts)]
     return Package(
         name=facts.name,
         version=None,
@@ -41,7 +56,7 @@ def _package(facts: PackageFacts, workspace: Workspace, around: Surroundings) ->
         ros=cast("Literal[1, 2] | None", facts.ros),
         manifest=facts.root.manifest,
         provides=tuple(provided(entity) for entity in entities),
-        requires=ordered(_required(facts, workspace)),
+        requires=ordered((*_required(facts, workspace), *of_program)),
         files={entry.path: "" for entry in facts.root.files},
         **told_of_build(facts, around),
     )

@@ -41,6 +41,7 @@ from ecm_extract.requires.policies import policy_requirements
 from ecm_extract.requires.python_fields import field_requirements
 from ecm_extract.requires.python_sources import python_requirements
 from ecm_extract.requires.rviz_files import rviz_requirements
+from ecm_extract.requires.service_fields import service_field_requirements
 from ecm_extract.requires.share_files import share_file_requirements
 from ecm_extract.system.launch_files import is_launch_file
 from ecm_extract.tree import Tree
@@ -109,6 +110,7 @@ def _of_program(workspace: Workspace) -> Iterator[tuple[str, Requirement]]:
         for reader in readers:
             for found in reader(file):
                 yield file.package, found
+    yield from service_field_requirements(workspace.program.files, workspace.linked, workspace.packages)
     yield from parameter_read_requirements(workspace.program)
     yield from override_requirements(workspace.program)
     yield from result_requirements(workspace.program)

@@ -1,6 +1,6 @@
 """Files in the share folders of packages that attributes of a launch file of XML name: maps, configurations, pictures.
 
-Source: roslaunch XML (`value`, `default` and `args` with `$(find PKG)/path`), launch_xml (`$(find-pkg-share PKG)/path`).
+Source: roslaunch XML (`value`, `default`, `args`: `$(find PKG)/path`), launch_xml (`$(find-pkg-share PKG)/path`).
 """
 
 from __future__ import annotations

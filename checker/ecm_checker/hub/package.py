@@ -66,6 +66,7 @@ class Hub(msgspec.Struct, frozen=True, kw_only=True):
         runs_files: whether any of its files may be started by its name.
         makes_files: whether its build may make files, or put some where nothing tells.
         tells_installed: whether all that it installs is known, and there is something.
+        unbuilt: sources of C++ that no target of it has, by path.
     """
 
     manifest: str | None = None
@@ -81,6 +82,7 @@ class Hub(msgspec.Struct, frozen=True, kw_only=True):
     runs_files: bool = True
     makes_files: bool = True
     tells_installed: bool = False
+    unbuilt: tuple[str, ...] = ()
 
 
 class Package(Hub, frozen=True, kw_only=True):
