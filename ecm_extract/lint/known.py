@@ -28,10 +28,14 @@ USES: Final = frozenset(
         "has_field",
         "has_field_of",
         "imports",
+        "includes_launch",
         "installs_file",
         "names_file",
+        "names_node",
+        "reads_file",
         "shows_mesh",
         "starts",
+        "strips_prefix",
     }
 )
 """What rules of lint ask for: what is read off sources for them."""
@@ -96,6 +100,13 @@ class Known:
         """Return the names of a kind that something of a package has, as the fields of a message, in their order."""
         rows = self.packages.by_name[package].provides if package in self.packages.by_name else ()
         return [row.name for row in rows if row.kind == kind and row.owner == owner]
+
+    def launched(self, kind: str) -> Iterator[str]:
+        """Yield the names of a kind that packages provide; launch files that are put aside give none."""
+        for package in self.packages.by_name.values():
+            for row in package.provides:
+                if row.kind == kind and not _is_buried(row.evidence[0].path):
+                    yield row.name
 
     def may_have(self, package: str, kind: str, name: str) -> bool:
         """Whether a package provides a name of a kind, or its build may make one."""

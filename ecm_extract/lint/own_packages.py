@@ -7,10 +7,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Literal, cast
 
 from ecm_checker.hub.package import Package, provided
+from ecm_checker.hub.provision import Provision
 from ecm_checker.hub.requirement import Requirement
 from ecm_parsers.source.python import parse_python
 
 from ecm_extract.entities.interfaces import interface_entities
+from ecm_extract.entities.nodes import launched_nodes, node_entities
 from ecm_extract.entities.packaging import program_entities
 from ecm_extract.entities.told_of_build import Surroundings, surroundings, told_of_build
 from ecm_extract.link.units import File
@@ -18,6 +20,7 @@ from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.build_files import build_file_requirements
 from ecm_extract.requires.collect import ordered
 from ecm_extract.requires.dependencies import dependency_requirements
+from ecm_extract.requires.diagnostics import diagnostic_requirements
 from ecm_extract.requires.interface_types import interface_requirements
 from ecm_extract.requires.launch_files import requirements_of_file
 from ecm_extract.requires.python_sources import import_requirements
@@ -48,7 +51,7 @@ def _of_program(workspace: Workspace) -> Mapping[str, list[Requirement]]:
 def _package(
     facts: PackageFacts, workspace: Workspace, around: Surroundings, of_program: Sequence[Requirement]
 ) -> Package:
-    entities = [*program_entities(facts), *interface_entities(facts)]
+    entities = [*program_entities(facts), *interface_entities(facts), *_nodes(facts, workspace)]
     return Package(
         name=facts.name,
         version=None,
@@ -62,9 +65,18 @@ def _package(
     )
 
 
+def _nodes(facts: PackageFacts, workspace: Workspace) -> Iterator[Provision]:
+    """The nodes of a package, by the names of their programs and by those that its launch files give."""
+    yield from node_entities(facts, [entry for entry in workspace.linked if entry.module.package == facts.name])
+    for path, file in workspace.launches.items():
+        if workspace.package_of(path) == facts.name:
+            yield from launched_nodes(facts, path, path.rpartition("/")[2], file.actions)
+
+
 def _required(facts: PackageFacts, workspace: Workspace) -> Iterator[Requirement]:
     yield from dependency_requirements(facts)
     yield from interface_requirements(facts)
+    yield from diagnostic_requirements(facts)
     yield from build_file_requirements(workspace.tree, facts)
     yield from share_file_requirements(workspace.tree, facts)
     for path, file in workspace.launches.items():
