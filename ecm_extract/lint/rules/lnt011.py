@@ -70,7 +70,7 @@ def _loose(workspace: Workspace) -> Iterator[Finding]:
     for file in workspace.linker.program.files:
         if file.language != "python" or file.package not in workspace.by_name or file.path.endswith("conf.py"):
             continue  # Sphinx gives its conf.py names
-        for name, line in loose_names(workspace.files.read(file.path) or b""):
+        for name, line in workspace.files.parsed(file.path, loose_names) or ():
             text = f"{file.path} uses {name}, which nothing in it defines or imports"
             entity = Entity("function", name)
             place = [Evidence(file.path, line)]
