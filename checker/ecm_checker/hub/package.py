@@ -5,8 +5,7 @@ One file a package beside its manifests, and the same keys in the extract docume
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from pathlib import PurePosixPath
+from collections.abc import Iterator, Mapping
 from typing import Any, Final, Literal
 
 import msgspec
@@ -107,7 +106,7 @@ class Package(Hub, frozen=True, kw_only=True):
         """Its files and folders, from its own folder."""
         root = f"{self.path}/" if self.path else ""
         files = [path.removeprefix(root) for path in self.files if path.startswith(root)]
-        return frozenset(files) | {str(folder) for path in files for folder in PurePosixPath(path).parents}
+        return frozenset(files).union(folder for path in files for folder in folders_of(path))
 
     @property
     def gaps(self) -> tuple[NotRead, ...]:
@@ -134,6 +133,11 @@ class Extract(msgspec.Struct, frozen=True, kw_only=True):
     packages: tuple[Package, ...]
     diagnostics: tuple[Diagnostic, ...] = ()
     unread: tuple[NotRead, ...] = ()
+
+
+def folders_of(path: str) -> Iterator[str]:
+    """Yield the folders around a path, the outermost first: `a` and `a/b` of `a/b/c`."""
+    yield from (path[:at] for at, char in enumerate(path) if char == "/" and at)
 
 
 class SchemaError(ValueError):

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
-from pathlib import PurePosixPath
 from typing import Final
 
 import msgspec
 
 from ecm_checker.hub.kinds import uses
-from ecm_checker.hub.package import Package, provisions
+from ecm_checker.hub.package import Package, folders_of, provisions
 from ecm_checker.hub.provision import Provision
 from ecm_checker.hub.requirement import ONE_VALUE, Requirement
 from ecm_checker.match.consumer import Consumer
@@ -137,7 +136,7 @@ def _spellings(requirement: Requirement) -> Iterator[str]:
     """The name; that of a program may have the suffix of a script, a file may lie in a folder that may hold any."""
     yield requirement.name
     if requirement.kind == _FILE:
-        yield from (f"{folder}/" for folder in PurePosixPath(requirement.name).parents)
+        yield from (f"{folder}/" for folder in folders_of(requirement.name))
     if requirement.kind == _PROGRAM:
         yield requirement.name.removesuffix(_SCRIPT)
         yield f"{requirement.name}{_SCRIPT}"
