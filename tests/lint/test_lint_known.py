@@ -48,6 +48,9 @@ USER = {
     "user/CMakeLists.txt": "project(user)\nament_package()\n",
     "user/launch/a.launch.xml": "<launch>\n  <node\n    pkg='driver'\n    exec='arm_drvier'/>\n"
     "  <node pkg='driver' exec='arm_driver'/>\n</launch>\n",
+    "user/launch/b.launch.xml": "<launch>\n"
+    "  <arg name='a' default='$(find-pkg-share driver)/config/am.yaml'/>\n"
+    "  <arg name='b' default='$(find-pkg-share driver)/config/arm.yaml'/>\n</launch>\n",
     "user/scripts/a.py": "from driver.msg import Grip, Gripp\n",
     "user/scripts/b.py": CALLS,
     "user/urdf/a.urdf": MESHES,
@@ -90,6 +93,7 @@ def test_another_package_is_known_by_its_document(tmp_path: Path) -> None:
     found = told(alone.known)
     assert found == [each for each in told(both.known) if each.subjects == ("user",)]
     assert [(each.rule, each.evidence[0].line, each.about.new if each.about else "") for each in found] == [
+        ("LNT001", 2, ""),
         ("LNT003", 4, "arm_driver"),
         ("LNT010", 1, "Grip"),
         ("LNT017", 1, "driver/Grip"),

@@ -35,7 +35,10 @@ _BUILDS_MODULES = re.compile(r"pybind|python_add_module|swig|sip_|boost_python|g
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
-    """Report imports from, and attributes of, Python modules whose every name is known, and names of no module."""
+    """Report imports from, and attributes of, Python modules whose every name is known, and names of no module.
+
+    Not asked of the engine: names that modules bind privately are no provisions of a package yet.
+    """
     yield from _loose(workspace)
     names = _names(workspace)
     modules = _modules(workspace, names)

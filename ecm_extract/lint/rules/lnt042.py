@@ -28,7 +28,10 @@ _MANAGER = 2
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
-    """Report remaps to topics of a node, and nodelet managers, each line once."""
+    """Report remaps to topics of a node, and nodelet managers, each line once.
+
+    No requirement of packages: how a name is written decides, in one evaluated system.
+    """
     owners = {
         instance.full_name: instance.place
         for system in workspace.systems
