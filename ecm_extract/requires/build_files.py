@@ -14,8 +14,7 @@ from ecm_parsers.cmake_tokens import parse_commands
 
 from ecm_extract.entities.install_rules import InstallRule, install_rules
 from ecm_extract.read.facts import PackageFacts
-from ecm_extract.requires.place import Place, required
-from ecm_extract.tree import Tree
+from ecm_extract.requires.place import Place, Reader, required
 
 _OPEN: Final = re.compile(r"[$*?\[\]<>@]")
 _BUILDERS: Final = frozenset({"configure_file", "add_custom_command", "execute_process", "file", "externalproject_add"})
@@ -36,11 +35,11 @@ class Words(msgspec.Struct, frozen=True):
     is_open: bool
 
 
-def build_file_requirements(tree: Tree, facts: PackageFacts) -> Iterator[Requirement]:
+def build_file_requirements(read: Reader, facts: PackageFacts) -> Iterator[Requirement]:
     """Yield what the CMake files of a package need of the package; rosbuild installs and exports nothing."""
     if facts.root.rosbuild or not facts.cmake:
         return
-    words = build_words(tree, facts)
+    words = build_words(read, facts)
     for rule in install_rules(facts):
         if rule.kind != "TARGETS" and "OPTIONAL" not in rule.words:
             yield from _installed(rule, words, facts)
@@ -50,10 +49,10 @@ def build_file_requirements(tree: Tree, facts: PackageFacts) -> Iterator[Require
             yield from _libraries(command, path, facts)
 
 
-def build_words(tree: Tree, facts: PackageFacts) -> Words:
+def build_words(read: Reader, facts: PackageFacts) -> Words:
     """Return what the commands of a package say outside of install rules."""
     found: set[str] = set()
-    for _, data in tree.read_many(list(facts.cmake)):
+    for _, data in read(list(facts.cmake)):
         for command in parse_commands(data).facts:
             words = [argument.text for argument in command.args]
             found |= set() if command.name == "install" or command.name.startswith("end") else set(words)

@@ -13,8 +13,7 @@ from ecm_parsers.share_files import parse_share_files
 
 from ecm_extract.discover import is_test_path
 from ecm_extract.read.facts import PackageFacts
-from ecm_extract.requires.place import Place, required
-from ecm_extract.tree import Tree
+from ecm_extract.requires.place import Place, Reader, required
 
 URL: Final = "file://"
 """Said of a file that is named as an address, as calibrations of cameras are."""
@@ -25,12 +24,12 @@ _BURIED: Final = "template"
 _OUTSIDE: Final = ".."
 
 
-def share_file_requirements(tree: Tree, facts: PackageFacts) -> Iterator[Requirement]:
+def share_file_requirements(read: Reader, facts: PackageFacts) -> Iterator[Requirement]:
     """Yield the files of packages that the descriptions and launch files of a package name; those of tests are not."""
     own = [entry.path for entry in facts.root.files if not is_test_path(entry.path, facts.root.path)]
-    for path, data in tree.read_many([each for each in own if each.endswith(_DESCRIPTIONS)]):
+    for path, data in read([each for each in own if each.endswith(_DESCRIPTIONS)]):
         yield from _of_description(path, data)
-    for path, data in tree.read_many([each for each in own if each.endswith(_LAUNCH) and _BURIED not in each]):
+    for path, data in read([each for each in own if each.endswith(_LAUNCH) and _BURIED not in each]):
         yield from _of_launch(path, data)
 
 

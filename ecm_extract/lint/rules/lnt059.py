@@ -61,7 +61,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     """Report variables that nothing sets: a slip inside one build, which has no other side."""
     for package in workspace.packages:
         if not package.root.rosbuild and package.cmake:
-            words = build_words(workspace.tree, package)
+            words = build_words(workspace.tree.read_many, package)
             if not words.is_open:
                 yield from _slips(package, words.said, workspace)
                 for rule in install_rules(package):
