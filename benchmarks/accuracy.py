@@ -84,7 +84,7 @@ def _names(one: Interface) -> tuple[str, ...]:
     return one.name, one.raw_name
 
 
-def _match(row: Row, interfaces: list[Interface]) -> tuple[Interface | None, bool]:
+def match_row(row: Row, interfaces: list[Interface]) -> tuple[Interface | None, bool]:
     """The interface that a row names, and whether only by its pattern."""
     fitting = [one for one in interfaces if one.role == row.role]
     exact = [one for one in fitting if same_name(row.name, _names(one))]
@@ -94,7 +94,7 @@ def _match(row: Row, interfaces: list[Interface]) -> tuple[Interface | None, boo
     return (loose[0], True) if loose else (None, False)
 
 
-def _is_framework(one: Interface) -> bool:
+def is_framework(one: Interface) -> bool:
     return any(same_name(known, _names(one)) for known in FRAMEWORK) or one.role.startswith("tf_")
 
 
@@ -113,12 +113,12 @@ class Comparison:
         for row in rows:
             total = total.plus(self._recall(row))
         for one in self.interfaces:
-            if one.role in roles and one.role in self.truth.complete and not _is_framework(one):
+            if one.role in roles and one.role in self.truth.complete and not is_framework(one):
                 total = total.plus(self._precision(one))
         return total
 
     def _recall(self, row: Row) -> Score:
-        one, loose = _match(row, self.interfaces)
+        one, loose = match_row(row, self.interfaces)
         if one is None:
             self._say("-", row.role, row.name, row.type)
             return Score(documented=1)
@@ -132,10 +132,10 @@ class Comparison:
 
     def _precision(self, one: Interface) -> Score:
         for row in self.truth.interfaces:
-            if _match(row, [one])[0]:
+            if match_row(row, [one])[0]:
                 return Score(extracted=1, right=1)
         for row in self.truth.undocumented:
-            if _match(row, [one])[0]:
+            if match_row(row, [one])[0]:
                 self._say("o", row.role, row.name, row.type, row.where or "")
                 return Score(extracted=1, right=1)
         place = f"{one.evidence[0].path}:{one.evidence[0].line}" if one.evidence else "no evidence"

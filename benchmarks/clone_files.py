@@ -17,6 +17,7 @@ from ecm_extract.discover import discover
 from ecm_extract.exclusion import Exclusion
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.system.files import Files
+from ecm_extract.system.package_folders import folders_read
 from ecm_extract.tree import Tree, open_tree
 
 
@@ -31,7 +32,7 @@ class Clone:
     @property
     def files(self) -> Files:
         """The files of the tree as launch files and descriptions name them."""
-        return Files(self.tree, self.packages)
+        return Files(self.tree, folders_read(self.packages))
 
     def folders(self) -> dict[str, str]:
         """Return the folder of each package on this machine."""

@@ -3,11 +3,21 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Iterator
+import tomllib
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Final
 
-STEMS = ("alpha", "beta", "gamma", "delta", "epsilon", "zeta")
+from cmake_helpers import SHAPES, STEMS, Shape
+
 FOLDERS = ("src", "src/core", "nodes")
+_FORMS: Final[Mapping[str, list[str]]] = tomllib.loads(Path(__file__).with_name("cmake_forms.toml").read_text("utf-8"))
+_PLACES: Final = {
+    1: {"share": "${CATKIN_PACKAGE_SHARE_DESTINATION}", "programs": "${CATKIN_PACKAGE_BIN_DESTINATION}"},
+    2: {"share": "share/${PROJECT_NAME}", "programs": "lib/${PROJECT_NAME}"},
+}
+"""Where things are installed, by ROS."""
 
 
 @dataclass
@@ -39,7 +49,7 @@ class _Maker:
         lines += helpers.lines
         for _ in range(self.rng.randint(3, 7)):
             lines += self._statement("", helpers, 0)
-        lines += self._installs("")
+        lines += self._installs()
         lines += self._subdirectories(helpers)
         lines += ["ament_package()"] if self.made.ros == 2 else []
         self.made.files["CMakeLists.txt"] = "\n".join(lines) + "\n"
@@ -89,7 +99,7 @@ class _Maker:
         found = _Helpers()
         for _ in range(self.rng.randint(1, 3)):
             name = self.fresh("add_thing")
-            shape = self.rng.choice(_SHAPES)
+            shape = self.rng.choice(SHAPES)
             text = "\n".join(shape.body(name, self.rng.choice(("function", "macro")) if shape.either else "function"))
             found.calls.append((name, shape))
             if self.rng.random() < 0.5:
@@ -185,152 +195,31 @@ class _Maker:
         name = self.fresh("SRCS")
         root = self._root(below)
         some = self.rng.sample(STEMS, 4)
-        paths = " ".join(f"{root}/{stem}.cpp" for stem in some)
-        starts = (
-            [f"set({name} {paths})"],
-            [f'set({name} "{root}/{some[0]}.cpp;{root}/{some[1]}.cpp" {root}/{some[2]}.cpp)'],
-            [
-                f"set({name} {' '.join(some)})",
-                f"list(TRANSFORM {name} PREPEND {root}/)",
-                f"list(TRANSFORM {name} APPEND .cpp)",
-            ],
-            [f"list(APPEND {name} {paths})"],
-            [f"file(GLOB {name} {self._globbed(root, below)}/*.cpp)"],
-            [f"file(GLOB {name} {self._globbed(root, below)}/[a-d]*.cpp {self._globbed(root, below)}/*eta.cpp)"],
-            [f"file(GLOB_RECURSE {name} {self._globbed(root, below)}/*a.cpp)", *self._unique(name)],
-            [f"aux_source_directory({root} {name})"],
-            [f'string(REPLACE core/ "" {name} {root}/{some[0]}.cpp)'],
-            [f'string(REGEX REPLACE "(alpha|beta|gamma)" "delta" {name} "{root}/{some[0]}.cpp")'],
-            [f"set(stem_{name} {some[0]})", f"set({name} {root}/${{stem_{name}}}.cpp)"],
-            [
-                f"set(which_{name} {some[0]})",
-                f"set(path_{some[0]} {root}/{some[1]}.cpp)",
-                f"set({name} ${{path_${{which_{name}}}}})",
-            ],
-            [
-                f'set(text_{name} "{some[0]} {some[1]}")',
-                f"separate_arguments(text_{name})",
-                f'list(TRANSFORM text_{name} REPLACE "^(.+)$" "{root}/\\\\1.cpp" OUTPUT_VARIABLE {name})',
-            ],
-            [f"get_filename_component({name} {self._absolute(root, below)}/{some[0]}.cpp ABSOLUTE)"],
-            [
-                f"get_filename_component(dir_{name} {root}/{some[0]}.cpp DIRECTORY)",
-                f"set({name} ${{dir_{name}}}/{some[1]}.cpp)",
-            ],
-            [
-                f"get_filename_component(stem_{name} {root}/{some[0]}.hpp NAME_WE)",
-                f"set({name} {root}/${{stem_{name}}}.cpp)",
-            ],
-            [
-                f'math(EXPR at_{name} "(7 + {self.rng.randint(0, 5)}) % 3")',
-                f"set(all_{name} {paths})",
-                f"list(GET all_{name} ${{at_{name}}} {name})",
-            ],
-            [f"set(ALL_{name} {paths})", f"list(SUBLIST ALL_{name} 1 2 {name})"],
-            [f'set({name} {root}/{some[0]}.cpp CACHE STRING "doc")'],
-            [
-                f"set_property(GLOBAL APPEND PROPERTY P_{name} {root}/{some[0]}.cpp)",
-                f"get_property({name} GLOBAL PROPERTY P_{name})",
-            ],
-            [f"set(FN_{name} {root}/{some[0]}.cpp)", f'string(CONCAT {name} "${{FN_{name}}}" ";{root}/{some[1]}.cpp")'],
-            [
-                f"set(J_{name} {some[0]} {some[1]})",
-                f'string(JOIN ".cpp;{root}/" {name} ${{J_{name}}})',
-                f'set({name} "{root}/${{{name}}}.cpp")',
-            ],
-            [
-                f'string(CONFIGURE "@PROJECT_NAME@" cfg_{name} @ONLY)',
-                f'string(REPLACE "${{PROJECT_NAME}}" "{root}/{some[0]}.cpp" {name} "${{cfg_{name}}}")',
-            ],
-        )
-        lines = list(self.rng.choice(starts))
+        given = {
+            "name": name,
+            "root": root,
+            "globbed": root.removeprefix("./"),
+            "absolute": self._absolute(root, below),
+            "number": str(self.rng.randint(0, 5)),
+            **dict(zip("abcd", some, strict=True)),
+        }
+        lines = _written(self.rng.choice(_FORMS["lists"]), given)
         for _ in range(self.rng.randint(0, 3)):
-            lines += self._change(name, root, below)
+            lines += self._change(name, root)
         if self.rng.random() < 0.2:
             lines += [
                 f'if(NOT "{self.rng.choice(STEMS)}" IN_LIST {name})',
-                *(f"  {x}" for x in self._change(name, root, below)),
+                *(f"  {x}" for x in self._change(name, root)),
                 "endif()",
             ]
         return lines, name
 
-    def _unique(self, name: str) -> list[str]:
-        return [f'list(FILTER {name} EXCLUDE REGEX "/(CMakeFiles|build)/")']
-
-    def _globbed(self, root: str, below: bool) -> str:
-        del below
-        return root.removeprefix("./")
-
     def _absolute(self, root: str, below: bool) -> str:
         return root if below or root.startswith("$") else f"${{CMAKE_CURRENT_SOURCE_DIR}}/{root}"
 
-    def _change(self, name: str, root: str, below: bool) -> list[str]:
-        del below
-        stem = self.rng.choice(STEMS)
-        path = f"{root}/{stem}.cpp"
-        number = self.rng.randint(0, 9)
-        return list(
-            self.rng.choice(
-                (
-                    [f"list(APPEND {name} {path})"],
-                    [f"list(PREPEND {name} {path})"],
-                    [f"list(INSERT {name} 0 {path})"],
-                    [f"list(REMOVE_ITEM {name} {root}/{stem}.cpp ${{CMAKE_CURRENT_SOURCE_DIR}}/src/{stem}.cpp)"],
-                    [f"list(REMOVE_DUPLICATES {name})"],
-                    [f"list(REVERSE {name})"],
-                    [f"list(SORT {name})"],
-                    [f'list(FILTER {name} EXCLUDE REGEX ".*{stem}.*")'],
-                    [f'list(FILTER {name} INCLUDE REGEX "/[abdgz][a-z]*\\\\.cpp$")'],
-                    [f"set({name} ${{{name}}} {path})"],
-                    [f'set({name} "${{{name}}};{path}")'],
-                    [
-                        f"list(LENGTH {name} len_{name})",
-                        f"if(len_{name} GREATER 3)",
-                        f"  list(REMOVE_AT {name} -1)",
-                        "endif()",
-                    ],
-                    [
-                        f"list(FIND {name} {path} at_{name})",
-                        f"if(at_{name} EQUAL -1)",
-                        f"  list(APPEND {name} {path})",
-                        "endif()",
-                    ],
-                    [
-                        f"if(EXISTS ${{PROJECT_SOURCE_DIR}}/src/{stem}.cpp)",
-                        f"  list(APPEND {name} {path})",
-                        "else()",
-                        f"  set({name})",
-                        "endif()",
-                    ],
-                    [
-                        f"if(NOT EXISTS ${{PROJECT_SOURCE_DIR}}/src/none.cpp AND {number} LESS 5)",
-                        f"  list(APPEND {name} {path})",
-                        "endif()",
-                    ],
-                    [f'if("{stem}" MATCHES "^([a-z])eta$")', f"  list(APPEND {name} {root}/beta.cpp)", "endif()"],
-                    [
-                        f'if(PROJECT_VERSION VERSION_LESS "1.{number}")',
-                        f"  list(APPEND {name} {path})",
-                        "else()",
-                        f"  list(APPEND {name} {root}/zeta.cpp)",
-                        "endif()",
-                    ],
-                    [f'list(TRANSFORM {name} REPLACE "{stem}" "alpha")', f"list(REMOVE_DUPLICATES {name})"],
-                    [f'string(REPLACE "{stem}" "beta" {name} "${{{name}}}")'],
-                    [f'string(REGEX REPLACE "/{stem}[.]cpp" "/delta.cpp" {name} "${{{name}}}")'],
-                    [f'string(APPEND {name} ";{path}")'],
-                    [
-                        f"unset(unused_{name})",
-                        f"if(NOT DEFINED unused_{name})",
-                        f"  list(APPEND {name} {path})",
-                        "endif()",
-                    ],
-                    [f"list(POP_BACK {name} last_{name})", f"list(APPEND {name} {path})"],
-                )
-            )
-        )
-
-    # -- blocks
+    def _change(self, name: str, root: str) -> list[str]:
+        given = {"stem": self.rng.choice(STEMS), "number": str(self.rng.randint(0, 9)), "name": name, "root": root}
+        return _written(self.rng.choice(_FORMS["changes"]), given)
 
     def _if(self, helpers: _Helpers, depth: int, below: bool) -> list[str]:
         lines = [f"if({self._condition()})", *self._statement("  ", helpers, depth + 1, below)]
@@ -342,26 +231,9 @@ class _Maker:
 
     def _condition(self) -> str:
         number = self.rng.randint(0, 9)
-        simple = [
-            f"{number} GREATER 4",
-            f"NOT {number} EQUAL 3",
-            f'"${{PROJECT_NAME}}" STREQUAL "pkg_{number}"',
-            "EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/src/alpha.cpp",
-            "IS_DIRECTORY ${PROJECT_SOURCE_DIR}/nodes",
-            "DEFINED PROJECT_NAME",
-            "UNIX",
-            "WIN32",
-            "NOT APPLE",
-            f"PROJECT_VERSION VERSION_GREATER_EQUAL 1.{number}",
-            "TRUE",
-            "OFF",
-            "TARGET no_such_target",
-            "COMMAND add_executable",
-            'PROJECT_NAME MATCHES "pkg_[0-4]"',
-            f'"a{number}" STRLESS "a5"',
-            *self.options,
-            *(f"NOT {name}" for name in self.options),
-        ]
+        given = {"number": str(number)}
+        simple = [line for form in _FORMS["conditions"] for line in _written(form, given)]
+        simple += [*self.options, *(f"NOT {name}" for name in self.options)]
         first = self.rng.choice(simple)
         if self.rng.random() < 0.3:
             return f"({first} OR {self.rng.choice(simple)}) AND NOT ({self.rng.choice(simple)})"
@@ -411,27 +283,9 @@ class _Maker:
         return [*self.rng.choice(heads), *skip, *body, "endforeach()", *tail]
 
     def _numbered(self, name: str, root: str, stems: list[str]) -> list[str]:
-        lists = self.fresh("Z")
-        return self.rng.choice(
-            (
-                [
-                    f"foreach(i RANGE 1 {self.rng.randint(1, 4)})",
-                    f"  add_executable({name}_${{i}} {root}/{stems[0]}.cpp)",
-                    "endforeach()",
-                ],
-                ["foreach(i RANGE 0 6 2)", f"  add_executable({name}_${{i}} {root}/{stems[0]}.cpp)", "endforeach()"],
-                ["foreach(i RANGE 2)", f"  add_executable({name}_${{i}} {root}/{stems[0]}.cpp)", "endforeach()"],
-                [
-                    f"set({lists}A {' '.join(stems)})",
-                    f"set({lists}B x y z)",
-                    f"foreach(a_ IN LISTS {lists}A)",
-                    f"  list(FIND {lists}A ${{a_}} i)",
-                    f"  list(GET {lists}B ${{i}} b_)",
-                    f"  add_executable({name}_${{b_}} {root}/${{a_}}.cpp)",
-                    "endforeach()",
-                ],
-            )
-        )
+        given = {"lists": self.fresh("Z"), "number": str(self.rng.randint(1, 4)), "name": name, "root": root}
+        given |= dict(zip("abc", stems, strict=True))
+        return _written(self.rng.choice(_FORMS["numbered"]), given)
 
     def _while(self, below: bool) -> list[str]:
         name, root = self.fresh("count"), self._root(below)
@@ -476,124 +330,20 @@ class _Maker:
         name, shape = self.rng.choice(helpers.calls)
         return list(shape.call(name, self.fresh("made"), self._root(below), self.rng))
 
-    def _installs(self, folder: str) -> list[str]:
-        del folder
-        share = "share/${PROJECT_NAME}" if self.made.ros == 2 else "${CATKIN_PACKAGE_SHARE_DESTINATION}"
-        programs = "lib/${PROJECT_NAME}" if self.made.ros == 2 else "${CATKIN_PACKAGE_BIN_DESTINATION}"
-        every = [
-            [f"install(DIRECTORY launch config DESTINATION {share})"],
-            [f"install(DIRECTORY launch/ DESTINATION {share}/launch)"],
-            ['install(DIRECTORY include/thing/ DESTINATION include/thing FILES_MATCHING PATTERN "*.hpp")'],
-            [f"install(PROGRAMS scripts/one.py DESTINATION {programs})"],
-            [f"install(FILES config/one.yaml config/two.yaml DESTINATION {share}/config)"],
-            [
-                "set(parts launch config)",
-                "foreach(part ${parts})",
-                f"  install(DIRECTORY ${{part}} DESTINATION {share})",
-                "endforeach()",
-            ],
-            [
-                "file(GLOB FILES_TO_INSTALL RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} config/*.yaml)",
-                f"install(FILES ${{FILES_TO_INSTALL}} DESTINATION {share})",
-            ],
-            ["file(GLOB PYS scripts/*.py)", f"install(PROGRAMS ${{PYS}} DESTINATION {programs})"],
-            [f"install(PROGRAMS scripts/two.py DESTINATION {programs} RENAME two)"],
-            ["include(GNUInstallDirs)", "install(FILES package.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/doc)"],
-            [f"set(DEST {share})", "install(FILES launch/one.launch DESTINATION ${DEST})"],
-        ]
-        if self.made.ros == 1:
-            every.append([f"catkin_install_python(PROGRAMS scripts/one.py scripts/two.py DESTINATION {programs})"])
-        lines: list[str] = []
-        for chosen in self.rng.sample(every, self.rng.randint(1, 4)):
-            lines += chosen
-        return lines
+    def _installs(self) -> list[str]:
+        forms = _FORMS["installs"] + (_FORMS["installs_ros1"] if self.made.ros == 1 else [])
+        chosen = self.rng.sample(forms, self.rng.randint(1, 4))
+        return [line for form in chosen for line in _written(form, _PLACES[self.made.ros])]
+
+
+def _written(form: str, given: Mapping[str, str]) -> list[str]:
+    """The lines of a form, with what is given in the place of `<words>`."""
+    for word, text in given.items():
+        form = form.replace(f"<{word}>", text)
+    return form.rstrip("\n").split("\n")
 
 
 @dataclass
 class _Helpers:
     lines: list[str] = field(default_factory=list)
-    calls: list[tuple[str, _Shape]] = field(default_factory=list)
-
-
-class _Shape:
-    """A function or macro that makes targets, and how it is called."""
-
-    either = True
-
-    def body(self, name: str, kind: str) -> Iterator[str]:
-        raise NotImplementedError
-
-    def call(self, name: str, target: str, root: str, rng: random.Random) -> Iterator[str]:
-        raise NotImplementedError
-
-
-class _Positional(_Shape):
-    def body(self, name: str, kind: str) -> Iterator[str]:
-        yield from (f"{kind}({name} target source)", "  add_executable(${target} ${source} ${ARGN})")
-        yield from ("  install(TARGETS ${target} DESTINATION lib/${PROJECT_NAME})", f"end{kind}()")
-
-    def call(self, name: str, target: str, root: str, rng: random.Random) -> Iterator[str]:
-        yield f"{name}({target} {root}/{rng.choice(STEMS)}.cpp {root}/zeta.cpp)"
-
-
-class _Keywords(_Shape):
-    def body(self, name: str, kind: str) -> Iterator[str]:
-        yield f"{kind}({name})"
-        yield '  cmake_parse_arguments(ARG "SHARED;QUIET" "NAME" "SOURCES;DEPS" ${ARGN})'
-        yield from ("  if(ARG_SHARED)", "    add_library(${ARG_NAME} SHARED ${ARG_SOURCES})", "  else()")
-        yield from ("    add_executable(${ARG_NAME} ${ARG_SOURCES})", "  endif()")
-        yield from ("  if(ARG_DEPS)", "    target_link_libraries(${ARG_NAME} ${ARG_DEPS})", "  endif()", f"end{kind}()")
-
-    def call(self, name: str, target: str, root: str, rng: random.Random) -> Iterator[str]:
-        shared = " SHARED" if rng.random() < 0.5 else ""
-        yield f"{name}(NAME {target}{shared} SOURCES {root}/{rng.choice(STEMS)}.cpp {root}/beta.cpp DEPS m)"
-
-
-class _Parsed(_Shape):
-    either = False
-
-    def body(self, name: str, kind: str) -> Iterator[str]:
-        yield f"{kind}({name} target)"
-        yield '  cmake_parse_arguments(PARSE_ARGV 1 P "" "ONE" "MANY")'
-        yield from ("  add_executable(${target} ${P_ONE} ${P_MANY} ${P_UNPARSED_ARGUMENTS})", f"end{kind}()")
-
-    def call(self, name: str, target: str, root: str, rng: random.Random) -> Iterator[str]:
-        yield f"{name}({target} {root}/alpha.cpp ONE {root}/beta.cpp MANY {root}/{rng.choice(STEMS[2:])}.cpp)"
-
-
-class _Returning(_Shape):
-    either = False
-
-    def body(self, name: str, kind: str) -> Iterator[str]:
-        yield from (f"{kind}({name} out folder)", "  set(result)", "  foreach(stem ${ARGN})")
-        yield from ("    list(APPEND result ${folder}/${stem}.cpp)", "  endforeach()")
-        yield from ("  set(${out} ${result} PARENT_SCOPE)", f"end{kind}()")
-
-    def call(self, name: str, target: str, root: str, rng: random.Random) -> Iterator[str]:
-        stems = " ".join(rng.sample(STEMS, 2))
-        yield from (f"{name}({target}_SOURCES {root} {stems})", f"add_library({target} ${{{target}_SOURCES}})")
-
-
-class _Counting(_Shape):
-    def body(self, name: str, kind: str) -> Iterator[str]:
-        yield from (f"{kind}({name} target)", "  if(${ARGC} GREATER 2)", "    add_library(${target} ${ARGV1} ${ARGV2})")
-        yield from ("  else()", "    add_library(${target} ${ARGN})", "  endif()", f"end{kind}()")
-
-    def call(self, name: str, target: str, root: str, rng: random.Random) -> Iterator[str]:
-        more = f" {root}/gamma.cpp" if rng.random() < 0.5 else ""
-        yield f"{name}({target} {root}/alpha.cpp{more})"
-
-
-class _Shadowing(_Shape):
-    """What a function sets is gone after it; what a macro sets stays."""
-
-    def body(self, name: str, kind: str) -> Iterator[str]:
-        yield from (f"{kind}({name} target folder)", "  set(picked ${folder}/delta.cpp)")
-        yield from ("  add_library(${target} ${picked})", f"end{kind}()")
-
-    def call(self, name: str, target: str, root: str, rng: random.Random) -> Iterator[str]:
-        yield from (f"set(picked {root}/{rng.choice(STEMS)}.cpp)", f"{name}({target} {root})")
-        yield f"add_executable({target}_after ${{picked}})"
-
-
-_SHAPES: tuple[_Shape, ...] = (_Positional(), _Keywords(), _Parsed(), _Returning(), _Counting(), _Shadowing())
+    calls: list[tuple[str, Shape]] = field(default_factory=list)

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import argparse
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -20,7 +21,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from executed import cpp_programs, python_programs
+from executed.draw import Program
+from executed.grammar import grammar
 
 from ecm_extract.link.forms import form_table
 from ecm_extract.link.linker import Linker
@@ -29,6 +31,7 @@ from ecm_extract.tree import open_tree
 
 BATCH = 25
 SECONDS = 60
+STUBS = Path(__file__).parent / "executed" / "stubs"
 _MANIFEST = (
     '<package format="3"><name>drawn</name><version>1.0.0</version>'
     "<export><build_type>ament_{kind}</build_type></export></package>"
@@ -130,12 +133,13 @@ def printed(text: str) -> Made:
 def python_batch(root: Path, seeds: Sequence[str]) -> tuple[Path, Made]:
     """Write programs, run each, return the folder of the package and what the runs made."""
     package, stubs = root / "package", root / "stubs"
-    sources = {f"drawn/p{n}_{s}.py": python_programs.PythonProgram(f"{s}").source() for n, s in enumerate(seeds)}
+    language = grammar("python")
+    sources = {f"drawn/p{n}_{s}.py": Program(s, language).source() for n, s in enumerate(seeds)}
     written(package, {**sources, "package.xml": _MANIFEST.format(kind="python"), "drawn/__init__.py": ""})
     entries = ", ".join(f"'p{n} = drawn.p{n}_{s}:main'" for n, s in enumerate(seeds))
     setup = f"from setuptools import setup\nsetup(name='drawn', entry_points={{'console_scripts': [{entries}]}})\n"
     written(package, {"setup.py": setup})
-    written(stubs, python_programs.STUBS)
+    shutil.copytree(STUBS / "python", stubs)
     made: Made = defaultdict(set)
     for path in sources:
         for more in ((), ("x",)):
@@ -152,14 +156,14 @@ def cpp_batch(root: Path, seeds: Sequence[str]) -> tuple[Path, Made]:
     """The same in C++; the programs of a batch are compiled as one and run one by one."""
     package, stubs = root / "package", root / "stubs"
     spaces = [f"p{number}" for number in range(len(seeds))]
+    language = grammar("cpp")
     sources = {
-        f"src/{space}.cpp": cpp_programs.CppProgram(f"{seed}", space).source()
-        for space, seed in zip(spaces, seeds, strict=True)
+        f"src/{space}.cpp": Program(seed, language, space).source() for space, seed in zip(spaces, seeds, strict=True)
     }
     targets = "\n".join(f"add_executable({space} src/{space}.cpp)" for space in spaces)
     cmake = f"cmake_minimum_required(VERSION 3.8)\nproject(drawn)\n{targets}\n"
     written(package, {**sources, "package.xml": _MANIFEST.format(kind="cmake"), "CMakeLists.txt": cmake})
-    written(stubs, cpp_programs.STUBS)
+    shutil.copytree(STUBS / "cpp", stubs)
     includes = "\n".join(f'#include "{package}/src/{space}.cpp"' for space in spaces)
     calls = "\n".join(
         f"if (which == {n}) try {{ {space}::run(argc - 1); }} catch (...) {{}}" for n, space in enumerate(spaces)
@@ -170,7 +174,7 @@ def cpp_batch(root: Path, seeds: Sequence[str]) -> tuple[Path, Made]:
     line = ["g++", "-std=c++17", "-O0", "-w", "-DBATCH", f"-I{stubs}", str(root / "driver.cpp"), "-o", str(program)]
     built = subprocess.run(line, capture_output=True, text=True, check=False)
     if built.returncode:
-        sys.exit(f"g++ refused a drawn program, mend executed/cpp_programs.py:\n{built.stderr[:3000]}")
+        sys.exit(f"g++ refused a drawn program, mend executed/cpp.toml:\n{built.stderr[:3000]}")
     made: Made = defaultdict(set)
     for number in range(len(spaces)):
         for more in ((), ("x",)):

@@ -31,6 +31,8 @@ class Interface(msgspec.Struct, frozen=True):
     type: str | None = None
     confidence: str = "pattern"
     evidence: tuple[Evidence, ...] = ()
+    qos: dict[str, object] | None = None
+    default: object = None
 
 
 class _Signature(msgspec.Struct, frozen=True):

@@ -16,7 +16,8 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import msgspec
-from comparisons import PROGRAM, Change, Evidence
+from comparisons import Change, Evidence
+from extracted import command
 
 FOLDER = Path(__file__).parent / "real_breaks"
 FIGURE = 0.80
@@ -114,7 +115,7 @@ def _answer(repo: Path, release: Release, consumer: str, saved: Path | None) -> 
 
 def _run(repo: Path, release: Release, consumer: str) -> bytes:
     refs = [release.before, release.after, "--repo", str(repo), "--consumer", consumer]
-    line = [*PROGRAM, "diff", *refs, "--format", "json", "--fail-on", "never"]
+    line = [command(), "diff", *refs, "--format", "json", "--fail-on", "never"]
     done = subprocess.run(line, capture_output=True, check=False)
     if done.returncode not in _ANSWERS:
         sys.exit(f"{' '.join(refs)} ended with status {done.returncode}:\n{done.stderr.decode()[-2000:]}")

@@ -14,6 +14,7 @@ _TYPES = {
     "bool": {"bool", "boolean"},
     "string": {"string", "str", "std::string"},
     "string_array": {"string_array", "string[]", "std::vector<std::string>", "list"},
+    "int_array": {"int_array", "integer_array", "int64_t_array", "std::vector<int64_t>"},
     "map": {"map", "dict", "dictionary"},
 }
 _CANONICAL = {spelling: name for name, spellings in _TYPES.items() for spelling in spellings}

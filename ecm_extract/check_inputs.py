@@ -88,7 +88,7 @@ def launched_contracts(path: str, words: Sequence[str], cache: bool = True) -> L
     """Contracts of the nodes that launch files start.
 
     Args:
-        path: of the workspace, or `DIR@REF`.
+        path: of the workspace, `DIR@REF`, or of documents.
         words: launch files by path or as `package/file`, and arguments as `name:=value`.
         cache: let the reading use the cache.
 
@@ -99,12 +99,15 @@ def launched_contracts(path: str, words: Sequence[str], cache: bool = True) -> L
     from ecm_extract.system.contracts import instance_contracts
     from ecm_extract.system.model import Given
     from ecm_extract.system.started import started_package
-    from ecm_extract.system.system import read_system
+    from ecm_extract.system.system import read_system, stored_system
     from ecm_extract.tree import open_tree
 
     arguments = dict(word.split(":=", 1) for word in words if ":=" in word)
     launches = [word for word in words if ":=" not in word]
-    system = read_system(open_tree(path), launches, Given(arguments), Options(cache=cache))
+    if is_stored(path):
+        system = stored_system(read_stored(path), launches, Given(arguments))
+    else:
+        system = read_system(open_tree(path), launches, Given(arguments), Options(cache=cache))
     if not system.launched.is_complete:
         message = f"{', '.join(launches)} was read in part only, so that nothing can be said of the whole"
         raise InputError(message, "`ecm-extract system` shows what was left out, with its line")

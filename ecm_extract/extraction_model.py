@@ -5,7 +5,7 @@ The core fills these (`ecm_extract.extraction.extract`); reports render them; no
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Literal
 
 import msgspec
@@ -33,6 +33,11 @@ class LocatedDiagnostic(msgspec.Struct, frozen=True):
     path: str
     line: int
     message: str
+
+
+def sorted_diagnostics(found: Iterable[LocatedDiagnostic]) -> tuple[LocatedDiagnostic, ...]:
+    """Return diagnostics in the order in which documents hold them, each once."""
+    return tuple(sorted(set(found), key=lambda entry: (entry.path, entry.line, entry.code, entry.message)))
 
 
 class PackageContracts(msgspec.Struct, frozen=True):

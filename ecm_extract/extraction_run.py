@@ -12,7 +12,15 @@ from ecm_extract.assemble.hub import hubs
 from ecm_extract.collector import without_collector
 from ecm_extract.config import Config
 from ecm_extract.entities.workspace import Workspace
-from ecm_extract.extraction_model import Counts, Extraction, LocatedDiagnostic, Options, PackageContracts
+from ecm_extract.extraction_model import (
+    Counts,
+    Extraction,
+    LocatedDiagnostic,
+    Options,
+    PackageContracts,
+    sorted_diagnostics,
+)
+from ecm_extract.link.composition import composition_of
 from ecm_extract.link.forms import form_table
 from ecm_extract.link.linker import Linker
 from ecm_extract.read.reader import Reader
@@ -41,7 +49,8 @@ def read_contracts(tree: Tree, options: Options) -> tuple[Extraction, dict[str, 
         contracts = assemble(tree, packages, linked)
         if options.hub:
             workspace = Workspace(tree, packages, linked, linker.program, linker.folder.objects)
-            contracts = _with_hubs(contracts, hubs(workspace, options.jobs))
+            composition = composition_of(linker.modules, linker.references)
+            contracts = _with_hubs(contracts, hubs(workspace, composition, options.jobs))
     extraction = Extraction(
         path=tree.label,
         commit=tree.commit,
@@ -58,5 +67,6 @@ def _with_hubs(contracts: tuple[PackageContracts, ...], found: Mapping[str, Hub]
 
 
 def _diagnostics(tree: Tree) -> tuple[LocatedDiagnostic, ...]:
-    found = {LocatedDiagnostic(d.severity, d.code, d.path, d.line, d.message) for d in tree.diagnostics}
-    return tuple(sorted(found, key=lambda entry: (entry.path, entry.line, entry.code, entry.message)))
+    return sorted_diagnostics(
+        LocatedDiagnostic(each.severity, each.code, each.path, each.line, each.message) for each in tree.diagnostics
+    )

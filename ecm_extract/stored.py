@@ -18,7 +18,7 @@ from ecm_parsers.interface_facts import Definition
 from ecm_extract.collector import without_collector
 from ecm_extract.entities.side import PackageInfo, Side
 from ecm_extract.errors import InputError
-from ecm_extract.extraction_model import PackageContracts
+from ecm_extract.extraction_model import LocatedDiagnostic, PackageContracts, sorted_diagnostics
 from ecm_extract.report.json_document import DOCUMENT_NAME
 from ecm_extract.report.manifest_yaml import SUFFIX as MANIFEST
 from ecm_extract.tree import Tree, Unread
@@ -38,12 +38,15 @@ class Stored(msgspec.Struct, frozen=True, dict=True):
     Attributes:
         label: how the user named them. commit: that they were read at; None of a work tree.
         packages: sorted by path. unread: what was not read of the tree.
+        source: how the tree was called when it was read. diagnostics: sorted, what was said of it then.
     """
 
     label: str
     commit: str | None
     packages: tuple[Package, ...]
     unread: tuple[Unread, ...] = ()
+    source: str = ""
+    diagnostics: tuple[LocatedDiagnostic, ...] = ()
 
     @cached_property
     def files(self) -> Mapping[str, str]:
@@ -85,7 +88,25 @@ def read_stored(spec: str) -> Stored:
     commits = {found.commit for found in read}
     packages = tuple(sorted((each for found in read for each in found.packages), key=lambda each: each.path))
     unread = dict.fromkeys(each for found in read for each in found.unread)
-    return Stored(spec, commits.pop() if len(commits) == 1 else None, packages, tuple(unread))
+    source = ", ".join(dict.fromkeys(found.source for found in read))
+    diagnostics = sorted_diagnostics(each for found in read for each in found.diagnostics)
+    commit = commits.pop() if len(commits) == 1 else None
+    return Stored(spec, commit, packages, tuple(unread), source, diagnostics)
+
+
+def joined(stored: Sequence[Stored]) -> Stored:
+    """Return documents of several trees as those of one; of each package the first."""
+    if len(stored) == 1:
+        return stored[0]
+    packages = {package.name: package for each in reversed(stored) for package in each.packages}
+    return Stored(
+        label=", ".join(each.label for each in stored),
+        commit=None,
+        packages=tuple(sorted(packages.values(), key=lambda each: each.path)),
+        unread=tuple(dict.fromkeys(row for each in stored for row in each.unread)),
+        source=", ".join(dict.fromkeys(each.source for each in stored)),
+        diagnostics=sorted_diagnostics(row for each in stored for row in each.diagnostics),
+    )
 
 
 def _files(folder: Path, pattern: str) -> list[Path]:
@@ -107,7 +128,9 @@ def _read(path: Path) -> Stored:
         raise InputError(message, "write it anew with `ecm-extract PATH --format json`") from error
     packages = document.packages if isinstance(document, Extract) else (document,)
     unread = unread_in(document.unread)
-    return Stored(str(path), document.source.commit, packages, unread)
+    said = (each for held in (document, *packages) for each in held.diagnostics)
+    diagnostics = sorted_diagnostics(msgspec.convert(each, LocatedDiagnostic, from_attributes=True) for each in said)
+    return Stored(str(path), document.source.commit, packages, unread, document.source.path, diagnostics)
 
 
 def package_of(extracted: PackageContracts) -> Package:

@@ -2,44 +2,32 @@
 
 from __future__ import annotations
 
-import difflib
+import os
+import tempfile
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import hypothesis
 import pytest
+from golden_files import Golden
 from workspaces import Workspace
 
-GOLDEN = Path(__file__).parent / "golden"
+from ecm_extract.cache.version import version_of
+
+_IN_MEMORY = Path("/dev/shm")
+_MAKERS_OF_KEYS = ("ecm_extract.cache.extractions.version_of", "ecm_extract.cache.blobs.version_of")
 
 # How long one example takes says how busy the machine is; tests of bounds measure the time of the processor.
 hypothesis.settings.register_profile("any machine", deadline=None)
 hypothesis.settings.load_profile("any machine")
 
 
-class Golden:
-    """Compares text with a file under version control."""
-
-    def __init__(self, update: bool) -> None:
-        self._update = update
-
-    def __call__(self, name: str, text: str) -> None:
-        """Fail with a diff unless `text` equals tests/golden/NAME."""
-        self.check(GOLDEN / name, text)
-
-    def check(self, path: Path, text: str) -> None:
-        """Fail with a diff unless `text` equals the file at `path`; write the file when asked to update."""
-        before = path.read_text("utf-8") if path.is_file() else ""
-        if before == text:
-            return
-        if self._update:
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text, "utf-8")
-            return
-        diff = difflib.unified_diff(
-            before.splitlines(), text.splitlines(), f"{path.name} (golden)", f"{path.name} (now)", lineterm=""
-        )
-        pytest.fail("\n".join([*diff, "if this is meant: pytest --update-golden"]), pytrace=False)
+def pytest_configure() -> None:
+    """Folders of tests are many and small: in memory, where there is such a place and none was asked for."""
+    if "TMPDIR" not in os.environ and os.access(_IN_MEMORY, os.W_OK | os.X_OK):
+        os.environ["TMPDIR"] = str(_IN_MEMORY)
+        tempfile.tempdir = None
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -50,6 +38,15 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 def _own_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("ECM_CACHE_DIR", str(tmp_path_factory.mktemp("cache")))
+        yield
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _code_that_stays() -> Iterator[None]:
+    """The code does not change while it is tested, so its hash, a key of what is cached, is made once."""
+    with pytest.MonkeyPatch.context() as patch:
+        for name in _MAKERS_OF_KEYS:
+            patch.setattr(name, cache(version_of))
         yield
 
 

@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 import json
-import subprocess
-import sys
+from contextlib import redirect_stdout
 from dataclasses import dataclass
 from functools import cache
+from io import BytesIO, TextIOWrapper
 from pathlib import Path
 from tempfile import mkdtemp
 
 from ecm_checker.contract import Contract
 
 from ecm_extract.check_inputs import subject
+from ecm_extract.cli.run import run
 from path_a.row import FIXTURES
-
-_PROGRAM = [sys.executable, "-c", "from ecm_extract.cli import main; main()"]
 
 
 @dataclass(frozen=True)
@@ -45,8 +44,7 @@ def rules(found: tuple[Predicted, ...]) -> str:
 def manifests(package: str) -> Path:
     """The folder with the manifests of a fixture package."""
     folder = Path(mkdtemp(prefix="path_a_"))
-    line = [*_PROGRAM, str(FIXTURES / package), "-o", str(folder), "-q", "--no-cache"]
-    subprocess.run(line, check=True, stdout=subprocess.DEVNULL)
+    _told(str(FIXTURES / package), "-o", str(folder), "-q")
     return folder
 
 
@@ -62,7 +60,17 @@ def contract(package: str, module: str) -> Contract:
 
 
 def _run(command: str, *arguments: str) -> list[dict[str, str]]:
-    line = [*_PROGRAM, command, *arguments, "--format", "json", "--fail-on", "never", "--no-cache"]
-    done = subprocess.run(line, capture_output=True, text=True, check=True)
-    found: list[dict[str, str]] = json.loads(done.stdout)["findings"]
+    told = _told(command, *arguments, "--format", "json", "--fail-on", "never")
+    found: list[dict[str, str]] = json.loads(told)["findings"]
     return found
+
+
+def _told(*arguments: str) -> str:
+    """What the program prints; it runs in this process, which has loaded it."""
+    with redirect_stdout(TextIOWrapper(BytesIO(), "utf-8")) as printed:
+        status = run([*arguments, "--no-cache"])
+    if status:
+        message = f"ecm-extract {' '.join(arguments)} ended with status {status}"
+        raise RuntimeError(message)
+    printed.seek(0)
+    return printed.read()

@@ -1,65 +1,23 @@
-"""What DDS policies an endpoint has, and whether an offer meets a request.
+"""Findings of rules about DDS policies: an offer that meets no request.
 
-Source: ROS 2 documentation, "Quality of Service settings"; unset policies have the default of rclcpp and rclpy.
+Source: ROS 2 documentation, "Quality of Service settings".
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from typing import Final, NamedTuple
+from collections.abc import Iterator
+from typing import NamedTuple
 
 from ecm_checker.case import Case, Wire
 from ecm_checker.contract import Evidence, Interface
 from ecm_checker.finding import Certainty, Entity, Finding
+from ecm_checker.match.qos_fit import Fits, Setting, policy_of
 from ecm_checker.rule import Rule
-
-_DEFAULTS: Final = {"reliability": "reliable", "durability": "volatile", "liveliness": "automatic"}
-# These adapt to the other side, or to the middleware: nothing can be said.
-_OPEN: Final = frozenset({"best_available", "system_default", "unknown"})
-_LEVELS: Final = {
-    "best_effort": 0,
-    "reliable": 1,
-    "volatile": 0,
-    "transient_local": 1,
-    "transient": 2,
-    "persistent": 3,
-    "automatic": 0,
-    "manual_by_node": 1,
-    "manual_by_topic": 1,
-}
-
-
-class Setting(NamedTuple):
-    """A policy of an endpoint; `sure` when source or a person sets it."""
-
-    value: str | float | None
-    sure: bool
-
-
-Fits = Callable[[Setting, Setting], bool]
 
 
 def setting(endpoint: Interface, policy: str) -> Setting:
     """The value of a policy: as set, else the default."""
-    qos = endpoint.qos
-    value = getattr(qos, policy) if qos is not None else None
-    if value is None:
-        return Setting(_DEFAULTS.get(policy), False)
-    return Setting(value, qos is not None and policy not in qos.defaulted)
-
-
-def level_fits(offered: Setting, wanted: Setting) -> bool:
-    """Whether a policy of levels (reliability, durability, liveliness) is at least what is asked for."""
-    if offered.value in _OPEN or wanted.value in _OPEN:
-        return True
-    return _LEVELS.get(str(offered.value), 9) >= _LEVELS.get(str(wanted.value), 0)
-
-
-def duration_fits(offered: Setting, wanted: Setting) -> bool:
-    """Whether a duration (deadline, lease) is at most what is asked for; None is infinite."""
-    if not isinstance(wanted.value, int | float):
-        return True
-    return isinstance(offered.value, int | float) and offered.value <= wanted.value
+    return policy_of(endpoint.qos, policy)
 
 
 def mismatches(case: Case, rule: Rule, policy: str, fits: Fits) -> Iterator[Finding]:

@@ -25,7 +25,7 @@ def unmet_findings(rule: Rule, unmet: Iterable[Unmet]) -> Iterator[Finding]:
     Files that a project keeps for another distribution, and picks when it is launched, are for information.
     """
     grouped: dict[tuple[str, str | None, str, str], list[Unmet]] = defaultdict(list)
-    for each in unmet:
+    for each in sorted(unmet, key=lambda entry: bool(entry.requirement.when)):  # what is surely asked speaks first
         wanted = each.requirement
         grouped[wanted.kind, wanted.package, wanted.owner, wanted.name].append(each)
     for group in grouped.values():
@@ -88,4 +88,4 @@ def _is_hidden(group: list[Unmet]) -> bool:
 def _certainty(group: list[Unmet]) -> Certainty:
     if _is_hidden(group):
         return "unknown"
-    return "proved" if any(each.requirement.certainty == "proved" for each in group) else "likely"
+    return "proved" if any(each.requirement.needs == "proved" for each in group) else "likely"

@@ -19,6 +19,7 @@ from ecm_checker.encode import encode
 from ecm_checker.hub.package import Package
 from ecm_checker.json_data import json_data
 from ecm_checker.wire import Module
+from msgspec import UNSET
 
 from ecm_extract.errors import InputError
 from ecm_extract.extraction_model import PackageContracts
@@ -34,7 +35,8 @@ def document(extracted: PackageContracts) -> Package:
     """What the checker may ask of a package that was extracted just now."""
     whole = package_of(extracted)
     files = dict.fromkeys(whole.files, "")
-    return msgspec.structs.replace(whole, modules=_modules(extracted.modules), interfaces={}, files=files, notes={})
+    modules = _modules(extracted.modules)
+    return msgspec.structs.replace(whole, modules=modules, interfaces={}, files=files, notes={}, running=UNSET)
 
 
 def instances(started: Package, contracts: Iterable[Contract]) -> Package:

@@ -9,6 +9,7 @@ import msgspec
 from ecm_checker.hub.package import Hub, provided
 from ecm_checker.hub.provision import Provision
 from ecm_checker.hub.requirement import Requirement
+from ecm_checker.hub.running import Running
 from ecm_checker.json_data import json_data
 
 from ecm_extract.entities.collect import public_entities
@@ -19,16 +20,20 @@ from ecm_extract.entities.notes import read_notes
 from ecm_extract.entities.python import bound_names, quoted_names
 from ecm_extract.entities.told_of_build import Surroundings, surroundings, told_of_build
 from ecm_extract.entities.workspace import Workspace
+from ecm_extract.link.composition import Composition
 from ecm_extract.parallel_work import meanwhile
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.collect import requirements
+from ecm_extract.system.kept_texts import kept_texts
+from ecm_extract.system.running import running_of
 
 
-def hubs(workspace: Workspace, jobs: int | None) -> Mapping[str, Hub]:
+def hubs(workspace: Workspace, composition: Composition, jobs: int | None) -> Mapping[str, Hub]:
     """Return what each package of a tree provides and requires, by name.
 
     Args:
         workspace: the linked tree.
+        composition: what runs in which program of it.
         jobs: with one nothing is forked; else requirements are read off in another process.
     """
     for facts in workspace.packages:
@@ -37,7 +42,7 @@ def hubs(workspace: Workspace, jobs: int | None) -> Mapping[str, Hub]:
     provisions: dict[str, list[Provision]] = defaultdict(list)
     for entity in public_entities(workspace).values():
         provisions[entity.package].append(entity)
-    kept = _kept(workspace)
+    kept = _kept(workspace, composition)
     found = required()
     return {
         facts.name: _hub(facts, provisions[facts.name], found.get(facts.name, ()), kept) for facts in workspace.packages
@@ -50,15 +55,18 @@ class _Kept(msgspec.Struct, frozen=True):
     Attributes:
         blobs: their ids by path. notes: sentences of changelogs by path. shared: paths of what concerns all packages.
         around: what the tree tells of its packages beside their own files.
+        running: what runs, by package. texts: contents that launch files need, by path.
     """
 
     blobs: Mapping[str, str]
     notes: Mapping[str, Sequence[str]]
     shared: tuple[str, ...]
     around: Surroundings
+    running: Mapping[str, Running]
+    texts: Mapping[str, str]
 
 
-def _kept(workspace: Workspace) -> _Kept:
+def _kept(workspace: Workspace, composition: Composition) -> _Kept:
     entries = listed(workspace.tree, workspace.packages)
     owned = {entry.path for facts in workspace.packages for entry in facts.root.files}
     return _Kept(
@@ -66,6 +74,8 @@ def _kept(workspace: Workspace) -> _Kept:
         notes=read_notes(workspace.tree, [entry.path for entry in entries]),
         shared=tuple(entry.path for entry in shared_files(workspace.tree, owned)),
         around=surroundings(workspace.tree, workspace.packages),
+        running=running_of(workspace.packages, workspace.linked, composition),
+        texts=kept_texts(workspace.tree, workspace.texts, workspace.packages),
     )
 
 
@@ -84,4 +94,10 @@ def _hub(facts: PackageFacts, entities: Sequence[Provision], required: Sequence[
         files={path: kept.blobs.get(path, "") for path in paths},
         notes={path: tuple(kept.notes[path]) for path in paths if path in kept.notes},
         **told_of_build(facts, kept.around),
+        running=_running(facts, kept),
     )
+
+
+def _running(facts: PackageFacts, kept: _Kept) -> Running:
+    paths = sorted(entry.path for entry in facts.root.files if entry.path in kept.texts)
+    return msgspec.structs.replace(kept.running[facts.name], texts={path: kept.texts[path] for path in paths})

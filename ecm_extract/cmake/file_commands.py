@@ -135,14 +135,20 @@ def aux_source_directory(files: BuildFiles) -> Setter:
 
 
 def exists(files: BuildFiles, path: str, folder: str) -> bool | None:
-    """Tell whether a path is there; None of one outside of the tree, or hidden in it."""
+    """Tell whether a path is there; None of one outside of the tree, hidden in it, or in what this copy lacks."""
     place = tree_path(absolute(path, folder))
     if place is None or not is_known(place) or any(part.startswith(".") for part in place.split("/")):
         return None
-    return files.has(place) or files.is_folder(place)
+    if files.has(place) or files.is_folder(place):
+        return True
+    return None if files.is_absent(place) else False
 
 
 def is_directory(files: BuildFiles, path: str) -> bool | None:
-    """Tell whether an absolute path is a folder; None of one outside of the tree."""
+    """Tell whether an absolute path is a folder; None of one outside of the tree, or in what this copy lacks."""
     place = tree_path(path)
-    return None if place is None or not is_known(place) else files.is_folder(place)
+    if place is None or not is_known(place):
+        return None
+    if files.is_folder(place):
+        return True
+    return None if files.is_absent(place) else False

@@ -19,11 +19,17 @@ class BuildFiles:
     Args:
         paths: of all files, relative to the root of the tree.
         read: gives the bytes of one, None when it cannot be read.
+        absent: folders whose content this copy lacks, such as submodules that are not checked out.
     """
 
-    def __init__(self, paths: Iterable[str], read: Callable[[str], bytes | None]) -> None:
+    def __init__(self, paths: Iterable[str], read: Callable[[str], bytes | None], absent: Iterable[str] = ()) -> None:
         self._paths = frozenset(paths)
+        self._absent = tuple(absent)
         self.read = read
+
+    def is_absent(self, path: str) -> bool:
+        """Tell whether a path is in a folder whose content this copy lacks, so that nothing is known of it."""
+        return any(f"{path}/".startswith(f"{folder}/") for folder in self._absent)
 
     def has(self, path: str) -> bool:
         """Tell whether a file of the tree is at a path."""

@@ -30,13 +30,13 @@ def breach(requirement: Requirement, consumer: Consumer, located: Located, after
     if _names_successor(requirement, located, consumer):
         return None
     if word == "deprecated":
-        return requirement.certainty if row.warned and _is_warned(requirement, located) else None
+        return requirement.needs if row.warned and _is_warned(requirement, located) else None
     if word in GONE:
         return _lost(requirement, consumer, located, after) if "gone" in row.breaches else None
     if word == "type_changed" and "type" in row.breaches:
         return _retyped(requirement, located)
     if word == "signature_changed" and "signature" in row.breaches:
-        return requirement.certainty if _no_longer_fits(requirement, located) else None
+        return requirement.needs if _no_longer_fits(requirement, located) else None
     return None
 
 
@@ -53,7 +53,7 @@ def _lost(requirement: Requirement, consumer: Consumer, located: Located, after:
     if old is None or _is_other(requirement, located):
         return None
     if old.kind == "launch_file" and new is not None and new.name == old.name:
-        return requirement.certainty if _is_by_path(requirement, old.path) else None
+        return requirement.needs if _is_by_path(requirement, old.path) else None
     if requirement.use == "includes" and new is not None and new.name == requirement.name:
         return "likely"  # another package answers the include now, and must be depended on
     if requirement.use == "names_symbol" and new is not None and new.name == old.name:
@@ -64,7 +64,7 @@ def _lost(requirement: Requirement, consumer: Consumer, located: Located, after:
         known = entity.package == old.package or not entity.is_computed or entity.name == old.name
         if known and misfit(requirement, entity) is None:
             return None
-    return requirement.certainty
+    return requirement.needs
 
 
 def _is_by_path(requirement: Requirement, path: str) -> bool:
@@ -102,7 +102,7 @@ def _retyped(requirement: Requirement, located: Located) -> Certainty | None:
         inside = requirement.given is not None and requirement.given.inside
         return "likely" if inside else None  # who only names it may do with another type
     was_right = requirement.type is not None and requirement.type == old.type
-    return requirement.certainty if was_right and misfit(requirement, new) == "type" else None
+    return requirement.needs if was_right and misfit(requirement, new) == "type" else None
 
 
 def _no_longer_fits(requirement: Requirement, located: Located) -> bool:

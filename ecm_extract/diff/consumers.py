@@ -93,7 +93,7 @@ def _breaks(requirement: Requirement, consumer: Consumer, broken: BrokenNames) -
     if "layout" in row.breaches:
         located = broken.layout_of(requirement.name)
         if located is not None:
-            yield _Break(located, requirement.certainty, requirement.phrase)
+            yield _Break(located, requirement.needs, requirement.phrase)
         return
     for located in broken.meant(requirement, consumer):
         old = located.pair.old

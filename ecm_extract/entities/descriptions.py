@@ -9,10 +9,14 @@ import re
 from collections.abc import Iterator
 from typing import Final
 
+from ecm_checker.hub.condition import Condition
 from ecm_checker.hub.provision import HOLE, Provision
+from ecm_parsers.launch.operators import negated
+from ecm_parsers.launch.substitution import parse_template
 from ecm_parsers.robot_names import NamedLine, RobotNames, parse_robot_names
 
 from ecm_extract.discover import is_test_path
+from ecm_extract.entities.launch_conditions import conditions_of, together
 from ecm_extract.entities.public_files import inside
 from ecm_extract.entities.side_texts import DESCRIPTIONS, SideTexts
 from ecm_extract.read.facts import PackageFacts
@@ -51,9 +55,30 @@ def written_name(name: str) -> str:
     return holed.removeprefix(HOLE).removeprefix("/") if _PREFIXED.match(holed) else holed
 
 
+def tested(entry: NamedLine) -> tuple[Condition, ...] | None:
+    """Return the conditions under which a description has a name; None where it never has."""
+    found: tuple[Condition, ...] = ()
+    for test in entry.tests:
+        template = parse_template(test.value)
+        own = conditions_of(negated(template) if test.negated else template)
+        if own is None:
+            return None
+        found = together(found, own)
+    return found
+
+
 def _entities(package: str, kind: str, path: str, names: tuple[NamedLine, ...]) -> Iterator[Provision]:
     for entry in names:
-        name = written_name(entry.name)
-        if re.search(r"\w", name.replace(HOLE, "")):
+        name, when = written_name(entry.name), tested(entry)
+        if when is not None and re.search(r"\w", name.replace(HOLE, "")):
             shape = name.rpartition("/")[2] if kind == "command_interface" else None
-            yield Provision(kind=kind, package=package, owner="", name=name, type=shape, path=path, line=entry.line)
+            yield Provision(
+                kind=kind,
+                package=package,
+                owner="",
+                name=name,
+                type=shape,
+                path=path,
+                line=entry.line,
+                when=when,
+            )

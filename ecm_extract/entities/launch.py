@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import PurePosixPath
 
 import msgspec
 from ecm_checker.hub.provision import Provision
-from ecm_parsers.launch.model import Action, Argument, Group, LaunchFile
+from ecm_parsers.launch.model import Argument, LaunchFile
 from ecm_parsers.launch.templates import written
 
 from ecm_extract.discover import is_test_path
+from ecm_extract.entities.launch_conditions import arguments, taken
 from ecm_extract.entities.launch_reads import is_open, reads
 from ecm_extract.entities.nodes import launched_nodes
 from ecm_extract.entities.side_texts import SideTexts
@@ -25,17 +26,20 @@ def launch_entities(facts: PackageFacts, launches: Sequence[tuple[str, LaunchFil
         base = Provision(kind="launch_argument", package=facts.name, owner=name, name="", path=path, line=1)
         yield msgspec.structs.replace(base, kind="launch_file", owner="", name=name, open=is_open(file))
         yield from launched_nodes(facts, path, name, file.actions)
-        declared = [each for each in arguments(file.actions) if each.value is None]
-        for argument in declared:
+        for each in taken(file.actions):
+            argument = each.action
+            if not isinstance(argument, Argument) or argument.value is not None:
+                continue
             yield msgspec.structs.replace(
                 base,
                 name=argument.name,
                 default=None if argument.default is None else written(argument.default),
                 deprecated=argument.description if "deprecat" in argument.description.lower() else None,
                 line=argument.line,
+                when=each.when,
             )
         named = {argument.name for argument in arguments(file.actions)}
-        for read in {each.name: each for each in reads(file) if each.name not in named}.values():
+        for read in {found.name: found for found in reads(file) if found.name not in named}.values():
             yield msgspec.structs.replace(base, name=read.name, default=written(read.default), line=read.line)
 
 
@@ -57,12 +61,3 @@ def _parsed(texts: SideTexts, facts: PackageFacts) -> Iterator[tuple[str, Launch
         file = texts.told(path, read_launch(path, data, facts.ros))
         if file is not None:
             yield path, file
-
-
-def arguments(actions: Iterable[Action]) -> Iterator[Argument]:
-    """Yield all arguments that actions declare, those of groups included."""
-    for action in actions:
-        if isinstance(action, Argument):
-            yield action
-        elif isinstance(action, Group):
-            yield from arguments(action.actions)

@@ -8,9 +8,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from ecm_checker.hub.provision import HOLE, LAUNCHED, Provision
-from ecm_parsers.launch.model import Action, Group, Node
+from ecm_parsers.launch.model import Action, Node
 from ecm_parsers.launch.templates import plain_text
 
+from ecm_extract.entities.launch_conditions import taken
 from ecm_extract.link.linker import LinkedModule
 from ecm_extract.read.facts import PackageFacts
 
@@ -36,9 +37,10 @@ def node_entities(facts: PackageFacts, modules: Sequence[LinkedModule]) -> Itera
 
 def launched_nodes(facts: PackageFacts, path: str, owner: str, actions: Iterable[Action]) -> Iterator[Provision]:
     """Yield the names that a launch file gives to nodes, as far as they stand there; `bases` is what each runs."""
-    for node in all_nodes(actions):
-        name = plain_text(node.name)
-        if name:
+    for each in taken(actions):
+        node = each.action
+        name = plain_text(node.name) if isinstance(node, Node) else None
+        if isinstance(node, Node) and name:
             parts = (node.package, node.executable, node.plugin)
             yield Provision(
                 kind="node",
@@ -50,14 +52,5 @@ def launched_nodes(facts: PackageFacts, path: str, owner: str, actions: Iterable
                 ros=facts.ros,
                 path=path,
                 line=node.line,
+                when=each.when,
             )
-
-
-def all_nodes(actions: Iterable[Action]) -> Iterator[Node]:
-    """Yield the nodes of a launch file, those of groups and containers included."""
-    for action in actions:
-        if isinstance(action, Node):
-            yield action
-            yield from all_nodes(action.components)
-        elif isinstance(action, Group):
-            yield from all_nodes(action.actions)

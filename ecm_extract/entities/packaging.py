@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections import defaultdict
+from collections.abc import Iterator, Sequence
 
+import msgspec
 from ecm_checker.hub.provision import Provision
-from ecm_parsers.cmake_facts import Target
+from ecm_parsers.cmake_facts import Install, Target
 
+from ecm_extract.entities.build_conditions import build_conditions
 from ecm_extract.entities.deprecations import deprecated_names
 from ecm_extract.entities.public_files import public_headers
 from ecm_extract.entities.side_texts import SideTexts
@@ -61,6 +64,7 @@ def _targets(facts: PackageFacts) -> Iterator[Provision]:
                     name=target.output or target.name,
                     path=path,
                     line=target.line,
+                    when=build_conditions((*target.conditions, *_installed_when(target, facts, installs))),
                 )
         for component in file.components:
             if component.executable:
@@ -83,33 +87,56 @@ def _targets(facts: PackageFacts) -> Iterator[Provision]:
             )
 
 
+def _installed_when(target: Target, facts: PackageFacts, installs: Sequence[Install]) -> tuple[str, ...]:
+    """Conditions of the only rule that installs a target; of several one may hold where another does not."""
+    found = [entry for entry in installs if target.name in entry.items]
+    return found[0].conditions if len(found) == 1 and not _runs_where_built(target, facts) else ()
+
+
 def _runs_where_built(target: Target, facts: PackageFacts) -> bool:
     """ROS 1 starts programs from where they are built (rosbuild, the devel space of catkin), installed or not."""
     return facts.ros == 1 and target.kind == "executable"
 
 
 def _scripts(facts: PackageFacts) -> Iterator[Provision]:
-    names: dict[str, tuple[str, int]] = {}
-    for name, path, line in [*_cmake_programs(facts), *_setup_programs(facts)]:
-        names.setdefault(name.rsplit("/", 1)[-1], (path, line))
-    for name, (path, line) in names.items():
+    found: dict[str, list[_Script]] = defaultdict(list)
+    for script in (*_cmake_programs(facts), *_setup_programs(facts)):
+        found[script.name.rsplit("/", 1)[-1]].append(script)
+    for name, scripts in found.items():
         if "$" not in name and "*" not in name:
-            yield Provision(kind="executable", package=facts.name, owner="", name=name, path=path, line=line)
+            yield Provision(
+                kind="executable",
+                package=facts.name,
+                owner="",
+                name=name,
+                path=scripts[0].path,
+                line=scripts[0].line,
+                when=build_conditions(scripts[0].conditions) if len(scripts) == 1 else (),
+            )
 
 
-def _cmake_programs(facts: PackageFacts) -> Iterator[tuple[str, str, int]]:
+class _Script(msgspec.Struct, frozen=True):
+    """A script that is installed, where that is written, and under which conditions of the build."""
+
+    name: str
+    path: str
+    line: int
+    conditions: tuple[str, ...] = ()
+
+
+def _cmake_programs(facts: PackageFacts) -> Iterator[_Script]:
     for path, file in facts.cmake.items():
         for entry in file.installs:
             if entry.kind in {"programs", "python"}:
-                yield from ((item, path, entry.line) for item in entry.items)
+                yield from (_Script(item, path, entry.line, entry.conditions) for item in entry.items)
 
 
-def _setup_programs(facts: PackageFacts) -> Iterator[tuple[str, str, int]]:
+def _setup_programs(facts: PackageFacts) -> Iterator[_Script]:
     for path, setup in facts.setups.items():
         for point in setup.entry_points:
             if point.group == "console_scripts":
-                yield point.name, path, point.line
-        yield from ((script, path, 1) for script in setup.scripts)
+                yield _Script(point.name, path, point.line)
+        yield from (_Script(script, path, 1) for script in setup.scripts)
 
 
 def _plugins(texts: SideTexts, facts: PackageFacts) -> Iterator[Provision]:

@@ -34,11 +34,11 @@ class Part(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Composition:
-    """Programs by (package, executable); by a module's identity its parts, and bases of plugins it loads all of."""
+    """Programs by (package, executable); by module its parts, and bases of plugins that it loads all of."""
 
     programs: dict[tuple[str, str], list[Part]] = field(default_factory=lambda: defaultdict(list))
-    parts: dict[int, list[Part]] = field(default_factory=lambda: defaultdict(list))
-    loads: dict[int, set[str]] = field(default_factory=lambda: defaultdict(set))
+    parts: dict[Module, list[Part]] = field(default_factory=lambda: defaultdict(list))
+    loads: dict[Module, set[str]] = field(default_factory=lambda: defaultdict(set))
 
 
 def composition_of(modules: Modules, references: References) -> Composition:
@@ -51,7 +51,7 @@ def composition_of(modules: Modules, references: References) -> Composition:
         composer.place(module, found)
     for base, unit in composer.loaders():
         for module in modules.owners(unit):
-            found.loads[id(module)].add(base)
+            found.loads[module].add(base)
     return found
 
 
@@ -77,7 +77,7 @@ class _Composer:
             elif isinstance(unit, Cls):
                 owner = self.modules.by_class[id(unit)]
                 for name in self._names(calls, unit) or [None]:
-                    _add(found.parts[id(owner)], Part(module, name, nested))
+                    _add(found.parts[owner], Part(module, name, nested))
 
     def loaders(self) -> Iterator[tuple[str, Unit]]:
         """Yield (base class, unit) of the loaders that take every class that plugin descriptions declare."""

@@ -37,7 +37,7 @@ class EndpointTypes:
         declared = self._declared(written, site.env) or stated or self._out_type(out, site.env)
         known = declared or (type_of_data(data) if data is not UNKNOWN else None)
         known = known or self._default_type(default, site.env) or self._target_type(site)
-        known = known or self._read_type(site)
+        known = known or self._read_type(site) or self._described(site)
         return known, UNKNOWN if known in _NO_TEXT and isinstance(data, str) else data
 
     def _target_type(self, site: Site) -> str | None:
@@ -61,6 +61,16 @@ class EndpointTypes:
         targets = self.folder.reads.read_into(site.call.func, name)
         types = (declared_type(plain_type(self.folder.objects.type_of(Name(target), site.env))) for target in targets)
         return next((found for found in types if found is not None), None)
+
+    def _described(self, site: Site) -> str | None:
+        """The type that the descriptor of a Python parameter names: `ParameterDescriptor(type=...)`."""
+        described = next(positions(site.form.type, site.call), None)
+        if site.env.func.file.language != "python" or described is None:
+            return None
+        if isinstance(described, Call):
+            return _descriptor_type(described)
+        made = (entry.statement.value for entry, _ in self.folder.lists.definitions(described, site.env))
+        return next((_descriptor_type(value) for value in made if isinstance(value, Call)), None)
 
     def _bound_stated(self, default: Expr | None, env: Env) -> str | None:
         bound = env.args.get(getattr(default, "id", "")) if default is not None else None
@@ -103,6 +113,12 @@ class EndpointTypes:
                 known = type_of_data(data) if data is not UNKNOWN else None
                 return known or self._default_type(bound.expr, bound.env)
         return None
+
+
+def _descriptor_type(descriptor: Call) -> str | None:
+    """The type that a descriptor is made with; `.value` of a type is its number."""
+    given = dict(descriptor.keywords).get("type")
+    return stated_type(given.base if isinstance(given, Member) and given.name == "value" else given)
 
 
 def _cast(value: Expr | None, line: int) -> str | None:

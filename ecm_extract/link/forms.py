@@ -30,7 +30,8 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         role: what the call makes of its module.
         match: `method` of any object, `function` by qualified name, `construct` for objects of a class.
         language: `cpp` or `python`. ros: 1, 2 or 0 for both.
-        name: position of the ROS name. type: position of the type, or a fixed `package/kind/Name`.
+        name: position of the ROS name. type: position of the type, or a fixed `package/kind/Name`; of a parameter of
+            rclpy the position of its descriptor.
         qos: position of the QoS profile or queue size. default: position of a parameter's default.
         out: position of the variable that receives a parameter's value.
         receiver: last names of the classes whose objects have the method; empty for any.
@@ -40,6 +41,7 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         min_args: fewer positional arguments are another function.
         frame: positions of frames, for transforms.
         latch: position of the flag that keeps the last message for who comes later (ROS 1).
+        beside: last part of the name of a second endpoint in the same namespace. beside_type: its type.
     """
 
     callee: str
@@ -59,6 +61,8 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     min_args: int = 0
     frame: str = ""
     latch: str = ""
+    beside: str = ""
+    beside_type: str = ""
 
     def __post_init__(self) -> None:
         """Refuse positions that mean nothing, so that a misspelt one is an error and not a form without effect."""

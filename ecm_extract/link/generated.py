@@ -9,13 +9,12 @@ from typing import Any
 from ecm_checker.contract import Evidence, Interface
 from ecm_parsers.dynamic_reconfigure import ReconfigureFile
 from ecm_parsers.parameter_library import ParameterNamespace
-from ecm_parsers.source.expr import Member, Name
 
-from ecm_extract.link.calls import dotted_name
+from ecm_extract.link.mentioned_types import MentionedTypes
 from ecm_extract.link.parameters import Parameters
 from ecm_extract.link.program import Program
 from ecm_extract.link.references import Unit
-from ecm_extract.link.units import File, Func
+from ecm_extract.link.units import File
 from ecm_extract.read.facts import PackageFacts
 
 _TYPES = {"int": "integer", "str": "string", "double": "double", "bool": "bool"}
@@ -27,7 +26,7 @@ class GeneratedParameters:
     def __init__(self, program: Program, packages: Sequence[PackageFacts]) -> None:
         self.program = program
         self.packages = packages
-        self._texts: dict[str, list[tuple[Unit, str]]] = {}
+        self._mentioned = MentionedTypes(program)
         self._files: dict[str, list[File]] = defaultdict(list)
         for file in program.files:
             self._files[file.package].append(file)
@@ -58,7 +57,7 @@ class GeneratedParameters:
     def _listeners(self, namespace: str, files: Sequence[File]) -> list[Unit]:
         """Units that mention `<namespace>::ParamListener`; for Python the import of the generated module."""
         marks = (f"{namespace}::ParamListener", f"{namespace}.ParamListener")
-        found = self._mentioning(marks, files)
+        found = self._mentioned.units(marks, files)
         if found:
             return found
         header = [
@@ -70,42 +69,14 @@ class GeneratedParameters:
             header or [f for f in files if any(namespace in entry.module for entry in f.facts.imports)]
         )
 
-    def _mentioning(self, marks: tuple[str, ...], files: Sequence[File]) -> list[Unit]:
-        found: dict[int, Unit] = {}
-        for unit, text in self._typed_units(files):
-            if any(mark in text for mark in marks):
-                found[id(unit)] = unit
-        return list(found.values())
-
-    def _typed_units(self, files: Sequence[File]) -> list[tuple[Unit, str]]:
-        """Return the classes and functions of a package, each with the types that it names as one text."""
-        package = files[0].package if files else ""
-        known = self._texts.get(package)
-        if known is None:
-            classes = (cls for file in files for cls in self.program.classes_in(file))
-            functions = (func for file in files for func in self.program.functions_in(file))
-            known = [(cls, " ".join([f"{entry.type}>" for entry in cls.fact.fields])) for cls in classes]
-            known += [(func.holder or func, _types_in(func)) for func in functions]
-            self._texts[package] = known
-        return known
-
     def _units_of(self, files: Sequence[File]) -> list[Unit]:
         found: list[Unit] = [cls for file in files for cls in self.program.classes_in(file)]
         return found[:1]
 
     def _servers(self, reconfigure: ReconfigureFile, files: Sequence[File]) -> list[Unit]:
-        """Units that hold a `dynamic_reconfigure::Server<pkg::NameConfig>`."""
-        return self._mentioning((f"{_config_name(reconfigure)}Config>", f"{_config_name(reconfigure)}Config >"), files)
-
-
-def _types_in(func: Func) -> str:
-    words = [statement.type for statement in func.fact.body if statement.type]
-    for calls in func.calls:
-        for call in calls:
-            words += call.types
-            if isinstance(call.callee, Name | Member):
-                words.append(dotted_name(call.callee) if isinstance(call.callee, Member) else call.callee.id)
-    return "> ".join(words) + ">"
+        """Units that hold a `dynamic_reconfigure::Server<pkg::NameConfig>`, or make a server of it in Python."""
+        config = f"{_config_name(reconfigure)}Config"
+        return self._mentioned.units((f"{config}>", f"{config} >"), files)
 
 
 def _config_name(reconfigure: ReconfigureFile) -> str:

@@ -13,6 +13,7 @@ from ecm_parsers.source.expr import Expr, Items, Text
 from ecm_extract.link.activation import Activation
 from ecm_extract.link.built import files_of
 from ecm_extract.link.claims import Claim, claims_of
+from ecm_extract.link.companions import beside, companion
 from ecm_extract.link.data import UNKNOWN, stated_type
 from ecm_extract.link.diagnoses import SUMMARIES, Diagnosis, diagnoses
 from ecm_extract.link.endpoint_types import EndpointTypes
@@ -241,6 +242,8 @@ class Linker:
                 inherited_from=origin,
             )
             yield interface, name.resolved if site.form.fixed else local
+            if site.form.beside:
+                yield companion(interface, site.form), beside(local, site.form.beside)
 
     def _name(self, site: Site, value: Value, handle: Handle, node: str | None, ros: int | None) -> RosName:
         if site.form.fixed:

@@ -142,11 +142,21 @@ class Types:
         head, _, tail = bare.partition("::")
         if head in template:
             return TypeFound(None, frozenset({head}))
+        if head in _KINDS and tail:
+            return TypeFound(self._relative(bare, env, role))
         outer = (self.program.alias(head, env.func.file, self._scope(env)) or self._macro(head, env)) if tail else None
         if outer is not None and plain(outer) != head:
             return self.written(f"{_bare(outer)}::{tail}", env, role, depth + 1)
         full = self._full(bare, role) if "::" in bare else self._unqualified(bare, env, role)
         return TypeFound(full or self._in_lower_case(bare, env, role))
+
+    def _relative(self, bare: str, env: Env, role: Role) -> str | None:
+        """`msg::Goal` in `namespace pkg`: generated types stand in the outermost namespace, named as the package."""
+        scope = env.func.cls.fact.scope if env.func.cls is not None else env.func.fact.scope
+        outer = scope.removeprefix("::").partition("::")[0]
+        if not outer or self.program.class_named(outer, env.func.file) is not None:
+            return None
+        return self._full(f"{outer}::{bare}", role)
 
     def _macro(self, name: str, env: Env) -> str | None:
         """What `#define name other::name` stands for, as trees for two distributions rename packages."""
@@ -248,13 +258,9 @@ def _serves(func: Func) -> bool:
 
 def _bare(text: str) -> str:
     """The type's name without pointers, references and template arguments of pointers."""
-    stripped = _whole(
-        " ".join(
-            word
-            for word in text.replace("&", " ").replace("*", " ").split()
-            if word not in {"const", "typename", "template"}
-        )
-    )
+    words = text.replace("&", " ").replace("*", " ").split()
+    written = " ".join(word for word in words if word not in {"const", "typename", "template"})
+    stripped = _whole(written.replace(" ::", "::").replace(":: ", "::"))
     inner = pointee(stripped)
     inner = " ".join(word for word in inner.split() if word not in {"const", "typename"})
     head = inner.split("<", 1)[0].strip()

@@ -33,6 +33,8 @@ from ecm_extract.system.files import Files
 from ecm_extract.system.launch_files import is_aside, is_launch_file, read_launch
 from ecm_extract.system.model import Given, Place
 from ecm_extract.system.modules import ModuleIndex
+from ecm_extract.system.package_folders import folders_read
+from ecm_extract.system.running import running_of
 from ecm_extract.system.system import System, evaluated_system
 from ecm_extract.tree import FileDiagnostic, Tree, Unread
 
@@ -69,10 +71,10 @@ class Workspace:
             self.linker.tell(tree)
         self.externals = frozenset(config.externals)
         self.by_name = {package.name: package for package in self.packages}
-        self.files = Files(tree, self.packages)
+        self.files = Files(tree, folders_read(self.packages))
         composition = composition_of(self.linker.modules, self.linker.references)
         self.programs = composition.programs
-        self.index = ModuleIndex(self.linked, self.packages, composition)
+        self.index = ModuleIndex(running_of(self.packages, self.linked, composition))
 
     @cached_property
     def parts(self) -> Sequence[Workspace]:

@@ -30,7 +30,7 @@ from ecm_extract.read.facts import PackageFacts
 from ecm_extract.read.parallel import SourceParse
 from ecm_extract.read.parsed_file import BlobFacts, ParsedFile, Task
 from ecm_extract.read.prefetch import Prefetch
-from ecm_extract.tree import FileDiagnostic, Tree, Unread, printable
+from ecm_extract.tree import FileDiagnostic, Tree, Unread, printable, unread_of
 
 OVERLAY = "ecm.yaml"
 _NO_MANIFEST = frozenset(
@@ -96,7 +96,9 @@ class Reader:
 
     def _read_packages(self, packages: list[PackageFacts]) -> None:
         self._contents.fetch(entry for package in packages for entry in package.root.files)
-        build_files = BuildFiles((entry.path for entry in self.tree.files()), self._contents.read)
+        paths = [entry.path for entry in self.tree.files()]
+        absent = [entry.path for entry in unread_of(self.tree.diagnostics) if entry.reason == "submodule"]
+        build_files = BuildFiles(paths, self._contents.read, absent)
         for package in packages:
             package.cmake = read_cmake(build_files, package.root, self.tree)
             for path in package.cmake:
@@ -214,12 +216,10 @@ class Reader:
             classes = self.parse(path, plugin_xml.parse)
             if classes is not None:
                 package.plugins[path] = classes
-        for folder, file in package.cmake.items():
-            for library in file.parameter_libraries:
-                path = _beside(folder, library.path)
-                found = self.parse(path, parameter_library.parse_parameter_library)
-                if found is not None:
-                    package.parameters[path] = found
+        for path in _parameter_files(package):
+            found = self.parse(path, parameter_library.parse_parameter_library)
+            if found is not None:
+                package.parameters[path] = found
 
     def _plugin_files(self, package: PackageFacts) -> set[str]:
         listed = {entry.path for entry in package.root.files}
@@ -253,6 +253,13 @@ def _counting(progress: Progress | None, total: int) -> Callable[[int], None]:
             progress(count, total)
 
     return done
+
+
+def _parameter_files(package: PackageFacts) -> list[str]:
+    """Declarations that generate_parameter_library makes code of, as CMake and `setup.py` name them."""
+    found = [_beside(at, library.path) for at, file in package.cmake.items() for library in file.parameter_libraries]
+    found += [_beside(at, path) for at, setup in package.setups.items() for path in setup.parameter_files]
+    return list(dict.fromkeys(found))
 
 
 def _beside(path: str, relative: str) -> str:

@@ -77,20 +77,28 @@ def _unread(session: Session, scope: Scope, beside: Collection[str]) -> Iterator
 
 
 def _computed(session: Session, names: Sequence[Provision], scope: Scope, beside: Collection[str]) -> Iterator[Doubt]:
-    kinds = {each.kind for each in names}
-    may_mean = [use for use, row in uses().items() if kinds.intersection(row.of)]
+    by_use = _by_use(names)
     rows = session.execute(
         select(Release, RequirementRow.part_id, RequirementRow.number)
         .join(Holds, Holds.release_id == Release.id)
         .join(RequirementRow, RequirementRow.part_id == Holds.part_id)
-        .where(RequirementRow.use.in_(may_mean), RequirementRow.certainty == "unknown")
+        .where(RequirementRow.use.in_(by_use), RequirementRow.certainty == "unknown")
         .where(Release.id.in_(scope.query()))
     ).all()
     parts = requirements_by_part(session, {row.part_id for row in rows})
     for release, part, number in rows:
         entry = parts[part][number]
-        if release.package not in beside and any(_may_mean(entry, each) for each in names):
+        if release.package not in beside and any(_may_mean(entry, each) for each in by_use[entry.use]):
             yield from _lines(name_of(release), entry)
+
+
+def _by_use(names: Sequence[Provision]) -> dict[str, list[Provision]]:
+    """The names that each use could be of, of those uses that have any."""
+    found = {
+        use: [each for each in names if each.kind in row.of and row.facet in {"", each.facet}]
+        for use, row in uses().items()
+    }
+    return {use: meant for use, meant in found.items() if meant}
 
 
 def _lines(release: str, entry: Requirement) -> Iterable[Doubt]:
@@ -98,10 +106,7 @@ def _lines(release: str, entry: Requirement) -> Iterable[Doubt]:
 
 
 def _may_mean(entry: Requirement, provision: Provision) -> bool:
-    """Whether a computed name could come out as the name that is asked about: by its last part and its type."""
-    row = uses()[entry.use]
-    if provision.kind not in row.of or row.facet not in {"", provision.facet}:
-        return False
+    """Whether a computed name could come out as a name that its use may be of: by its last part and its type."""
     if entry.type and provision.type and last_part(entry.type) != last_part(provision.type):
         return False
     offered, used = last_part(provision.name), entry.name.rpartition("/")[2]

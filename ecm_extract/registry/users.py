@@ -237,4 +237,4 @@ def _is_own(entry: Requirement, stored: StoredConsumer, provision: Provision) ->
 
 def _lines(entry: Requirement) -> Iterator[Line]:
     for at in entry.evidence:
-        yield Line(at.path, at.line, entry.phrase, entry.certainty)
+        yield Line(at.path, at.line, entry.phrase, entry.needs)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Final
 
+from ecm_checker.hub.condition import Condition
 from ecm_checker.hub.requirement import Requirement
 
 from ecm_extract.read.facts import PackageFacts
@@ -36,7 +37,8 @@ def _of_manifest(facts: PackageFacts) -> Iterator[Requirement]:
 
 
 def _package(name: str, place: Place, conditions: tuple[str, ...] = ()) -> Requirement:
-    return required("depends", name, place, "likely", conditions=conditions)
+    when = tuple(Condition("expression", each) for each in conditions)
+    return required("depends", name, place, "likely", conditions=conditions, when=when)
 
 
 def _library(link: str, place: Place) -> Iterator[Requirement]:

@@ -13,6 +13,7 @@ from typing import Final
 
 import msgspec
 from ecm_checker.contract import Evidence
+from ecm_checker.hub.condition import Condition
 from ecm_checker.hub.requirement import Given, Requirement
 from ecm_parsers.launch.model import (
     Action,
@@ -21,6 +22,7 @@ from ecm_parsers.launch.model import (
     LaunchFile,
     Node,
     ParameterFile,
+    ParameterSource,
     ParameterValue,
     Remap,
     Template,
@@ -28,6 +30,7 @@ from ecm_parsers.launch.model import (
 from ecm_parsers.launch.templates import holed, plain_text, written
 
 from ecm_extract.entities.launch import launch_files
+from ecm_extract.entities.launch_conditions import conditions_of, together
 from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.name_lines import line_of_name
@@ -44,17 +47,26 @@ _BELOW_NODE: Final = 2
 
 
 class _Scope(msgspec.Struct, frozen=True):
-    """Where an action stands: its file, and the conditions around it."""
+    """Where an action stands: its file, and the conditions around it as written and by what they test."""
 
     path: str
     conditions: tuple[str, ...] = ()
+    when: tuple[Condition, ...] = ()
 
     def place(self, line: int) -> Place:
         return Place(self.path, line, f"launch_file {PurePosixPath(self.path).name}")
 
-    def inside(self, condition: Template | None) -> _Scope:
-        told = self.conditions if condition is None else (*self.conditions, written(condition))
-        return _Scope(self.path, told)
+    def inside(self, condition: Template | None) -> _Scope | None:
+        """Return what is below a condition; None where it never holds."""
+        own = conditions_of(condition)
+        if own is None:
+            return None
+        told = (written(condition),) if condition is not None and own else ()
+        return _Scope(self.path, (*self.conditions, *told), together(self.when, own))
+
+    def under(self, found: Requirement) -> Requirement:
+        """Return a requirement with the conditions that are known here."""
+        return msgspec.structs.replace(found, conditions=self.conditions, when=self.when) if self.conditions else found
 
 
 def launch_requirements(texts: SideTexts, facts: PackageFacts) -> Iterator[Requirement]:
@@ -78,8 +90,8 @@ def requirements_of_file(path: str, file: LaunchFile, lines: Sequence[bytes]) ->
 def _of_actions(actions: Iterable[Action], scope: _Scope) -> Iterator[Requirement]:
     for action in actions:
         inner = scope.inside(action.condition)
-        for found in _of_action(action, inner):
-            yield msgspec.structs.replace(found, conditions=inner.conditions) if inner.conditions else found
+        for found in _of_action(action, inner) if inner is not None else ():
+            yield inner.under(found) if inner is not None and not found.conditions else found
 
 
 def _of_action(action: Action, scope: _Scope) -> Iterator[Requirement]:
@@ -107,8 +119,11 @@ def _of_include(action: Include, scope: _Scope) -> Iterator[Requirement]:
     path = f"{found[2].lstrip('/')}{found[3]}"
     yield required("includes_launch", found[3], place, package=found[1], given=given, target=path)
     lines = action.argument_lines or (action.line,) * len(action.arguments)
-    for (name, _), line in zip(action.arguments, lines, strict=True):
-        yield required("gives_argument", name, scope.place(line), package=found[1], owner=found[3])
+    conditions = action.argument_conditions or (None,) * len(action.arguments)
+    for (name, _), line, condition in zip(action.arguments, lines, conditions, strict=True):
+        inner = scope.inside(condition)
+        if inner is not None:
+            yield inner.under(required("gives_argument", name, scope.place(line), package=found[1], owner=found[3]))
 
 
 def _of_node(action: Node, scope: _Scope) -> Iterator[Requirement]:
@@ -120,17 +135,24 @@ def _of_node(action: Node, scope: _Scope) -> Iterator[Requirement]:
     if plugin:
         yield required("loads_plugin", plugin, place)
     yield from _names(action, place)
-    home = _home(action)
-    for remap in action.remaps:
-        yield _below_node(_remap(remap, scope, home), plain(action.name or ()))
-        yield from _reached(remap, scope.place(remap.line))
-    for source in action.parameters:
-        at = scope.place(source.line or action.line)
-        if isinstance(source, ParameterFile):
-            yield from _of_file(source.path, at)
-        else:
-            yield from _of_parameter(source, at, home)
+    for part in (*action.remaps, *action.parameters):
+        inner = scope.inside(part.condition)
+        for each in _of_part(action, part, scope) if inner is not None else ():
+            yield inner.under(each) if inner is not None else each
     yield from _of_actions(action.components, scope)
+
+
+def _of_part(action: Node, part: Remap | ParameterSource, scope: _Scope) -> Iterator[Requirement]:
+    """What a remap or parameter of a node requires."""
+    place, home = scope.place(part.line or action.line), _home(action)
+    match part:
+        case Remap():
+            yield _below_node(_remap(part, scope, home), plain(action.name or ()))
+            yield from _reached(part, scope.place(part.line))
+        case ParameterFile():
+            yield from _of_file(part.path, place)
+        case ParameterValue():
+            yield from _of_parameter(part, place, home)
 
 
 def _home(action: Node) -> str:

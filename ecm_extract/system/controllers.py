@@ -127,8 +127,7 @@ class _Controllers:
     def _claims(self, kind: str, parameters: Mapping[str, Any]) -> tuple[str, ...] | None:
         module = self.index.plugin(kind) if kind else None
         if module is not None and module.claims is not None:
-            commands = [claim.name for claim in module.claims if claim.kind == "command"]
-            return _settled(name for command in commands for name in filled(command, parameters.get))
+            return _settled(name for claim in module.claims for name in filled(claim, parameters.get))
         rows = public_claims().get(kind)
         if rows is None:
             return None

@@ -251,6 +251,7 @@ class Evaluator:
             self._included(file, action, scope.under(f"{path.text.removeprefix('tree:')} is {candidate}"), candidate)
 
     def _unread(self, file: _File, action: Include, path: Text) -> None:
+        self.result.is_closed = False
         shown = path.text.removeprefix("tree:")
         if path.known and self.files.is_beside(file.path, path.text):
             message = f"Included file `{shown}` is looked for in the folder that the launch is started from."
@@ -265,6 +266,7 @@ class Evaluator:
 
     def _unread_action(self, file: _File, action: Action, scope: Scope) -> None:
         assert isinstance(action, Unread)
+        self.result.is_closed = False
         message = f"`{action.text}` cannot be read without running it; what it starts is left out."
         self.tree.report(FileDiagnostic("info", "launch-action-unread", file.path, action.line, message))
 

@@ -8,8 +8,8 @@ from functools import cached_property
 from pathlib import PurePosixPath
 from typing import TypeVar, cast
 
-from ecm_extract.read.facts import PackageFacts
 from ecm_extract.system.installed import Installed
+from ecm_extract.system.package_folders import PackageFolder
 from ecm_extract.tree import Tree, left_out
 
 Read = TypeVar("Read")
@@ -27,11 +27,11 @@ MAX_NEIGHBOUR = 256_000
 class Files:
     """Finds and reads files of one tree."""
 
-    def __init__(self, tree: Tree, packages: Sequence[PackageFacts]) -> None:
+    def __init__(self, tree: Tree, packages: Sequence[PackageFolder]) -> None:
         self._tree = tree
-        self._roots = {package.name: package.root.path for package in packages}
-        self._ros = {package.root.path: package.ros for package in packages}
-        self._installed = Installed(packages)
+        self._roots = {package.name: package.path for package in packages}
+        self._ros = {package.path: package.ros for package in packages}
+        self._installed = Installed(row for package in packages for row in package.copied)
         self._paths = {entry.path for entry in tree.files()}
         self._stored = {entry.path: entry.size or 0 for entry in tree.files() if entry.identity is not None}
         self._by_name: dict[str, list[str]] = {}

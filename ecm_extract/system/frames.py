@@ -71,8 +71,8 @@ def _is_number(text: str) -> bool:
 def _broadcast(nodes: Sequence[SystemNode]) -> Iterator[FrameEdge]:
     for node in nodes:
         for module in node.modules:
-            for interface in module.interfaces:
-                if interface.role == "tf_broadcast" and interface.frame and " <- " in interface.frame:
-                    parent, child = interface.frame.split(" <- ", 1)
-                    place = Place(interface.evidence[0].path, interface.evidence[0].line)
+            for endpoint in module.endpoints:
+                if endpoint.role == "tf_broadcast" and endpoint.frame and " <- " in endpoint.frame:
+                    parent, child = endpoint.frame.split(" <- ", 1)
+                    place = Place(endpoint.path, endpoint.line)
                     yield FrameEdge(parent.lstrip("/"), child.lstrip("/"), False, node.name, place)

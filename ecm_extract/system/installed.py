@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from posixpath import join, normpath
 
-import msgspec
+from ecm_checker.hub.running import CopiedPath
 from ecm_parsers.cmake_facts import Install
 
 from ecm_extract.read.facts import PackageFacts
@@ -13,22 +13,11 @@ from ecm_extract.read.facts import PackageFacts
 _COPIED = frozenset({"directory", "files"})
 
 
-class _Row(msgspec.Struct, frozen=True):
-    """A path as it is named in the share folder, taken for the folder of the package, and what is copied there."""
-
-    named: str
-    source: str
-
-
 class Installed:
-    """Where files are copied from.
+    """Where files are copied from."""
 
-    Args:
-        packages: with the facts of their CMake files.
-    """
-
-    def __init__(self, packages: Iterable[PackageFacts]) -> None:
-        self._rows = tuple(row for package in packages for row in _rows(package))
+    def __init__(self, rows: Iterable[CopiedPath]) -> None:
+        self._rows = tuple(rows)
 
     def sources(self, path: str) -> Iterator[str]:
         """Yield the paths in the tree from which a path in a share folder may be copied."""
@@ -37,14 +26,15 @@ class Installed:
                 yield row.source + path.removeprefix(row.named)
 
 
-def _rows(package: PackageFacts) -> Iterator[_Row]:
+def copied_paths(package: PackageFacts) -> Iterator[CopiedPath]:
+    """Yield what the CMake files of a package copy into its share folder."""
     for path, file in package.cmake.items():
         for install in file.installs:
             if install.kind in _COPIED and "$" not in install.destination:
                 yield from _of(install, path.rpartition("/")[0], package)
 
 
-def _of(install: Install, folder: str, package: PackageFacts) -> Iterator[_Row]:
+def _of(install: Install, folder: str, package: PackageFacts) -> Iterator[CopiedPath]:
     share, _, below = install.destination.strip("/").removeprefix("share/").partition("/")
     if share != package.name or not install.destination.startswith("share/"):
         return
@@ -52,4 +42,4 @@ def _of(install: Install, folder: str, package: PackageFacts) -> Iterator[_Row]:
         source = normpath(join(folder, item))
         if "$" not in item and not source.startswith(".."):
             name = "" if item.endswith("/") else install.renamed or source.rpartition("/")[2]
-            yield _Row(normpath(join(package.root.path, below, name)), source)
+            yield CopiedPath(normpath(join(package.root.path, below, name)), source)

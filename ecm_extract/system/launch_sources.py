@@ -14,11 +14,16 @@ from ecm_extract.system.substitute import Substituter
 
 
 class LaunchSources:
-    """What the launch file `path` can import and open, where it is started in a scope."""
+    """What the launch file `path` can import and open, where it is started in a scope.
+
+    Attributes:
+        read: paths of the files of the tree that it has read.
+    """
 
     def __init__(self, files: Files, path: str, scope: Scope, budget: Budget) -> None:
         self._files = files
         self._path = path
+        self.read: set[str] = set()
         self._substituter = Substituter(files, path, scope.inner(), budget)
 
     def declared(self, name: str, default: Template) -> None:
@@ -30,13 +35,11 @@ class LaunchSources:
         known = stand_in(name.split(".")[0])
         if known is not None:
             return known
-        found = self._files.module(name, self._path)
-        return None if found is None else self._files.read(found)
+        return self._content(self._files.module(name, self._path))
 
     def file(self, path: Template) -> bytes | None:
         """Return the content of a file of the tree by its path as a launch file writes it."""
-        found = self._found(path)
-        return None if found is None else self._files.read(found)
+        return self._content(self._found(path))
 
     def exists(self, path: Template) -> bool | None:
         """Return whether the tree holds a file, None for a path that is outside of it."""
@@ -47,6 +50,12 @@ class LaunchSources:
         """Return the names of the files of a folder of the tree."""
         text = self._substituter.text(folder)
         return self._files.names(text.text) if text.known and text.text.startswith(TREE) else None
+
+    def _content(self, path: str | None) -> bytes | None:
+        if path is None:
+            return None
+        self.read.add(path)
+        return self._files.read(path)
 
     def _found(self, path: Template) -> str | None:
         text = self._substituter.text(path)

@@ -124,6 +124,7 @@ class Launched:
         files: launch files that were read, in order.
         globals: ROS 1 parameters outside of nodes.
         is_complete: False when something was left out for its size or since it is malformed; the diagnostics say what.
+        is_closed: False when more is started than is known, as by a file outside of the tree.
     """
 
     files: list[str] = field(default_factory=list)
@@ -131,6 +132,7 @@ class Launched:
     instances: list[Instance] = field(default_factory=list)
     globals: list[Setting] = field(default_factory=list)
     is_complete: bool = True
+    is_closed: bool = True
 
 
 def join(namespace: str, name: str) -> str:

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from ecm_checker.contract import Qos, Role
+from ecm_checker.hub.running import RunningModule
 
-from ecm_extract.link.linker import LinkedModule
 from ecm_extract.system.model import Instance, Place, Remapping
 
 
@@ -49,7 +49,7 @@ class Parameter:
     declared: bool | None
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, eq=False)
 class SystemNode:
     """A node of the graph.
 
@@ -61,7 +61,7 @@ class SystemNode:
 
     name: str
     instance: Instance
-    modules: tuple[LinkedModule, ...] = ()
+    modules: tuple[RunningModule, ...] = ()
     guessed: bool = False
     endpoints: tuple[Endpoint, ...] = ()
     parameters: tuple[Parameter, ...] = ()

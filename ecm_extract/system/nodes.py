@@ -5,12 +5,12 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from fnmatch import fnmatchcase
-from typing import Any, NamedTuple
+from typing import Any, Final, NamedTuple
 
-from ecm_checker.contract import Interface, Qos, Role
+from ecm_checker.contract import Qos, Role
+from ecm_checker.hub.running import RunningEndpoint, RunningModule
 
 from ecm_extract.description.model import Description
-from ecm_extract.link.linker import LinkedModule
 from ecm_extract.system.bridges import bridged
 from ecm_extract.system.controllers import Controller
 from ecm_extract.system.files import Files
@@ -21,19 +21,25 @@ from ecm_extract.system.names import Around, Resolved, node_matches, resolve
 from ecm_extract.system.node_model import Endpoint, Parameter, SystemNode
 from ecm_extract.system.public_nodes import default_name, public_endpoints
 from ecm_extract.system.settings import all_given
+from ecm_extract.system.spawners import spawned
 
 _OWN_NAME = re.compile(r"\{(?:name|plugin_name|plugin|layer_name|prefix|plugin_id)\}")
 """Holes that stand for the name under which a plugin is loaded."""
 _OWN_STATE = frozenset({"node", "lifecycle_node", "component"})
 """What a manager hosts has its state changed by calls, not by services."""
-_STATE_SERVICES = (("change_state", "ChangeState"), ("get_state", "GetState"))
+_OF_STATE: Final[Sequence[tuple[Role, str, str]]] = (
+    ("service_server", "change_state", "lifecycle_msgs/srv/ChangeState"),
+    ("service_server", "get_state", "lifecycle_msgs/srv/GetState"),
+    ("publisher", "transition_event", "lifecycle_msgs/msg/TransitionEvent"),
+)
+"""What rclcpp_lifecycle and rclpy.lifecycle make of every managed node (design.ros2.org, "Managed nodes")."""
 _HOLE = re.compile(r"\{[^{}]*\}")
 
 
 class Plugged(NamedTuple):
     """A module of a node; `name` is what the node's parameters call a plugin, empty for the node's own module."""
 
-    module: LinkedModule
+    module: RunningModule
     name: str
 
     def called(self, text: str) -> str:
@@ -60,13 +66,18 @@ class Declared:
 
 
 class NodeMaker:
-    """Makes the nodes of what a launch started."""
+    """Makes the nodes of what a launch started.
+
+    Attributes:
+        unknown: what runs beside nodes, or in them, and may have endpoints that nothing tells.
+    """
 
     def __init__(self, index: ModuleIndex, launched: Launched, files: Files) -> None:
         self.index = index
         self.files = files
-        self._set: dict[int, tuple[SystemNode, Sequence[Setting]]] = {}
+        self._set: dict[SystemNode, Sequence[Setting]] = {}
         self.launched = launched
+        self.unknown: set[str] = set()
 
     def nodes(self) -> list[SystemNode]:
         """Return every node, in the order in which they are started."""
@@ -82,17 +93,23 @@ class NodeMaker:
                 nodes.append(self._node(hosts.controller(controller), Loaded(module), first=True))
             elif controller.type:
                 nodes.append(self._outside(hosts.controller(controller)))
+            else:
+                self.unknown.add(controller.name)
         return [*nodes, *self._hardware(hosts)]
 
     def _hardware(self, hosts: Hosts) -> Iterator[SystemNode]:
         """Drivers of the tree that have endpoints of their own; one without makes no node that could be talked to."""
         for instance in hosts.hardware():
             module = self.index.plugin(instance.plugin)
-            if module is not None and any(entry.role != "parameter" for entry in module.interfaces):
+            if module is None:
+                self.unknown.add(instance.plugin)
+            elif any(entry.role != "parameter" for entry in module.endpoints):
                 yield self._node(instance, Loaded(module), first=True)
 
     def _of(self, instance: Instance) -> Iterator[SystemNode]:
         if instance.kind == "process":
+            if not any(spawned([instance])):
+                self.unknown.add(" ".join(word.text for word in instance.arguments))
             return
         modules = self.index.of(instance)
         if not modules:
@@ -139,11 +156,11 @@ class NodeMaker:
 
     def _node(self, instance: Instance, loaded: Loaded, *, first: bool) -> SystemNode:
         module = loaded.module
-        own = loaded.name or module.node or module.module.name
+        own = loaded.name or module.node or module.name
         name = (instance.name or own) if first else own
         namespace = join(instance.namespace, own) if loaded.nested and not first else instance.namespace
         node = SystemNode(join(namespace, name), instance, (module,))
-        plugins = {entry.module.module: entry for entry in self._plugins(node) if entry.module is not module}
+        plugins = {_key(entry.module): entry for entry in self._plugins(node) if _key(entry.module) != _key(module)}
         node.modules = (module, *(entry.module for entry in plugins.values()))
         node.endpoints = tuple(self._endpoints(node, [Plugged(module, ""), *plugins.values()]))
         node.parameters = tuple(self._parameters(node, [Plugged(module, ""), *plugins.values()]))
@@ -155,15 +172,17 @@ class NodeMaker:
             for value in setting.value if isinstance(setting.value, list) else [setting.value]:
                 if isinstance(value, str) and ("::" in value or "/" in value):
                     module = self.index.plugin(value)
+                    if module is None and "::" in value:
+                        self.unknown.add(value)
                     if module is not None:
                         yield Plugged(module, setting.name.rpartition(".")[0].rpartition("/")[2])
 
     def _settings(self, node: SystemNode) -> Sequence[Setting]:
         """What the launch sets for a node, later ones win; names are the node's own."""
-        known = self._set.get(id(node))
-        if known is None or known[0] is not node:
-            known = self._set[id(node)] = (node, self._read_settings(node))
-        return known[1]
+        known = self._set.get(node)
+        if known is None:
+            known = self._set[node] = self._read_settings(node)
+        return known
 
     def _read_settings(self, node: SystemNode) -> Sequence[Setting]:
         instance = node.instance
@@ -191,31 +210,30 @@ class NodeMaker:
     def _endpoints(self, node: SystemNode, plugged: Sequence[Plugged]) -> Iterator[Endpoint]:
         seen = set()
         for entry in plugged:
-            for interface in entry.module.interfaces:
-                if interface.role == "parameter":
+            for declared in entry.module.endpoints:
+                if declared.role == "parameter":
                     continue
-                for endpoint in self._resolved(node, entry, interface):
+                for endpoint in self._resolved(node, entry, declared):
                     key = (endpoint.role, endpoint.name, endpoint.type)
                     if key not in seen:
                         seen.add(key)
                         yield endpoint
         if node.instance.kind in _OWN_STATE:
-            yield from _state_services(node, plugged)
+            yield from _of_state(node, plugged)
 
-    def _resolved(self, node: SystemNode, entry: Plugged, interface: Interface) -> Iterator[Endpoint]:
-        names = entry.module.local.get((interface.role, interface.name, interface.type), (interface.name,))
+    def _resolved(self, node: SystemNode, entry: Plugged, declared: RunningEndpoint) -> Iterator[Endpoint]:
         own = node.name.rpartition("/")[2]
         around = Around(node.namespace, own, node.instance.remaps, lambda name: self._given(node, entry.called(name)))
-        place = Place(interface.evidence[0].path, interface.evidence[0].line)
-        for resolved in (each for local in names for each in resolve(entry.called(local), around)):
-            yield _endpoint(node, interface.role, interface.type, resolved, place, interface.qos)
+        place = Place(declared.path, declared.line)
+        for resolved in (each for local in declared.local_names for each in resolve(entry.called(local), around)):
+            yield _endpoint(node, declared.role, declared.type, resolved, place, declared.qos)
 
     def _parameters(self, node: SystemNode, plugged: Sequence[Plugged]) -> Iterator[Parameter]:
         declared = Declared(
-            (entry.called(_own(interface, node)), interface.default)
+            (entry.called(_own(each, node)), each.default)
             for entry in plugged
-            for interface in entry.module.interfaces
-            if interface.role == "parameter"
+            for each in entry.module.endpoints
+            if each.role == "parameter"
         )
         found = {name: Parameter(name, default, None, declared=True) for name, default in declared.plain.items()}
         for setting in self._settings(node):
@@ -224,13 +242,13 @@ class NodeMaker:
         yield from (found[name] for name in sorted(found))
 
 
-def _state_services(node: SystemNode, plugged: Sequence[Plugged]) -> Iterator[Endpoint]:
-    """The services by which the state of a managed node is changed and read; rclcpp_lifecycle makes them."""
-    own = next((entry.module.module for entry in plugged if not entry.name and entry.module.lifecycle), None)
-    for leaf, kind in _STATE_SERVICES if own is not None else ():
+def _of_state(node: SystemNode, plugged: Sequence[Plugged]) -> Iterator[Endpoint]:
+    """The endpoints by which the state of a managed node is changed, read and told."""
+    own = next((entry.module for entry in plugged if not entry.name and entry.module.lifecycle), None)
+    for role, leaf, kind in _OF_STATE if own is not None else ():
         name = join(node.name, leaf)
         place = Place(own.path, own.line) if own is not None else node.instance.place
-        yield _endpoint(node, "service_server", f"lifecycle_msgs/srv/{kind}", Resolved(name, name, None, ()), place)
+        yield _endpoint(node, role, kind, Resolved(name, name, None, ()), place)
 
 
 def _endpoint(
@@ -250,9 +268,11 @@ def _endpoint(
     )
 
 
-def _own(interface: Interface, node: SystemNode) -> str:
+def _own(declared: RunningEndpoint, node: SystemNode) -> str:
     """Name of a parameter without the node that ROS 1 puts before it."""
-    if node.instance.ros == 2:
-        return interface.name
-    raw = interface.raw_name
-    return raw.lstrip("~/")
+    return declared.name if node.instance.ros == 2 else declared.raw_name.lstrip("~/")
+
+
+def _key(module: RunningModule) -> tuple[str, str, str, int]:
+    """What tells modules of two packages, files or lines apart."""
+    return module.package, module.name, module.path, module.line

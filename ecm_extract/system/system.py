@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-import gc
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Final
 
+import msgspec
+from ecm_checker.hub.package import Package
+
+from ecm_extract.collector import without_collector
 from ecm_extract.description.model import Description
 from ecm_extract.errors import InputError
-from ecm_extract.extraction_model import Options
-from ecm_extract.link.composition import composition_of
-from ecm_extract.link.forms import form_table
-from ecm_extract.link.linker import Linker
-from ecm_extract.read.reader import Reader
-from ecm_extract.settings import config_of
+from ecm_extract.extraction import extract
+from ecm_extract.extraction_model import LocatedDiagnostic, Options
+from ecm_extract.stored import Stored, package_of
 from ecm_extract.system.controllers import Controller, controllers_of
 from ecm_extract.system.evaluate import launched
 from ecm_extract.system.files import TREE, Files
@@ -22,9 +23,11 @@ from ecm_extract.system.model import Given, Launched
 from ecm_extract.system.modules import ModuleIndex
 from ecm_extract.system.node_model import SystemNode
 from ecm_extract.system.nodes import NodeMaker
+from ecm_extract.system.package_folders import folders_stored
 from ecm_extract.system.robots import MAX_ROBOTS, controller_files, descriptions_of
 from ecm_extract.system.simulation import simulated_nodes
 from ecm_extract.tree import FileDiagnostic, Tree, printable
+from ecm_extract.tree.stored import NOT_KEPT, StoredTree
 
 
 @dataclass(slots=True)
@@ -35,6 +38,8 @@ class System:
         tree: where it was read. launched: what the launch files themselves say.
         nodes: with their endpoints. controllers: with their claims.
         robots: descriptions in use. frames: transforms that are published.
+        unknown: what runs beside nodes, or in them, and may have endpoints that nothing tells.
+        diagnostics: of the packages, then of the launch, each once.
     """
 
     tree: Tree
@@ -43,19 +48,30 @@ class System:
     controllers: list[Controller]
     robots: list[Description]
     frames: list[FrameEdge]
+    unknown: frozenset[str] = frozenset()
+    diagnostics: tuple[LocatedDiagnostic, ...] = ()
 
 
-_CUT = "launch-too-long"
+_CUT: Final = "launch-too-long"
 """A launch file that was not read to its end is one all the same."""
-_LOOKED_FOR = "looked for: a root <launch>, a list `launch:` in YAML, a Python function generate_launch_description"
+_LOOKED_FOR: Final = (
+    "looked for: a root <launch>, a list `launch:` in YAML, a Python function generate_launch_description"
+)
 
 
 class LaunchError(InputError):
     """A launch file that was asked for is not in the tree, or is no launch file."""
 
 
+class _Known(msgspec.Struct, frozen=True):
+    """What is known of packages before a launch file is looked at."""
+
+    packages: tuple[Package, ...]
+    diagnostics: tuple[LocatedDiagnostic, ...]
+
+
 def read_system(tree: Tree, launches: Sequence[str], given: Given, options: Options) -> System:
-    """Read a tree and evaluate launch files over it.
+    """Extract a tree and evaluate launch files over it.
 
     Args:
         tree: of a workspace or a repository.
@@ -68,25 +84,51 @@ def read_system(tree: Tree, launches: Sequence[str], given: Given, options: Opti
         ConfigError: `ecm.toml` is wrong.
         LaunchError: a launch file is not in the tree, or is none.
     """
-    config = config_of(tree, options)
-    enabled = gc.isenabled()
-    gc.disable()  # see `extraction`: records without cycles
-    try:
-        include_tests = options.include_tests or config.extract.include_tests
-        reader = Reader(tree, include_tests, config.extract.exclude, options.cache)
-        packages = reader.read(options.jobs, options.progress)
-        linker = Linker(packages, form_table(config.forms))
-        linked = linker.link()
-        linker.tell(tree)
-        index = ModuleIndex(linked, packages, composition_of(linker.modules, linker.references))
-        files = Files(tree, packages)
+    extraction = extract(tree, msgspec.structs.replace(options, hub=True))
+    packages = tuple(package_of(each) for each in extraction.packages)
+    return _system(tree, _Known(packages, extraction.diagnostics), launches, given)
+
+
+def stored_system(stored: Stored, launches: Sequence[str], given: Given) -> System:
+    """Evaluate launch files that lie in stored packages; see `read_system`.
+
+    Raises:
+        LaunchError: a launch file is in no stored package, or is none.
+        InputError: the documents do not tell what runs.
+    """
+    _refuse_untold(stored)
+    return _system(_tree_of(stored), _Known(stored.packages, stored.diagnostics), launches, given)
+
+
+def _refuse_untold(stored: Stored) -> None:
+    for package in stored.packages:
+        if not package.running:
+            message = f"the document of {package.name} in {stored.label} does not tell what runs"
+            raise InputError(message, "an older version wrote it; extract the package once more")
+
+
+def _tree_of(stored: Stored) -> StoredTree:
+    texts = {path: text for each in stored.packages if each.running for path, text in each.running.texts.items()}
+    origins = (module.ecm.source.repository for each in stored.packages for module in each.modules)
+    return StoredTree(stored.source, stored.commit, next(origins, None), frozenset(stored.files), texts)
+
+
+def _system(tree: Tree, known: _Known, launches: Sequence[str], given: Given) -> System:
+    with without_collector():
+        before = frozenset(tree.diagnostics)
+        index = ModuleIndex({package.name: package.running for package in known.packages if package.running})
+        files = Files(tree, folders_stored(known.packages))
         paths = [_path(entry, files) for entry in launches]
         system = evaluated_system(tree, files, index, paths, given)
+        told = [_located(entry) for entry in tree.diagnostics if entry not in before]
+        system = replace(system, diagnostics=tuple(dict.fromkeys((*known.diagnostics, *told))))
+        system.launched.is_complete &= not any(entry.code == NOT_KEPT for entry in told)
         _refuse_unread(system, paths)
         return system
-    finally:
-        if enabled:
-            gc.enable()
+
+
+def _located(entry: FileDiagnostic) -> LocatedDiagnostic:
+    return LocatedDiagnostic(entry.severity, entry.code, entry.path, entry.line, entry.message)
 
 
 def evaluated_system(tree: Tree, files: Files, index: ModuleIndex, paths: Sequence[str], given: Given) -> System:
@@ -121,6 +163,7 @@ def evaluated_system(tree: Tree, files: Files, index: ModuleIndex, paths: Sequen
         controllers=controllers,
         robots=robots,
         frames=frames_of(nodes, robots),
+        unknown=frozenset(maker.unknown),
     )
 
 
@@ -129,7 +172,7 @@ def _refuse_unread(system: System, paths: Sequence[str]) -> None:
     if any(path in system.launched.files for path in paths):
         return
     for path in paths:
-        why = next((entry for entry in system.tree.diagnostics if entry.path == printable(path)), None)
+        why = next((entry for entry in system.diagnostics if entry.path == printable(path)), None)
         if why is None or why.code != _CUT:
             message = f"{printable(path)} cannot be read as a launch file"
             raise LaunchError(message, why.message if why is not None else _LOOKED_FOR)

@@ -1,9 +1,11 @@
 """`setup.py`: arguments of `setup()` (or catkin's `generate_distutils_setup()`), folded, never executed.
 
-Source: setuptools, keywords of `setup()`; catkin_pkg.python_setup.
+Source: setuptools, keywords of `setup()`; catkin_pkg.python_setup; generate_parameter_library_py.setup_helper.
 """
 
 from __future__ import annotations
+
+import msgspec
 
 from ecm_parsers.python_setup_facts import DataFiles, EntryPoint, PythonSetup, entry_point
 from ecm_parsers.python_tree import MAX_BYTES, callee_name, fold, parse_python, read_call, statements, text_of
@@ -12,7 +14,9 @@ from ecm_parsers.result import Diagnostic, Parsed
 from ecm_parsers.text import decode
 
 _SETUP_CALLS = frozenset({"setup", "generate_distutils_setup"})
+_PARAMETER_MODULE = "generate_parameter_module"
 _FINDERS = frozenset({"find_packages", "find_namespace_packages"})
+_READ_CALLS = _SETUP_CALLS | {_PARAMETER_MODULE}
 _WANTED = frozenset({"assignment", "call"})
 _Keywords = dict[str, Value]
 
@@ -24,7 +28,8 @@ def parse_setup_py(data: bytes) -> Parsed[PythonSetup]:
         return Parsed(PythonSetup(), (Diagnostic("error", "setup-too-large", 0, message, cut=True),))
     text, doubts = decode(data)
     diagnostics = list(doubts)
-    keywords = _setup_keywords(text, diagnostics)
+    calls = _calls(text, diagnostics)
+    keywords = calls.keywords
     if keywords is None:
         message = "No call of setup() was found; nothing is read of this file."
         diagnostics.append(Diagnostic("warning", "setup-no-call", 0, message))
@@ -37,23 +42,45 @@ def parse_setup_py(data: bytes) -> Parsed[PythonSetup]:
         scripts=_texts(keywords.get("scripts")),
         data_files=_data_files(keywords.get("data_files")),
         entry_points=_entry_points(keywords.get("entry_points"), diagnostics),
+        parameter_files=calls.parameter_files,
     )
     return Parsed(facts, tuple(diagnostics))
 
 
-def _setup_keywords(text: str, diagnostics: list[Diagnostic]) -> _Keywords | None:
-    """Return the keyword arguments of all setup calls, the names before them folded."""
-    names: dict[str, Value] = {}
+class _Calls(msgspec.Struct):
+    """What the calls of a file say: keywords of the setup calls, None without any, and parameter declarations."""
+
     keywords: _Keywords | None = None
+    parameter_files: tuple[str, ...] = ()
+
+    def add(self, call: PyCall, line: int, diagnostics: list[Diagnostic]) -> None:
+        """Take what one call says."""
+        if call.name.rpartition(".")[2] in _SETUP_CALLS:
+            self.keywords = {**(self.keywords or {}), **_spread(call)}
+            return
+        given = call.keyword("yaml_file") or (call.args[1] if len(call.args) > 1 else None)
+        if given is not None and isinstance(given.data, str):
+            self.parameter_files += (given.data,)
+            return
+        message = (
+            "The file of generate_parameter_module is computed; its parameters are not read. Write its path as text."
+        )
+        diagnostics.append(Diagnostic("warning", "setup-computed-parameters", line, message))
+
+
+def _calls(text: str, diagnostics: list[Diagnostic]) -> _Calls:
+    """Read the calls that tell of the package, the names before them folded."""
+    names: dict[str, Value] = {}
+    found = _Calls()
     for node in statements(parse_python(text), _WANTED, diagnostics):
         if node.type == "assignment":
             target = node.child_by_field_name("left")
             value = fold(node.child_by_field_name("right"), names)
             if target is not None:
                 names[text_of(target)[:200]] = value
-        elif callee_name(node.child_by_field_name("function")).rpartition(".")[2] in _SETUP_CALLS:
-            keywords = {**(keywords or {}), **_spread(read_call(node, names))}
-    return keywords
+        elif callee_name(node.child_by_field_name("function")).rpartition(".")[2] in _READ_CALLS:
+            found.add(read_call(node, names), node.start_point[0] + 1, diagnostics)
+    return found
 
 
 def _spread(call: PyCall) -> _Keywords:

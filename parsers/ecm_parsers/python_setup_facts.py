@@ -35,6 +35,7 @@ class PythonSetup(msgspec.Struct, frozen=True):
         scripts: files installed as programs.
         data_files: what is installed to share folders.
         entry_points: programs and plugins.
+        parameter_files: declarations that generate_parameter_library makes a Python module of, from this folder.
     """
 
     name: str | None = None
@@ -44,6 +45,7 @@ class PythonSetup(msgspec.Struct, frozen=True):
     scripts: tuple[str, ...] = ()
     data_files: tuple[DataFiles, ...] = ()
     entry_points: tuple[EntryPoint, ...] = ()
+    parameter_files: tuple[str, ...] = ()
 
 
 def entry_point(group: str, text: str, line: int, diagnostics: list[Diagnostic]) -> EntryPoint | None:

@@ -14,15 +14,32 @@ from ecm_parsers.result import Parsed
 from ecm_parsers.xml_tree import children, line_of, local_name, parse_xml
 
 MAX_NAMES = 5_000
+_TESTS = frozenset({"if", "unless"})
 _AROUND = frozenset({"robot", "macro", "if", "unless"})
 """Elements between the root and a link; `<link>` elsewhere is one of a simulator or a planning group."""
 
 
+class Guard(msgspec.Struct, frozen=True):
+    """What `<xacro:if>` or `<xacro:unless>` asks for: a value as written, which must hold, or with `negated` not."""
+
+    value: str
+    negated: bool = False
+
+
 class NamedLine(msgspec.Struct, frozen=True):
-    """A name as written, `${prefix}` included, with its 1-based line."""
+    """A name as written, `${prefix}` included, with its 1-based line and the tests around it, outer ones first."""
 
     name: str
     line: int
+    tests: tuple[Guard, ...] = ()
+
+
+class _Placed(msgspec.Struct, frozen=True):
+    """An element with its tag and the tests around it."""
+
+    tag: str
+    element: etree._Element
+    tests: tuple[Guard, ...] = ()
 
 
 class RobotNames(msgspec.Struct, frozen=True):
@@ -46,33 +63,46 @@ def parse_robot_names(data: bytes) -> Parsed[RobotNames]:
         return Parsed(RobotNames(), tree.diagnostics)
     placed = list(_placed(tree.root))[:MAX_NAMES]
     names = RobotNames(
-        links=tuple(_named(element, "name") for tag, element in placed if tag == "link" and element.get("name")),
-        commands=tuple(entry for tag, element in placed if tag == "ros2_control" for entry in _commands(element)),
-        parents=tuple(entry for tag, element in placed if tag == "joint" for entry in _ends(element)),
-        includes=tuple(_named(element, "filename") for tag, element in placed if tag == "include"),
+        links=tuple(_named(each, "name") for each in placed if each.tag == "link" and each.element.get("name")),
+        commands=tuple(entry for each in placed if each.tag == "ros2_control" for entry in _commands(each)),
+        parents=tuple(entry for each in placed if each.tag == "joint" for entry in _ends(each)),
+        includes=tuple(_named(each, "filename") for each in placed if each.tag == "include"),
     )
     return Parsed(names, tree.diagnostics)
 
 
-def _placed(element: etree._Element) -> Iterator[tuple[str, etree._Element]]:
+def _placed(element: etree._Element, tests: tuple[Guard, ...] = ()) -> Iterator[_Placed]:
     for tag, child in children(element):
-        yield tag, child
+        yield _Placed(tag, child, tests)
         if tag in _AROUND:
-            yield from _placed(child)
+            yield from _placed(child, _inside(tag, child, tests))
 
 
-def _named(element: etree._Element, attribute: str) -> NamedLine:
-    return NamedLine(str(element.get(attribute, "")), line_of(element))
+def _inside(tag: str, element: etree._Element, tests: tuple[Guard, ...]) -> tuple[Guard, ...]:
+    """The tests around what stands in an element."""
+    return (*tests, Guard(str(element.get("value", "")), tag == "unless")) if tag in _TESTS else tests
 
 
-def _commands(hardware: etree._Element) -> Iterator[NamedLine]:
-    for part in hardware.iter(etree.Element):
-        for tag, command in children(part):
-            if tag == "command_interface" and part.get("name") and command.get("name"):
-                yield NamedLine(f"{part.get('name')}/{command.get('name')}", line_of(command))
+def _named(placed: _Placed, attribute: str) -> NamedLine:
+    return NamedLine(str(placed.element.get(attribute, "")), line_of(placed.element), placed.tests)
 
 
-def _ends(joint: etree._Element) -> Iterator[NamedLine]:
-    for tag, element in children(joint):
+def _commands(hardware: _Placed) -> Iterator[NamedLine]:
+    for below in _parts(hardware):
+        for tag, command in children(below.element):
+            part = below.element.get("name")
+            if tag == "command_interface" and part and command.get("name"):
+                yield NamedLine(f"{part}/{command.get('name')}", line_of(command), below.tests)
+
+
+def _parts(placed: _Placed) -> Iterator[_Placed]:
+    """An element and all below it."""
+    yield placed
+    for tag, child in children(placed.element):
+        yield from _parts(_Placed(tag, child, _inside(placed.tag, placed.element, placed.tests)))
+
+
+def _ends(joint: _Placed) -> Iterator[NamedLine]:
+    for tag, element in children(joint.element):
         if tag in {"parent", "child"} and element.get("link"):
-            yield _named(element, "link")
+            yield _named(_Placed(tag, element, joint.tests), "link")

@@ -305,3 +305,12 @@ def test_what_a_build_may_make_is_not_missing(more: dict[str, Any], unmet: list[
     arm = package("arm", [provision("message", "arm/msg/Mode")], [])
     found = Packages([package("user", [], wanted), msgspec.structs.replace(arm, **more)]).unmet()
     assert [each.requirement.name for each in found] == unmet
+
+
+def test_what_has_no_name_is_not_looked_for() -> None:
+    """An unnamed member is no computed name: it was compared with each use of all that is stored."""
+    unnamed = [provision("member", "", "arm::Arm"), provision("constant", "", "arm")]
+    computed = provision("topic", "/<*>", "driver")
+    assert [each.name for each in Provisions([*unnamed, computed]).sought()] == ["", "/<*>"]
+    assert list(Provisions(unnamed).sought()) == []
+    assert Provisions(unnamed).named(requirement("names_symbol", "arm::Arm"), Consumer("user", ())) == []

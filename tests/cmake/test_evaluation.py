@@ -207,3 +207,20 @@ def test_libraries_and_programs_go_to_their_own_folders() -> None:
     text = "add_library(l SHARED a.cpp)\nadd_library(s STATIC a.cpp)\nadd_executable(e a.cpp)\ninstall(TARGETS l s e ARCHIVE DESTINATION ar LIBRARY DESTINATION lib RUNTIME DESTINATION bin)"
     installs = run(text)[TOP].installs
     assert {item: rule.destination for rule in installs for item in rule.items} == {"l": "lib", "s": "ar", "e": "bin"}
+
+
+@pytest.mark.parametrize(
+    ("condition", "verdict"),
+    [
+        ("EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/fw/lib", None),
+        ("IS_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/fw", None),
+        ("EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/fw.txt", False),
+        ("EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/src/a.cpp", True),
+    ],
+)
+def test_what_this_copy_lacks_is_not_known_to_be_missing(condition: str, verdict: bool | None) -> None:
+    """A submodule that is not checked out hides no target: the condition stays with it."""
+    text = f"project(p)\nif({condition})\nadd_executable(n src/a.cpp)\nendif()\n".encode()
+    files = BuildFiles([TOP, "src/a.cpp"], {TOP: text, "src/a.cpp": b""}.get, ["fw"])
+    found = [target for file in stated(evaluate(files, TOP)).values() for target in file.targets]
+    assert [bool(target.conditions) for target in found] == ([] if verdict is False else [verdict is None])

@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 from diff_repos import package, release
+from released_arm import released
 
 from ecm_extract.cli.run import run
 
@@ -38,3 +39,9 @@ def told(changes) -> object:  # type: ignore[no-untyped-def]
         return {(each["kind"], each["change"], each["old"], each["new"]) for each in changes(old, new)}
 
     return compare
+
+
+@pytest.fixture
+def repo(tmp_path: Path) -> Path:
+    """A repository with two releases of a package."""
+    return released(tmp_path / "arm")

@@ -2,113 +2,15 @@
 
 from __future__ import annotations
 
-import json
 import re
 from pathlib import Path
 from typing import Any
 
 import pytest
 from diff_repos import git, node, package, release, write
+from released_arm import CONSUMER, document, ran
 
 from ecm_extract.cli.run import run
-
-HEADER = """#pragma once
-namespace arm {
-class Driver {
-public:
-  virtual ~Driver() = default;
-  virtual bool start(const Info & info) = 0;
-  void stop();
-private:
-  int state_;
-};
-namespace detail { void hidden(); }
-}
-"""
-NEW_HEADER = HEADER.replace("start(const Info & info)", "start(const Params & params)").replace(
-    "  void stop();\n", "  void stop(bool hard = false);\n"
-)
-
-
-@pytest.fixture
-def repo(tmp_path: Path) -> Path:
-    folder = tmp_path / "arm"
-    release(
-        folder,
-        {
-            "arm/package.xml": package("arm"),
-            "arm/CMakeLists.txt": (
-                "project(arm)\nadd_executable(arm src/arm.cpp)\ninstall(TARGETS arm DESTINATION x)\n"
-                "install(DIRECTORY include/ DESTINATION include)\n"
-            ),
-            "arm/src/arm.cpp": node(
-                'declare_parameter("checker_plugin", "simple");',
-                'declare_parameter("rate", 10.0);',
-                'pub_ = create_publisher<sensor_msgs::msg::JointState>("~/state/joints", 10);',
-                'srv_ = create_service<std_srvs::srv::Trigger>("~/home", cb);',
-            ),
-            "arm/include/arm/driver.hpp": HEADER,
-            "arm_msgs/package.xml": package("arm_msgs"),
-            "arm_msgs/msg/Grip.msg": "float64 force\nbool open\n",
-            "arm_msgs/msg/Plan.msg": "Grip[] grips\n",
-            "arm_msgs/srv/Go.srv": "---\nbool ok\n",
-        },
-        "1.0.0",
-    )
-    release(
-        folder,
-        {
-            "arm/package.xml": package("arm", "1.1.0"),
-            "arm_msgs/package.xml": package("arm_msgs", "1.1.0"),
-            "arm/src/arm.cpp": node(
-                'declare_parameter("checker_plugins", std::vector<std::string>{"simple"});',
-                'declare_parameter("rate", 20.0);',
-                'pub_ = create_publisher<sensor_msgs::msg::JointState>("~/joint_state/raw/joints", 10);',
-            ),
-            "arm/include/arm/driver.hpp": NEW_HEADER,
-            "arm_msgs/msg/Grip.msg": "float64 max_force\nbool open\n",
-            "arm_msgs/srv/Go.srv": None,
-        },
-        "1.1.0",
-    )
-    return folder
-
-
-CONSUMER = {
-    "user/package.xml": package("user"),
-    "user/config/arm.yaml": "arm:\n  ros__parameters:\n    checker_plugin: fine\n    rate: 5.0\n",
-    "user/user/watch.py": (
-        "import rclpy\nfrom rclpy.node import Node\nfrom sensor_msgs.msg import JointState\n"
-        "from arm_msgs.msg import Grip\nfrom arm_msgs.srv import Go\n\n"
-        "class Watch(Node):\n    def __init__(self):\n        super().__init__('watch')\n"
-        "        self.create_subscription(JointState, '/arm/state/joints', self.on_joints, 10)\n\n"
-        "    def grip(self):\n        grip = Grip()\n        grip.force = 3.0\n        return Grip(force=1.0)\n"
-    ),
-    "user/src/my_driver.cpp": (
-        "#include <arm/driver.hpp>\nclass Mine : public arm::Driver {\npublic:\n"
-        "  bool start(const arm::Info & info) override { return true; }\n};\n"
-    ),
-}
-FIXED = {
-    "user/package.xml": package("user"),
-    "user/config/arm.yaml": "arm:\n  ros__parameters:\n    checker_plugins: [fine]\n    rate: 5.0\n",
-    "user/user/watch.py": CONSUMER["user/user/watch.py"]
-    .replace("/arm/state/joints", "/arm/joint_state/raw/joints")
-    .replace("force", "max_force")
-    .replace("from arm_msgs.srv import Go\n", ""),
-    "user/src/my_driver.cpp": CONSUMER["user/src/my_driver.cpp"].replace("arm::Info & info", "arm::Params & params"),
-}
-
-
-def ran(capsys: pytest.CaptureFixture[str], *args: object) -> tuple[int, str, str]:
-    status = run(["diff", *map(str, args)])
-    captured = capsys.readouterr()
-    return status, captured.out, captured.err
-
-
-def document(capsys: pytest.CaptureFixture[str], *args: object) -> dict[str, Any]:
-    found: dict[str, Any] = json.loads(ran(capsys, *args, "--format", "json")[1])
-    return found
 
 
 def test_every_kind_of_change_is_told(repo: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -142,94 +44,6 @@ def test_the_document_is_the_wire_format(repo: Path, capsys: pytest.CaptureFixtu
     verdict = {"compatibility_class": "breaking", "required_bump": "major", "declared_bump": "minor", "complete": True}
     assert found["verdict"] == verdict
     assert found["unread"] == []
-
-
-def test_consumers_break_on_their_own_lines(repo: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """Each broken use is VER001 at the consumer's line, with the new name in the resolution."""
-    write(tmp_path / "ws", dict(CONSUMER))
-    found = document(capsys, "1.0.0", "1.1.0", "--repo", repo, "--consumer", tmp_path / "ws")
-    places = {(f["evidence"][0]["path"], f["evidence"][0]["line"]) for f in found["findings"]}
-    assert places == {
-        ("user/config/arm.yaml", 3),
-        ("user/user/watch.py", 10),
-        ("user/user/watch.py", 5),
-        ("user/user/watch.py", 14),
-        ("user/src/my_driver.cpp", 4),
-    }
-    assert {f["rule"] for f in found["findings"]} == {"VER001"}
-    assert set(found["findings"][0]["evidence"][0]) == {"path", "line", "end_line", "commit"}
-    parameter = next(f for f in found["findings"] if "yaml" in f["evidence"][0]["path"])
-    assert "checker_plugins" in parameter["resolution"]
-
-
-def test_one_cause_is_one_finding_with_all_readers(
-    repo: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    """The field that is written and filled by keyword is one finding with two lines."""
-    write(tmp_path / "ws", dict(CONSUMER))
-    found = document(capsys, "1.0.0", "1.1.0", "--repo", repo, "--consumer", tmp_path / "ws")
-    field = [f for f in found["findings"] if "force" in f["message"]]
-    lines = [e["line"] for f in field for e in f["evidence"] if e["path"] == "user/user/watch.py"]
-    assert sorted(lines) == [14, 15]
-    assert len({f["fingerprint"] for f in field}) == 1
-
-
-def test_a_consumer_that_follows_is_quiet(repo: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """New names and the new signature of an overridden method raise nothing."""
-    write(tmp_path / "ws", dict(FIXED))
-    found = document(capsys, "1.0.0", "1.1.0", "--repo", repo, "--consumer", tmp_path / "ws")
-    assert found["findings"] == []
-
-
-def test_old_scripts_of_the_provider_are_consumers(repo: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """A script that the release forgot breaks as well."""
-    script = CONSUMER["user/user/watch.py"].replace("from arm_msgs.srv import Go\n", "")
-    release(repo, {"arm/scripts/watch": "#!/usr/bin/env python3\n" + script}, "1.1.1")
-    found = document(capsys, "1.0.0", "1.1.1", "--repo", repo)
-    assert any(f["evidence"][0]["path"] == "arm/scripts/watch" for f in found["findings"])
-
-
-def test_built_sources_of_the_provider_are_quiet(repo: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """C++ of the new side was built with the change, so an override there is no forgotten consumer."""
-    release(repo, {"arm/src/mine.cpp": CONSUMER["user/src/my_driver.cpp"]}, "1.1.1")
-    assert document(capsys, "1.0.0", "1.1.1", "--repo", repo)["findings"] == []
-
-
-REMAPPED_XML = """<launch><node pkg="tool" exec="tool">
-<remap from="/arm/state/joints" to="/arm/joint_state/raw/joints"/></node></launch>
-"""
-REMAPPED_PYTHON = """from launch import LaunchDescription
-from launch_ros.actions import Node
-
-def generate_launch_description():
-    remaps = [("/arm/state/joints", "/arm/joint_state/raw/joints")]
-    return LaunchDescription([Node(package="tool", executable="tool", remappings=remaps)])
-"""
-
-
-@pytest.mark.parametrize(
-    ("path", "text"),
-    [("user/launch/a.launch", REMAPPED_XML), ("user/launch/a.launch.py", REMAPPED_PYTHON)],
-)
-def test_a_remap_that_keeps_the_old_name_downgrades(
-    repo: Path, tmp_path: Path, path: str, text: str, capsys: pytest.CaptureFixture[str]
-) -> None:
-    """Who remaps the old name is warned, not failed."""
-    write(tmp_path / "ws", {**CONSUMER, path: text})
-    found = document(capsys, "1.0.0", "1.1.0", "--repo", repo, "--consumer", tmp_path / "ws")
-    levels = {f["severity"] for f in found["findings"] if f["message"].startswith("topic")}
-    assert levels == {"warning"}
-
-
-def test_launch_files_set_parameters_and_start_programs(
-    repo: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    """A parameter set in XML and a program started there are uses like any other."""
-    release(repo, {"arm/CMakeLists.txt": "project(arm)\n"}, "1.2.0")
-    text = '<launch>\n<node pkg="arm" exec="arm">\n<param name="checker_plugin" value="x"/>\n</node>\n</launch>\n'
-    write(tmp_path / "ws", {"user/package.xml": package("user"), "user/launch/a.launch.xml": text})
-    found = document(capsys, "1.0.0", "1.2.0", "--repo", repo, "--consumer", tmp_path / "ws")
-    assert sorted(f["evidence"][0]["line"] for f in found["findings"]) == [2, 3]
 
 
 @pytest.mark.parametrize("ref", ["1.0.0", "1.1.0"])

@@ -6,6 +6,8 @@ from pathlib import Path
 import pytest
 from tree_repos import commit, git, make_repo, write
 
+from ecm_extract.extraction import extract
+from ecm_extract.extraction_model import Options
 from ecm_extract.tree import Tree, Unread, open_tree, unread_of
 from ecm_extract.tree.submodules import submodule_names
 
@@ -121,3 +123,18 @@ def test_pointer_that_leads_out(tmp_path: Path, inner: list[str]) -> None:
 def test_gitmodules(text: bytes, names: dict[str, str]) -> None:
     """The name of each submodule by its path, whatever else stands in the file."""
     assert submodule_names(text) == names
+
+
+def test_a_condition_on_a_submodule_that_is_not_here(tmp_path: Path, inner: list[str]) -> None:
+    """A node that is built where the submodule is checked out is told without it too."""
+    cmake = b"project(p)\nif(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/inner/lib)\nadd_executable(n n.cpp)\nendif()\n"
+    manifest = b'<package format="3"><name>p</name><version>1.0.0</version></package>'
+    node = b'class N : public rclcpp::Node { N() : Node("n") { create_publisher<std_msgs::msg::Bool>("a", 1); } };'
+    main = b"int main() { rclcpp::spin(std::make_shared<N>()); }"
+    make_repo(tmp_path / "outer", {"CMakeLists.txt": cmake, "package.xml": manifest, "n.cpp": node + main})
+    git(tmp_path / "outer", "submodule", "--quiet", "add", f"file://{tmp_path / 'inner'}", "inner")
+    commit(tmp_path / "outer", {})
+    git(tmp_path / "outer", "submodule", "--quiet", "deinit", "--force", "inner")
+    extraction = extract(open_tree(tmp_path / "outer"), Options(jobs=1))
+    modules = [module.ecm.module_id for package in extraction.packages for module in package.modules]
+    assert modules == ["ecm.p.n"]

@@ -37,6 +37,8 @@ NAMES = [
     ("Outer", "nav_msgs/msg/Path"),
     ("Bare", "pkg/msg/Bare"),
     ("unheard_of::Thing", "unheard_of/msg/Thing"),
+    ("msg::Goal", "pkg/msg/Goal"),
+    ("sensor_msgs ::msg:: Imu", "sensor_msgs/msg/Imu"),
     ("Unheard", None),
 ]
 
@@ -182,3 +184,19 @@ def test_a_member_of_the_outermost_namespace_is_an_object(workspace: Any) -> Non
     """`::tf2_ros::TransformListener` is the class without the leading colons."""
     text = 'class D : public rclcpp::Node { D() : Node("d") {} ::tf2_ros::TransformListener listener_; };'
     assert workspace.package({"src/d.cpp": text}).only("tf_lookup").name == "/tf"
+
+
+RELATIVE = [
+    ('class D : public rclcpp::Node {{ D() : Node("d") {{ {made} }} }};', None),
+    ('namespace own {{ class D : public rclcpp::Node {{ D() : Node("d") {{ {made} }} }}; }}', "own/msg/Goal"),
+    ('namespace own::in {{ class D : public rclcpp::Node {{ D() : Node("d") {{ {made} }} }}; }}', "own/msg/Goal"),
+    ("namespace own {{ void make(rclcpp::Node * node) {{ node->{made} }} }}", "own/msg/Goal"),
+    ('struct O {{ class D : public rclcpp::Node {{ D() : Node("d") {{ {made} }} }}; }};', None),
+]
+
+
+@pytest.mark.parametrize(("text", "kind"), RELATIVE, ids=[row[0][:60] for row in RELATIVE])
+def test_a_type_without_its_package_is_of_the_namespace(workspace: Any, text: str, kind: str | None) -> None:
+    """No package is called `msg`: without a namespace around it nothing tells whose type it is."""
+    made = 'create_publisher<msg::Goal>("a", 10);'
+    assert workspace.package({"src/d.cpp": text.format(made=made)}).only("publisher").type == kind

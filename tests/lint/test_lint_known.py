@@ -75,9 +75,10 @@ def written(folder: Path, *packages: dict[str, str]) -> Path:
     return folder
 
 
-@pytest.mark.parametrize("folder", sorted(FIXTURES.glob("*/*")), ids=lambda each: f"{each.parent.name}/{each.name}")
-def test_documents_give_what_sources_give(folder: Path) -> None:
+@pytest.mark.parametrize("name", sorted(f"{each.parent.name}/{each.name}" for each in FIXTURES.glob("*/*")))
+def test_documents_give_what_sources_give(name: str, apart: Path) -> None:
     """Over the fixtures of all rules."""
+    folder = apart / name
     workspace = Workspace(open_tree(folder), Options(jobs=1))
     documents = stored(folder)
     for part in workspace.parts:

@@ -42,17 +42,17 @@ def test_page(entry: Entry) -> None:
 
 
 @pytest.mark.parametrize("rule", sorted(ENTRIES.keys() - WITHOUT_FIXTURE))
-def test_bad_fires_and_good_is_quiet(rule: str) -> None:
+def test_bad_fires_and_good_is_quiet(rule: str, apart: Path) -> None:
     """The two differ in what the rule is about and in nothing else."""
-    assert rule in [finding.rule for finding in lint(FIXTURES / rule / "bad")]
-    assert rule not in [finding.rule for finding in lint(FIXTURES / rule / "good")]
+    assert rule in [finding.rule for finding in lint(apart / rule / "bad")]
+    assert rule not in [finding.rule for finding in lint(apart / rule / "good")]
 
 
-def test_all_rules_over_all_fixtures(golden: object) -> None:
+def test_all_rules_over_all_fixtures(golden: object, apart: Path) -> None:
     """A rule that speaks up on the fixture of another is seen in review; good twins are quiet altogether."""
     lines = []
-    for folder in sorted(FIXTURES.glob("*/*")):
-        lines.append(f"{folder.relative_to(FIXTURES)}")
+    for folder in sorted(apart.glob("*/*")):
+        lines.append(f"{folder.relative_to(apart)}")
         for finding in lint(folder):
             place = finding.evidence[0]
             lines.append(
@@ -60,7 +60,7 @@ def test_all_rules_over_all_fixtures(golden: object) -> None:
             )
             lines.append(f"    fix: {finding.resolution}  [{finding.fingerprint}]")
         if folder.name == "good":
-            assert lines[-1] == f"{folder.relative_to(FIXTURES)}"
+            assert lines[-1] == f"{folder.relative_to(apart)}"
     golden("lint_rules.txt", "\n".join(lines) + "\n")  # type: ignore[operator]
 
 

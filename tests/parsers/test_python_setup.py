@@ -147,3 +147,11 @@ def test_setup_never_raises(data: bytes) -> None:
     for parse, text in ((parse_setup_py, b"setup(" + data), (parse_setup_cfg, b"[options]\n" + data)):
         assert is_told(text, parse(text))
     assert is_told(data, parse_pyproject(data))
+
+
+def test_generated_parameter_modules() -> None:
+    """Files of generate_parameter_module are told, by position or by name; a computed one is said."""
+    text = b"f = 'a'\ngenerate_parameter_module('m', f)\nx.generate_parameter_module('n', yaml_file='b')\nsetup()\n"
+    assert parse_setup_py(text).facts.parameter_files == ("a", "b")
+    parsed = parse_setup_py(b"generate_parameter_module('m', find())\nsetup()\n")
+    assert (parsed.facts.parameter_files, [d.code for d in parsed.diagnostics]) == ((), ["setup-computed-parameters"])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ecm_parsers.robot_names import NamedLine, RobotNames, parse_robot_names
+from ecm_parsers.robot_names import Guard, NamedLine, RobotNames, parse_robot_names
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -24,7 +24,7 @@ ARM = b"""<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="arm">
 def test_names_are_taken_as_they_stand() -> None:
     """Nothing is expanded or included; links of a simulator's models are no frames."""
     assert parse_robot_names(ARM).facts == RobotNames(
-        links=(NamedLine("${prefix}tool0", 4),),
+        links=(NamedLine("${prefix}tool0", 4, (Guard("1"),)),),
         commands=(NamedLine("${prefix}wrist/position", 7),),
         parents=(NamedLine("${prefix}arm", 5), NamedLine("${prefix}tool0", 5)),
         includes=(NamedLine("$(find base)/urdf/base.xacro", 2),),

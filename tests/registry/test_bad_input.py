@@ -28,10 +28,9 @@ _ROOM = 16_384
 
 
 @pytest.fixture
-def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def place(tmp_path: Path, usual: Path) -> Path:
     """A registry with a driver that somebody answers for, so that it may go to beta."""
-    monkeypatch.setenv("ECM_REGISTRY", str(tmp_path / "registry.sqlite"))
-    with Registry.create() as registry:
+    with Registry(str(usual)) as registry:
         published(registry, packages(tmp_path / "a", driver()))
     assert run(["evidence", "state", "driver", "--kind", "policy_review", "--by", "Grace"]) == 0
     reason = ["--name", "Ada", "--reason", "a bench", "--until", "2999-12-31"]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -17,17 +18,27 @@ ROOT = Path(__file__).parents[2]
 OLD, NEW = "driver@1.0.0", "driver@1.0.1"
 
 
+@pytest.fixture(scope="session")
+def filled(tmp_path_factory: pytest.TempPathFactory, made_file: Path) -> Path:
+    """A folder whose registry has two releases of a driver; the old one is stable, the new one beta and reviewed."""
+    folder = tmp_path_factory.mktemp("filled")
+    found = shutil.copy(made_file, folder / "registry.sqlite")
+    with Registry(str(found)) as registry:
+        published(registry, packages(folder / "old", driver("1.0.0")))
+        published(registry, packages(folder / "new", driver("1.0.1")))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("ECM_REGISTRY", str(found))
+        for release in (OLD, NEW):
+            _beta(release)
+        assert run(["promote", OLD, "--to", "stable"]) == 0
+    return folder
+
+
 @pytest.fixture
-def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """Two releases of a driver; the old one is stable, the new one beta and reviewed."""
+def place(tmp_path: Path, filled: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A copy of that folder, whose registry commands take."""
     monkeypatch.setenv("ECM_REGISTRY", str(tmp_path / "registry.sqlite"))
-    with Registry.create() as registry:
-        published(registry, packages(tmp_path / "old", driver("1.0.0")))
-        published(registry, packages(tmp_path / "new", driver("1.0.1")))
-    for release in (OLD, NEW):
-        _beta(release)
-    assert run(["promote", OLD, "--to", "stable"]) == 0
-    return tmp_path
+    return Path(shutil.copytree(filled, tmp_path, dirs_exist_ok=True))
 
 
 def _beta(release: str) -> None:

@@ -2,32 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import Any
 
 import msgspec
 import pytest
+from bench import ALL, PANEL, POLICY, ROBOT, TOPIC, Bench
 from ecm_checker.contract import Contract
-from ecm_checker.contract import Evidence as Line
 from ecm_checker.fields import missing_fields, required_fields
-from ecm_checker.hub.package import Package, Provided
-from ecm_checker.hub.requirement import Requirement
+from ecm_checker.hub.package import Package
 from ecm_checker.profiles import Embodiment, Policy, Profiles
 from ecm_checker.release import ACTIONS, CLASSES
 from sample import published
 from scenario import MODULE, contract, package
 from sqlalchemy.orm import Session
 
-from ecm_extract.diff.migration import Migration, migration_of
+from ecm_extract.diff.migration import migration_of
 from ecm_extract.registry import clock
 from ecm_extract.registry.channels import gate_table
-from ecm_extract.registry.evidence import Statement, add_evidence, evidence_of, stated
-from ecm_extract.registry.gates import Verdict, Waiver, judge, judged_again
-from ecm_extract.registry.impact import Impact, impact_of
+from ecm_extract.registry.gates import Verdict, Waiver, judge
 from ecm_extract.registry.matter import Inputs
 from ecm_extract.registry.releases import find_release
-from ecm_extract.registry.scope import EVERYTHING
-from ecm_extract.registry.sides import two_sides
 from ecm_extract.registry.store import Registry
 
 CHANNELS = ("sandbox", "beta", "stable", "certified")
@@ -38,37 +33,6 @@ PAPER = {
     "upgrade": ("optional", "limited", "tested", "tested"),
     "rollback": ("optional", "recommended", "required", "required_traced"),
 }
-_POLICY = Policy(physical={"motion": True, "max_force_n": 50}, data=(), network=False, operational=(), audit="full")
-_ROBOT = Embodiment(
-    sensors=("force_torque@wrist",), actuators=("arm_6dof", "gripper"), compute={"cpu_cores": 8, "gpu": True}
-)
-_PROFILES = Profiles(_ROBOT, _POLICY)
-_ALL = ("validation", "upgrade_test", "policy_review", "rollback_test")
-TOPIC = Provided(
-    kind="topic",
-    owner="grasp",
-    name="/grasped",
-    type="std_msgs/msg/Bool",
-    default=None,
-    conditions=(),
-    confidence="literal",
-    deprecated=None,
-    evidence=(Line("delivery/grasp.py", 7),),
-    facet="published",
-)
-LISTENER = Requirement(
-    use="subscribes",
-    kind="topic",
-    package=None,
-    owner="",
-    name="/grasped",
-    type="std_msgs/msg/Bool",
-    certainty="proved",
-    conditions=(),
-    by="node show",
-    evidence=(Line("panel/show.py", 3),),
-)
-PANEL = Package(name="panel", version="1.0.0", path="panel", ros=2, manifest="panel/package.xml", requires=(LISTENER,))
 
 
 def test_the_table_is_that_of_the_paper() -> None:
@@ -79,56 +43,13 @@ def test_the_table_is_that_of_the_paper() -> None:
         assert tuple(table.channels[name][column] for name in CHANNELS) == levels
 
 
-class Bench:
-    """Two releases of a package in a registry, judged for any channel."""
-
-    def __init__(self, registry: Registry, new: Package, old: Package | None = None) -> None:
-        self._registry = registry
-        published(registry, (old or package("1.0.0", contract(), provides=(TOPIC,)), PANEL))
-        published(registry, (new,))
-        self._name = f"delivery@{new.version}"
-        self.migration: Migration | None = None
-
-    def impact(self) -> Impact:
-        with self._registry.reading() as session:
-            sides = two_sides(session, "delivery", None)
-            assert sides.before is not None
-            return impact_of(session, sides.before, sides.after, EVERYTHING)
-
-    def show(self, *kinds: str, result: str = "confirmed", by: str = "Ada", on: str | None = "robot 7") -> None:
-        with self._registry.writing() as session:
-            said = [Statement(kind, by, on, result) for kind in kinds]  # type: ignore[arg-type]
-            add_evidence(session, [stated(session, self._name, each) for each in said])
-
-    def judge(
-        self, channel: str, waivers: Sequence[Waiver] = (), profiles: Profiles = _PROFILES, scope: Sequence[str] = ()
-    ) -> Verdict:
-        with self._registry.reading() as session:
-            release = find_release(session, self._name)
-            old = find_release(session, "delivery@1.0.0")
-            asked = tuple(find_release(session, each).id for each in scope or ("panel",))
-            inputs = Inputs(
-                release=release.id, digest=release.digest, previous=old.id, source="sandbox", channel=channel,
-                since=release.stored, scope=asked, target=old.id,
-                evidence=tuple(each.digest for each in evidence_of(session, release.id)),
-                migration=self.migration, embodiment=profiles.embodiment, policy=profiles.policy,
-                at=clock.written(clock.now()),
-            )  # fmt: skip
-            verdict = judge(session, inputs, waivers, gate_table())
-            assert judged_again(session, verdict) == verdict
-            return verdict
-
-    def refused(self, channel: str, **rest: Any) -> set[str]:
-        return {each.gate for each in self.judge(channel, **rest).gates if each.state == "refused"}
-
-
 def _same() -> Package:
     return package("1.0.1", contract(), provides=(TOPIC,))
 
 
 def _ready(registry: Registry, new: Package) -> Bench:
     bench = Bench(registry, new)
-    bench.show(*_ALL)
+    bench.show(*ALL)
     bench.show("policy_review", by="Grace")
     return bench
 
@@ -174,7 +95,7 @@ def _unreviewed(registry: Registry) -> Bench:
 
 def _one_reviewer(registry: Registry) -> Bench:
     bench = Bench(registry, _same())
-    bench.show(*_ALL)
+    bench.show(*ALL)
     return bench
 
 
@@ -328,8 +249,8 @@ def test_profiles_are_asked(small: Registry) -> None:
     bench = _complete(small)
     bare = Embodiment(sensors=(), actuators=(), compute={"cpu_cores": 1, "gpu": False})
     strict = Policy(physical={"motion": False}, data=(), network=False, operational=(), audit="full")
-    assert "resource" in bench.refused("stable", profiles=Profiles(bare, _POLICY))
-    assert "policy" in bench.refused("stable", profiles=Profiles(_ROBOT, strict))
+    assert "resource" in bench.refused("stable", profiles=Profiles(bare, POLICY))
+    assert "policy" in bench.refused("stable", profiles=Profiles(ROBOT, strict))
     assert "policy" not in bench.refused("stable", profiles=Profiles())
     assert "policy" in bench.refused("certified", profiles=Profiles())
 

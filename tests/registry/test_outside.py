@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 from pathlib import Path
 
 import pytest
@@ -56,11 +57,11 @@ def arm(message: str) -> dict[str, str]:
 
 
 @pytest.fixture
-def url(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
+def url(tmp_path: Path, made_file: Path, monkeypatch: pytest.MonkeyPatch) -> str:
     """A registry with two releases of the messages; the newest lost one."""
     monkeypatch.delenv("ECM_REGISTRY", raising=False)
-    found = str(tmp_path / "registry.sqlite")
-    with Registry.create(found) as registry:
+    found = str(shutil.copy(made_file, tmp_path / "registry.sqlite"))
+    with Registry(found) as registry:
         published(registry, packages(tmp_path / "a", messages("1.0.0", "Grip", "Slip")))
         published(registry, packages(tmp_path / "b", messages("2.0.0", "Grip")))
     return found

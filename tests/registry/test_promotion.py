@@ -15,10 +15,9 @@ from ecm_extract.registry.tables import AuditEntry
 
 
 @pytest.fixture
-def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def place(tmp_path: Path, usual: Path) -> Path:
     """A registry with a driver, who listens to it, and a driver that breaks it."""
-    monkeypatch.setenv("ECM_REGISTRY", str(tmp_path / "registry.sqlite"))
-    with Registry.create() as registry:
+    with Registry(str(usual)) as registry:
         published(registry, packages(tmp_path / "a", {**driver(), **panel()}))
         published(registry, packages(tmp_path / "b", driver("2.0.0", topic="status")))
     return tmp_path

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 from ecm_extract.extraction_model import Options
+from ecm_extract.system.connections import connections
 from ecm_extract.system.model import Given
 from ecm_extract.system.system import System, read_system
 from ecm_extract.tree import open_tree
@@ -51,6 +54,10 @@ PLUGINLIB_EXPORT_CLASS(p::Driver, hardware_interface::SystemInterface)
 PLUGIN = """<library path='p'><class name='p/Driver' type='p::Driver'
 base_class_type='hardware_interface::SystemInterface'/></library>
 """
+BUILD = """project(p)
+add_library(p SHARED src/driver.cpp)
+pluginlib_export_plugin_description_file(hardware_interface plugins.xml)
+"""
 MANIFEST = "<package format='3'><name>p</name><version>1.0.0</version><export><build_type>ament_cmake</build_type></export></package>"
 
 
@@ -95,8 +102,7 @@ def system(folder: Path) -> System:
         "robot.urdf": ROBOT,
         "src/driver.cpp": DRIVER,
         "plugins.xml": PLUGIN,
-        "CMakeLists.txt": "project(p)\nadd_library(p SHARED src/driver.cpp)\n"
-        "pluginlib_export_plugin_description_file(hardware_interface plugins.xml)\n",
+        "CMakeLists.txt": BUILD,
     }
     return written(folder, files)
 
@@ -132,3 +138,33 @@ def test_endpoints_that_only_their_parameters_tell_apart(tmp_path: Path) -> None
     files = {"package.xml": MANIFEST, "a.launch.py": launch, "src/inputs.cpp": LISTS, "CMakeLists.txt": cmake}
     (node,) = written(tmp_path, files).nodes
     assert sorted(entry.name for entry in node.endpoints) == ["/a", "/b", "/c"]
+
+
+def test_what_hosts_the_unknown_leaves_the_rest_open(tmp_path: Path) -> None:
+    """A driver whose source is elsewhere may have endpoints; one of the tree is known."""
+    assert system(tmp_path / "known").unknown == frozenset()
+    files = {"package.xml": MANIFEST, "a.launch.py": LAUNCH, "c.yaml": PARAMETERS, "robot.urdf": ROBOT}
+    assert written(tmp_path / "unknown", files).unknown == {"p/Driver"}
+
+
+CHAINED = """
+controller_manager:
+  ros__parameters:
+    base: {type: forward_command_controller/ForwardCommandController}
+base:
+  ros__parameters: {joints: [wheels], interface_name: velocity}
+"""
+
+
+@pytest.mark.parametrize(("joint", "state"), [("wheels", "dangling"), ("base/wheel", "unknown")])
+def test_what_another_controller_exports_is_not_missing(tmp_path: Path, joint: str, state: str) -> None:
+    """The hardware tells all its interfaces, a controller none of its reference interfaces."""
+    robot = ROBOT.replace(
+        "</ros2_control>", "<joint name='arm'><command_interface name='effort'/></joint></ros2_control>"
+    )
+    files = {"package.xml": MANIFEST, "a.launch.py": LAUNCH, "c.yaml": CHAINED.replace("wheels", joint)}
+    sources = {"robot.urdf": robot, "src/driver.cpp": DRIVER, "plugins.xml": PLUGIN, "CMakeLists.txt": BUILD}
+    found = connections(written(tmp_path, {**files, **sources}))
+    assert [(each.requirement.said, each.state) for each in found if each.requirement.use == "claims"] == [
+        (f"{joint}/velocity", state)
+    ]

@@ -11,6 +11,7 @@ from ecm_extract.read.reader import Reader
 from ecm_extract.system.evaluate import launched
 from ecm_extract.system.files import Files
 from ecm_extract.system.model import Given, Launched
+from ecm_extract.system.package_folders import folders_read
 from ecm_extract.tree import open_tree
 
 MANIFEST = "<package format='3'><name>p</name><version>1.0.0</version></package>"
@@ -32,7 +33,9 @@ def evaluated(folder: Path, files: dict[str, str], given: Given) -> tuple[Launch
         path.write_text(text)
     tree = open_tree(str(folder))
     packages = Reader(tree).read(1)
-    return launched(tree, Files(tree, packages), [next(iter(files))], given), [entry.code for entry in tree.diagnostics]
+    return launched(tree, Files(tree, folders_read(packages)), [next(iter(files))], given), [
+        entry.code for entry in tree.diagnostics
+    ]
 
 
 def names(found: Launched) -> list[str | None]:

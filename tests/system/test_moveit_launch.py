@@ -10,6 +10,7 @@ from ecm_extract.read.reader import Reader
 from ecm_extract.system.evaluate import launched
 from ecm_extract.system.files import Files
 from ecm_extract.system.model import Given, Instance
+from ecm_extract.system.package_folders import folders_read
 from ecm_extract.tree import open_tree
 
 IMPORTS = (
@@ -60,7 +61,7 @@ def instances(folder: Path, text: str, others: dict[str, str] | None = None) -> 
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(content)
     tree = open_tree(str(folder))
-    found = launched(tree, Files(tree, Reader(tree).read(1)), ["launch/a.launch.py"], Given())
+    found = launched(tree, Files(tree, folders_read(Reader(tree).read(1))), ["launch/a.launch.py"], Given())
     assert [entry.message for entry in tree.diagnostics] == []
     return found.instances
 

@@ -102,4 +102,5 @@ def test_a_member_that_holds_the_name_of_its_node(tmp_path: Path) -> None:
     """It is that of the node, however a launch calls it; what only looks alike is its own."""
     launch = "<launch><node pkg='p' exec='layer' name='floor'/></launch>"
     names = {entry.name for entry in endpoints(tmp_path, NAMED, launch)}
-    assert names == {"/clear_floor", "/load_map_server", "/floor/change_state", "/floor/get_state"}
+    state = {"/floor/change_state", "/floor/get_state", "/floor/transition_event"}
+    assert names == {"/clear_floor", "/load_map_server", *state}

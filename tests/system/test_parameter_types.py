@@ -12,6 +12,7 @@ from ecm_extract.read.reader import Reader
 from ecm_extract.system.evaluate import launched
 from ecm_extract.system.files import Files
 from ecm_extract.system.model import Given
+from ecm_extract.system.package_folders import folders_read
 from ecm_extract.tree import open_tree
 
 MANIFEST = "<package format='3'><name>p</name><version>1.0.0</version></package>"
@@ -31,7 +32,7 @@ def given(folder: Path, name: str, text: str, more: dict[str, str] | None = None
     for path, content in {"package.xml": MANIFEST, name: text, **(more or {})}.items():
         (folder / path).write_text(content)
     tree = open_tree(str(folder))
-    found = launched(tree, Files(tree, Reader(tree).read(1)), [name], Given({}, {"ONE": "1"}))
+    found = launched(tree, Files(tree, folders_read(Reader(tree).read(1))), [name], Given({}, {"ONE": "1"}))
     settings = [*found.globals, *(entry for node in found.instances[:1] for entry in node.settings)]
     return {entry.name.rpartition("/")[2]: entry.value for entry in settings}
 

@@ -12,6 +12,7 @@ from ecm_extract.read.reader import Reader
 from ecm_extract.system.evaluate import launched
 from ecm_extract.system.files import Files
 from ecm_extract.system.model import Given, Launched
+from ecm_extract.system.package_folders import folders_read
 from ecm_extract.tree import open_tree
 
 NODE = '<node pkg="p" type="t" name="n"/>'
@@ -29,7 +30,7 @@ def started(folder: Path, body: str) -> Launched:
     for name, text in files.items():
         (folder / name).write_text(text)
     tree = open_tree(str(folder))
-    return launched(tree, Files(tree, Reader(tree, cached=False).read(1)), ["a.launch"], Given())
+    return launched(tree, Files(tree, folders_read(Reader(tree, cached=False).read(1))), ["a.launch"], Given())
 
 
 def parameters(folder: Path, body: str) -> dict[str, Any]:

@@ -13,7 +13,7 @@ import msgspec
 from ecm_checker.finding import Who
 
 World = Literal["graph", "package"]
-Breach = Literal["gone", "type", "signature", "layout", "duty", "advice"]
+Breach = Literal["gone", "type", "qos", "claimed", "signature", "layout", "duty", "advice"]
 
 
 class Kind(msgspec.Struct, frozen=True):
@@ -39,12 +39,15 @@ class UseKind(msgspec.Struct, frozen=True, kw_only=True):
         names: how the name that is used and the one that is provided compare; a row of `ecm_checker.match`.
         phrase: what the line does, with fields of the requirement in braces.
         breaches: what a provider can do to it: `gone`, another `type`, `signature` or `layout`; a new `duty`
-            (an argument that must be given); another `default`; `advice` that it does not follow.
+            (an argument that must be given); another `default`; `advice` that it does not follow; `qos` that is less
+            than what is asked for. `claimed` is what another consumer takes for itself.
         warned: whether a deprecation of the name concerns the line.
         stated: whether a name that its package does not tell is missing: a method that may override may also be new,
             and packages do not tell all their files.
         built: whether the line is compiled or interpreted together with what it uses, in its own package.
         tolerated: version of ROS that goes on when the name is not there; 0 for none.
+        launched: whether it is asked of what one launch starts, under the names that it has there.
+        exclusive: whether one consumer may have a name only.
     """
 
     of: tuple[str, ...]
@@ -56,6 +59,8 @@ class UseKind(msgspec.Struct, frozen=True, kw_only=True):
     stated: bool = True
     built: bool = False
     tolerated: int = 0
+    launched: bool = False
+    exclusive: bool = False
 
 
 @cache
@@ -67,7 +72,7 @@ def kinds() -> Mapping[str, Kind]:
 @cache
 def uses() -> Mapping[str, UseKind]:
     """Return the uses by their word in documents."""
-    return msgspec.convert(_table("uses.toml"), dict[str, UseKind])
+    return msgspec.convert(_table("uses.toml") | _table("uses_of_files.toml"), dict[str, UseKind])
 
 
 def _table(name: str) -> dict[str, Any]:

@@ -9,11 +9,14 @@ from collections.abc import Iterator, Mapping
 from typing import Any, Final, Literal
 
 import msgspec
+from msgspec import UNSET, UnsetType
 
 from ecm_checker.contract import Confidence, Contract, Evidence, Qos
 from ecm_checker.encode import decode as decode_contract
+from ecm_checker.hub.condition import Condition
 from ecm_checker.hub.provision import Form, Key, Provision
 from ecm_checker.hub.requirement import Requirement
+from ecm_checker.hub.running import Running
 from ecm_checker.json_data import json_data
 from ecm_checker.wire import EXTRACT_SCHEMA, Diagnostic, Module, NotRead, Origin
 
@@ -23,7 +26,10 @@ SUFFIX: Final = ".package.json"
 
 
 class Provided(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, gc=False):
-    """A provision as it is written; the attributes are those of `Provision`, its lines are `evidence`."""
+    """A provision as it is written; the attributes are those of `Provision`, its lines are `evidence`.
+
+    `conditions` are those of `when` in words.
+    """
 
     kind: str
     owner: str
@@ -45,6 +51,7 @@ class Provided(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, gc
     advised: tuple[str, ...] = ()
     open: bool = False
     written: str = ""
+    when: tuple[Condition, ...] = ()
 
 
 class Hub(msgspec.Struct, frozen=True, kw_only=True):
@@ -66,6 +73,7 @@ class Hub(msgspec.Struct, frozen=True, kw_only=True):
         makes_files: whether its build may make files, or put some where nothing tells.
         tells_installed: whether all that it installs is known, and there is something.
         unbuilt: sources of C++ that no target of it has, by path.
+        running: what launch files need of it; documents of older versions and those of a corpus have none.
     """
 
     manifest: str | None = None
@@ -82,6 +90,7 @@ class Hub(msgspec.Struct, frozen=True, kw_only=True):
     makes_files: bool = True
     tells_installed: bool = False
     unbuilt: tuple[str, ...] = ()
+    running: Running | UnsetType = UNSET
 
 
 class Package(Hub, frozen=True, kw_only=True):
@@ -154,7 +163,7 @@ def provided(provision: Provision) -> Provided:
         name=provision.name,
         type=provision.type,
         default=json_data(provision.default),
-        conditions=(),
+        conditions=tuple(each.text for each in provision.when),
         confidence=provision.confidence,
         deprecated=provision.deprecated,
         evidence=tuple(Evidence(path, line) for path, line in lines),
@@ -169,6 +178,7 @@ def provided(provision: Provision) -> Provided:
         advised=provision.advised,
         open=provision.open,
         written=provision.written,
+        when=provision.when,
     )
 
 
@@ -199,6 +209,7 @@ def provision(package: str, row: Provided) -> Provision:
         confidence=row.confidence,
         open=row.open,
         written=row.written,
+        when=row.when,
     )
 
 

@@ -7,6 +7,7 @@ from typing import Any, Final
 import msgspec
 
 from ecm_checker.contract import Confidence, Qos
+from ecm_checker.hub.condition import Condition
 
 HOLE: Final = "<*>"
 """A computed part of a name."""
@@ -73,6 +74,7 @@ class Provision(msgspec.Struct, frozen=True, kw_only=True, gc=False):
         advised: optional parameters of a function that it warns of when they are left out.
         open: whether it may have names below it that are not told, as a launch file that could not be read whole.
         written: hash of the line that declares it, without its name; empty where that says nothing.
+        when: conditions under which it is there, as far as they are known; all of them hold then.
         chain: the calls from the module to the one that makes it; more than one when a wrapper or library does.
     """
 
@@ -98,6 +100,7 @@ class Provision(msgspec.Struct, frozen=True, kw_only=True, gc=False):
     confidence: Confidence = "literal"
     open: bool = False
     written: str = ""
+    when: tuple[Condition, ...] = ()
 
     @property
     def key(self) -> Key:

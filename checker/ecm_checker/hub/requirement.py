@@ -8,6 +8,7 @@ import msgspec
 
 from ecm_checker.contract import Evidence, Qos
 from ecm_checker.finding import Certainty
+from ecm_checker.hub.condition import Condition, text_of
 from ecm_checker.hub.kinds import uses
 
 ONE_VALUE: Final = "1 value"
@@ -53,7 +54,7 @@ class Requirement(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True,
         given: how it is called.
         ros: whose rules decide, 1 or 2; None where both do.
         certainty: `proved` where names are literal and resolved, `likely` where they may mean something else.
-        conditions: under which the line runs, as written.
+        conditions: under which the line runs, as written. when: the same by what is tested.
         by: who requires it: `node talker`, `launch_file bringup.launch.py`.
         said: what else the phrase of the use needs; nothing is decided by it.
         kept_for: the distribution whose folder the file lies in, beside the same file for all others; empty for none.
@@ -81,11 +82,12 @@ class Requirement(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True,
     said: str = ""
     kept_for: str = ""
     ignored: tuple[str, ...] = ()
+    when: tuple[Condition, ...] = ()
 
     @property
     def phrase(self) -> str:
-        """What the line does, in words."""
-        return uses()[self.use].phrase.format(
+        """What the line does, in words, and under which condition."""
+        does = uses()[self.use].phrase.format(
             name=self.name,
             owner=self.owner,
             package=self.package,
@@ -93,3 +95,9 @@ class Requirement(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True,
             said=self.said,
             last=self.name.rpartition(".")[2],
         )
+        return f"{does} if {text_of(self.when)}" if self.when else does
+
+    @property
+    def needs(self) -> Certainty:
+        """How surely the line needs the name: no more than `likely` below a condition that is not decided."""
+        return "likely" if self.when and self.certainty == "proved" else self.certainty

@@ -23,7 +23,8 @@ class RoleKind(msgspec.Struct, frozen=True, kw_only=True):
         peer: role on the other side.
         channel: what it is joined to in the graph; None for parameters.
         sends: whether data, or a request, goes from the module to the channel.
-        use: what it requires of others. verb: what it does with its type there.
+        use: what it requires of others. joins: what it requires of others of one launch.
+        verb: what it does with its type there.
         shape: of the interface file of its type; empty for what has no type of its own.
         takes, gives: sections of its type that come to the module and go out of it.
     """
@@ -34,6 +35,7 @@ class RoleKind(msgspec.Struct, frozen=True, kw_only=True):
     channel: ChannelKind | None = None
     sends: bool = False
     use: str = ""
+    joins: str = ""
     verb: str = ""
     shape: Literal["", "msg", "srv", "action"] = ""
     takes: str = ""

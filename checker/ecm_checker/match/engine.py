@@ -6,11 +6,12 @@ gone because it is not here (paper, "Contract Model"; DESIGN §3).
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from typing import Final, Literal
 
 import msgspec
 
+from ecm_checker.hub.condition import Condition
 from ecm_checker.hub.kinds import Breach, kinds, uses
 from ecm_checker.hub.provision import Provision
 from ecm_checker.hub.requirement import Requirement
@@ -38,6 +39,13 @@ class Match(msgspec.Struct, frozen=True):
     found: tuple[Provision, ...] = ()
     breach: Breach | None = None
 
+    @property
+    def conditions(self) -> tuple[Condition, ...]:
+        """What is not decided and must hold for this to be so: around the line, and around all that could meet it."""
+        around = {each.when for each in self.found}
+        meeting = next(iter(around)) if len(around) == 1 else ()
+        return tuple(dict.fromkeys((*self.requirement.when, *meeting)))
+
 
 def match(requirement: Requirement, consumer: Consumer, provisions: Provisions, known: Collection[str]) -> Match:
     """Match a requirement.
@@ -55,7 +63,8 @@ def match(requirement: Requirement, consumer: Consumer, provisions: Provisions, 
     found = [(each, breach) for each, breach in named if breach is None or not each.is_computed]
     breaches = [breach for _, breach in found]
     if None in breaches:
-        return Match(requirement, "met", tuple(each for each, _ in found))
+        met = _is_sure(requirement, [each for each, breach in found if breach is None])
+        return Match(requirement, "met" if met else "unknown", tuple(each for each, _ in found))
     if found:
         return Match(requirement, "incompatible", tuple(each for each, _ in found), breaches[0])
     closed = (
@@ -80,6 +89,12 @@ def _tells_all(requirement: Requirement, provisions: Provisions) -> bool:
     return bool(owners) and not any(each.open for each in owners)
 
 
+def _is_sure(requirement: Requirement, fitting: Sequence[Provision]) -> bool:
+    """Whether one of those that fit is surely meant: in one launch a computed name may come to another one."""
+    return not uses()[requirement.use].launched or any(not each.is_computed for each in fitting)
+
+
 def is_open(requirement: Requirement) -> bool:
-    """Whether any package of the world may provide the name, as a topic or a plugin."""
-    return any(kinds()[kind].world == "graph" for kind in uses()[requirement.use].of)
+    """Whether any package of the world may provide the name, as a topic or a plugin; not within one launch."""
+    row = uses()[requirement.use]
+    return not row.launched and any(kinds()[kind].world == "graph" for kind in row.of)

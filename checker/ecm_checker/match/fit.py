@@ -6,9 +6,10 @@ import re
 from collections.abc import Callable, Mapping
 from typing import Final
 
-from ecm_checker.hub.kinds import Breach
+from ecm_checker.hub.kinds import Breach, uses
 from ecm_checker.hub.provision import Form, Provision
 from ecm_checker.hub.requirement import Given, Requirement
+from ecm_checker.match.qos_fit import qos_fits
 
 _FUTURE: Final = re.compile(r"future", re.IGNORECASE)
 _SHARED: Final = re.compile(r"shared", re.IGNORECASE)
@@ -18,7 +19,7 @@ _TYPED: Final = frozenset({"topic", "service", "action", "parameter"})
 def misfit(requirement: Requirement, provision: Provision) -> Breach | None:
     """Return in which way a use does not fit; None when it fits, or nothing tells."""
     if provision.kind in _TYPED:
-        return "type" if _is_other_type(requirement, provision) else None
+        return _other_kind(requirement, provision)
     if requirement.use == "takes_again":
         return "signature" if _can_be_taken_once(provision) else None
     given = requirement.given
@@ -46,6 +47,14 @@ def left_out(given: Given, provision: Provision) -> tuple[str, ...]:
     places = {name: at for form in provision.forms for at, name in enumerate(form.names)}
     count = given.count or 0
     return tuple(name for name in provision.advised if name not in given.names and places.get(name, -1) >= count)
+
+
+def _other_kind(requirement: Requirement, provision: Provision) -> Breach | None:
+    """Whether what goes over a name is of another type, or less than what is asked for."""
+    if _is_other_type(requirement, provision):
+        return "type"
+    asked = "qos" in uses()[requirement.use].breaches and requirement.ros != 1
+    return "qos" if asked and not qos_fits(provision.qos, requirement.qos) else None
 
 
 def _is_other_type(requirement: Requirement, provision: Provision) -> bool:

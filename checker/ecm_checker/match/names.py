@@ -12,7 +12,12 @@ from ecm_checker.hub.requirement import Requirement
 from ecm_checker.match.consumer import Consumer
 from ecm_checker.match.generated import python_names, section_owners
 from ecm_checker.match.hierarchy import Bases
-from ecm_checker.match.spelling import graph_name_matches, node_matches, parameter_name_matches
+from ecm_checker.match.spelling import (
+    graph_name_matches,
+    node_matches,
+    parameter_name_matches,
+    whole_name_matches,
+)
 from ecm_checker.match.ways import Ways
 
 
@@ -90,6 +95,16 @@ def _dotted_keys(requirement: Requirement) -> Iterator[str]:
 
 def _graph(site: Site, entity: Provision) -> bool:
     return graph_name_matches(entity.name, site.requirement.name)
+
+
+def _resolved_keys(requirement: Requirement) -> Iterator[str]:
+    yield requirement.name
+    yield from _last(requirement)
+
+
+def _resolved(site: Site, entity: Provision) -> bool:
+    """Names that are whole: nothing is put before them; a computed part is anything."""
+    return _exact(site, entity) or (entity.is_computed and whole_name_matches(entity.name, site.requirement.name))
 
 
 def _remap_keys(requirement: Requirement) -> Iterator[str]:
@@ -262,6 +277,7 @@ NAMES: Final[Mapping[str, Names]] = {
     "exact": Names(_whole, _exact),
     "last": Names(_whole, _last_part),
     "graph": Names(_last, _graph, whole=True),
+    "resolved": Names(_resolved_keys, _resolved, whole=True),
     "remap": Names(_remap_keys, _remap),
     "parameter": Names(_last, _parameter, whole=True),
     "plugin": Names(_plugin_name, _plugin),

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
+from types import MappingProxyType
 from typing import Final
 
 import msgspec
 
+from ecm_checker.hub.condition import all_hold
 from ecm_checker.hub.kinds import uses
 from ecm_checker.hub.package import Package, folders_of, provisions
 from ecm_checker.hub.provision import Provision
@@ -46,12 +48,17 @@ class Unmet(msgspec.Struct, frozen=True):
 class Packages:
     """What some packages provide and require together.
 
+    Args:
+        packages: their documents.
+        given: launch arguments by name; what they decide against is neither provided nor required.
+
     Attributes:
         names: of the packages, all of whose provisions are here: nothing of them is left unread.
     """
 
-    def __init__(self, packages: Sequence[Package]) -> None:
+    def __init__(self, packages: Sequence[Package], given: Mapping[str, str] = MappingProxyType({})) -> None:
         self._packages = tuple(packages)
+        self._given = given
         self._partly = frozenset(package.name for package in packages if package.gaps)
         self.names = frozenset(package.name for package in packages) - self._partly
         self._possible: dict[str, frozenset[tuple[str, str]]] = {}
@@ -59,13 +66,19 @@ class Packages:
     @cached_property
     def provisions(self) -> Provisions:
         """All that they provide."""
-        entities = [each for package in self._packages for each in provisions(package.name, package).values()]
+        every = (each for package in self._packages for each in provisions(package.name, package).values())
+        entities = [each for each in every if not each.when or all_hold(each.when, self._given) is not False]
         return Provisions(entities, frozenset(name for package in self._packages for name in package.bound))
 
     @cached_property
     def consumers(self) -> Sequence[Consumer]:
         """Each of them as a consumer."""
-        return [Consumer(package.name, package.requires) for package in self._packages]
+        return [Consumer(package.name, self._required(package)) for package in self._packages]
+
+    def _required(self, package: Package) -> Sequence[Requirement]:
+        if not self._given:
+            return package.requires
+        return [each for each in package.requires if all_hold(each.when, self._given) is not False]
 
     def version(self, name: str) -> str | None:
         """Return the version of a package; None where it is not here, or declares none."""

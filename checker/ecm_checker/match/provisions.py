@@ -143,6 +143,8 @@ def last_part(name: str) -> str:
 
 def _keys(entity: Provision) -> Iterator[str]:
     """What a provision is found by: its name, the last part of it, and names that are made of it."""
+    if not entity.name:  # an unnamed member or operator is none that somebody could ask for
+        return
     last = last_part(entity.name)
     yield entity.name
     yield OPEN if HOLE in last or not last else last

@@ -29,6 +29,16 @@ def graph_name_matches(offered: str, used: str) -> bool:
     return _graph_pattern(rest, below_node).fullmatch(given) is not None
 
 
+def whole_name_matches(offered: str, used: str) -> bool:
+    """Compare names that are resolved; a computed part stands for any text."""
+    return _whole_pattern(offered).fullmatch(used) is not None
+
+
+@lru_cache(_KEPT)
+def _whole_pattern(name: str) -> re.Pattern[str]:
+    return re.compile(".+".join(re.escape(part) for part in name.split(HOLE)))
+
+
 @lru_cache(_KEPT)
 def _graph_pattern(name: str, below_node: bool) -> re.Pattern[str]:
     pattern = "[^/]+".join(re.escape(part) for part in name.split(HOLE))

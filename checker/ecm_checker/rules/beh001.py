@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from ecm_checker.case import Case
 from ecm_checker.finding import Finding
-from ecm_checker.qos import level_fits, mismatches
+from ecm_checker.match.qos_fit import level_fits
+from ecm_checker.qos import mismatches
 from ecm_checker.rule import Rule
 
 RULE = Rule(

@@ -15,7 +15,8 @@ from typing import Final, NamedTuple
 from ecm_checker.case import Case
 from ecm_checker.contract import Interface
 from ecm_checker.finding import Entity, Finding
-from ecm_checker.qos import level_fits, setting
+from ecm_checker.match.qos_fit import level_fits
+from ecm_checker.qos import setting
 from ecm_checker.rule import Rule
 from ecm_checker.view import View
 

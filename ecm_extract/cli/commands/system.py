@@ -21,6 +21,7 @@ Examples:
   ecm-extract system bringup/launch/robot.launch.py
   ecm-extract system my_bringup/robot.launch.py use_sim_time:=true --workspace src
   ecm-extract system robot.launch --env ROBOT_MODEL=burger --format mermaid > graph.mmd
+  ecm-extract system extract.json my_bringup/robot.launch.py
 """
 
 
@@ -39,7 +40,9 @@ class Request(msgspec.Struct, frozen=True):
 
 
 @click.command(short_help="Show what launch files start, and how it is connected.", epilog=_EPILOG)
-@click.argument("launch", nargs=-1, required=True, type=click.Path(), metavar="LAUNCH... [NAME:=VALUE]...")
+@click.argument(
+    "launch", nargs=-1, required=True, type=click.Path(), metavar="[DOCUMENT]... LAUNCH... [NAME:=VALUE]..."
+)
 @click.option(
     "--workspace",
     metavar="DIR|DIR@REF",
@@ -58,6 +61,8 @@ def command(**options: Any) -> int:
     LAUNCH is a launch file by its path, on disk or in the workspace, or `package/file`. NAME:=VALUE gives a launch
     argument. What only a running launch knows stays a pattern `{name}`, and what depends on it says so.
 
+    DOCUMENT is an extract document, that of a package, or a folder of these: then no source is read.
+
     The exit status is 1 when a launch file is malformed or too large, so that a part of what it starts is left out.
     """
     request = Request(**options)
@@ -72,22 +77,35 @@ def command(**options: Any) -> int:
 def _read(request: Request) -> System:
     from ecm_extract.cli.progress import progress_bar
     from ecm_extract.extraction_model import Options
+    from ecm_extract.stored import is_stored, joined, read_stored
     from ecm_extract.system.model import Given
-    from ecm_extract.system.system import read_system
+    from ecm_extract.system.system import read_system, stored_system
     from ecm_extract.system.workspaces import in_workspace, workspace_of
     from ecm_extract.tree import open_tree
 
-    launches = [word for word in request.launch if ":=" not in word]
+    words = [word for word in request.launch if ":=" not in word]
+    documents = [word for word in words if is_stored(word)]
+    launches = [word for word in words if word not in documents]
     if not launches:
         message = "no launch file given"
         raise click.UsageError(message, click.get_current_context())
     arguments = dict(word.split(":=", 1) for word in request.launch if ":=" in word)
-    environment = dict(_pair(word) for word in request.env)
+    given = Given(arguments, dict(_pair(word) for word in request.env))
+    if documents:
+        _refuse_sources(request)
+        return stored_system(joined([read_stored(each) for each in documents]), launches, given)
     with progress_bar() as progress:
         options = Options(request.include_tests, request.config, request.jobs, progress, not request.no_cache)
         workspace = request.workspace or workspace_of(launches)
         named = [in_workspace(text, workspace) for text in launches]
-        return read_system(open_tree(workspace, request.ref), named, Given(arguments, environment), options)
+        return read_system(open_tree(workspace, request.ref), named, given, options)
+
+
+def _refuse_sources(request: Request) -> None:
+    """Documents hold one state of a tree: another one cannot be asked for beside."""
+    if request.workspace or request.ref:
+        message = "documents are read instead of a tree; leave --workspace and --ref out, or the documents"
+        raise click.UsageError(message, click.get_current_context())
 
 
 def _pair(word: str) -> tuple[str, str]:

@@ -88,7 +88,7 @@ def _alive(nodes: Sequence[SystemNode]) -> set[tuple[str, int, str, str]]:
 
 def _is_written(remap: Remapping, process: Sequence[SystemNode], written: WrittenNames) -> bool:
     """Tell whether a package of the nodes has the name in a place where no known endpoint is: a helper may use it."""
-    modules = [linked.module for node in process for linked in node.modules]
+    modules = [module for node in process for module in node.modules]
     packages = {module.package for module in modules}
     if _PATH.search(remap.source):  # plugins of other packages get the node handed in
         return written.anywhere(remap.source)
@@ -129,7 +129,8 @@ def _is_known(node: SystemNode) -> bool:
 def _has_foreign_base(node: SystemNode, workspace: Workspace) -> bool:
     """Tell whether a node derives from a class outside of the tree that may have names of its own."""
     program = workspace.linker.program
-    classes = [linked.module.cls for linked in node.modules if linked.module.cls is not None]
+    names = {module.cls for module in node.modules}
+    classes = [cls for name in names for cls in program.classes.get(last_name(name), ()) if cls.qualified == name]
     known = {entry.fact.name for cls in classes for entry in program.ancestry(cls)}
     names = {last_name(name) for cls in classes for name in program.base_names(cls)}
     return any(name not in known and _FRAMEWORK.search(name) is None for name in names)

@@ -58,8 +58,8 @@ def _started(workspace: Workspace) -> dict[tuple[str, str], set[str]]:
     found: dict[tuple[str, str], set[str]] = {}
     for system in workspace.systems:
         for node in system.nodes:
-            for linked in node.modules:
-                key = (linked.module.package, linked.module.name)
+            for module in node.modules:
+                key = (module.package, module.name)
                 found.setdefault(key, set()).add(node.name.rpartition("/")[2])
     return found
 

@@ -5,8 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 import msgspec
+from ecm_checker.hub.provision import Provision
+from ecm_checker.match.engine import Match
 
 from ecm_extract.description.model import Description, Hardware
+from ecm_extract.system.connections import connections
 from ecm_extract.system.controllers import Controller
 from ecm_extract.system.formats.json_values import json_value
 from ecm_extract.system.graph import channels
@@ -25,6 +28,7 @@ def document(system: System) -> dict[str, Any]:
         "launch": _launch(system),
         "nodes": [_node(node) for node in system.nodes],
         "channels": [msgspec.to_builtins(channel) for channel in channels(system.nodes)],
+        "connections": [_connection(each) for each in connections(system)],
         "frames": [
             {
                 "parent": edge.parent,
@@ -37,7 +41,7 @@ def document(system: System) -> dict[str, Any]:
         ],
         "robots": [_robot(robot) for robot in system.robots],
         "controllers": [_controller(controller) for controller in system.controllers],
-        "diagnostics": [msgspec.to_builtins(entry) for entry in system.tree.diagnostics],
+        "diagnostics": [msgspec.to_builtins(entry) for entry in system.diagnostics],
     }
 
 
@@ -76,7 +80,7 @@ def _node(node: SystemNode) -> dict[str, Any]:
         "package": instance.package,
         "executable": instance.executable,
         "plugin": instance.plugin,
-        "modules": [f"ecm.{entry.module.package}.{entry.module.name}" for entry in node.modules],
+        "modules": [f"ecm.{entry.package}.{entry.name}" for entry in node.modules],
         "guessed": node.guessed,
         "ros": instance.ros,
         "container": instance.container,
@@ -102,6 +106,27 @@ def _endpoint(entry: Endpoint) -> dict[str, Any]:
         "qos": msgspec.to_builtins(entry.qos),
         "evidence": place_data(entry.place),
     }
+
+
+def _connection(found: Match) -> dict[str, Any]:
+    """What a node asks of the others; `conditions` must hold for it to be so, and nothing decides them yet."""
+    wanted = found.requirement
+    return {
+        "node": wanted.by,
+        "use": wanted.use,
+        "kind": wanted.kind,
+        "name": wanted.said,
+        "type": wanted.type,
+        "state": found.state,
+        "breach": found.breach,
+        "with": [_offer(each) for each in found.found],
+        "conditions": [each.text for each in found.conditions],
+        "evidence": [msgspec.to_builtins(at) for at in wanted.evidence],
+    }
+
+
+def _offer(entry: Provision) -> dict[str, Any]:
+    return {"node": entry.owner, "type": entry.type, "evidence": {"path": entry.path, "line": entry.line}}
 
 
 def _parameter(entry: Parameter) -> dict[str, Any]:

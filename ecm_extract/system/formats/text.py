@@ -3,25 +3,34 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import networkx as nx
+from ecm_checker.hub.kinds import Breach
+from ecm_checker.match.engine import Match
 
 from ecm_extract.report.terminal import one_line
+from ecm_extract.system.connections import connections
 from ecm_extract.system.files import TREE
 from ecm_extract.system.frames import FrameEdge
 from ecm_extract.system.graph import Channel, channels
 from ecm_extract.system.model import Instance, LaunchArgument
 from ecm_extract.system.node_model import SystemNode
+from ecm_extract.system.origins import Origin, code_of, origin_of
 from ecm_extract.system.system import System
 
 _SIDES = {"topic": ("pub", "sub"), "service": ("client", "server"), "action": ("client", "server")}
-_TABLE = "public node, endpoints by table"
-_OUTSIDE = "source not in the tree, endpoints not known"
-_SILENT = frozenset({"rviz2/rviz2", "rviz/rviz", "controller_manager/spawner", "controller_manager/spawner.py"})
-"""Programs whose endpoints nobody connects to by name."""
+_ORIGINS: Mapping[Origin, str] = {
+    "table": "public node, endpoints by table",
+    "unknown": "source not in the tree, endpoints not known",
+}
 _LAUNCH_PROBLEMS = ("launch-", "description-", "params-")
 _VARIABLE = re.compile(r"\benv (\w+)")
+_BREACHES: Mapping[Breach | None, str] = {
+    "type": "another type than of",
+    "qos": "more than the QoS that is offered by",
+    "claimed": "also claimed by another one; offered by",
+}
 QUOTES = "''"
 MAX_FRAMES = 60
 MAX_DEPTH = 40
@@ -30,7 +39,7 @@ MAX_ENTRIES = 40
 
 def render(system: System) -> str:
     """Return the text; every name from a file is on one line and free of control characters."""
-    found = channels(system.nodes)
+    found, matches = channels(system.nodes), connections(system)
     lines = [
         *_head(system, found),
         *_arguments(system.launched.arguments),
@@ -40,7 +49,8 @@ def render(system: System) -> str:
         *_channels(found),
         *_controllers(system),
         *_frames(system.frames),
-        *_wanted(system.nodes, found),
+        *_misfits(matches),
+        *_wanted(system.nodes, matches),
         *_problems(system),
     ]
     return "\n".join(one_line(line, 400) for line in lines) + "\n"
@@ -94,19 +104,9 @@ def _nodes(nodes: Iterable[SystemNode]) -> Iterator[str]:
         notes = [
             *([f"in {instance.container}"] if instance.container else []),
             *([f"if {instance.conditional}"] if instance.conditional else []),
-            *([note] if (note := _origin(node)) else []),
+            *([note] if (note := _ORIGINS.get(origin_of(node))) else []),
         ]
-        yield f"  {node.name}  {_code(instance)}{'  [' + '; '.join(notes) + ']' if notes else ''}"
-
-
-def _code(instance: Instance) -> str:
-    return instance.plugin or f"{instance.package}/{instance.executable}".strip("/")
-
-
-def _origin(node: SystemNode) -> str:
-    if node.modules or node.instance.kind == "simulated" or _code(node.instance) in _SILENT:
-        return ""
-    return _TABLE if node.endpoints else _OUTSIDE
+        yield f"  {node.name}  {code_of(instance)}{'  [' + '; '.join(notes) + ']' if notes else ''}"
 
 
 def _processes(instances: Iterable[Instance]) -> Iterator[str]:
@@ -132,7 +132,11 @@ def _channels(found: list[Channel]) -> Iterator[str]:
 
 
 def _types(entry: Channel) -> str:
-    return " | ".join(entry.types) or "type not known"
+    return _joined(entry.types)
+
+
+def _joined(types: Iterable[str]) -> str:
+    return " | ".join(types) or "type not known"
 
 
 def _controllers(system: System) -> Iterator[str]:
@@ -173,17 +177,40 @@ def _walk(tree: nx.DiGraph[str], root: str) -> Iterator[tuple[int, str]]:
         pending.extend((depth + 1, child) for child in sorted(tree.successors(name), reverse=True))
 
 
-def _wanted(nodes: Iterable[SystemNode], found: list[Channel]) -> Iterator[str]:
+def _misfits(matches: Iterable[Match]) -> Iterator[str]:
+    """What meets under one name and does not fit."""
+    found = [each for each in matches if each.state == "incompatible"]
+    if not found:
+        return
+    yield from ("", "does not fit")
+    for each in found[:MAX_ENTRIES]:
+        at = each.requirement.evidence[0]
+        who = ", ".join(dict.fromkeys(entry.owner for entry in each.found))
+        yield f"  {each.requirement.by} {each.requirement.phrase}: {_BREACHES[each.breach]} {who}  {at.path}:{at.line}"
+    yield from _more(len(found))
+
+
+def _wanted(nodes: Iterable[SystemNode], matches: Iterable[Match]) -> Iterator[str]:
     """What nodes listen to or call, and no node whose endpoints are known offers."""
-    wanted = [entry for entry in found if (not entry.sources if entry.kind == "topic" else not entry.targets)]
+    wanted: dict[tuple[str, str], list[Match]] = {}
+    for each in matches:
+        if not each.found and each.requirement.kind in _SIDES:
+            wanted.setdefault((each.requirement.kind, each.requirement.said), []).append(each)
     if not wanted:
         return
-    unknown = sum(1 for node in nodes if _origin(node) == _OUTSIDE)
+    unknown = sum(1 for node in nodes if origin_of(node) == "unknown")
     who = f" (or from the {_counted(unknown, 'node')} whose endpoints are not known)" if unknown else ""
     yield from ("", f"must come from outside{who}")
-    for entry in wanted[:MAX_ENTRIES]:
-        yield f"  {entry.kind} {entry.name}  {_types(entry)}  for {', '.join(entry.sources or entry.targets)}"
+    order = sorted(wanted, key=lambda key: (list(_SIDES).index(key[0]), key[1]))
+    for kind, name in order[:MAX_ENTRIES]:
+        yield f"  {kind} {name}  {_wanted_by(wanted[kind, name])}"
     yield from _more(len(wanted))
+
+
+def _wanted_by(matches: Sequence[Match]) -> str:
+    asked = [each.requirement for each in matches]
+    types = sorted({each.type for each in asked if each.type is not None})
+    return f"{_joined(types)}  for {', '.join(sorted({each.by for each in asked}))}"
 
 
 def _problems(system: System) -> Iterator[str]:
@@ -191,7 +218,7 @@ def _problems(system: System) -> Iterator[str]:
     found = list(
         dict.fromkeys(
             f"  {entry.path}:{entry.line}  {entry.message}"
-            for entry in system.tree.diagnostics
+            for entry in system.diagnostics
             if entry.code.startswith(_LAUNCH_PROBLEMS) or entry.path in launches
         )
     )

@@ -1,0 +1,2 @@
+#pragma once
+namespace std_msgs { namespace msg { struct String {}; } }

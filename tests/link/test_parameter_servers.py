@@ -1,0 +1,110 @@
+"""Generated parameters belong to what makes their server or listener, however it is written."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+CFG = """#!/usr/bin/env python
+from dynamic_reconfigure.parameter_generator_catkin import *
+gen = ParameterGenerator()
+gen.add("gain", double_t, 0, "Gain.", 0.5, 0.0, 1.0)
+exit(gen.generate("pkg", "demo", "Demo"))
+"""
+PYTHON = """#!/usr/bin/env python
+import rospy
+{imports}
+
+def main():
+    rospy.init_node('demo')
+    server = {made}
+
+if __name__ == '__main__':
+    main()
+"""
+CLASS = """
+class Demo : public nodelet::Nodelet {{
+  {types}
+  boost::shared_ptr<{member}> server_;
+}};
+"""
+MADE = [
+    ("from dynamic_reconfigure.server import Server\nfrom pkg.cfg import DemoConfig", "Server(DemoConfig, on_set)"),
+    (
+        "import dynamic_reconfigure.server\nfrom pkg.cfg import DemoConfig as C",
+        "dynamic_reconfigure.server.Server(C, on_set)",
+    ),
+    ("from dynamic_reconfigure.server import Server as S\nimport pkg.cfg.DemoConfig as C", "S(C, on_set)"),
+]
+NOT_MADE = [
+    ("from other.server import Server\nfrom pkg.cfg import DemoConfig", "Server(DemoConfig, on_set)"),
+    ("from dynamic_reconfigure.server import Server\nfrom pkg.cfg import OtherConfig", "Server(OtherConfig, on_set)"),
+    (
+        "from dynamic_reconfigure.server import Server\nfrom pkg.cfg import DemoConfig",
+        "Server(DemoConfig, on_set, 'below')",
+    ),
+]
+MEMBERS = [
+    ("", "dynamic_reconfigure::Server<pkg::DemoConfig>"),
+    ("typedef dynamic_reconfigure::Server<pkg::DemoConfig> Settings;", "Settings"),
+    ("using Config = pkg::DemoConfig; typedef dynamic_reconfigure::Server<Config> Settings;", "Settings"),
+]
+
+
+def _parameters(workspace: Any, files: dict[str, str], ros: int) -> list[tuple[str, object]]:
+    found = workspace.package(files, ros=ros).interfaces()
+    return [(entry.raw_name, entry.default) for entry in found if entry.role == "parameter"]
+
+
+def _catkin(path: str, text: str) -> dict[str, str]:
+    cmake = "project(pkg)\ngenerate_dynamic_reconfigure_options(cfg/Demo.cfg)\n"
+    return {"cfg/Demo.cfg": CFG, "CMakeLists.txt": cmake, path: text}
+
+
+@pytest.mark.parametrize(("imports", "made"), MADE, ids=[row[1] for row in MADE])
+def test_a_server_of_python(workspace: Any, imports: str, made: str) -> None:
+    """The first argument is the generated module or class, as it was imported."""
+    files = _catkin("scripts/demo.py", PYTHON.format(imports=imports, made=made))
+    assert _parameters(workspace, files, 1) == [("~gain", 0.5)]
+
+
+@pytest.mark.parametrize(("imports", "made"), NOT_MADE, ids=[row[0] + row[1] for row in NOT_MADE])
+def test_another_server_offers_other_parameters(workspace: Any, imports: str, made: str) -> None:
+    """Another class, another file, or another namespace than that of the node."""
+    files = _catkin("scripts/demo.py", PYTHON.format(imports=imports, made=made))
+    assert _parameters(workspace, files, 1) == []
+
+
+@pytest.mark.parametrize(("types", "member"), MEMBERS, ids=[row[0] + row[1] for row in MEMBERS])
+def test_a_server_behind_aliases(workspace: Any, types: str, member: str) -> None:
+    """Aliases in the class stand for the server and for its configuration."""
+    files = _catkin("src/demo.cpp", CLASS.format(types=types, member=member))
+    assert _parameters(workspace, files, 1) == [("~gain", 0.5)]
+
+
+def test_a_listener_that_setup_py_generates(workspace: Any) -> None:
+    """generate_parameter_module of setup.py names the file, its listener the node."""
+    setup = """
+from generate_parameter_library_py.setup_helper import generate_parameter_module
+from setuptools import setup
+where = "pkg/demo.yaml"
+generate_parameter_module("demo_parameters", where)
+setup(name="pkg", packages=["pkg"], entry_points={"console_scripts": ["demo = pkg.node:main"]})
+"""
+    node = """
+import rclpy
+from rclpy.node import Node
+from pkg.demo_parameters import demo
+
+class Demo(Node):
+    def __init__(self):
+        super().__init__("demo")
+        self.listener = demo.ParamListener(self)
+
+def main():
+    rclpy.spin(Demo())
+"""
+    yaml = "demo:\n  gains:\n    p:\n      type: double\n      default_value: 2.0\n"
+    files = {"setup.py": setup, "pkg/node.py": node, "pkg/__init__.py": "", "pkg/demo.yaml": yaml}
+    assert _parameters(workspace, files, 2) == [("gains.p", 2.0)]
