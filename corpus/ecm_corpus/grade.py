@@ -7,7 +7,10 @@ is quiet at every real state after the repair. Source of the grades: the audit o
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+import tomllib
+from collections.abc import Callable, Iterator, Mapping
+from functools import cache
+from importlib import resources
 
 import msgspec
 from ecm_checker.finding import DIMENSIONS, Dimension, Finding
@@ -110,8 +113,19 @@ def _lies_on(finding: Finding, conflict: Conflict) -> bool:
 
 
 def _names(finding: Finding, conflict: Conflict) -> bool:
-    text = " ".join((finding.message, *finding.subjects))
-    return not conflict.names or any(re.search(rf"(?<!\w){re.escape(name)}(?!\w)", text) for name in conflict.names)
+    """Whether a name of the conflict is one that the finding is about, as a whole word: nobody reads its message."""
+    about = finding.about.names if finding.about is not None else ()
+    said = "\n".join((*about, *finding.subjects, *_speaks_of().get(finding.rule, ())))
+    if not conflict.names or any(re.search(rf"(?<!\w){re.escape(name)}(?!\w)", said) for name in conflict.names):
+        return True
+    return any(f"{place.path}:{place.line}".endswith(line) for place in finding.evidence for line in conflict.lines)
+
+
+@cache
+def _speaks_of() -> Mapping[str, tuple[str, ...]]:
+    """What each finding of a rule speaks of beside the names that it is about."""
+    text = resources.files("ecm_corpus").joinpath("speaks_of.toml").read_text("utf-8")
+    return msgspec.convert(tomllib.loads(text), dict[str, tuple[str, ...]])
 
 
 def _hits(result: CaseResult, name: str, narrative: Narrative, method: Method) -> Iterator[tuple[Engine, Finding]]:

@@ -28,12 +28,16 @@ class Conflict(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     Attributes:
         files: one of them is in the finding's evidence, compared from the end of the path; empty for any.
-        names: one of them stands in the finding's message as a whole word; empty for any.
+        names: one of them stands, as a whole word, in the names that the finding is about or in what its rule
+            speaks of; empty for any.
+        lines: `path:line` in the evidence counts like a name: of several things with one cause a finding is about the
+            first, and has the lines of all.
         old, new: the entity before and after, where there is one.
     """
 
     files: tuple[str, ...] = ()
     names: tuple[str, ...] = ()
+    lines: tuple[str, ...] = ()
     old: str = ""
     new: str = ""
 

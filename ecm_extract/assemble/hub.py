@@ -17,8 +17,8 @@ from ecm_extract.entities.interfaces import interface_name
 from ecm_extract.entities.launch import launch_files
 from ecm_extract.entities.listed import listed, shared_files
 from ecm_extract.entities.notes import read_notes
-from ecm_extract.entities.possible import makers_of, open_kinds, possible_names, runs_files
 from ecm_extract.entities.python import bound_names, quoted_names
+from ecm_extract.entities.told_of_build import Surroundings, surroundings, told_of_build
 from ecm_extract.entities.workspace import Workspace
 from ecm_extract.link.composition import Composition
 from ecm_extract.parallel_work import meanwhile
@@ -54,14 +54,14 @@ class _Kept(msgspec.Struct, frozen=True):
 
     Attributes:
         blobs: their ids by path. notes: sentences of changelogs by path. shared: paths of what concerns all packages.
-        makers: CMake commands of the tree that make programs.
+        around: what the tree tells of its packages beside their own files.
         running: what runs, by package. texts: contents that launch files need, by path.
     """
 
     blobs: Mapping[str, str]
     notes: Mapping[str, Sequence[str]]
     shared: tuple[str, ...]
-    makers: frozenset[str]
+    around: Surroundings
     running: Mapping[str, Running]
     texts: Mapping[str, str]
 
@@ -73,7 +73,7 @@ def _kept(workspace: Workspace, composition: Composition) -> _Kept:
         blobs={entry.path: entry.identity for entry in entries if entry.identity},
         notes=read_notes(workspace.tree, [entry.path for entry in entries]),
         shared=tuple(entry.path for entry in shared_files(workspace.tree, owned)),
-        makers=makers_of(workspace.tree),
+        around=surroundings(workspace.tree, workspace.packages),
         running=running_of(workspace.packages, workspace.linked, composition),
         texts=kept_texts(workspace.tree, workspace.texts, workspace.packages),
     )
@@ -93,9 +93,7 @@ def _hub(facts: PackageFacts, entities: Sequence[Provision], required: Sequence[
         },
         files={path: kept.blobs.get(path, "") for path in paths},
         notes={path: tuple(kept.notes[path]) for path in paths if path in kept.notes},
-        possible=possible_names(facts),
-        open=open_kinds(facts, kept.makers),
-        runs_files=runs_files(facts),
+        **told_of_build(facts, kept.around),
         running=_running(facts, kept),
     )
 

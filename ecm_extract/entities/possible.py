@@ -14,11 +14,14 @@ from typing import Final
 from ecm_parsers.cmake_facts import CmakeFile
 from ecm_parsers.cmake_tokens import Command, parse_commands
 
+from ecm_extract.entities.install_rules import installed_targets, tells_installed
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.tree import Tree
 
 PROGRAM: Final = "executable"
 MESSAGE: Final = "message"
+LIBRARY: Final = "library"
+_LIBRARIES: Final = frozenset({"library", "interface"})
 _PROGRAMS: Final = frozenset({"programs", "python"})
 _COMPUTED: Final = frozenset("${*?")
 _DEFINES: Final = frozenset({"macro", "function"})
@@ -26,10 +29,9 @@ _SHAPES: Final = {".msg": "msg", ".idl": "msg", ".srv": "srv", ".action": "actio
 _ROS_2: Final = 2
 
 
-def possible_names(facts: PackageFacts) -> dict[str, tuple[str, ...]]:
+def possible_names(facts: PackageFacts) -> dict[str, set[str]]:
     """Return names by kind that the build of a package may make; those that it provides may be among them."""
-    found = {PROGRAM: tuple(sorted(_programs(facts))), MESSAGE: tuple(sorted(_messages(facts)))}
-    return {kind: names for kind, names in found.items() if names}
+    return {PROGRAM: _programs(facts), MESSAGE: _messages(facts), LIBRARY: _libraries(facts)}
 
 
 def open_kinds(facts: PackageFacts, makers: frozenset[str]) -> tuple[str, ...]:
@@ -44,6 +46,8 @@ def open_kinds(facts: PackageFacts, makers: frozenset[str]) -> tuple[str, ...]:
         kinds.append(PROGRAM)
     if not facts.interfaces:
         kinds.append(MESSAGE)  # it may generate them
+    if not _tells_libraries(facts):
+        kinds.append(LIBRARY)
     return tuple(kinds)
 
 
@@ -93,6 +97,13 @@ def _made(file: CmakeFile) -> Iterator[str]:
             yield from (output.rpartition("/")[2] for output in outputs)
 
 
+def _libraries(facts: PackageFacts) -> set[str]:
+    """Libraries that others may find: those that are installed, and all that are built where that is not told."""
+    targets = [target for file in facts.cmake.values() for target in file.targets if target.kind in _LIBRARIES]
+    kept = installed_targets(facts) if tells_installed(facts) else {target.name for target in targets}
+    return {name for target in targets if target.name in kept for name in (target.name, target.output) if name}
+
+
 def _messages(facts: PackageFacts) -> set[str]:
     """Definitions that a build file lists, or that lie in the package, and that are no provisions of it."""
     listed = {f"{entry.path.rpartition('/')[2]}" for file in facts.cmake.values() for entry in file.interfaces}
@@ -112,6 +123,14 @@ def _tells_programs(facts: PackageFacts) -> bool:
         return False
     targets = [target for file in facts.cmake.values() for target in file.targets]
     return bool(facts.cmake or facts.setups) and not any(_COMPUTED & set(target.name) for target in targets)
+
+
+def _tells_libraries(facts: PackageFacts) -> bool:
+    """Tell whether the build files leave no name of a library open."""
+    files = facts.cmake.values()
+    targets = [target for file in files for target in file.targets if target.kind in _LIBRARIES]
+    computed = any("$" in name for target in targets for name in (target.name, target.output))
+    return not facts.root.rosbuild and not any(file.unknown for file in files) and not computed
 
 
 def _making(commands: tuple[Command, ...]) -> Iterator[str]:

@@ -19,6 +19,8 @@ from ecm_extract.tree import Tree
 
 DESCRIPTIONS: Final = (".urdf", ".xacro")
 PARAMETERS: Final = (".yaml", ".yml")
+_BUILDS: Final = ("CMakeLists.txt", ".cmake", ".sdf")
+"""What requirements are read from as well: build files, and descriptions of worlds."""
 _HEADERS: Final = (".h", ".hh", ".hpp", ".hxx")
 _ENDS: Final = re.compile(rb"[Dd]eprecat|DEPRECAT|[Oo]bsolete")
 
@@ -37,7 +39,9 @@ class SideTexts:
         self.speaking: dict[str, bytes] = {}
         self.launches: dict[str, Sequence[tuple[str, LaunchFile]]] = {}
         listed = [entry.path for facts in packages for entry in facts.root.files]
-        whole = {path for path in listed if path.endswith((*DESCRIPTIONS, *PARAMETERS)) or is_launch_file(path)}
+        whole = {
+            path for path in listed if path.endswith((*DESCRIPTIONS, *PARAMETERS, *_BUILDS)) or is_launch_file(path)
+        }
         searched = {path for facts in packages for path in (*facts.sources, *facts.interfaces)}
         searched |= {path for path in listed if path.endswith(_HEADERS)}
         for path, data in tree.read_many(sorted(whole | searched)):
@@ -52,7 +56,7 @@ class SideTexts:
         return parsed.facts
 
     def read_many(self, paths: Iterable[str]) -> Iterator[tuple[str, bytes]]:
-        """Yield path and content in the order asked for; what is no launch file, description or YAML is read anew."""
+        """Yield path and content in the order asked for; what is not kept is read anew."""
         for path in paths:
             if path in self._whole:
                 yield path, self._whole[path]

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
 
 from ecm_parsers.cmake_facts import CmakeFile
 
-from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
 
 _ACTION_PARTS = ("Action", "Goal", "Result", "Feedback", "ActionGoal", "ActionResult", "ActionFeedback")
 _SERVICE_PARTS = ("", "Request", "Response")
 _ORDERING = frozenset({"add_dependencies", "target_link_libraries"})
-MAX_HEADERS = 400
+_INCLUDE = "/include/"
 
 
 def generated_headers(packages: Sequence[PackageFacts]) -> dict[str, str]:
@@ -38,15 +38,23 @@ def build_dependencies(file: CmakeFile) -> dict[str, set[str]]:
     return found
 
 
-def included(workspace: Workspace, package: PackageFacts, source: str) -> Iterator[str]:
+def own_headers(package: PackageFacts) -> Mapping[str, Sequence[str]]:
+    """Return the headers of a package below its folders of headers, by how they are included."""
+    found: dict[str, list[str]] = defaultdict(list)
+    for path in package.sources:
+        parts = f"/{path}".split(_INCLUDE)
+        for at in range(1, len(parts)):
+            found[_INCLUDE.join(parts[at:])].append(path)
+    return found
+
+
+def included(package: PackageFacts, headers: Mapping[str, Sequence[str]], source: str) -> Iterator[str]:
     """Yield what a source includes, also through headers of its own package."""
-    headers = {path: facts for path, facts in package.sources.items() if "/include/" in f"/{path}"}
     pending, seen = [source], {source}
-    while pending and len(seen) < MAX_HEADERS:
+    while pending:
         facts = package.sources.get(pending.pop())
         for entry in facts.imports if facts is not None else ():
             yield entry.module
-            for path in headers:
-                if path not in seen and path.endswith(f"/include/{entry.module}"):
-                    seen.add(path)
-                    pending.append(path)
+            new = [path for path in headers.get(entry.module, ()) if path not in seen]
+            seen.update(new)
+            pending += new

@@ -19,7 +19,25 @@ from ecm_checker.match.packages import Packages
 from ecm_extract.lint.near import nearest
 from ecm_extract.system.launch_files import is_aside, is_launch_file
 
-USES: Final = frozenset({"starts", "imports", "has_field_of", "depends"})
+USES: Final = frozenset(
+    {
+        "depends",
+        "exports_headers",
+        "exports_library",
+        "gives_field",
+        "has_field",
+        "has_field_of",
+        "imports",
+        "includes_launch",
+        "installs_file",
+        "names_file",
+        "names_node",
+        "reads_file",
+        "shows_mesh",
+        "starts",
+        "strips_prefix",
+    }
+)
 """What rules of lint ask for: what is read off sources for them."""
 
 
@@ -55,6 +73,7 @@ class Known:
         self.own = frozenset(package.name for package in own)
         self.packages = Packages([*own, *(each for each in stored if each.name not in self.own)])
         self.elsewhere = elsewhere
+        self._files: dict[str, frozenset[str]] = {}
 
     def asked(self, use: str) -> Iterator[Asked]:
         """Yield the requirements of a use of the packages under lint, without launch files that are put aside."""
@@ -76,6 +95,35 @@ class Known:
         """
         names = self._names.get((package, kind), ())
         return nearest(name, [each.removeprefix(prefix) for each in names if each.startswith(prefix)]) or ""
+
+    def members(self, package: str, owner: str, kind: str) -> Sequence[str]:
+        """Return the names of a kind that something of a package has, as the fields of a message, in their order."""
+        rows = self.packages.by_name[package].provides if package in self.packages.by_name else ()
+        return [row.name for row in rows if row.kind == kind and row.owner == owner]
+
+    def launched(self, kind: str) -> Iterator[str]:
+        """Yield the names of a kind that packages provide; launch files that are put aside give none."""
+        for package in self.packages.by_name.values():
+            for row in package.provides:
+                if row.kind == kind and not _is_buried(row.evidence[0].path):
+                    yield row.name
+
+    def may_have(self, package: str, kind: str, name: str) -> bool:
+        """Whether a package provides a name of a kind, or its build may make one."""
+        return name in self._names.get((package, kind), ())
+
+    def files_of(self, package: str) -> frozenset[str]:
+        """Return the files and folders of a package, from its own folder; none of one that is not known."""
+        if package not in self._files:
+            found = self.packages.by_name.get(package)
+            self._files[package] = found.shared if found is not None else frozenset()
+        return self._files[package]
+
+    def named_like(self, package: str, path: str, endings: Sequence[str] = ()) -> list[str]:
+        """Return the files of a package with the name of another one, or that with one of some endings."""
+        name = path.rpartition("/")[2]
+        names = {name, *(f"{name}{ending}" for ending in endings)}
+        return sorted(each for each in self.files_of(package) if each.rpartition("/")[2] in names)
 
     def provider(self, kind: str, ending: str) -> str | None:
         """Return the first package that provides a name of a kind with an ending."""

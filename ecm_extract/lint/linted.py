@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any, Protocol
 
+import msgspec
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Finding
 
@@ -69,8 +70,15 @@ def places_of(workspace: Workspace, request: LintRequest) -> Places:
 
 
 def _in_patch(found: list[Finding], patch: str, places: Places) -> list[Finding]:
+    """Findings with a line of the patch, which is told first: one cause may stand in many files."""
     lines = touched_lines(patch)
-    return [each for each in found if each.evidence and _is_touched(each.evidence[0], lines, places)]
+    kept = []
+    for finding in found:
+        touched = [each for each in finding.evidence if _is_touched(each, lines, places)]
+        if touched:
+            others = (each for each in finding.evidence if each not in touched)
+            kept.append(msgspec.structs.replace(finding, evidence=(*touched, *others)))
+    return kept
 
 
 def _is_touched(place: Evidence, lines: dict[str, set[int]], places: Places) -> bool:

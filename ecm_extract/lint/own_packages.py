@@ -2,23 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Literal, cast
 
 from ecm_checker.hub.package import Package, provided
+from ecm_checker.hub.provision import Provision
 from ecm_checker.hub.requirement import Requirement
 from ecm_parsers.source.python import parse_python
 
-from ecm_extract.entities.interfaces import interface_names
+from ecm_extract.entities.interfaces import interface_entities
+from ecm_extract.entities.nodes import launched_nodes, node_entities
 from ecm_extract.entities.packaging import program_entities
-from ecm_extract.entities.possible import makers_of, open_kinds, possible_names, runs_files
+from ecm_extract.entities.told_of_build import Surroundings, surroundings, told_of_build
 from ecm_extract.link.units import File
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.requires.build_files import build_file_requirements
 from ecm_extract.requires.collect import ordered
 from ecm_extract.requires.dependencies import dependency_requirements
+from ecm_extract.requires.diagnostics import diagnostic_requirements
 from ecm_extract.requires.interface_types import interface_requirements
 from ecm_extract.requires.launch_files import requirements_of_file
 from ecm_extract.requires.python_sources import import_requirements
+from ecm_extract.requires.service_fields import service_field_requirements
+from ecm_extract.requires.share_files import share_file_requirements
 
 if TYPE_CHECKING:
     from ecm_extract.lint.workspace import Workspace
@@ -26,12 +33,25 @@ if TYPE_CHECKING:
 
 def own_packages(workspace: Workspace) -> list[Package]:
     """Return the packages of a workspace with what `known.USES` asks for, and the kinds of names that these mean."""
-    makers = makers_of(workspace.tree)
-    return [_package(facts, workspace, makers) for facts in workspace.packages]
+    around = surroundings(workspace.tree, workspace.packages)
+    of_program = _of_program(workspace)
+    return [_package(facts, workspace, around, of_program[facts.name]) for facts in workspace.packages]
 
 
-def _package(facts: PackageFacts, workspace: Workspace, makers: frozenset[str]) -> Package:
-    entities = [*program_entities(facts), *interface_names(facts)]
+def _of_program(workspace: Workspace) -> Mapping[str, list[Requirement]]:
+    """What is required by sources that are understood together only, by package."""
+    found: dict[str, list[Requirement]] = defaultdict(list)
+    for package, each in service_field_requirements(
+        workspace.linker.program.files, workspace.linked, workspace.packages
+    ):
+        found[package].append(each)
+    return found
+
+
+def _package(
+    facts: PackageFacts, workspace: Workspace, around: Surroundings, of_program: Sequence[Requirement]
+) -> Package:
+    entities = [*program_entities(facts), *interface_entities(facts), *_nodes(facts, workspace)]
     return Package(
         name=facts.name,
         version=None,
@@ -39,17 +59,26 @@ def _package(facts: PackageFacts, workspace: Workspace, makers: frozenset[str]) 
         ros=cast("Literal[1, 2] | None", facts.ros),
         manifest=facts.root.manifest,
         provides=tuple(provided(entity) for entity in entities),
-        requires=ordered(_required(facts, workspace)),
+        requires=ordered((*_required(facts, workspace), *of_program)),
         files={entry.path: "" for entry in facts.root.files},
-        possible=possible_names(facts),
-        open=open_kinds(facts, makers),
-        runs_files=runs_files(facts),
+        **told_of_build(facts, around),
     )
+
+
+def _nodes(facts: PackageFacts, workspace: Workspace) -> Iterator[Provision]:
+    """The nodes of a package, by the names of their programs and by those that its launch files give."""
+    yield from node_entities(facts, [entry for entry in workspace.linked if entry.module.package == facts.name])
+    for path, file in workspace.launches.items():
+        if workspace.package_of(path) == facts.name:
+            yield from launched_nodes(facts, path, path.rpartition("/")[2], file.actions)
 
 
 def _required(facts: PackageFacts, workspace: Workspace) -> Iterator[Requirement]:
     yield from dependency_requirements(facts)
     yield from interface_requirements(facts)
+    yield from diagnostic_requirements(facts)
+    yield from build_file_requirements(workspace.tree.read_many, facts)
+    yield from share_file_requirements(workspace.tree.read_many, facts)
     for path, file in workspace.launches.items():
         if workspace.package_of(path) == facts.name:
             yield from requirements_of_file(path, file, workspace.files.lines(path))

@@ -26,8 +26,8 @@ from ecm_extract.lint.builds import builds
 from ecm_extract.lint.fetched import fetched_repositories
 from ecm_extract.lint.known import Known
 from ecm_extract.lint.own_packages import own_packages
-from ecm_extract.lint.service_calls import ServiceCall, request_fields, service_calls
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.requires.service_calls import ServiceCall, request_fields, service_calls
 from ecm_extract.settings import config_of
 from ecm_extract.system.files import Files
 from ecm_extract.system.launch_files import is_aside, is_launch_file, read_launch
@@ -139,9 +139,11 @@ class Workspace:
         return any(not node.modules for system in self.systems for node in system.nodes)
 
     @cached_property
-    def service_calls(self) -> Sequence[ServiceCall]:
-        """Calls of rospy service proxies whose service is known."""
-        return tuple(service_calls(self.linker.program.files, self.linked, request_fields(self.packages)))
+    def service_calls(self) -> Sequence[tuple[ServiceCall, tuple[str, ...]]]:
+        """Calls of rospy service proxies, with the fields of the request where the service is known."""
+        fields = request_fields(self.packages)
+        calls = service_calls(self.linker.program.files, self.linked)
+        return [(call, fields[call.service]) for call in calls if call.service in fields]
 
     @cached_property
     def descriptions(self) -> Sequence[Description]:

@@ -18,6 +18,7 @@ from ecm_extract.link.program import imported_names
 from ecm_extract.link.units import File
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.behavior_trees import behavior_tree_requirements
+from ecm_extract.requires.build_files import build_file_requirements
 from ecm_extract.requires.cpp_body import bodies
 from ecm_extract.requires.cpp_headers import header_requirements
 from ecm_extract.requires.cpp_members import member_requirements
@@ -40,6 +41,8 @@ from ecm_extract.requires.policies import policy_requirements
 from ecm_extract.requires.python_fields import field_requirements
 from ecm_extract.requires.python_sources import python_requirements
 from ecm_extract.requires.rviz_files import rviz_requirements
+from ecm_extract.requires.service_fields import service_field_requirements
+from ecm_extract.requires.share_files import share_file_requirements
 from ecm_extract.system.launch_files import is_launch_file
 from ecm_extract.tree import Tree
 
@@ -95,6 +98,8 @@ def _of_package(
     yield from dependency_requirements(facts)
     yield from interface_requirements(facts)
     yield from rviz_requirements(tree, facts)
+    yield from build_file_requirements(texts.read_many, facts)
+    yield from share_file_requirements(texts.read_many, facts)
     for file in _python_launch_files(texts, facts):
         yield from python_requirements(file)
 
@@ -105,6 +110,7 @@ def _of_program(workspace: Workspace) -> Iterator[tuple[str, Requirement]]:
         for reader in readers:
             for found in reader(file):
                 yield file.package, found
+    yield from service_field_requirements(workspace.program.files, workspace.linked, workspace.packages)
     yield from parameter_read_requirements(workspace.program)
     yield from override_requirements(workspace.program)
     yield from result_requirements(workspace.program)

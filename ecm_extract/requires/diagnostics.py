@@ -29,4 +29,4 @@ def _of(analyzer: Analyzer, place: Place) -> Iterator[Requirement]:
     for prefix in (*analyzer.remove_prefix, *analyzer.find_and_remove_prefix):
         node = prefix.strip("/: ")
         if node.replace("_", "").isalnum():
-            yield required("strips_prefix", node, place, "likely")
+            yield required("strips_prefix", node, place, "likely", said=analyzer.key)

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable, Iterator
+
 import msgspec
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Certainty
 from ecm_checker.hub.kinds import uses
 from ecm_checker.hub.requirement import Requirement
+
+Reader = Callable[[Iterable[str]], Iterator[tuple[str, bytes]]]
+"""Yields path and content of files, in the order asked for."""
 
 
 class Place(msgspec.Struct, frozen=True):

@@ -17,7 +17,7 @@ Read = TypeVar("Read")
 TREE = "tree:"
 """Prefix of a path that is in the tree, so that a path of the machine is never taken for one."""
 
-_TEMPLATES = (".in", ".em", ".jinja", ".jinja2", ".template")
+TEMPLATES = (".in", ".em", ".jinja", ".jinja2", ".template")
 """Endings of files that a build fills in and installs without them."""
 
 MAX_NEIGHBOUR = 256_000
@@ -71,7 +71,7 @@ class Files:
 
         It may be on the machine, be made by the build, or be a file that a partial checkout has left out.
         """
-        if text.startswith(("/", "~")) or any(self.find(text + ending) is not None for ending in _TEMPLATES):
+        if text.startswith(("/", "~")) or any(self.find(text + ending) is not None for ending in TEMPLATES):
             return True
         return text.startswith(TREE) and self.is_left_out(_normal(text[len(TREE) :]))
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ecm_checker.contract import Evidence
-from ecm_checker.finding import Dimension, Finding, Severity
+from ecm_checker.finding import Dimension, Entity, Finding, Severity
 from ecm_corpus.narrative import Conflict, Limit, Narrative
 from ecm_corpus.results import SCHEMA, CaseResult, Engine, Results, StateResult, Versions
 
@@ -14,7 +14,7 @@ def finding(
     rule: str = "VER001",
     dimension: Dimension = "versioning",
     severity: Severity = "error",
-    message: str = "topic /gps/fix is gone",
+    about: str = "/gps/fix",
     path: str = "pkg/scripts/reader.py",
 ) -> Finding:
     return Finding(
@@ -22,13 +22,14 @@ def finding(
         name="name",
         dimension=dimension,
         severity=severity,
-        message=message,
+        message=f"topic {about} is gone",
         resolution="",
         subjects=("ecm.pkg",),
         evidence=(Evidence(path, 7),),
         fingerprint="0" * 16,
         who="graph",
         certainty="proved",
+        about=Entity("topic", about),
     )
 
 
@@ -79,7 +80,7 @@ def results(*cases: CaseResult) -> Results:
 
 def small_corpus() -> tuple[Results, dict[str, Narrative]]:
     """Two wins, one by the checker and one by lint, a trigger, a miss, one of another dimension, one without text."""
-    qos = finding("BEH001", "behavior", message="/gps/fix: offers best_effort")
+    qos = finding("BEH001", "behavior")
     lint = finding("LNT007", "signature", "error", "topic /gps/fix has two types")
     cases = (
         case("B-win", "ros2", a=state(qos, engine="check"), b=state(engine="check")),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import msgspec
 import pytest
 from ecm_checker.finding import Finding
 from ecm_corpus.grade import graded, is_about
@@ -57,14 +58,28 @@ def test_one_broken_state_is_enough_and_every_repaired_one_must_be_quiet() -> No
         (finding(path="reader.py"), False),
         (finding(path="pkg/otherscripts/reader.py"), False),
         (finding(path="scripts/reader.py"), True),
-        (finding(message="/gps/fix2 is gone"), False),
-        (finding(message="'/gps/fix' is gone"), True),
-        (finding(message="/mavros/gps/fix is gone"), False),
+        (finding(about="/gps/fix2"), False),
+        (finding(about="reader /gps/fix"), True),
+        (finding(about="/mavros/gps/fix"), False),
+        (msgspec.structs.replace(finding(about="/odom"), message="/gps/fix is gone"), False),
     ],
 )
 def test_a_finding_counts_when_it_is_about_the_conflict(found: Finding, about: bool) -> None:
-    """It lies on the file, at a folder's boundary, and holds the name as a whole word."""
+    """It lies on the file, at a folder's boundary, and is about the name, whatever its message says."""
     assert is_about(found, Conflict(files=("scripts/reader.py",), names=("/gps/fix",))) is about
+
+
+def test_what_a_rule_always_speaks_of_counts() -> None:
+    """A publisher without `queue_size` is named; that its rule looks at this argument stands in the table."""
+    named = Conflict(names=("queue_size",))
+    assert is_about(finding(rule="LNT034"), named)
+    assert not is_about(finding(rule="LNT001"), named)
+
+
+def test_a_line_counts_like_a_name() -> None:
+    """Of several joints with one cause the finding is about the first, and has the lines of all."""
+    assert is_about(finding(about="/odom"), Conflict(names=("/gps/fix",), lines=("scripts/reader.py:7",)))
+    assert not is_about(finding(about="/odom"), Conflict(names=("/gps/fix",), lines=("scripts/reader.py:8",)))
 
 
 def test_information_is_no_win_and_no_alarm() -> None:

@@ -80,6 +80,21 @@ def test_patch(bad: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     assert run_lint(bad, "--patch", str(bad / "none.patch")) == 2
 
 
+def test_a_patch_of_one_of_several_lines(
+    bad: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A cause that stands in two files is told on the line that the patch touches."""
+    other = LAUNCH.replace("a.launch", "b.launch")
+    (bad / other).write_text((bad / LAUNCH).read_text())
+    lines = (bad / other).read_text().splitlines()
+    patch = f"--- a/{other}\n+++ b/{other}\n@@ -0,0 +1,{len(lines)} @@\n" + "".join(f"+{line}\n" for line in lines)
+    monkeypatch.setattr("sys.stdin", io.StringIO(patch))
+    capsys.readouterr()
+    assert run_lint(bad, "--patch", "-", "--format", "json") == 1
+    found = json.loads(capsys.readouterr().out)["findings"]
+    assert {each["evidence"][0]["path"].rpartition("/")[2] for each in found} == {other.rpartition("/")[2]}
+
+
 @pytest.mark.parametrize(
     ("config", "status"),
     [

@@ -22,18 +22,38 @@ from ecm_extract.tree import open_tree
 
 TELLING = [entry for entry in catalogue() if entry.tell is not None]
 MANIFEST = '<package format="3"><name>{0}</name><version>1.0.0</version>{1}</package>'
+CALLS = """import rospy
+from driver.srv import Move
+rospy.init_node("user")
+move = rospy.ServiceProxy("move", Move)
+move(angel=1.0)
+move(angle=1.0)
+"""
+MESHES = """<robot name="arm"><link name="a">
+  <visual><geometry><mesh filename="package://driver/meshes/hand.dae"/></geometry></visual>
+  <visual><geometry><mesh filename="package://driver/meshes/arm.dae"/></geometry></visual>
+</link></robot>
+"""
 DRIVER = {
     "driver/package.xml": MANIFEST.format("driver", "<depend>rclcpp</depend>"),
     "driver/CMakeLists.txt": "project(driver)\nadd_executable(arm_driver a.cpp)\ninstall(TARGETS arm_driver)\n"
     "rosidl_generate_interfaces(driver msg/Grip.msg)\nament_package()\n",
     "driver/msg/Grip.msg": "float64 width\n",
+    "driver/srv/Move.srv": "float64 angle\n---\nbool done\n",
+    "driver/meshes/arm.dae": "",
+    "driver/config/arm.yaml": "a: 1\n",
 }
 USER = {
     "user/package.xml": MANIFEST.format("user", "<depend>driver</depend>"),
     "user/CMakeLists.txt": "project(user)\nament_package()\n",
     "user/launch/a.launch.xml": "<launch>\n  <node\n    pkg='driver'\n    exec='arm_drvier'/>\n"
     "  <node pkg='driver' exec='arm_driver'/>\n</launch>\n",
+    "user/launch/b.launch.xml": "<launch>\n"
+    "  <arg name='a' default='$(find-pkg-share driver)/config/am.yaml'/>\n"
+    "  <arg name='b' default='$(find-pkg-share driver)/config/arm.yaml'/>\n</launch>\n",
     "user/scripts/a.py": "from driver.msg import Grip, Gripp\n",
+    "user/scripts/b.py": CALLS,
+    "user/urdf/a.urdf": MESHES,
     "user/msg/Hand.msg": "driver/Gripp left\ndriver/Grip right\n",
 }
 
@@ -74,9 +94,12 @@ def test_another_package_is_known_by_its_document(tmp_path: Path) -> None:
     found = told(alone.known)
     assert found == [each for each in told(both.known) if each.subjects == ("user",)]
     assert [(each.rule, each.evidence[0].line, each.about.new if each.about else "") for each in found] == [
+        ("LNT001", 2, ""),
         ("LNT003", 4, "arm_driver"),
         ("LNT010", 1, "Grip"),
         ("LNT017", 1, "driver/Grip"),
+        ("LNT025", 2, ""),
+        ("LNT031", 5, "angle"),
     ]
 
 

@@ -23,6 +23,16 @@ def test_a_file_that_is_missing_twice(workspace: Any) -> None:
     assert findings(workspace, "LNT001") == [("pkg/launch/a.launch names pkg/param/a.yaml, which is not there", 2)]
 
 
+def test_a_program_that_two_launch_files_start(workspace: Any) -> None:
+    """The build that makes no such program is the cause, not each file that starts it."""
+    start = '<launch><node pkg="pkg" type="gone" name="a"/></launch>'
+    cmake = "cmake_minimum_required(VERSION 3.0)\nproject(pkg)\nadd_executable(other a.cpp)\ncatkin_package()\n"
+    workspace.package({"launch/a.launch": start, "launch/b.launch": start, "CMakeLists.txt": cmake}, ros=1)
+    assert [(text.partition(";")[0], lines) for text, lines in findings(workspace, "LNT003")] == [
+        ("pkg builds no program gone", 2)
+    ]
+
+
 def test_a_mesh_that_two_descriptions_name(workspace: Any) -> None:
     """The file that is not there is the cause, not who names it."""
     robot = f'<robot name="a"><link name="l">{MESH.format("toe")}</link></robot>'

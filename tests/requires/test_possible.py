@@ -94,3 +94,64 @@ def test_interfaces_that_are_listed_only(tmp_path: Path) -> None:
         "msg/A.msg": "int32 a\n",
     }
     assert stored(tmp_path, files).possible["message"] == ("arm/msg/Made",)
+
+
+@pytest.mark.parametrize(
+    ("body", "names"),
+    [
+        ("install(FILES config/a.yaml DESTINATION share/${PROJECT_NAME})\n", {"a.yaml"}),
+        ("install(FILES config/a.yaml DESTINATION share/${PROJECT_NAME} RENAME b.yaml)\n", {"b.yaml"}),
+        ("install(DIRECTORY config/ DESTINATION share/${PROJECT_NAME}/param)\n", {"param/a.yaml"}),
+        ("install(DIRECTORY config DESTINATION share/${PROJECT_NAME})\n", set()),
+        ("install(FILES config/a.yaml DESTINATION lib)\n", set()),
+    ],
+)
+def test_files_that_install_rules_put_elsewhere(tmp_path: Path, body: str, names: set[str]) -> None:
+    """Below the share folder lies what lies in the folder of the package, and what is put there."""
+    found = stored(tmp_path, {"CMakeLists.txt": CMAKE.format(body), "config/a.yaml": ""})
+    assert set(found.possible.get("file", ())) == names
+
+
+def test_what_something_else_fills_may_hold_any_file(tmp_path: Path) -> None:
+    """A submodule that was not fetched is no folder without files."""
+    listed = '[submodule "maps"]\n\tpath = maps\n\turl = https://example.org/maps\n'
+    found = stored(tmp_path, {"CMakeLists.txt": CMAKE.format(""), ".gitmodules": listed})
+    assert found.possible["file"] == ("maps/",)
+
+
+@pytest.mark.parametrize(
+    ("body", "makes", "tells"),
+    [
+        ("install(FILES a.yaml DESTINATION share/arm)\n", False, True),
+        ("configure_file(a.yaml.in a.yaml)\n", True, True),
+        ("install(FILES ${SOMETHING} DESTINATION share/arm)\n", True, False),
+    ],
+)
+def test_what_a_build_tells_of_files(tmp_path: Path, body: str, makes: bool, tells: bool) -> None:
+    """Where it makes files, or installs what only CMake knows, none is known to be missing."""
+    found = stored(tmp_path, {"CMakeLists.txt": CMAKE.format(body)})
+    assert (found.makes_files, found.tells_installed) == (makes, tells)
+
+
+@pytest.mark.parametrize(
+    ("body", "names"),
+    [
+        ("add_library(a a.cpp)\ninstall(TARGETS a DESTINATION lib)\n", {"a"}),
+        ("add_library(a a.cpp)\ninstall(FILES a.h DESTINATION include)\n", set()),
+        ("add_library(a a.cpp)\ninstall(FILES ${X} DESTINATION include)\n", {"a"}),
+    ],
+)
+def test_libraries_that_others_may_find(tmp_path: Path, body: str, names: set[str]) -> None:
+    """Those that are installed; where not all rules are known, all that are built."""
+    found = stored(tmp_path, {"CMakeLists.txt": CMAKE.format(body), "a.cpp": "int a() { return 0; }\n"})
+    assert set(found.possible.get("library", ())) == names
+
+
+def test_sources_that_no_target_has(tmp_path: Path) -> None:
+    body = "add_library(a a.cpp)\n"
+    files = {
+        "CMakeLists.txt": CMAKE.format(body),
+        "a.cpp": "int a() { return 0; }\n",
+        "b.cpp": "int b() { return 0; }\n",
+    }
+    assert stored(tmp_path, files).unbuilt == ("b.cpp",)

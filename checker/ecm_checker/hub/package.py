@@ -5,7 +5,7 @@ One file a package beside its manifests, and the same keys in the extract docume
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any, Final, Literal
 
 import msgspec
@@ -67,9 +67,12 @@ class Hub(msgspec.Struct, frozen=True, kw_only=True):
             tree, as its changelogs do, are of each.
         notes: sentences of changelogs, by path.
         possible: names by kind that its build may make beside what it provides, such as programs that it does not
-            install.
+            install; of files, below its share folder, a path that ends in a slash stands for all below it.
         open: kinds of which it may have any name, as where its build is not understood.
         runs_files: whether any of its files may be started by its name.
+        makes_files: whether its build may make files, or put some where nothing tells.
+        tells_installed: whether all that it installs is known, and there is something.
+        unbuilt: sources of C++ that no target of it has, by path.
         running: what launch files need of it; documents of older versions and those of a corpus have none.
     """
 
@@ -84,6 +87,9 @@ class Hub(msgspec.Struct, frozen=True, kw_only=True):
     possible: dict[str, tuple[str, ...]] = {}
     open: tuple[str, ...] = ()
     runs_files: bool = True
+    makes_files: bool = True
+    tells_installed: bool = False
+    unbuilt: tuple[str, ...] = ()
     running: Running | UnsetType = UNSET
 
 
@@ -103,6 +109,13 @@ class Package(Hub, frozen=True, kw_only=True):
     modules: tuple[Module, ...] = ()
     diagnostics: tuple[Diagnostic, ...] = ()
     unread: tuple[NotRead, ...] = ()
+
+    @property
+    def shared(self) -> frozenset[str]:
+        """Its files and folders, from its own folder."""
+        root = f"{self.path}/" if self.path else ""
+        files = [path.removeprefix(root) for path in self.files if path.startswith(root)]
+        return frozenset(files).union(folder for path in files for folder in folders_of(path))
 
     @property
     def gaps(self) -> tuple[NotRead, ...]:
@@ -129,6 +142,11 @@ class Extract(msgspec.Struct, frozen=True, kw_only=True):
     packages: tuple[Package, ...]
     diagnostics: tuple[Diagnostic, ...] = ()
     unread: tuple[NotRead, ...] = ()
+
+
+def folders_of(path: str) -> Iterator[str]:
+    """Yield the folders around a path, the outermost first: `a` and `a/b` of `a/b/c`."""
+    yield from (path[:at] for at, char in enumerate(path) if char == "/" and at)
 
 
 class SchemaError(ValueError):

@@ -151,6 +151,11 @@ def _exact(site: Site, entity: Provision) -> bool:
     return same_place and wanted.name == entity.name
 
 
+def _last_part(site: Site, entity: Provision) -> bool:
+    """A name of whichever namespace, as what publishes diagnostics is known by."""
+    return entity.name.rpartition("/")[2] == site.requirement.name
+
+
 def _plugin(site: Site, entity: Provision) -> bool:
     return entity.name.replace("::", "/") == site.requirement.name.replace("::", "/")
 
@@ -270,6 +275,7 @@ def _field(site: Site, entity: Provision) -> bool:
 
 NAMES: Final[Mapping[str, Names]] = {
     "exact": Names(_whole, _exact),
+    "last": Names(_whole, _last_part),
     "graph": Names(_last, _graph, whole=True),
     "resolved": Names(_resolved_keys, _resolved, whole=True),
     "remap": Names(_remap_keys, _remap),

@@ -11,7 +11,7 @@ import msgspec
 
 from ecm_checker.hub.condition import all_hold
 from ecm_checker.hub.kinds import uses
-from ecm_checker.hub.package import Package, provisions
+from ecm_checker.hub.package import Package, folders_of, provisions
 from ecm_checker.hub.provision import Provision
 from ecm_checker.hub.requirement import ONE_VALUE, Requirement
 from ecm_checker.match.consumer import Consumer
@@ -61,6 +61,7 @@ class Packages:
         self._given = given
         self._partly = frozenset(package.name for package in packages if package.gaps)
         self.names = frozenset(package.name for package in packages) - self._partly
+        self._possible: dict[str, frozenset[tuple[str, str]]] = {}
 
     @cached_property
     def provisions(self) -> Provisions:
@@ -88,12 +89,6 @@ class Packages:
         """The packages by name."""
         return {package.name: package for package in self._packages}
 
-    @cached_property
-    def _possible(self) -> frozenset[tuple[str, str, str]]:
-        """Package, kind and name of what builds may make, as requirements name it."""
-        rows = ((each.name, *row) for each in self._packages for row in _possible(each))
-        return frozenset((package, kind, name) for package, kind, names in rows for name in names)
-
     def match(self, requirement: Requirement, consumer: Consumer) -> Match:
         """Match a requirement; what its package may have without telling is not known to be missing."""
         found = match(requirement, consumer, self.provisions, self.names)
@@ -104,9 +99,17 @@ class Packages:
     def _may_be(self, requirement: Requirement) -> bool:
         home = requirement.package or interface_package(requirement.name) or ""
         package = self.by_name.get(home)
-        if package is not None and requirement.kind in package.open:
-            return True
-        return any((home, requirement.kind, name) in self._possible for name in _spellings(requirement))
+        if package is None or requirement.kind in package.open:
+            return package is not None
+        possible = self._possible_of(package)
+        return any((requirement.kind, name) in possible for name in _spellings(requirement))
+
+    def _possible_of(self, package: Package) -> frozenset[tuple[str, str]]:
+        """Kind and name of what the build of a package may make, as requirements name it."""
+        if package.name not in self._possible:
+            rows = _possible(package)
+            self._possible[package.name] = frozenset((kind, name) for kind, names in rows for name in names)
+        return self._possible[package.name]
 
     def may_hide(self, lost: Iterable[Provision]) -> bool:
         """Whether what an earlier release provided may be in what could not be read of these packages."""
@@ -129,18 +132,24 @@ class Packages:
 
 
 def _possible(package: Package) -> Iterator[tuple[str, Iterable[str]]]:
-    """Names by kind; a program may be any file where files are started by their names, as ROS 1 does."""
-    yield _PROGRAM, package.possible.get(_PROGRAM, ())
+    """Names by kind; a program may be any file where files are started by their names, as ROS 1 does.
+
+    Below its share folder lies what lies in its own, or is put there.
+    """
+    yield from ((kind, names) for kind, names in package.possible.items() if kind != _MESSAGE)
     if package.runs_files:
         yield _PROGRAM, (path.rpartition("/")[2] for path in package.files)
+    yield _FILE, package.shared
     for name in package.possible.get(_MESSAGE, ()):
         yield _MESSAGE, python_names(name)
         yield _FILE, headers(name)
 
 
 def _spellings(requirement: Requirement) -> Iterator[str]:
-    """The name; that of a program may have the suffix of a script or not."""
+    """The name; that of a program may have the suffix of a script, a file may lie in a folder that may hold any."""
     yield requirement.name
+    if requirement.kind == _FILE:
+        yield from (f"{folder}/" for folder in folders_of(requirement.name))
     if requirement.kind == _PROGRAM:
         yield requirement.name.removesuffix(_SCRIPT)
         yield f"{requirement.name}{_SCRIPT}"

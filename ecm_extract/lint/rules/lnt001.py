@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 
+from ecm_extract.lint.known import Known
 from ecm_extract.lint.named_files import absent_files
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
@@ -44,20 +45,18 @@ def check(workspace: Workspace) -> Iterator[Finding]:
         package = workspace.package_of(path)
         yield RULE.finding(text, Entity("file", name), package, evidence, consequence=_AT_START if late else "")
     yield from _relative(workspace)
-    yield from _absent(workspace)
 
 
-def _absent(workspace: Workspace) -> Iterator[Finding]:
-    """Files that arguments and parameters name: maps, configurations, what rviz shows."""
-    for found in absent_files(workspace):
+def tell(known: Known) -> Iterator[Finding]:
+    """Report files that arguments and parameters name: maps, configurations, what rviz shows."""
+    for found in absent_files(known):
         text = f"{found.place.path} names {found.path} of {found.package}, which is not there"
         text += f"; there is {found.near}" if found.near else ""
         entity = Entity("file", f"{found.package}/{found.path}", found.near)
-        package = workspace.package_of(found.place.path)
         yield RULE.finding(
             text,
             entity,
-            package,
+            found.consumer,
             [found.place],
             certainty="likely",
             severity="info" if found.is_url else "warning",

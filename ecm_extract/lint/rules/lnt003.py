@@ -31,13 +31,13 @@ def tell(known: Known) -> Iterator[Finding]:
     for asked in known.asked("starts"):
         wanted = asked.requirement
         if asked.match.state == "dangling":
-            missing.setdefault((asked.path, wanted.package or "", wanted.name), []).append(asked)
+            missing.setdefault((asked.consumer.name, wanted.package or "", wanted.name), []).append(asked)
     for (_, package, name), group in missing.items():
         yield _finding(package, name, group, known)
 
 
 def _finding(package: str, name: str, group: list[Asked], known: Known) -> Finding:
-    """One finding for a launch file that names the program several times."""
+    """One finding for a package that names the program several times, in whichever launch files."""
     near = _target(known.near(name, package, _KIND))
     text = f"{package} builds no program {name}" + (f"; it builds {near}" if near else "")
     return RULE.finding(

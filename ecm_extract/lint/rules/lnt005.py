@@ -27,7 +27,10 @@ NEAR = 0.86
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
-    """Report unread parameters with a near one that is read; without one the tool may not see who reads it."""
+    """Report unread parameters with a near one that is read; without one the tool may not see who reads it.
+
+    No requirement of packages: the other side is a node of one evaluated system, not a package.
+    """
     seen = set()
     for system in workspace.systems:
         for node in system.nodes:

@@ -47,7 +47,10 @@ _MARKUP = (".launch", ".xml", ".yaml", ".yml")
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
-    """Report remaps of nodes whose every name is known."""
+    """Report remaps of nodes whose every name is known.
+
+    No requirement of packages: the other side is a node of one evaluated system, not a package.
+    """
     seen = set()
     written = WrittenNames(workspace)
     for system in workspace.systems:

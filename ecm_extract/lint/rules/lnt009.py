@@ -32,7 +32,10 @@ _ARGUMENTS = re.compile(r"<(.+)>")
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
-    """Report described classes that no macro of the package exports, when it exports some with that macro at all."""
+    """Report described classes that no macro of the package exports, when it exports some with that macro at all.
+
+    Not asked of the engine: macros that export classes are no provisions of a package yet.
+    """
     yield from _of_other_base(workspace)
     for package in workspace.packages:
         exported = _exported(workspace, package)

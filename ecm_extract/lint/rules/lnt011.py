@@ -35,7 +35,10 @@ _BUILDS_MODULES = re.compile(r"pybind|python_add_module|swig|sip_|boost_python|g
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
-    """Report imports from, and attributes of, Python modules whose every name is known, and names of no module."""
+    """Report imports from, and attributes of, Python modules whose every name is known, and names of no module.
+
+    Not asked of the engine: names that modules bind privately are no provisions of a package yet.
+    """
     yield from _loose(workspace)
     names = _names(workspace)
     modules = _modules(workspace, names)
@@ -70,7 +73,7 @@ def _loose(workspace: Workspace) -> Iterator[Finding]:
     for file in workspace.linker.program.files:
         if file.language != "python" or file.package not in workspace.by_name or file.path.endswith("conf.py"):
             continue  # Sphinx gives its conf.py names
-        for name, line in loose_names(workspace.files.read(file.path) or b""):
+        for name, line in workspace.files.parsed(file.path, loose_names) or ():
             text = f"{file.path} uses {name}, which nothing in it defines or imports"
             entity = Entity("function", name)
             place = [Evidence(file.path, line)]

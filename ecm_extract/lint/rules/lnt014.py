@@ -11,6 +11,7 @@ from ecm_parsers.source.expr import Expr, Member, Name
 
 from ecm_extract.link.match import positions
 from ecm_extract.link.site import Site
+from ecm_extract.link.units import Func
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 
@@ -28,13 +29,13 @@ RULE = LintRule(
 def check(workspace: Workspace) -> Iterator[Finding]:
     """Report ROS 1 parameters `a/a/b`, and reads of one name into different variables of one function."""
     yield from _doubled(workspace)
-    reads: dict[tuple[int, str, str], dict[str, Site]] = {}
+    reads: dict[tuple[Func, str, str], dict[str, Site]] = {}
     for site in workspace.linker.parameter_sites:
         target = _variable(next(positions(site.form.out, site.call), None))
         handle = repr(site.call.receiver)
         for value in workspace.linker.sites.names(site):
             if target and value.confidence in {"literal", "folded"} and not site.chain:
-                reads.setdefault((id(site.call.func), handle, value.text), {}).setdefault(target, site)
+                reads.setdefault((site.call.func, handle, value.text), {}).setdefault(target, site)
     for (_, _, name), targets in reads.items():
         if len(targets) > 1:
             yield _several(name, list(targets.items()))

@@ -28,7 +28,10 @@ _OFFERS = {"subscriber": "publisher", "service_client": "service_server", "actio
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
-    """Report users of names of the same type that differ in their last part only a little."""
+    """Report users of names of the same type that differ in their last part only a little.
+
+    No requirement of packages: the other side is a node of one evaluated system, not a package.
+    """
     seen = set()
     for system in workspace.systems:
         offered = _offered(system)

@@ -25,7 +25,10 @@ _COMPILED = (".cpp", ".cc", ".hpp", ".h")
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
-    """Report lines of Python none of whose possible names is offered, while one thing of the type ends the same."""
+    """Report lines of Python none of whose possible names is offered, while one thing of the type ends the same.
+
+    Not asked of the engine: a name that is near by its end is no match of the engine.
+    """
     offered: dict[tuple[str, str | None], dict[str, Interface]] = {}
     used: dict[tuple[Evidence, str], list[Interface]] = {}
     packages: dict[Evidence, str] = {}

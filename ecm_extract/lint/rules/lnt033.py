@@ -24,15 +24,10 @@ _ENOUGH = 2
 
 def check(workspace: Workspace) -> Iterator[Finding]:
     """Report calls that name most of the fields and forget one or two."""
-    for call in workspace.service_calls:
+    for call, fields in workspace.service_calls:
         given = {name for name, _ in call.call.keywords}
-        missing = [name for name in call.fields if name not in given]
-        if (
-            call.call.args
-            or "" in given
-            or not given <= set(call.fields)
-            or not 0 < len(missing) <= len(given) // _ENOUGH
-        ):
+        missing = [name for name in fields if name not in given]
+        if call.call.args or "" in given or not given <= set(fields) or not 0 < len(missing) <= len(given) // _ENOUGH:
             continue
         text = f"{call.proxy} calls {call.service} without {', '.join(missing)}"
         place = [Evidence(call.file.path, call.line)]

@@ -62,9 +62,9 @@ def _functions(workspace: Workspace) -> Iterator[Finding]:
         marked = [func for func in functions if "deprecated" in func.fact.traits]
         if not marked or name.startswith(_PRIVATE) or not _is_only(marked, functions):
             continue
-        homes = {id(func.cls) for func in marked if func.cls is not None}
+        homes = {func.cls for func in marked if func.cls is not None}
         for call in workspace.linker.sites.calls.get(name, ()):
-            if call.func.file is not marked[0].file and id(call.func.cls) not in homes:
+            if call.func.file is not marked[0].file and call.func.cls not in homes:
                 text = f"{name} is deprecated"
                 places = [Evidence(call.func.file.path, call.line), Evidence(marked[0].file.path, marked[0].fact.line)]
                 entity = Entity("function", f"{marked[0].fact.scope}::{name}")

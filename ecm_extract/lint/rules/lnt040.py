@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterator, Mapping
 
-from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
-from ecm_parsers.diagnostics_yaml import Analyzer
-from ecm_parsers.launch.model import Node
-from ecm_parsers.launch.templates import all_actions, plain_text
-from ecm_parsers.xml_tree import without_comments
+from ecm_checker.hub.package import Package
 
+from ecm_extract.lint.known import Asked, Known
 from ecm_extract.lint.near import nearest
 from ecm_extract.lint.rule import LintRule
-from ecm_extract.lint.workspace import Workspace
-from ecm_extract.read.facts import PackageFacts
 
 RULE = LintRule(
     id="LNT040",
@@ -25,64 +21,53 @@ RULE = LintRule(
     consequence="diagnostics keep their prefix, and who looks for them by name does not find them",
     resolution="write the name of the node that publishes them",
 )
+_KIND = "node"
+_NAMING = ("reads_file", "names_file")
 
 
-def check(workspace: Workspace) -> Iterator[Finding]:
+def tell(known: Known) -> Iterator[Finding]:
     """Report prefixes of analyzers of a package whose launch files, which load them, start no node of that name."""
-    names = _node_names(workspace)
-    for package in workspace.packages:
-        for path, file in package.aggregators.items():
-            if not _is_loaded(path, package, workspace):
-                continue
-            for aggregator in file.aggregators:
-                for analyzer in _all(aggregator.analyzers):
-                    yield from _of(analyzer, path, package.name, names)
+    names = {name.rpartition("/")[2] for name in known.launched(_KIND)}
+    started = _unnamed(known)
+    loaded, reaching = _loaded(known), _reaching(known)
+    for asked in known.asked("strips_prefix"):
+        is_loaded = asked.path.rpartition("/")[2] in loaded.get(asked.consumer.name, ())
+        if is_loaded and asked.consumer.name not in reaching and asked.requirement.name not in names | started:
+            yield _finding(asked, names)
 
 
-def _of(analyzer: Analyzer, path: str, package: str, names: set[str]) -> Iterator[Finding]:
-    for prefix in (*analyzer.remove_prefix, *analyzer.find_and_remove_prefix):
-        node = prefix.strip("/: ")
-        if node.replace("_", "").isalnum() and node not in names:
-            near = nearest(node, names)
-            text = (
-                f"remove_prefix of the analyzer {analyzer.key} is {node}, and no launch file starts a node of that name"
-            )
-            text += f"; one starts {near}" if near else ""
-            evidence = [Evidence(path, analyzer.line)]
-            yield RULE.finding(text, Entity("parameter", analyzer.key, node), package, evidence, certainty="likely")
+def _finding(asked: Asked, names: set[str]) -> Finding:
+    key, node = asked.requirement.said, asked.requirement.name
+    near = nearest(node, sorted(names))
+    text = f"remove_prefix of the analyzer {key} is {node}, and no launch file starts a node of that name"
+    text += f"; one starts {near}" if near else ""
+    entity = Entity("parameter", key, node)
+    return RULE.finding(text, entity, asked.consumer.name, asked.requirement.evidence, certainty="likely")
 
 
-def _all(analyzers: tuple[Analyzer, ...]) -> Iterator[Analyzer]:
-    for analyzer in analyzers:
-        yield analyzer
-        yield from _all(analyzer.analyzers)
+def _unnamed(known: Known) -> set[str]:
+    """Programs of launch files that give fewer names than they start nodes: such a node goes by its program."""
+    starts = [(asked.path, asked.requirement.name) for asked in known.asked("starts")]
+    unnamed = Counter(path for path, _ in starts) - Counter(asked.path for asked in known.asked("names_node"))
+    return {name for path, name in starts if path in unnamed}
 
 
-def _node_names(workspace: Workspace) -> set[str]:
-    """Names of nodes that launch files give, and that programs give themselves."""
-    found = {entry.node.rpartition("/")[2] for entry in workspace.linked if entry.node}
-    for facts in workspace.launches.values():
-        for action in all_actions(facts.actions):
-            name = plain_text(action.name) if isinstance(action, Node) else None
-            if name:
-                found.add(name)
-    return found | {node.name.rpartition("/")[2] for system in workspace.systems for node in system.nodes}
+def _loaded(known: Known) -> dict[str, set[str]]:
+    """Names of the files that launch files of each package name which start nodes."""
+    starting = {asked.path for asked in known.asked("starts")}
+    found: dict[str, set[str]] = {}
+    for use in _NAMING:
+        for asked in known.asked(use):
+            if asked.path in starting:
+                found.setdefault(asked.consumer.name, set()).add(asked.requirement.name.rpartition("/")[2])
+    return found
 
 
-def _is_loaded(path: str, package: PackageFacts, workspace: Workspace) -> bool:
-    """Tell whether a launch file of the package, which starts nodes, names the file, and all nodes are here."""
-    name = path.rpartition("/")[2].encode()
-    own = {path: facts for path, facts in workspace.launches.items() if workspace.package_of(path) == package.name}
-    starts = any(
-        name in without_comments(workspace.files.read(launch) or b"")
-        and any(isinstance(action, Node) for action in all_actions(facts.actions))
-        for launch, facts in own.items()
-    )
-    return starts and not _includes_others(package, workspace)
+def _reaching(known: Known) -> set[str]:
+    """Packages with launch files that include those of packages that are not known, whose nodes are not either."""
+    asked = known.asked("includes_launch")
+    return {each.consumer.name for each in asked if not _is_known(each.requirement.package, known.packages.by_name)}
 
 
-def _includes_others(package: PackageFacts, workspace: Workspace) -> bool:
-    """Tell whether a launch file of the package includes one of another repository, whose nodes are not known."""
-    _ = workspace.systems  # evaluating launch files reports it
-    outside = workspace.diagnostics("launch-include-outside")
-    return any(workspace.package_of(entry.path) == package.name for entry in outside)
+def _is_known(package: str | None, known: Mapping[str, Package]) -> bool:
+    return package is not None and package in known

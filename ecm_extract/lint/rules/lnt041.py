@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 from ecm_parsers.cmake_facts import Target
 
-from ecm_extract.lint.catkin_targets import build_dependencies, generated_headers, included
+from ecm_extract.lint.catkin_targets import build_dependencies, generated_headers, included, own_headers
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
@@ -33,21 +33,26 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     for package in workspace.packages:
         if package.ros != 1 or package.root.rosbuild:
             continue
+        own = own_headers(package)
         for path, file in package.cmake.items():
             ordered = build_dependencies(file)
             for target in file.targets:
                 if target.kind in {"executable", "library"} and not target.is_test:
-                    yield from _of(target, path, package, ordered, _used(workspace, package, path, target, headers))
+                    yield from _of(target, path, package, ordered, _used(package, own, _sources(target, path), headers))
+
+
+def _sources(target: Target, path: str) -> list[str]:
+    folder = path.rpartition("/")[0]
+    return [f"{folder}/{source}" if folder else source for source in target.sources]
 
 
 def _used(
-    workspace: Workspace, package: PackageFacts, path: str, target: Target, headers: Mapping[str, str]
+    package: PackageFacts, own: Mapping[str, Sequence[str]], sources: Sequence[str], headers: Mapping[str, str]
 ) -> dict[str, str]:
     """Packages whose generated headers a target includes, directly or through headers, each with one of them."""
-    folder = path.rpartition("/")[0]
     found: dict[str, str] = {}
-    for source in target.sources:
-        for header in included(workspace, package, f"{folder}/{source}" if folder else source):
+    for source in sources:
+        for header in included(package, own, source):
             if header in headers and not _is_checked_in(header, package):
                 found.setdefault(headers[header], header)
     return found

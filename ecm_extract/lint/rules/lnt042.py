@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from ecm_checker.finding import Entity, Finding, Severity
+from ecm_parsers.launch.model import Action, Node, Remap, Substitution
+from ecm_parsers.launch.templates import all_actions
 
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace, evidence_of
@@ -22,13 +23,15 @@ RULE = LintRule(
 )
 _IN_INCLUDED: Severity = "warning"
 """Who includes a file may put it in a namespace; a file that is started itself chooses its own."""
-_GIVEN = re.compile(rb"""\bto\s*=\s*["']\$\((?:arg|var)\s""")
 _MANAGER = 2
 """Of `load pkg/Class manager`, the arguments of a nodelet."""
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
-    """Report remaps to topics of a node, and nodelet managers, each line once."""
+    """Report remaps to topics of a node, and nodelet managers, each line once.
+
+    No requirement of packages: how a name is written decides, in one evaluated system.
+    """
     owners = {
         instance.full_name: instance.place
         for system in workspace.systems
@@ -67,8 +70,20 @@ def _absolute(instance: Instance) -> Iterator[tuple[str, Place]]:
 
 def _is_written(place: Place, workspace: Workspace) -> bool:
     """Tell whether the name stands where it is remapped: whoever gives it as an argument knows the namespace."""
-    lines = (workspace.files.read(place.path) or b"").splitlines()
-    return _GIVEN.search(lines[place.line - 1]) is None if place.line <= len(lines) else True
+    file = workspace.launches.get(place.path)
+    remaps = (each for action in all_actions(file.actions) for each in _remaps(action)) if file is not None else ()
+    return not any(each.line == place.line and _is_given(each) for each in remaps)
+
+
+def _remaps(action: Action) -> tuple[Remap, ...]:
+    if isinstance(action, Remap):
+        return (action,)
+    return action.remaps if isinstance(action, Node) else ()
+
+
+def _is_given(remap: Remap) -> bool:
+    first = remap.target[0] if remap.target else None
+    return isinstance(first, Substitution) and first.kind == "arg"
 
 
 def _finding(name: str, places: list[Place], workspace: Workspace, level: Severity | None) -> Finding:

@@ -12,7 +12,7 @@ from ecm_parsers.launch.templates import all_actions, plain_text
 from ecm_parsers.package_references import parse_references
 
 from ecm_extract.discover import is_test_path
-from ecm_extract.lint.install_rules import lives_in_devel_space
+from ecm_extract.entities.install_rules import installed_targets, is_open, lives_in_devel_space
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
@@ -27,7 +27,6 @@ RULE = LintRule(
     resolution="add install(TARGETS ...), install(PROGRAMS ...) or install(DIRECTORY ...) to CMakeLists.txt",
     tier="stable",
 )
-_MAKES_PACKAGE = frozenset({"catkin_package", "ament_package"})
 _SHOWN = 5
 _DEVEL = "they run from the devel space of the machine that built them, and from nowhere else"
 _NEVER_STARTS = "launch_ros finds no such program and stops the whole launch"
@@ -129,27 +128,12 @@ def _missing(names: set[str], package: PackageFacts) -> set[str]:
     return {name for name in names if f"{root}{name}" in there and not _is_covered(f"{root}{name}", package)}
 
 
-def is_open(package: PackageFacts) -> bool:
-    """Tell whether a rule installs what only CMake knows, or nothing makes a package of the folder."""
-    names = {command.name for file in package.cmake.values() for command in file.commands}
-    if not names & _MAKES_PACKAGE or "ament_auto_package" in names:
-        return True
-    items = [item for file in package.cmake.values() for install in file.installs for item in install.items]
-    return any(file.unknown for file in package.cmake.values()) or any("$" in item for item in items)
-
-
 def _programs(package: PackageFacts) -> set[str]:
     root = package.root.path
     targets = [
         target for path, file in package.cmake.items() if not is_test_path(path, root) for target in file.targets
     ]
     return {target.name for target in targets if target.kind == "executable" and not target.is_test}
-
-
-def installed_targets(package: PackageFacts) -> set[str]:
-    """Return the targets that install rules name."""
-    installs = [install for file in package.cmake.values() for install in file.installs]
-    return {item for install in installs if install.kind == "targets" for item in install.items}
 
 
 def _scripts(package: PackageFacts, started: set[str]) -> set[str]:

@@ -4,15 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
-from ecm_parsers.cmake_facts import Command
 
-from ecm_extract.lint.install_rules import lives_in_devel_space
+from ecm_extract.lint.known import Asked, Known
 from ecm_extract.lint.rule import LintRule
-from ecm_extract.lint.rules.lnt043 import installed_targets, is_open
-from ecm_extract.lint.workspace import Workspace
-from ecm_extract.read.facts import PackageFacts
 
 RULE = LintRule(
     id="LNT044",
@@ -23,42 +18,21 @@ RULE = LintRule(
     consequence="every package that depends on it fails to configure or to link",
     resolution="make name, target and install(TARGETS ...) agree",
 )
-_EXPORTS = {"catkin_package": "LIBRARIES", "ament_export_libraries": ""}
-_OTHER = frozenset({"INCLUDE_DIRS", "CATKIN_DEPENDS", "DEPENDS", "CFG_EXTRAS", "EXPORTED_TARGETS"})
+_KIND = "library"
 
 
-def check(workspace: Workspace) -> Iterator[Finding]:
+def tell(known: Known) -> Iterator[Finding]:
     """Report exported names that look like the package's own; what is installed is known when every rule is."""
-    everywhere = {name for package in workspace.packages for name in _built(package)}
-    for package in workspace.packages:
-        built = _built(package)
-        if package.root.rosbuild or any("$" in name for name in built):
-            continue
-        if any(file.unknown for file in package.cmake.values()):
-            continue
-        is_unknown = is_open(package) or lives_in_devel_space(package)
-        installed = None if is_unknown else _installed(package)
-        for path, file in package.cmake.items():
-            for command in file.commands:
-                for name in _exported(command):
-                    reason = _reason(name, built, installed)
-                    foreign = name not in built and (name in everywhere or _family(name) != _family(package.name))
-                    if reason and not foreign:
-                        yield _finding(package, name, reason, Evidence(path, command.line))
+    for asked in known.asked("exports_library"):
+        if asked.match.state == "dangling" and (asked.requirement.target or not _is_foreign(asked, known)):
+            yield _finding(asked)
 
 
-def _built(package: PackageFacts) -> set[str]:
-    targets = [target for file in package.cmake.values() for target in file.targets]
-    return {
-        name for each in targets if each.kind in {"library", "interface"} for name in (each.name, each.output) if name
-    }
-
-
-def _installed(package: PackageFacts) -> set[str]:
-    """Names of installed targets, and of the files that they make."""
-    found = installed_targets(package)
-    targets = [target for file in package.cmake.values() for target in file.targets]
-    return found | {target.output for target in targets if target.name in found}
+def _is_foreign(asked: Asked, known: Known) -> bool:
+    """Tell whether another package has the library, or the system: its name shares no word with the package."""
+    name, package = asked.requirement.name, asked.consumer.name
+    others = (other for other in known.packages.by_name if other != package)
+    return _family(name) != _family(package) or any(known.may_have(other, _KIND, name) for other in others)
 
 
 def _family(name: str) -> str:
@@ -66,24 +40,9 @@ def _family(name: str) -> str:
     return name.partition("_")[0]
 
 
-def _exported(command: Command) -> Iterator[str]:
-    """Names after LIBRARIES, or all of them."""
-    if command.name not in _EXPORTS:
-        return
-    taken = not _EXPORTS[command.name]
-    for argument in command.args:
-        if argument == _EXPORTS[command.name] or argument in _OTHER:
-            taken = argument == _EXPORTS[command.name]
-        elif taken and argument and not {"$", "/", "."} & set(argument):
-            yield argument
-
-
-def _reason(name: str, built: set[str], installed: set[str] | None) -> str:
-    if name not in built:
-        return "does not build"
-    return "does not install" if installed is not None and name not in installed else ""
-
-
-def _finding(package: PackageFacts, name: str, reason: str, place: Evidence) -> Finding:
-    text = f"{package.name} exports the library {name}, which it {reason}"
-    return RULE.finding(text, Entity("library", name, reason), package.name, [place], certainty="likely")
+def _finding(asked: Asked) -> Finding:
+    wanted = asked.requirement
+    reason = "does not install" if wanted.target else "does not build"
+    text = f"{asked.consumer.name} exports the library {wanted.name}, which it {reason}"
+    entity = Entity(_KIND, wanted.name, reason)
+    return RULE.finding(text, entity, asked.consumer.name, wanted.evidence, certainty="likely")

@@ -24,7 +24,10 @@ RULE = LintRule(
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
-    """Report absolute remap targets whose first part is a node that is started in namespaces only."""
+    """Report absolute remap targets whose first part is a node that is started in namespaces only.
+
+    No requirement of packages: the other side is a node of one evaluated system, not a package.
+    """
     nodes = [node for system in workspace.systems for node in system.nodes]
     instances = [node.instance for node in nodes]
     places: dict[str, list[SystemNode]] = {}

@@ -26,7 +26,10 @@ _TEMPLATES = ("/templates/", "/template/")
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
-    """Report arguments of ROS 1 that roslaunch refuses, and of ROS 2 those that no file of a launch can have."""
+    """Report arguments of ROS 1 that roslaunch refuses, and of ROS 2 those that no file of a launch can have.
+
+    Not asked of the engine: which launch file an include means, and what it reads, is told by evaluation.
+    """
     files = {path: entry for path, entry in interfaces(workspace).items() if not _is_template(path)}
     callers = _callers(files)
     reach = Reach(files)

@@ -8,8 +8,8 @@ from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 from ecm_parsers.cmake_facts import Target
 
+from ecm_extract.entities.install_rules import installed_targets, is_open
 from ecm_extract.lint.rule import LintRule
-from ecm_extract.lint.rules.lnt043 import installed_targets, is_open
 from ecm_extract.lint.workspace import Workspace
 
 RULE = LintRule(

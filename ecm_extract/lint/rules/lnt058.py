@@ -7,9 +7,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding, Severity
 
-from ecm_extract.lint.install_rules import InstallRule, install_rules, lives_in_devel_space, place_of
+from ecm_extract.entities.install_rules import InstallRule, install_rules, is_open, lives_in_devel_space, place_of
 from ecm_extract.lint.rule import LintRule
-from ecm_extract.lint.rules.lnt043 import is_open
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 
-from ecm_extract.lint.install_rules import InstallRule, install_rules
+from ecm_extract.entities.install_rules import InstallRule, install_rules
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts

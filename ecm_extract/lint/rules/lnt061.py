@@ -32,7 +32,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
                 continue
             if not f"/{path}".endswith((*XML, "/CMakeLists.txt")):
                 continue
-            problem = refusal(path, workspace.files.read(path) or b"")
+            problem = refusal(path, workspace)
             if problem is not None:
                 entity = Entity("file", path)
                 text = f"{path} is not well-formed ({problem.wrong or problem.message.rstrip('.')})"

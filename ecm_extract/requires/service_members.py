@@ -6,7 +6,6 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from ecm_parsers.interface_facts import Section
 from ecm_parsers.source.expr import Call, Expr, Member
 from ecm_parsers.source.facts import Function
 
@@ -26,49 +25,40 @@ class Touched:
     """A member of a request or response.
 
     Attributes:
-        file, line: where. service: `package/srv/Name`. field: as written.
-        fields: of the section. known: every name that the section has.
+        file, line: where. service: `package/srv/Name`. section: `request` or `response`. field: as written.
     """
 
     file: File
     line: int
     service: str
+    section: str
     field: str
-    fields: tuple[str, ...]
-    known: frozenset[str]
 
 
-def touched_fields(files: Sequence[File], packages: Sequence[PackageFacts]) -> Iterator[Touched]:
+def touched_members(files: Sequence[File], packages: Sequence[PackageFacts]) -> Iterator[Touched]:
     """Yield members of variables whose service is in the tree; methods are left out."""
-    sections = {
-        (f"{package.name}/srv/{path.rpartition('/')[2].removesuffix('.srv')}", section.name): section
+    services = {
+        f"{package.name}/srv/{path.rpartition('/')[2].removesuffix('.srv')}"
         for package in packages
         for path, definition in package.interfaces.items()
         if definition.shape == "srv"
-        for section in definition.sections
     }
-    services = {name for name, _ in sections}
     for file in files:
         if any(name.partition("/")[0] in str(entry.module) for entry in file.facts.imports for name in services):
             for function in file.facts.functions:
-                yield from _of_function(file, function, services, sections)
+                yield from _of_function(file, function, services)
 
 
-def _of_function(
-    file: File, function: Function, services: set[str], sections: Mapping[Typed, Section]
-) -> Iterator[Touched]:
+def _of_function(file: File, function: Function, services: set[str]) -> Iterator[Touched]:
     typed = _variables(file, function, services)
     for statement in function.body if typed else ():
-        called = {id(expr.callee) for expr, _ in expressions(statement) if isinstance(expr, Call)}
+        called = [expr.callee for expr, _ in expressions(statement) if isinstance(expr, Call)]
         for expr, line in expressions(statement):
-            if not isinstance(expr, Member) or id(expr) in called or expr.name.startswith("_"):
+            if not isinstance(expr, Member) or expr in called or expr.name.startswith("_"):
                 continue
             owner = _owner(expr.base, typed)
-            section = sections.get(owner) if owner is not None else None
-            if owner is not None and section is not None:
-                fields = tuple(field.name for field in section.fields)
-                known = frozenset({*fields, *(constant.name for constant in section.constants), *_GENERATED})
-                yield Touched(file, line, owner[0], expr.name, fields, known)
+            if owner is not None and owner[1] and expr.name not in _GENERATED:
+                yield Touched(file, line, owner[0], owner[1], expr.name)
 
 
 def _owner(base: Expr, typed: Mapping[str, Typed]) -> Typed | None:

@@ -17,6 +17,7 @@ _KINDS: Final = {
     "directory": "DIRECTORY",
     "files": "FILES",
 }
+_MAKES_PACKAGE: Final = frozenset({"catkin_package", "ament_package"})
 
 
 class InstallRule(msgspec.Struct, frozen=True):
@@ -72,3 +73,23 @@ def _rule(entry: Install, path: str) -> InstallRule:
 def lives_in_devel_space(package: PackageFacts) -> bool:
     """Tell whether a package that is not of ROS 2 installs nothing at all: it runs from where it was built."""
     return package.ros != 2 and next(install_rules(package), None) is None
+
+
+def tells_installed(package: PackageFacts) -> bool:
+    """Tell whether all that a package installs is known, and there is something."""
+    return not is_open(package) and not lives_in_devel_space(package)
+
+
+def installed_targets(package: PackageFacts) -> set[str]:
+    """Return the targets that install rules name."""
+    installs = [install for file in package.cmake.values() for install in file.installs]
+    return {item for install in installs if install.kind == "targets" for item in install.items}
+
+
+def is_open(package: PackageFacts) -> bool:
+    """Tell whether a rule installs what only CMake knows, or nothing makes a package of the folder."""
+    names = {command.name for file in package.cmake.values() for command in file.commands}
+    if not names & _MAKES_PACKAGE or "ament_auto_package" in names:
+        return True
+    items = [item for file in package.cmake.values() for install in file.installs for item in install.items]
+    return any(file.unknown for file in package.cmake.values()) or any("$" in item for item in items)

@@ -31,7 +31,7 @@ class ServiceCall:
 
     Attributes:
         file, line: where. proxy: as written.
-        service: `package/srv/Name`. fields: of its request, in order.
+        service: `package/srv/Name`.
         call: the call with its arguments.
     """
 
@@ -39,14 +39,13 @@ class ServiceCall:
     line: int
     proxy: str
     service: str
-    fields: tuple[str, ...]
     call: Call
 
 
 @cache
 def common_services() -> Mapping[str, tuple[str, ...]]:
     """Return the request fields of services that are known without their package."""
-    text = (resources.files("ecm_extract.lint") / "common_services.toml").read_text("utf-8")
+    text = (resources.files("ecm_extract.requires") / "common_services.toml").read_text("utf-8")
     return MappingProxyType({name: tuple(fields) for name, fields in tomllib.loads(text)["services"].items()})
 
 
@@ -61,15 +60,12 @@ def request_fields(packages: Sequence[PackageFacts]) -> dict[str, tuple[str, ...
     return {**common_services(), **own}
 
 
-def service_calls(
-    files: Sequence[File], linked: Sequence[LinkedModule], services: Mapping[str, tuple[str, ...]]
-) -> Iterator[ServiceCall]:
+def service_calls(files: Sequence[File], linked: Sequence[LinkedModule]) -> Iterator[ServiceCall]:
     """Yield the calls of proxies whose service is known.
 
     Args:
         files: all sources.
         linked: modules with their endpoints.
-        services: request fields by name.
     """
     made = _clients(linked)
     python = [file for file in files if file.language == "python" and file.ros == 1]
@@ -79,8 +75,8 @@ def service_calls(
             for statement in function.body:
                 for expr, line in expressions(statement):
                     proxy, service = _proxy(expr, file, function, bound)
-                    if isinstance(expr, Call) and service in services:
-                        yield ServiceCall(file, line, proxy, service, services[service], expr)
+                    if isinstance(expr, Call) and service:
+                        yield ServiceCall(file, line, proxy, service, expr)
 
 
 def _request(definition: Definition) -> tuple[str, ...]:

@@ -1,0 +1,119 @@
+"""What the build files of a package name of the package itself: files to install, headers and libraries to export."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import Final
+
+import msgspec
+from ecm_checker.finding import Certainty
+from ecm_checker.hub.requirement import Requirement
+from ecm_parsers.cmake_facts import Command
+from ecm_parsers.cmake_tokens import parse_commands
+
+from ecm_extract.entities.install_rules import InstallRule, install_rules
+from ecm_extract.read.facts import PackageFacts
+from ecm_extract.requires.place import Place, Reader, required
+
+_OPEN: Final = re.compile(r"[$*?\[\]<>@]")
+_BUILDERS: Final = frozenset({"configure_file", "add_custom_command", "execute_process", "file", "externalproject_add"})
+"""Commands that make files of which they give parts of the path."""
+_LIBRARIES: Final = {"catkin_package": "LIBRARIES", "ament_export_libraries": ""}
+_OTHER: Final = frozenset({"INCLUDE_DIRS", "CATKIN_DEPENDS", "DEPENDS", "CFG_EXTRAS", "EXPORTED_TARGETS"})
+_HEADERS: Final = ("INCLUDE_DIRS", "include")
+
+
+class Words(msgspec.Struct, frozen=True):
+    """What the commands of a package say outside of install rules.
+
+    Attributes:
+        said: their words. is_open: whether files from elsewhere may say more.
+    """
+
+    said: frozenset[str]
+    is_open: bool
+
+
+def build_file_requirements(read: Reader, facts: PackageFacts) -> Iterator[Requirement]:
+    """Yield what the CMake files of a package need of the package; rosbuild installs and exports nothing."""
+    if facts.root.rosbuild or not facts.cmake:
+        return
+    words = build_words(read, facts)
+    for rule in install_rules(facts):
+        if rule.kind != "TARGETS" and "OPTIONAL" not in rule.words:
+            yield from _installed(rule, words, facts)
+    for path, file in facts.cmake.items():
+        for command in file.commands:
+            yield from _headers(command, path, facts)
+            yield from _libraries(command, path, facts)
+
+
+def build_words(read: Reader, facts: PackageFacts) -> Words:
+    """Return what the commands of a package say outside of install rules."""
+    found: set[str] = set()
+    for _, data in read(list(facts.cmake)):
+        for command in parse_commands(data).facts:
+            words = [argument.text for argument in command.args]
+            found |= set() if command.name == "install" or command.name.startswith("end") else set(words)
+            if command.name in _BUILDERS:
+                found |= {part for word in words for part in word.split("/")}
+    return Words(frozenset(found), any(file.unknown for file in facts.cmake.values()))
+
+
+def _installed(rule: InstallRule, words: Words, facts: PackageFacts) -> Iterator[Requirement]:
+    """Items of a rule; what another command names is perhaps made by it."""
+    for item in rule.items:
+        path = f"{rule.folder}{item}".rstrip("/")
+        name = _below(path, facts)
+        if name and not _is_computed(item):
+            asks = words.is_open or "EXISTS" in words.said
+            made = asks or not words.said.isdisjoint({item, path, path.rpartition("/")[2]})
+            certainty: Certainty = "unknown" if made else "likely"
+            yield _own("installs_file", name, Place(rule.path, rule.line, f"file {rule.path}"), facts, certainty, item)
+
+
+def _is_computed(item: str) -> bool:
+    """Whether an item is known to CMake only, or stands for a folder that is there, as `.` does."""
+    outside = item.startswith(("/", "..")) or "/../" in item
+    return outside or not item.rstrip("/.") or _OPEN.search(item) is not None
+
+
+def _headers(command: Command, path: str, facts: PackageFacts) -> Iterator[Requirement]:
+    """The folder of headers that catkin_package is told of, which it looks for."""
+    if command.name == "catkin_package" and command.args[:2] == _HEADERS:
+        folder = path.rpartition("/")[0]
+        name = _below(f"{folder}/{_HEADERS[1]}".lstrip("/"), facts)
+        place = Place(path, command.line, f"file {path}")
+        yield _own("exports_headers", name, place, facts, "likely", _HEADERS[1])
+
+
+def _libraries(command: Command, path: str, facts: PackageFacts) -> Iterator[Requirement]:
+    """Names after LIBRARIES, or all of them; `target` is the one that is built."""
+    if command.name not in _LIBRARIES:
+        return
+    keyword = _LIBRARIES[command.name]
+    built = _built(facts)
+    taken = not keyword
+    for argument in command.args:
+        if argument == keyword or argument in _OTHER:
+            taken = argument == keyword
+        elif taken and argument and not {"$", "/", "."} & set(argument):
+            target = argument if argument in built else ""
+            yield _own("exports_library", argument, Place(path, command.line, f"file {path}"), facts, "likely", target)
+
+
+def _built(facts: PackageFacts) -> frozenset[str]:
+    targets = [target for file in facts.cmake.values() for target in file.targets]
+    kinds = {"library", "interface"}
+    return frozenset(name for each in targets if each.kind in kinds for name in (each.name, each.output) if name)
+
+
+def _below(path: str, facts: PackageFacts) -> str:
+    """A path from the folder of the package; empty for what lies outside of it."""
+    root = f"{facts.root.path}/" if facts.root.path else ""
+    return path.removeprefix(root) if path.startswith(root) else ""
+
+
+def _own(use: str, name: str, place: Place, facts: PackageFacts, certainty: Certainty, target: str) -> Requirement:
+    return required(use, name, place, certainty, package=facts.name, target=target)
