@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections import defaultdict
-from collections.abc import Callable, Hashable, Mapping, Sequence
+from collections.abc import Callable, Collection, Hashable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Member, Name, Number, Op, Opaque, Text
@@ -52,6 +52,11 @@ class Flow:
         self._outlines: dict[Func, Outline] = {}
         self._changes: dict[tuple[int, str], bool] = {}
         self._inner: dict[int, Mapping[str, list[Func]]] = {}
+
+    @property
+    def running(self) -> Collection[Func]:
+        """The functions that are run right now."""
+        return self._running.values()
 
     def forget(self) -> None:
         """Drop runs, since more is known of parameters now."""
