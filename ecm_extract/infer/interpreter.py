@@ -394,7 +394,7 @@ class Interpreter:
 
     def _lost(self, state: State, keys: Iterable[str]) -> State:
         """The state in which nobody knows what some variables hold; what they were made as is kept."""
-        lost = {key: (Held("lost", key, before=state.holds.get(key, ())),) for key in keys}
+        lost = {key: (Held("lost", key, before=state.holds.get(key, ())),) for key in keys if key}
         for key in tuple(lost):
             for part in state.holds:
                 if part.startswith(f"{key}."):
