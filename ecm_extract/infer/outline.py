@@ -132,8 +132,10 @@ def _given_away(expr: Expr | None) -> Iterator[Expr]:
         yield expr.operands[0]
     elif isinstance(expr, Call) and isinstance(expr.callee, Name) and _makes_or_ties(expr.callee.id):
         yield from (arg for arg in expr.args if isinstance(arg, Name))
+    prints = isinstance(expr, Op) and expr.op == "%"  # what a format is filled with stands in a list of its own
     for part in children(expr):
-        yield from _given_away(part)
+        for inner in children(part) if prints and isinstance(part, Items) else (part,):
+            yield from _given_away(inner)
 
 
 def _makes_or_ties(name: str) -> bool:
