@@ -8,6 +8,7 @@ from functools import cached_property
 from ecm_checker.contract import Evidence
 from ecm_checker.hub.package import Package
 from ecm_checker.versions import in_range
+from ecm_parsers.cmake_tokens import Command, parse_commands
 from ecm_parsers.launch.model import Action, Include, LaunchFile
 from ecm_parsers.launch.templates import all_actions
 from ecm_parsers.result import Diagnostic, Parsed
@@ -183,6 +184,11 @@ class Workspace:
         facts = self.by_name.get(package)
         held = facts.manifest.version if facts is not None and facts.manifest is not None else None
         return held is not None and in_range(held, versions) is True
+
+    def commands(self, path: str) -> Sequence[Command]:
+        """Return the commands of a CMake file as they are written, parsed once; none of one that cannot be read."""
+        parsed = self.files.parsed(path, parse_commands)
+        return parsed.facts if parsed is not None else ()
 
     def package_of(self, path: str) -> str:
         """Return the name of the package that a file belongs to; empty for none."""
