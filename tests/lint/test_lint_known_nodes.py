@@ -15,7 +15,7 @@ from ecm_extract.lint.workspace import Workspace
 from ecm_extract.stored import package_of
 from ecm_extract.tree import open_tree
 
-RULES = ("LNT005", "LNT006", "LNT015")
+RULES = ("LNT005", "LNT006", "LNT015", "LNT045")
 MANIFEST = """<package format="3"><name>{0}</name><version>1.0.0</version><depend>rclcpp</depend>
 <depend>std_msgs</depend><export><build_type>ament_cmake</build_type></export></package>"""
 BUILD = "project({0})\nadd_executable({0} src/main.cpp)\ninstall(TARGETS {0} DESTINATION lib/{0})\nament_package()\n"
@@ -47,6 +47,18 @@ LAUNCH = """<launch>
 """
 
 
+BELOW = """<launch>
+  <group>
+    <push-ros-namespace namespace="left"/>
+    <node pkg="driver" exec="driver" name="driver"/>
+  </group>
+  <node pkg="user" exec="user">
+    <remap from="arm_state" to="/driver/{0}"/>
+  </node>
+</launch>
+"""
+
+
 def package(folder: Path, name: str, body: str) -> None:
     files = {"package.xml": MANIFEST.format(name), "CMakeLists.txt": BUILD.format(name)}
     for path, text in (files | {"src/main.cpp": NODE.format(name, body)}).items():
@@ -54,10 +66,10 @@ def package(folder: Path, name: str, body: str) -> None:
         (folder / name / path).write_text(text)
 
 
-def user(folder: Path) -> Path:
+def user(folder: Path, launch: str = LAUNCH) -> Path:
     package(folder, "user", SUBSCRIBES)
     (folder / "user" / "launch").mkdir()
-    (folder / "user" / "launch" / "a.launch.xml").write_text(LAUNCH)
+    (folder / "user" / "launch" / "a.launch.xml").write_text(launch)
     return folder
 
 
@@ -94,3 +106,14 @@ def test_lines_of_documents_are_none_of_the_tree(tmp_path: Path) -> None:
     found = linted(folder, *stored(tmp_path / "driver"))
     assert {each.rule for each in found} >= {"LNT005", "LNT015"}
     assert all((folder / at.path).is_file() for each in found for at in each.evidence)
+
+
+def test_names_of_a_node_in_a_namespace_are_known_by_its_document(tmp_path: Path) -> None:
+    """Who remaps to a name that the node has nowhere means another node."""
+    package(tmp_path / "driver", "driver", PUBLISHES)
+    documents = stored(tmp_path / "driver")
+    remap = [("LNT045", "user/launch/a.launch.xml", 7)]
+    for name, known, unknown in (("arm_states", remap, remap), ("other", [], remap)):
+        folder = user(tmp_path / name, BELOW.format(name))
+        assert rows(linted(folder, *documents)) == known
+        assert rows(linted(folder)) == unknown
