@@ -93,9 +93,11 @@ class Interpreter:
     Args:
         env: the place of evaluation at the entry: function, arguments, object.
         judge: who evaluates expressions.
+        whole: whether conditions are decided and loops unrolled; else every way is taken for possible, which is quick.
     """
 
-    def __init__(self, env: Env, judge: Judge) -> None:
+    def __init__(self, env: Env, judge: Judge, whole: bool = True) -> None:
+        self.whole = whole
         self.env = env
         self.func = env.func
         self.judge = judge
@@ -182,6 +184,9 @@ class Interpreter:
         self._blurred -= 1
         self._breaks, self._continues, self._raised, self._left, self.run.returns = keep
 
+    def _truth(self, test: Expr, state: State) -> bool | None:
+        return self.judge.truth(test, self._env(state)) if self.whole else None
+
     def _new(self) -> int:
         self._branches += 1
         return self._branches
@@ -189,12 +194,12 @@ class Interpreter:
     # --- branches ----------------------------------------------------------------------------------------
 
     def _branch(self, step: Branch, state: State) -> State | None:
-        holds = self.judge.truth(step.test, self._env(state))
+        holds = self._truth(step.test, state)
         if holds is not None:
             self._shadow(step.other if holds else step.then, state)
             return self._block(step.then if holds else step.other, state)
         number = self._new()
-        likely = self.judge.likely(step.test, self._env(state))
+        likely = self.judge.likely(step.test, self._env(state)) if self.whole else None
         then = self._block(step.then, state.on(number, likely is not False))
         other = self._block(step.other, state.on(-number, likely is not True))
         return joined_states([other, then] if likely is False else [then, other])
@@ -220,8 +225,8 @@ class Interpreter:
         return joined_states([*outs, rest])
 
     def _applies(self, subject: Expr, case: Case, state: State) -> bool | None:
-        if not case.tests:
-            return True
+        if not case.tests or not self.whole:
+            return None if case.tests else True
         env = self._env(state)
         if subject == Constant("true"):
             return self.judge.truth(case.tests[0], env)
@@ -288,7 +293,7 @@ class Interpreter:
     # --- loops -------------------------------------------------------------------------------------------
 
     def _loop(self, loop: Loop, state: State) -> State | None:
-        if self._blurred or self._steps > MAX_STEPS:
+        if self._blurred or self._steps > MAX_STEPS or not self.whole:
             return self._blur(loop, state)
         if loop.each >= 0:
             return self._over(loop, state)
@@ -495,13 +500,14 @@ class Interpreter:
 
     def _each_of(self, loop: int, state: State) -> list[State]:
         each = self.body[loop]
-        items = self.judge.rounds(each.value, self._env(state)) if each.value is not None else None
+        known = self.whole and each.value is not None
+        items = self.judge.rounds(each.value, self._env(state)) if known and each.value is not None else None
         if items is None or len(items) > MAX_ROUNDS:
             return [self._element(each, loop, state)]
         return [self._bind(each.target, Held("value", "", item.expr, item.env, loop), state) for item in items]
 
     def _passing(self, entry: Comprehension, state: State) -> State | None:
-        found = [self.judge.truth(test, self._env(state)) for test in entry.tests]
+        found = [self._truth(test, state) for test in entry.tests]
         if False in found:
             return None
         return state.on(self._new()) if None in found else state

@@ -64,9 +64,13 @@ class Flow:
 
     # --- runs --------------------------------------------------------------------------------------------
 
-    def run(self, env: Env) -> Run | None:
-        """Return the run of the function at a place; None while it is running: who asks then asks in a circle."""
-        key = _key(env)
+    def run(self, env: Env, whole: bool = True) -> Run | None:
+        """Return the run of the function at a place; None while it is running: who asks then asks in a circle.
+
+        Args:
+            env: the place. whole: whether its conditions are decided and its loops unrolled.
+        """
+        key = (_key(env), whole)
         known = self._runs.get(key) or self._meanwhile.get(key)
         if known is not None:
             return known[1]
@@ -76,7 +80,7 @@ class Flow:
         if len(self._runs) > MAX_RUNS:
             self._runs = {asked: known for asked, known in self._runs.items() if not known[0].args}
         cuts = self.folder.cuts
-        run = self._fresh(key, env)
+        run = self._fresh(key, env, whole)
         whole = cuts == self.folder.cuts or not self._running
         (self._runs if whole else self._meanwhile)[key] = (env, run)
         if not self._running:
@@ -84,12 +88,12 @@ class Flow:
             self._within = 0
         return run
 
-    def _fresh(self, key: Hashable, env: Env) -> Run:
+    def _fresh(self, key: Hashable, env: Env, whole: bool) -> Run:
         self._running[key] = env.func
         entry = Env(env.func, 0, env.args, env.types, env.this, env.made, env.depth + 1, State(), env.outer)
         try:
             with self.folder.steps.apart():
-                return Interpreter(entry, self).result()
+                return Interpreter(entry, self, whole).result()
         finally:
             del self._running[key]
 

@@ -185,7 +185,7 @@ class MemberFolder:
         return found[: MAX_ALTERNATIVES + 1]
 
     def _left(self, method: Func, place: Env, name: str) -> list[Held]:
-        run = self.folder.flow.run(place)
+        run = self.folder.flow.run(place, whole=method.is_constructor)
         if run is None:
             return [Held("lost", name)]
         key = f".{name}"
