@@ -43,13 +43,17 @@ class Aliases:
         )
         return best[1], best[2]
 
-    def meaning(self, classes: Container[str]) -> frozenset[str]:
-        """Return the names of aliases that may stand for one of some classes."""
+    def meaning(self, classes: Container[str], beside: Container[str] = ()) -> frozenset[str]:
+        """Return the names of aliases that may stand for one of some classes; an alias may be called like one `beside`."""
         return frozenset(
             name
             for name, entries in self._entries.items()
-            if name not in classes and any(_last_of(alias.target) in classes for _, alias in entries)
+            if name not in classes and any(self._means(alias, classes, beside) for _, alias in entries)
         )
+
+    def _means(self, alias: Alias, classes: Container[str], beside: Container[str]) -> bool:
+        last = _last_of(alias.target)
+        return last in classes or (last in beside and last != alias.name)
 
 
 def enclosing_scopes(scope: str) -> list[str]:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import TypeVar
 
 from ecm_checker.contract import Evidence, Interface, Qos, Role
-from ecm_parsers.source.expr import Expr, Items, Text
+from ecm_parsers.source.expr import Expr, Items, Name, Text
 
 from ecm_extract.link.activation import Activation
 from ecm_extract.link.built import files_of
@@ -240,10 +240,10 @@ class Linker:
                 default=None if data is UNKNOWN else data,
                 inherited_from=origin,
             )
-            yield interface, name.resolved if site.form.fixed else local
+            yield interface, name.resolved if _is_absolute(site) else local
 
     def _name(self, site: Site, value: Value, handle: Handle, node: str | None, ros: int | None) -> RosName:
-        if site.form.fixed:
+        if _is_absolute(site):
             return RosName(value.text, value.text)
         make = parameter_name if site.form.role == "parameter" else endpoint_name
         return make(value, handle, node, ros)
@@ -258,13 +258,20 @@ class Linker:
         """Return the names of a site with the expression of each default."""
         form, call = site.form, site.call
         if form.fixed:
-            return [(literal(form.fixed), None)]
+            return [(self._fixed(site), None)]
         default = next(positions(form.default, call), None)
         if form.items:
             return self._listed(site)
         values = self.sites.names(site)
         default = default or fallback(site, self.sites.position(site.call), self.folder)
         return [(value, default) for value in values[:MAX_NAMES]]
+
+    def _fixed(self, site: Site) -> Value:
+        """The name that a row implies: a private one is below the handle that the call is given, if it is given one."""
+        text = site.form.fixed
+        given = next(positions(site.form.node, site.call), None) if text.startswith("~") else None
+        of_handle = given is not None and "NodeHandle" in self.folder.objects.type_of(given, site.env)
+        return literal(text.removeprefix("~").lstrip("/") if of_handle else text)
 
     def _listed(self, site: Site) -> list[tuple[Value, Expr | None]]:
         listed = next(positions(site.form.items, site.call), None)
@@ -287,10 +294,10 @@ class Linker:
         return found or [(unknown("parameters"), None)]
 
     def _qos(self, site: Site, ros: int | None) -> Qos | None:
-        if site.form.role not in {"publisher", "subscriber"} or (site.form.fixed and site.form.fixed.startswith("/tf")):
+        if site.form.role not in {"publisher", "subscriber"} and (ros == 1 or not site.form.profile):
             return None
         given = [expr for expr in positions(site.form.qos, site.call) if not is_callback(expr)]
-        expr = given[0] if given else None
+        expr = given[0] if given else Name(site.form.profile) if site.form.profile else None
         if ros != 1:
             return self.qos.read(expr, site.env)
         flags = [flag for flag in positions(site.form.latch, site.call) if not is_callback(flag)]
@@ -301,6 +308,11 @@ class Linker:
             return None
         frames = [self.folder.fold(expr, site.env)[0].text for expr in positions(site.form.frame, site.call)]
         return " <- ".join(frames) if frames else None
+
+
+def _is_absolute(site: Site) -> bool:
+    """Tell whether a row implies the whole name, which no handle and no node changes."""
+    return site.form.fixed.startswith("/")
 
 
 def _role(role: Role, kind: str | None) -> Role:

@@ -18,7 +18,9 @@ from ecm_extract.link.env import Env, Instance, bind
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.match import Matcher, name_argument, positions
 from ecm_extract.link.openness import MAX_CHAIN, Openness
+from ecm_extract.link.option_structs import spread
 from ecm_extract.link.parameters import Parameters
+from ecm_extract.link.placing import placed
 from ecm_extract.link.program import Program
 from ecm_extract.link.site import Site
 from ecm_extract.link.types import Types
@@ -47,7 +49,7 @@ class Sites:
         self._remembered: set[int] = set()
         self._names: dict[int, tuple[Site, tuple[Value, ...]]] = {}
         self.openness = Openness(self.folder, types, self.derived)
-        self._aliases = program.aliases.meaning({*program.classes, *matcher.forms})
+        self._aliases = program.aliases.meaning(program.classes, matcher.forms)
         wanted = {*matcher.forms, *program.functions, *program.classes, *_ALSO, *also}
         self.calls = call_index(program, wanted, self._aliases)
         self._calls_of = CallTargets(self.folder, self.calls, self._place)
@@ -58,18 +60,17 @@ class Sites:
         found: list[Site] = []
         for last in self.matcher.forms:
             for call in self.calls.get(last, ()):
-                site = self._direct(call, parameters)
-                if site is not None:
+                for site in self._direct(call, parameters):
                     found.extend(self._closed(site))
         return found
 
-    def _direct(self, call: Invocation, parameters: bool) -> Site | None:
+    def _direct(self, call: Invocation, parameters: bool) -> Iterator[Site]:
         func = call.func
         env = self.root_env(func, self.position(call))
-        form = self.matcher.form(call, env)
-        if form is None or (form.role == "parameter") is not parameters:
-            return None
-        return Site(form, call, env, (), func.holder, func)
+        call = spread(call)
+        for form in self.matcher.fitting(call, env):
+            if (form.role == "parameter") is parameters:
+                yield Site(form, call, env, (), func.holder, func)
 
     def root_env(self, func: Func, at: int) -> Env:
         """Return the place of a statement of a function about whose callers nothing is assumed."""
@@ -122,6 +123,7 @@ class Sites:
         if known is None:
             name = name_argument(site.form, site.call)
             values = self.folder.fold(name, site.env) if name is not None else ()
+            values = tuple([placed(value, site.form.place) for value in values]) if site.form.place else values
             known = self._names[id(site)] = (site, values)
         return known[1]
 
