@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Container
+from collections.abc import Callable, Container, Iterator
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.facts import Alias
@@ -42,6 +42,11 @@ class Aliases:
             key=lambda entry: (_is_named(entry[2], name), entry[2].scope.removesuffix("()") in enclosing, entry[0]),
         )
         return best[1], best[2]
+
+    def targets(self, name: str) -> Iterator[str]:
+        """Yield what the aliases of a name stand for, wherever they are declared."""
+        for _, alias in self._entries.get(name, ()):
+            yield alias.target
 
     def meaning(self, classes: Container[str], beside: Container[str] = ()) -> frozenset[str]:
         """Return the names of aliases that may stand for one of some classes; an alias may be called like one `beside`."""

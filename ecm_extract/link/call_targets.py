@@ -82,6 +82,8 @@ class CallTargets:
     def _method_means(self, call: Invocation, cls: Cls) -> bool:
         if call.receiver is None and "::" in call.path:
             return cls.fact.name in call.path.split("::")
+        if call.receiver is None and "." in call.path:
+            return cls.fact.name == call.path.split(".")[-2]
         known = self._receivers.get(id(call))
         if known is None:
             known = self._receivers[id(call)] = self._classes(call)

@@ -40,6 +40,7 @@ from ecm_extract.link.observe import Observation, observation_forms, observation
 from ecm_extract.link.parameters import Home, Parameters
 from ecm_extract.link.program import Program
 from ecm_extract.link.qos import QosReader
+from ecm_extract.link.reach import Reach
 from ecm_extract.link.references import References, Unit
 from ecm_extract.link.registry import build_registry
 from ecm_extract.link.scope import Scope
@@ -48,6 +49,7 @@ from ecm_extract.link.site import Site
 from ecm_extract.link.sites import Sites, overrides
 from ecm_extract.link.stamps import Stamp, stamps
 from ecm_extract.link.types import Types
+from ecm_extract.link.units import Cls, Func
 from ecm_extract.link.values import Value, literal, settled, unknown
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.tree import Tree
@@ -101,6 +103,7 @@ class Linker:
         self.parameter_sites: list[Site] = []
         self.references = References(self.sites)
         self.modules = Modules(self.program, self.references, registry)
+        self.reach = Reach(self.program)
         self._observed: dict[int, list[Observation]] = defaultdict(list)
         self._stamped: dict[int, list[Stamp]] = defaultdict(list)
         self._diagnosed: dict[int, list[Diagnosis]] = defaultdict(list)
@@ -192,9 +195,24 @@ class Linker:
     def _attribute(self, site: Site, found: dict[int, list[Interface]], nodes: Mapping[int, NodeName]) -> None:
         offered = self._only_offered(site)
         for unit in units_of(site, self.sites, self.modules):
-            for module in (self.modules.library(unit),) if offered else self.modules.owners(unit):
+            for module in (self.modules.library(unit),) if offered else self._owners(unit, site):
                 node = self._node(module, nodes)
                 self._give(site, unit, module, found[id(module)], node.text if node is not None else None)
+
+    def _owners(self, unit: Unit, site: Site) -> tuple[Module, ...]:
+        """The modules that have a unit and run what a site stands in; what none of them runs is the library's."""
+        through = self._through(unit, site)
+        owners = self.modules.owners(unit)
+        running = tuple([each for each in owners if self.reach.reaches(each, through)])
+        return running if running or not owners else (self.modules.library(unit),)
+
+    def _through(self, unit: Unit, site: Site) -> list[Func]:
+        """The functions that a site comes through, from the first that the unit runs inwards."""
+        calls = [call for call in (*site.chain, site.call) if not self.sites.is_held(call)]
+        line = [call.func for call in calls]
+        family = self.program.ancestry(unit) if isinstance(unit, Cls) else ()
+        first = next((at for at, func in enumerate(line) if func is unit or func.cls in family), -1)
+        return line[first:]
 
     def _give(self, site: Site, unit: Unit, module: Module, found: list[Interface], node: str | None) -> None:
         origin = None if unit is module.cls or unit is module.main or module.kind == "library" else unit.fact.name

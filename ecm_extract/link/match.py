@@ -14,7 +14,6 @@ from ecm_extract.link.forms import Form, FormTable
 from ecm_extract.link.spelling import last_name, plain, pointee
 from ecm_extract.link.units import Func
 
-
 _TRUE = Constant("true")
 
 

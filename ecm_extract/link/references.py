@@ -11,6 +11,7 @@ from collections.abc import Iterator
 
 from ecm_parsers.source.facts import Constant
 
+from ecm_extract.link.handed import Handed
 from ecm_extract.link.sites import Sites
 from ecm_extract.link.spelling import by_value, last_name
 from ecm_extract.link.units import Cls, File, Func
@@ -27,6 +28,7 @@ class References:
     def __init__(self, sites: Sites) -> None:
         self.sites = sites
         self.program = sites.program
+        self._handed = Handed(self.program)
         self._mentions: dict[str, list[_Mention]] = defaultdict(list)
         self._aliases = self.program.aliases.meaning(self.program.classes)
         self._holders: dict[str, list[_Mention]] = defaultdict(list)
@@ -84,7 +86,7 @@ class References:
         found = [*self.sites.derived(cls), *self._makers(cls), *self._mentioning(cls, self._holders)]
         yield from found or self._mentioning(cls, self._mentions)
         for method in cls.methods if cls.file.language == "python" else ():
-            if "static" in method.fact.traits:
+            if _is_of_class(method):
                 yield from self._callers(method)
         for call in self.sites.calls.get(cls.fact.name, ()):
             if call.func.cls is cls and call.func.holder is None and self.sites.makes(call, cls):
@@ -94,6 +96,8 @@ class References:
         for call in self.sites.calls.get(cls.fact.name, ()):
             if self.sites.makes(call, cls):
                 yield call.func.holder or call.func
+        for func in self._handed.classes(cls):
+            yield func.holder or func
 
     def _mentioning(self, cls: Cls, index: dict[str, list[_Mention]]) -> Iterator[Unit]:
         for unit, name, file, scope in index.get(cls.fact.name, ()):
@@ -103,3 +107,10 @@ class References:
     def _callers(self, func: Func) -> Iterator[Unit]:
         for call in self.sites.callers(func):
             yield call.func.holder or call.func
+        for other in self._handed.functions(func):
+            yield other.holder or other
+
+
+def _is_of_class(method: Func) -> bool:
+    """Tell whether a method of Python is called through its class, which makes no object."""
+    return "static" in method.fact.traits or "classmethod" in method.fact.decorators

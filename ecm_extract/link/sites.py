@@ -88,6 +88,10 @@ class Sites:
             self._positions[id(call.func)] = known
         return known.get(id(call.statement), len(known))
 
+    def is_held(self, call: Invocation) -> bool:
+        """Tell whether a call makes a member of a class, where the class says it has one, and not in a body."""
+        return call.made and self.position(call) == len(call.func.fact.body)
+
     # --- wrappers --------------------------------------------------------------------------------------
 
     def _closed(self, site: Site) -> Iterable[Site]:
