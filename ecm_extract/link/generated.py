@@ -15,6 +15,7 @@ from ecm_extract.link.calls import dotted_name
 from ecm_extract.link.parameters import Parameters
 from ecm_extract.link.program import Program
 from ecm_extract.link.references import Unit
+from ecm_extract.link.spelling import last_name
 from ecm_extract.link.units import File, Func
 from ecm_extract.read.facts import PackageFacts
 
@@ -94,8 +95,11 @@ class GeneratedParameters:
         return found[:1]
 
     def _servers(self, reconfigure: ReconfigureFile, files: Sequence[File]) -> list[Unit]:
-        """Units that hold a `dynamic_reconfigure::Server<pkg::NameConfig>`."""
-        return self._mentioning((f"{_config_name(reconfigure)}Config>", f"{_config_name(reconfigure)}Config >"), files)
+        """Units that hold a `dynamic_reconfigure::Server<pkg::NameConfig>`, or make a `Server(NameConfig, ...)`."""
+        name = f"{_config_name(reconfigure)}Config"
+        python = (func for file in files if file.language == "python" for func in self.program.functions_in(file))
+        serving = [func.holder or func for func in python if _serves(func, name)]
+        return [*self._mentioning((f"{name}>", f"{name} >"), files), *dict.fromkeys(serving)]
 
 
 def _types_in(func: Func) -> str:
@@ -106,6 +110,16 @@ def _types_in(func: Func) -> str:
             if isinstance(call.callee, Name | Member):
                 words.append(dotted_name(call.callee) if isinstance(call.callee, Member) else call.callee.id)
     return "> ".join(words) + ">"
+
+
+def _serves(func: Func, name: str) -> bool:
+    """Tell whether a function of Python makes a server for a configuration."""
+    calls = (call for calls in func.calls for call in calls)
+    return any(
+        last_name(dotted_name(call.callee)) == "Server" and last_name(dotted_name(arg)) == name
+        for call in calls
+        for arg in call.args[:1]
+    )
 
 
 def _config_name(reconfigure: ReconfigureFile) -> str:

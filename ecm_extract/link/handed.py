@@ -35,9 +35,14 @@ class Handing(NamedTuple):
 
 
 @cache
-def _only_asking() -> frozenset[str]:
+def _names(table: str) -> frozenset[str]:
     text = (resources.files("ecm_extract.link") / "handed.toml").read_text("utf-8")
-    return frozenset(tomllib.loads(text)["asking"]["names"])
+    return frozenset(tomllib.loads(text)[table]["names"])
+
+
+def only_loads(written: str) -> bool:
+    """Tell whether a member of this type loads objects of a class, and holds none."""
+    return last_name(plain(written)) in _names("loading")
 
 
 class Handed:
@@ -112,7 +117,7 @@ def _of_statement(statement: Statement) -> Iterator[str]:
 def _values_in(expr: Expr) -> Sequence[Expr]:
     """The parts of an expression that are handed on as they are."""
     if isinstance(expr, Call):
-        return () if _callee(expr) in _only_asking() else (*expr.args, *[value for _, value in expr.keywords])
+        return () if _callee(expr) in _names("asking") else (*expr.args, *[value for _, value in expr.keywords])
     if isinstance(expr, Items):
         return expr.items
     if isinstance(expr, Table):
@@ -132,7 +137,7 @@ def _of_call(call: Call) -> Iterator[str]:
         yield from (f"{base}.{_SUBCLASSES}" for base in _of_value(call.callee.base))
     if name == "getattr" and len(call.args) >= 2 and isinstance(call.args[1], Text):
         yield from (f"{module}.{call.args[1].value}" for module in _of_value(call.args[0]))
-    if name not in _only_asking():
+    if name not in _names("asking"):
         yield from (plain(pointee(written)) for written in call.types)
 
 

@@ -42,7 +42,7 @@ from ecm_extract.link.program import Program
 from ecm_extract.link.qos import QosReader
 from ecm_extract.link.reach import Reach
 from ecm_extract.link.references import References, Unit
-from ecm_extract.link.registry import build_registry
+from ecm_extract.link.registry import build_registry, plugins_of
 from ecm_extract.link.scope import Scope
 from ecm_extract.link.sight import Sight
 from ecm_extract.link.site import Site
@@ -94,12 +94,12 @@ class Linker:
         self.qos = QosReader(self.folder)
         self.handles = Handles(self.folder)
         matcher = Matcher(forms, self.folder)
-        self.sites = Sites(self.program, matcher, self.types, self.parameters, (*observation_forms(), *SUMMARIES))
+        self.registry = registry = build_registry(self.program, packages)
+        also, plugins = (*observation_forms(), *SUMMARIES), plugins_of(self.program, registry)
+        self.sites = Sites(self.program, matcher, self.types, self.parameters, also, plugins)
         self.typing = EndpointTypes(self.folder, self.types)
         self.names = NodeNames(self.folder, self.sites)
         self.generated = GeneratedParameters(self.program, packages)
-        registry = build_registry(self.program, packages)
-        self.registry = registry
         self.parameter_sites: list[Site] = []
         self.references = References(self.sites)
         self.modules = Modules(self.program, self.references, registry)

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 
 from ecm_parsers.source.facts import Constant
 
-from ecm_extract.link.handed import Handed
+from ecm_extract.link.handed import Handed, only_loads
 from ecm_extract.link.sites import Sites
 from ecm_extract.link.spelling import by_value, last_name
 from ecm_extract.link.units import Cls, File, Func
@@ -59,7 +59,7 @@ class References:
                 self._mention(statement.type, unit, func.file, scope)
 
     def _mention(self, text: str, unit: Unit, file: File, scope: str) -> None:
-        held = by_value(text)
+        held = by_value(text) and not only_loads(text)
         for name in _NAME.findall(text):
             last = last_name(name)
             if last in self._aliases:

@@ -37,6 +37,12 @@ def build_registry(program: Program, packages: Iterable[PackageFacts]) -> Regist
     return registry
 
 
+def plugins_of(program: Program, registry: Registry) -> list[Cls]:
+    """Return the classes that a loader makes by the name of a configuration, and that are no nodes."""
+    classes = (cls for group in program.classes.values() for cls in group)
+    return [cls for cls in classes if registry.classes.get(id(cls)) == "plugin"]
+
+
 def _macros(file: File, program: Program, registry: Registry) -> None:
     for macro in file.facts.macros:
         kind = registration_kind(macro.name)

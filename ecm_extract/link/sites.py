@@ -7,7 +7,7 @@ for a class that passes a constructor argument or template argument on: each pla
 from __future__ import annotations
 
 from collections import defaultdict, deque
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 
 from ecm_parsers.source.expr import Expr, Name
 
@@ -37,9 +37,16 @@ class Sites:
     """Finds all sites of a program."""
 
     def __init__(
-        self, program: Program, matcher: Matcher, types: Types, parameters: Parameters, also: Iterable[str] = ()
+        self,
+        program: Program,
+        matcher: Matcher,
+        types: Types,
+        parameters: Parameters,
+        also: Iterable[str] = (),
+        plugins: Collection[Cls] = (),
     ) -> None:
         self.program = program
+        self.plugins = frozenset(plugins)
         self.matcher = matcher
         self.types = types
         self.folder: Folder = matcher.folder
@@ -116,7 +123,7 @@ class Sites:
                 self._remember_wrapper(site)
             callers = list(self._callers(site))
             yield from callers
-            if callers or (params & given and not overrides(site.root)):
+            if callers or (params & given and not overrides(site.root) and not self._is_loaded(site.root)):
                 return
         if made and site.owner is not None:
             yield from self._makers(site, site.owner)
@@ -153,7 +160,21 @@ class Sites:
             if id(call) in passed:
                 continue
             outer = self.root_env(call.func, self.position(call))
-            yield self._through(site, call, outer)
+            wider = self._through(site, call, outer)
+            if not self._names_an_instance(wider, root):
+                yield wider
+
+    def _is_loaded(self, func: Func) -> bool:
+        """Tell whether a method runs on plugins, its class or one that derives from it being one."""
+        cls = func.cls
+        return cls is not None and any(each in self.plugins for each in (cls, *self.derived(cls)))
+
+    def _names_an_instance(self, site: Site, func: Func) -> bool:
+        """Tell whether the host of a plugin gives its method a name that only the configuration knows."""
+        own = site.root.cls is not None and func.cls in self.program.ancestry(site.root.cls)
+        if own or not self._is_loaded(func):
+            return False
+        return any(value.confidence == "pattern" and not value.open("param") for value in self.names(site))
 
     def callers(self, func: Func) -> Sequence[Invocation]:
         """Return the calls of a function by others."""
