@@ -49,7 +49,7 @@ class Aliases:
             yield alias.target
 
     def meaning(self, classes: Container[str], beside: Container[str] = ()) -> frozenset[str]:
-        """Return the names of aliases that may stand for one of some classes; an alias may be called like one `beside`."""
+        """Return the names of aliases that may stand for some classes; one may be called like those `beside`."""
         return frozenset(
             name
             for name, entries in self._entries.items()

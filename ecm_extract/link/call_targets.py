@@ -9,6 +9,7 @@ from ecm_extract.link.calls import Invocation
 from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.overloads import NO, score
+from ecm_extract.link.program import module_matches
 from ecm_extract.link.spelling import plain
 from ecm_extract.link.units import Cls, Func
 
@@ -62,6 +63,7 @@ class CallTargets:
             fitting = [(fit, func) for fit, func in scored if fit != NO and self._visible(call, func)]
             if call.simple and any(func.cls is not None for _, func in fitting):
                 fitting = [(fit, func) for fit, func in fitting if func.cls is not None]  # members hide functions
+            fitting = _of_module(call, fitting)
             best = max((fit for fit, _ in fitting), default=0)
             known = self._targets[id(call)] = _own_first(call, [func for fit, func in fitting if fit == best])
         return known
@@ -106,6 +108,15 @@ class _Any(Container[Cls]):
 
     def __contains__(self, _: object) -> bool:
         return True
+
+
+def _of_module(call: Invocation, fitting: list[tuple[int, Func]]) -> list[tuple[int, Func]]:
+    """A function of Python that is called through its module is that of the module, and none of that name elsewhere."""
+    module = call.path.rpartition(".")[0].lstrip(".")
+    if call.func.file.language != "python" or not module or call.receiver is not None:
+        return fitting
+    exact = [(fit, func) for fit, func in fitting if module_matches(func.file.path, module)]
+    return exact or fitting
 
 
 def _own_first(call: Invocation, funcs: list[Func]) -> tuple[Func, ...]:

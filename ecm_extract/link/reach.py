@@ -1,7 +1,7 @@
 """What a module can run: from its beginning through everything that is mentioned by name on the way.
 
-Names are taken as they stand, whatever object they are asked of, so that nothing that runs is missed. What no name leads
-to is run by others, or by nobody: a program that uses one method of a class does not have what the other methods do.
+Names are taken as they stand, whatever object they are asked of, so that nothing that runs is missed. What no name
+leads to is run by others, or by nobody: a program that uses one method of a class does not have what others do.
 """
 
 from __future__ import annotations
@@ -17,6 +17,8 @@ from ecm_extract.link.modules import Module
 from ecm_extract.link.program import Program
 from ecm_extract.link.spelling import last_name, plain
 from ecm_extract.link.units import Cls, Func
+
+_SUBCLASSES = "__subclasses__"
 
 
 @cache
@@ -94,6 +96,15 @@ class Reach:
             self._constants(name, run)
         if func.cls is not None:
             self._live(func.cls, run, made=False)
+        if _SUBCLASSES in known.used:
+            run.mention(*self._derived_names(known))
+
+    def _derived_names(self, known: Mentions) -> Iterator[str]:
+        """`Part.__subclasses__()` gives all classes that derive from one."""
+        for group in self.program.classes.values():
+            for cls in group:
+                if any(base.fact.name in known.held for base in self.program.ancestry(cls)):
+                    yield cls.fact.name
 
     def _plain(self, func: Func, known: Mentions, run: _Run) -> None:
         """A name that stands alone means the function of its own file, if that has one, and no other."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from fnmatch import fnmatch
 from pathlib import PurePosixPath
 
@@ -15,6 +15,7 @@ from ecm_extract.link.modules import Registry, registration_kind
 from ecm_extract.link.program import Program
 from ecm_extract.link.spelling import plain
 from ecm_extract.link.units import Cls, File, Func
+from ecm_extract.link.wrapper_scripts import Wrapped, runs_as_main
 from ecm_extract.read.facts import PackageFacts
 
 _TEMPLATE = re.compile(r"<([\w:\s]+)>")
@@ -128,10 +129,23 @@ def _sources(target: Target, cmake: str, listed: set[str]) -> list[str]:
 def _programs(package: PackageFacts, files: list[File], program: Program, registry: Registry) -> None:
     names = _executables(package, {file.path for file in files})
     entries = _entry_points(package)
+    started = Wrapped(program)
     for file in files:
         for func in _mains(file, program, entries) if file.is_built else ():
-            stem = PurePosixPath(file.path).stem
-            registry.programs[id(func)] = names.get(file.path) or entries.get((stem, func.fact.name)) or stem
+            if _is_entry(func, entries) or not started.by_script(func):
+                registry.programs[id(func)] = names.get(file.path) or _program_name(func, entries)
+
+
+def _is_entry(func: Func, entries: Mapping[tuple[str, str], str]) -> bool:
+    return (PurePosixPath(func.file.path).stem, func.fact.name) in entries
+
+
+def _program_name(func: Func, entries: Mapping[tuple[str, str], str]) -> str:
+    """The console script that runs a function, or the file that holds it; a file with one console script is that."""
+    stem = PurePosixPath(func.file.path).stem
+    own = {name for (module, _), name in entries.items() if module == stem}
+    only = next(iter(own)) if len(own) == 1 and func.fact.name == "<module>" else stem
+    return entries.get((stem, func.fact.name)) or only
 
 
 def _executables(package: PackageFacts, listed: set[str]) -> dict[str, str]:
@@ -161,9 +175,5 @@ def _mains(file: File, program: Program, entries: dict[tuple[str, str], str]) ->
     found = [func for func in own if func.fact.name in wanted and func.cls is None]
     if file.language == "python":
         body = [func for func in own if func.fact.name == "<module>"]
-        found += [func for func in body if file.facts.shebang or found or _runs_as_main(func)]
+        found += [func for func in body if file.facts.shebang or found or runs_as_main(func)]
     return found
-
-
-def _runs_as_main(func: Func) -> bool:
-    return any(statement.kind == "do" and statement.depth > 0 for statement in func.fact.body)
