@@ -13,6 +13,7 @@ from ecm_parsers.source.expr import Expr, Items, Name, Text
 from ecm_extract.link.activation import Activation
 from ecm_extract.link.built import files_of
 from ecm_extract.link.claims import Claim, claims_of
+from ecm_extract.link.client_libraries import is_client_library
 from ecm_extract.link.data import UNKNOWN, stated_type
 from ecm_extract.link.diagnoses import SUMMARIES, Diagnosis, diagnoses
 from ecm_extract.link.endpoint_types import EndpointTypes
@@ -195,7 +196,7 @@ class Linker:
     def _attribute(self, site: Site, found: dict[int, list[Interface]], nodes: Mapping[int, NodeName]) -> None:
         offered = self._only_offered(site)
         for unit in units_of(site, self.sites, self.modules):
-            for module in (self.modules.library(unit),) if offered else self._owners(unit, site):
+            for module in self._library(unit) if offered else self._owners(unit, site):
                 node = self._node(module, nodes)
                 self._give(site, unit, module, found[id(module)], node.text if node is not None else None)
 
@@ -204,7 +205,13 @@ class Linker:
         through = self._through(unit, site)
         owners = self.modules.owners(unit)
         running = tuple([each for each in owners if self.reach.reaches(each, through)])
-        return running if running or not owners else (self.modules.library(unit),)
+        if owners and (not running or running[0].kind == "library"):
+            return self._library(unit)
+        return running
+
+    def _library(self, unit: Unit) -> tuple[Module, ...]:
+        """The library that has what no module runs; what a client library declares is told of whoever calls it."""
+        return () if is_client_library(unit.file.package) else (self.modules.library(unit),)
 
     def _through(self, unit: Unit, site: Site) -> list[Func]:
         """The functions that a site comes through, from the first that the unit runs inwards."""
