@@ -43,10 +43,10 @@ class Aliases:
         )
         return best[1], best[2]
 
-    def targets(self, name: str) -> Iterator[str]:
-        """Yield what the aliases of a name stand for, wherever they are declared."""
-        for _, alias in self._entries.get(name, ()):
-            yield alias.target
+    def targets(self, name: str) -> Iterator[tuple[File, str]]:
+        """Yield what the aliases of a name stand for, each with the file that declares it."""
+        for file, alias in self._entries.get(name, ()):
+            yield file, alias.target
 
     def meaning(self, classes: Container[str], beside: Container[str] = ()) -> frozenset[str]:
         """Return the names of aliases that may stand for some classes; one may be called like those `beside`."""

@@ -16,7 +16,7 @@ from ecm_extract.link.mentioned import Mentions, mentions_of, mentions_of_class
 from ecm_extract.link.modules import Module
 from ecm_extract.link.program import Program
 from ecm_extract.link.spelling import last_name, plain
-from ecm_extract.link.units import Cls, Func
+from ecm_extract.link.units import Cls, File, Func
 
 _SUBCLASSES = "__subclasses__"
 
@@ -42,25 +42,25 @@ class Reach:
         run = self._runs.get(module)
         if run is None:
             run = self._runs[module] = self._run(module)
-        return run.any or all(func in run.always or func.fact.name in run.names for func in funcs)
+        return run.any or all(func in run.always for func in funcs)
 
     def _run(self, module: Module) -> _Run:
         run = _Run()
         for func in self._beginnings(module):
             self._enter(func, run)
         while run.pending and not run.any:
-            self._follow(run.pending.pop(), run)
+            self._follow(*run.pending.pop(), run)
             if run.any_method and not run.pending:
                 self._all_methods(run)
         return run
 
-    def _follow(self, name: str, run: _Run) -> None:
-        for func in self.program.functions.get(name, ()):
+    def _follow(self, name: str, file: File, run: _Run) -> None:
+        for func in self.program.seen_functions(name, file):
             self._enter(func, run)
-        for cls in self.program.classes.get(name, ()):
+        for cls in self.program.seen_classes(name, file):
             self._live(cls, run)
-        self._constants(name, run)
-        self._aliases(name, run)
+        self._constants(name, file, run)
+        self._aliases(name, file, run)
 
     def _all_methods(self, run: _Run) -> None:
         """A method whose name is not known before it runs may be any of those objects that there are."""
@@ -68,11 +68,12 @@ class Reach:
             for func in cls.methods:
                 self._enter(func, run)
 
-    def _aliases(self, name: str, run: _Run) -> None:
-        found = Mentions()
-        for target in self.program.aliases.targets(name):
-            found.add_type(target)
-        run.take(found)
+    def _aliases(self, name: str, file: File, run: _Run) -> None:
+        for other, target in self.program.aliases.targets(name):
+            if self.program.sees(file, other):
+                found = Mentions()
+                found.add_type(target)
+                run.take(found, other)
 
     def _beginnings(self, module: Module) -> Iterator[Func]:
         if module.main is not None:
@@ -89,15 +90,16 @@ class Reach:
         known = self._functions.get(func)
         if known is None:
             known = self._functions[func] = mentions_of(func)
-        run.take(known)
+        run.take(known, func.file)
         self._plain(func, known, run)
-        for name in known.held - run.held:
-            run.held.add(name)
-            self._constants(name, run)
+        for name in known.held:
+            if (name, func.file.package) not in run.held:
+                run.held.add((name, func.file.package))
+                self._constants(name, func.file, run)
         if func.cls is not None:
             self._live(func.cls, run, made=False)
         if _SUBCLASSES in known.used:
-            run.mention(*self._derived_names(known))
+            run.mention(func.file, *self._derived_names(known))
 
     def _derived_names(self, known: Mentions) -> Iterator[str]:
         """`Part.__subclasses__()` gives all classes that derive from one."""
@@ -109,21 +111,21 @@ class Reach:
     def _plain(self, func: Func, known: Mentions, run: _Run) -> None:
         """A name that stands alone means the function of its own file, if that has one, and no other."""
         own = [each for each in self.program.functions_in(func.file) if each.fact.name in known.plain]
-        run.mention(*(known.plain - {each.fact.name for each in own if each.cls is None}))
+        run.mention(func.file, *(known.plain - {each.fact.name for each in own if each.cls is None}))
         imported = (func.file.imported.get(name) for name in known.plain | known.held)
-        run.mention(*(last_name(target) for target in imported if target is not None))
+        run.mention(func.file, *(last_name(target) for target in imported if target is not None))
         for each in own:
             self._enter(each, run)
 
-    def _constants(self, name: str, run: _Run) -> None:
+    def _constants(self, name: str, file: File, run: _Run) -> None:
         """What stands outside of functions is run when it is named: macros, tables of callbacks, global objects."""
-        for _, constant in self.program.constants.get(name, ()):
+        for other, constant in self.program.seen_constants(name, file):
             found = Mentions()
             found.add_type(constant.type)
             if constant.value is not None:
                 found.add(constant.value)
-            run.take(found)
-            run.mention(*found.plain)
+            run.take(found, other)
+            run.mention(other, *found.plain)
 
     def _live(self, cls: Cls, run: _Run, made: bool = True) -> None:
         """An object is made: what runs without being named. Members are there wherever a method runs."""
@@ -131,11 +133,11 @@ class Reach:
             return
         (run.made if made else run.touched).add(cls)
         found = mentions_of_class(cls.fact)
-        run.take(found)
-        run.mention(*found.plain)
+        run.take(found, cls.file)
+        run.mention(cls.file, *found.plain)
         if made:
             for base in cls.fact.bases:
-                run.mention(last_name(plain(base)))
+                run.mention(cls.file, last_name(plain(base)))
             for func in cls.methods:
                 if self._runs_unnamed(func, cls):
                     self._enter(func, run)
@@ -159,26 +161,28 @@ class Reach:
 class _Run:
     """What one module mentions so far; `any`: it calls something whose name is not known before it runs."""
 
-    names: set[str] = field(default_factory=set)
-    held: set[str] = field(default_factory=set)
-    pending: list[str] = field(default_factory=list)
+    names: set[tuple[str, str, str]] = field(default_factory=set)
+    held: set[tuple[str, str]] = field(default_factory=set)
+    pending: list[tuple[str, File]] = field(default_factory=list)
     always: set[Func] = field(default_factory=set)
     made: set[Cls] = field(default_factory=set)
     touched: set[Cls] = field(default_factory=set)
     any: bool = False
     any_method: bool = False
 
-    def take(self, mentions: Mentions) -> None:
-        """Follow what is mentioned."""
+    def take(self, mentions: Mentions, file: File) -> None:
+        """Follow what is mentioned in a file."""
         self.any = self.any or mentions.any
         self.any_method = self.any_method or mentions.any_method
-        self.mention(*mentions.used)
+        self.mention(file, *mentions.used)
 
-    def mention(self, *names: str) -> None:
-        """Follow names, each once."""
-        fresh = [name for name in names if name not in self.names]
-        self.names.update(fresh)
-        self.pending += fresh
+    def mention(self, file: File, *names: str) -> None:
+        """Follow names, each once in what the package of a file sees."""
+        for name in names:
+            key = (name, file.package, file.language)
+            if key not in self.names:
+                self.names.add(key)
+                self.pending.append((name, file))
 
 
 def _bare(decorator: str) -> str:
