@@ -20,9 +20,9 @@ from ecm_extract.link.fallbacks import fallback
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.forms import FormTable
 from ecm_extract.link.generated import GeneratedParameters
-from ecm_extract.link.handles import OWN, Handle, Handles
+from ecm_extract.link.handles import Handle, Handles
 from ecm_extract.link.made import units_of
-from ecm_extract.link.match import Matcher, is_callback, name_argument, positions
+from ecm_extract.link.match import Matcher, handle_argument, is_callback, name_argument, positions
 from ecm_extract.link.merging import merged
 from ecm_extract.link.module_kinds import is_managed
 from ecm_extract.link.modules import Module, Modules
@@ -244,10 +244,7 @@ class Linker:
         return make(value, handle, node, ros)
 
     def _handle(self, site: Site) -> Handle:
-        if site.form.node:
-            expr = next(positions(site.form.node, site.call), None)
-            return self.handles.of(expr, site.env)
-        return self.handles.of(site.call.receiver, site.env) if site.call.receiver is not None else OWN
+        return self.handles.of(handle_argument(site.form, site.call), site.env)
 
     def _named(self, site: Site) -> list[tuple[Value, Expr | None]]:
         """Return the names of a site with the expression of each default."""

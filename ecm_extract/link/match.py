@@ -119,6 +119,11 @@ def positions(text: str, call: Invocation) -> Iterator[Expr]:
                 yield texts[int(index)]
 
 
+def handle_argument(form: Form, call: Invocation) -> Expr | None:
+    """Return the node or node handle that a call names its endpoint below; None for that of its own object."""
+    return next(positions(form.node, call), None) if form.node else call.receiver
+
+
 def name_argument(form: Form, call: Invocation) -> Expr | None:
     """Return the argument that holds the ROS name; None when the call cannot have one."""
     found = next(positions(form.name, call), None)
