@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections import defaultdict
-from collections.abc import Callable, Hashable, Mapping, Sequence
+from collections.abc import Callable, Collection, Hashable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Member, Name, Number, Op, Opaque, Text
@@ -23,6 +23,10 @@ from ecm_extract.link.walk import children
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
 
+MAX_WITHIN = 100
+"""Runs that one run leads to, directly or through others."""
+MAX_RECURSION = 2
+"""Runs of a function within runs of itself."""
 _THIS = Name("this")
 MAX_RUNS = 5_000
 """Runs with arguments that are remembered."""
@@ -41,10 +45,18 @@ class Flow:
         self.folder = folder
         sys.setrecursionlimit(max(sys.getrecursionlimit(), MAX_FRAMES))
         self._runs: dict[Hashable, tuple[Env, Run]] = {}
-        self._running: set[Hashable] = set()
+        self._running: dict[Hashable, Func] = {}
+        self._meanwhile: dict[Hashable, tuple[Env, Run]] = {}
+        self._around: dict[Func, Func | None] = {}
+        self._within = 0
         self._outlines: dict[Func, Outline] = {}
         self._changes: dict[tuple[int, str], bool] = {}
         self._inner: dict[int, Mapping[str, list[Func]]] = {}
+
+    @property
+    def running(self) -> Collection[Func]:
+        """The functions that are run right now."""
+        return self._running.values()
 
     def forget(self) -> None:
         """Drop runs, since more is known of parameters now."""
@@ -55,23 +67,40 @@ class Flow:
     def run(self, env: Env) -> Run | None:
         """Return the run of the function at a place; None while it is running: who asks then asks in a circle."""
         key = _key(env)
-        known = self._runs.get(key)
+        known = self._runs.get(key) or self._meanwhile.get(key)
         if known is not None:
             return known[1]
-        if key in self._running or env.depth > MAX_DEPTH or len(self._running) > MAX_RUNNING:
+        if not self._may_run(key, env):
             self.folder.cuts += 1
             return None
-        self._running.add(key)
         if len(self._runs) > MAX_RUNS:
             self._runs = {asked: known for asked, known in self._runs.items() if not known[0].args}
+        cuts = self.folder.cuts
+        run = self._fresh(key, env)
+        whole = cuts == self.folder.cuts or not self._running
+        (self._runs if whole else self._meanwhile)[key] = (env, run)
+        if not self._running:
+            self._meanwhile.clear()
+            self._within = 0
+        return run
+
+    def _fresh(self, key: Hashable, env: Env) -> Run:
+        self._running[key] = env.func
         entry = Env(env.func, 0, env.args, env.types, env.this, env.made, env.depth + 1, State(), env.outer)
         try:
             with self.folder.steps.apart():
-                run = Interpreter(entry, self).result()
+                return Interpreter(entry, self).result()
         finally:
-            self._running.discard(key)
-        self._runs[key] = (env, run)
-        return run
+            del self._running[key]
+
+    def _may_run(self, key: Hashable, env: Env) -> bool:
+        """Whether a run is neither asked for by itself, nor deeper than is followed."""
+        if key in self._running or env.depth > MAX_DEPTH or len(self._running) > MAX_RUNNING:
+            return False
+        self._within += 1
+        if self._within > MAX_WITHIN:
+            return False
+        return sum(func is env.func for func in self._running.values()) < MAX_RECURSION
 
     def states(self, env: Env) -> list[State]:
         """Return the states in which a place is reached; none where nothing is known of it."""
@@ -270,11 +299,11 @@ class Flow:
 
     def enclosing(self, func: Func) -> Func | None:
         """Return the function that one is declared in."""
-        head, _, last = func.fact.scope.rpartition("::")
-        for other in self.folder.program.functions_in(func.file):
-            if other.fact.name == last and other.fact.scope == head and other.fact.body:
-                return other
-        return None
+        if func not in self._around:
+            head, _, last = func.fact.scope.rpartition("::")
+            named = (other for other in self.folder.program.functions_in(func.file) if other.fact.name == last)
+            self._around[func] = next((other for other in named if other.fact.scope == head and other.fact.body), None)
+        return self._around[func]
 
     def object_of(self, func: Func) -> Cls | None:
         """Return the class of the object at hand: that of a method, of a lambda that of the function around it."""
