@@ -43,10 +43,17 @@ class Reach:
         """Tell whether a module can run functions that call each other; a library runs whatever it is asked to."""
         if module.main is None and module.cls is None:
             return True
+        others = [func for func in funcs if not self._begins_with(func, module)]
+        if not others:
+            return True
         run = self._runs.get(module)
         if run is None:
             run = self._runs[module] = self._run(module)
-        return run.any or all(func in run.always for func in funcs)
+        return run.any or all(func in run.always for func in others)
+
+    def _begins_with(self, func: Func, module: Module) -> bool:
+        """Tell whether a function is the module's own: its main function, a method of its class."""
+        return func is module.main or (module.cls is not None and func.cls in self.program.ancestry(module.cls))
 
     def _run(self, module: Module) -> _Run:
         run = _Run()
