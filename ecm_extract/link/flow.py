@@ -201,12 +201,21 @@ class Flow:
         if isinstance(test, Op) and test.op in {"&&", "||"}:
             return self._all_of(test, env, counts)
         python = env.func.file.language == "python"
+        if self._is_exposed(test, env.func):
+            return None
         values = self.folder.fold(test, env)
         found = {truth(data_in(value), python) if counts(value) else None for value in values}
         if found == {None} and python:
             items = self.folder.lists.items(test, env)
             return None if items is None else bool(items)
         return found.pop() if len(found) == 1 else None
+
+    def _is_exposed(self, test: Expr, func: Func) -> bool:
+        """Whether a condition asks for a variable that somebody may write in a way that is not followed."""
+        outline = self.outline(func)
+        if outline.effects.key(test) in outline.exposed:
+            return True
+        return any(self._is_exposed(part, func) for part in children(test))
 
     def _all_of(self, test: Op, env: Env, counts: Callable[[Value], bool]) -> bool | None:
         ends = test.op == "||"
@@ -258,6 +267,15 @@ class Flow:
             if within or grown or kept:
                 return True
         return False
+
+    def is_outside(self, name: str, func: Func) -> bool:
+        """Tell whether a name in a method of C++ means a variable of a namespace."""
+        program = self.folder.program
+        if func.cls is None or name.rpartition("::")[2] not in program.constants:
+            return False
+        if any(name in entry.fields for entry in program.ancestry(func.cls)):
+            return False
+        return self.folder.scope.constant(name, Env(func)) is not None
 
     def is_own(self, call: Call, env: Env) -> bool:
         """Tell whether a call may run a function of the tree."""
