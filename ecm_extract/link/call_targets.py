@@ -82,7 +82,7 @@ class CallTargets:
             return self._method_means(call, func.cls)
         if call.receiver is not None:
             return False
-        return func in self.folder.program.functions_named(call.path, call.func.file, _scope(call.func))
+        return func in self.folder.program.functions_named(call.path, call.func.file, call.func.scope)
 
     def _method_means(self, call: Invocation, cls: Cls) -> bool:
         if call.receiver is None and not call.simple:
@@ -96,7 +96,7 @@ class CallTargets:
         """The class in front of the name of a method, with its bases."""
         program = self.folder.program
         owner = call.path.replace("::", ".").rpartition(".")[0].replace(".", "::")
-        named = program.class_named(owner, call.func.file, _scope(call.func))
+        named = program.class_named(owner, call.func.file, call.func.scope)
         return program.ancestry(named) if named is not None else ()
 
     def _classes(self, call: Invocation) -> Container[Cls]:
@@ -123,12 +123,6 @@ def _own_first(call: Invocation, funcs: list[Func]) -> tuple[Func, ...]:
     """A function that the file defines is meant, and none of that name in another program of the package."""
     own = [func for func in funcs if func.file is call.func.file and "declaration" not in func.fact.traits]
     return tuple(own if call.simple and own and all(func.cls is None for func in own) else funcs)
-
-
-def _scope(func: Func) -> str:
-    """The scope in which the names of a body stand."""
-    outer = func.cls.qualified if func.cls is not None else func.fact.scope
-    return f"{outer}::{func.fact.name}" if outer else func.fact.name
 
 
 def _templates(func: Func) -> set[str]:

@@ -21,6 +21,7 @@ from ecm_extract.link.calls import Invocation
 from ecm_extract.link.env import Bound, Env, bind, invocation_of
 from ecm_extract.link.numbers import NUMBERS, as_number
 from ecm_extract.link.overloads import score
+from ecm_extract.link.placing import CAMERA_INFO, placed
 from ecm_extract.link.spelling import plain
 from ecm_extract.link.units import Func
 from ecm_extract.link.values import (
@@ -128,7 +129,8 @@ class CallFolder:
         if plainly:
             return self._same(call, env.before(env.at))
         if call.last == "getCameraInfoTopic" and call.args:
-            return self._beside(call.args[0], "camera_info", env.before(env.at))
+            images = self.folder.fold(call.args[0], env.before(env.at))
+            return demoted(tuple([placed(value, CAMERA_INFO) for value in images]))
         read = self.folder.reads.read(call)
         if read is not None:
             return self.parameter_value(*read, env.before(env.at))
@@ -284,11 +286,6 @@ class CallFolder:
             all(value.confidence == "pattern" for value in found) and self.folder.objects.callee(call, env) is not None
         )
         return None if owned else found
-
-    def _beside(self, expr: Expr, leaf: str, env: Env) -> tuple[Value, ...]:
-        """Return names in the namespace of other names: image_transport puts `camera_info` beside each image."""
-        texts = [value.text.rpartition("/") for value in self.folder.fold(expr, env) if value.confidence != "pattern"]
-        return tuple([Value((f"{head}{slash}{leaf}",), "folded") for head, slash, _ in texts]) or (unknown(leaf),)
 
     def _topic(self, receiver: Expr, env: Env) -> tuple[Value, ...]:
         """The name that a publisher, subscription, service or client was made with."""

@@ -74,7 +74,7 @@ class Program:
             self._functions_by_file[file].append(func)
             if owner is not None:
                 owner.methods.append(func)
-                if "static" in function.traits and file.language == "cpp":
+                if "static" in function.traits or "classmethod" in function.decorators:
                     owner.statics.add(function.name)
         for constant in file.facts.constants:
             self.constants[constant.name].append((file, constant))

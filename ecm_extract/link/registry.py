@@ -15,6 +15,7 @@ from ecm_extract.link.modules import Registry, registration_kind
 from ecm_extract.link.program import Program
 from ecm_extract.link.spelling import plain
 from ecm_extract.link.units import Cls, File, Func
+from ecm_extract.link.wrapper_scripts import Wrapped, runs_as_main
 from ecm_extract.read.facts import PackageFacts
 
 _TEMPLATE = re.compile(r"<([\w:\s]+)>")
@@ -35,6 +36,12 @@ def build_registry(program: Program, packages: Iterable[PackageFacts]) -> Regist
         _targets(package, {file.path for file in files}, registry)
         _programs(package, files, program, registry)
     return registry
+
+
+def plugins_of(program: Program, registry: Registry) -> list[Cls]:
+    """Return the classes that a loader makes by the name of a configuration, and that are no nodes."""
+    classes = (cls for group in program.classes.values() for cls in group)
+    return [cls for cls in classes if registry.classes.get(id(cls)) == "plugin"]
 
 
 def _macros(file: File, program: Program, registry: Registry) -> None:
@@ -125,10 +132,19 @@ def _sources(target: Target, cmake: str, listed: set[str]) -> list[str]:
 def _programs(package: PackageFacts, files: list[File], program: Program, registry: Registry) -> None:
     names = _executables(package, {file.path for file in files})
     entries = _entry_points(package, files, program)
+    started = Wrapped(program)
     for file in files:
         for func in _mains(file, program, entries) if file.is_built else ():
-            stem = PurePosixPath(file.path).stem
-            registry.programs[id(func)] = names.get(file.path) or entries.get((file, func.fact.name)) or stem
+            if (file, func.fact.name) in entries or not started.by_script(func):
+                registry.programs[id(func)] = names.get(file.path) or _program_name(func, entries)
+
+
+def _program_name(func: Func, entries: Mapping[tuple[File, str], str]) -> str:
+    """The console script that runs a function, or the file that holds it; a file with one console script is that."""
+    stem = PurePosixPath(func.file.path).stem
+    own = {name for (file, _), name in entries.items() if file is func.file}
+    only = next(iter(own)) if len(own) == 1 and func.fact.name == "<module>" else stem
+    return entries.get((func.file, func.fact.name)) or only
 
 
 def _executables(package: PackageFacts, listed: set[str]) -> dict[str, str]:
@@ -172,9 +188,5 @@ def _mains(file: File, program: Program, entries: _Entries) -> list[Func]:
     found = [func for func in own if func.fact.name in wanted and func.cls is None]
     if file.language == "python":
         body = [func for func in own if func.fact.name == "<module>"]
-        found += [func for func in body if file.facts.shebang or found or _runs_as_main(func)]
+        found += [func for func in body if file.facts.shebang or found or runs_as_main(func)]
     return found
-
-
-def _runs_as_main(func: Func) -> bool:
-    return any(statement.kind == "do" and statement.depth > 0 for statement in func.fact.body)

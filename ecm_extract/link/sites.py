@@ -7,7 +7,7 @@ for a class that passes a constructor argument or template argument on: each pla
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from ecm_parsers.source.expr import Expr, Name
@@ -20,6 +20,7 @@ from ecm_extract.link.env import Env, Instance, bind
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.match import Matcher, name_argument, positions
 from ecm_extract.link.openness import MAX_CHAIN, Openness
+from ecm_extract.link.option_structs import spread
 from ecm_extract.link.parameters import Parameters
 from ecm_extract.link.program import Program
 from ecm_extract.link.site import Site
@@ -37,9 +38,16 @@ class Sites:
     """Finds all sites of a program."""
 
     def __init__(
-        self, program: Program, matcher: Matcher, types: Types, parameters: Parameters, also: Iterable[str] = ()
+        self,
+        program: Program,
+        matcher: Matcher,
+        types: Types,
+        parameters: Parameters,
+        also: Iterable[str] = (),
+        plugins: Collection[Cls] = (),
     ) -> None:
         self.program = program
+        self.plugins = frozenset(plugins)
         self.matcher = matcher
         self.types = types
         self.folder: Folder = matcher.folder
@@ -48,7 +56,7 @@ class Sites:
         self._remembered: set[int] = set()
         self._names: dict[int, tuple[Site, tuple[Value, ...]]] = {}
         self.openness = Openness(self.folder, types, program.derived)
-        self._aliases = program.aliases.meaning({*program.classes, *matcher.forms})
+        self._aliases = program.aliases.meaning(program.classes, matcher.forms)
         wanted = {*matcher.forms, *program.functions, *program.classes, *_ALSO, *also}
         self.calls = call_index(program, wanted, self._aliases)
         self._calls_of = CallTargets(self.folder, self.calls, self._place)
@@ -59,18 +67,17 @@ class Sites:
         found: list[Site] = []
         for last in self.matcher.forms:
             for call in self.calls.get(last, ()):
-                site = self._direct(call, parameters)
-                if site is not None:
+                for site in self._direct(call, parameters):
                     found.extend(self._closed(site))
         return found
 
-    def _direct(self, call: Invocation, parameters: bool) -> Site | None:
+    def _direct(self, call: Invocation, parameters: bool) -> Iterator[Site]:
         func = call.func
         env = self.root_env(func, self.position(call))
-        form = self.matcher.form(call, env)
-        if form is None or (form.role == "parameter") is not parameters:
-            return None
-        return Site(form, call, env, (), func.holder, func)
+        call = spread(call)
+        for form in self.matcher.fitting(call, env):
+            if (form.role == "parameter") is parameters:
+                yield Site(form, call, env, (), func.holder, func)
 
     def root_env(self, func: Func, at: int) -> Env:
         """Return the place of a statement of a function about whose callers nothing is assumed."""
@@ -88,6 +95,10 @@ class Sites:
             known = {id(statement): at for at, statement in enumerate(call.func.fact.body)}
             self._positions[id(call.func)] = known
         return known.get(id(call.statement), len(known))
+
+    def is_held(self, call: Invocation) -> bool:
+        """Tell whether a call makes a member of a class, where the class says it has one, and not in a body."""
+        return call.made and self.position(call) == len(call.func.fact.body)
 
     # --- wrappers --------------------------------------------------------------------------------------
 
@@ -127,13 +138,13 @@ class Sites:
                 self._remember_wrapper(site)
             callers = list(self._callers(site))
             yield from callers
-            if callers or (params & given and not overrides(site.root)):
+            if callers or (params & given and not overrides(site.root) and not self._is_loaded(site.root)):
                 return
         if made and site.owner is not None:
             yield from self._makers(site, site.owner)
 
     def names(self, site: Site) -> tuple[Value, ...]:
-        """Return the possible names of a site, folded once."""
+        """Return the possible names that a site is given, folded once."""
         known = self._names.get(id(site))
         if known is None:
             name = name_argument(site.form, site.call)
@@ -163,7 +174,21 @@ class Sites:
             if id(call) in passed:
                 continue
             for outer, certain in self._places(self.root_env(call.func, self.position(call))):
-                yield self._through(replace(site, certain=site.certain and certain), call, outer)
+                wider = self._through(replace(site, certain=site.certain and certain), call, outer)
+                if not self._names_an_instance(wider, root):
+                    yield wider
+
+    def _is_loaded(self, func: Func) -> bool:
+        """Tell whether a method runs on plugins, its class or one that derives from it being one."""
+        cls = func.cls
+        return cls is not None and any(each in self.plugins for each in (cls, *self.program.derived(cls)))
+
+    def _names_an_instance(self, site: Site, func: Func) -> bool:
+        """Tell whether the host of a plugin gives its method a name that only the configuration knows."""
+        own = site.root.cls is not None and func.cls in self.program.ancestry(site.root.cls)
+        if own or not self._is_loaded(func):
+            return False
+        return any(value.confidence == "pattern" and not value.open("param") for value in self.names(site))
 
     def callers(self, func: Func) -> Sequence[Invocation]:
         """Return the calls of a function by others."""

@@ -103,8 +103,14 @@ class Func:
 
     @property
     def holder(self) -> Cls | None:
-        """The class whose objects have what it declares; None for functions and for static methods of C++."""
+        """The class whose objects have what it declares; None for functions and for methods that need no object."""
         return None if self.cls is None or self.fact.name in self.cls.statics else self.cls
+
+    @property
+    def scope(self) -> str:
+        """The scope in which the names of its body stand."""
+        outer = self.cls.qualified if self.cls is not None else self.fact.scope
+        return f"{outer}::{self.fact.name}" if outer else self.fact.name
 
     @property
     def is_constructor(self) -> bool:
@@ -114,7 +120,7 @@ class Func:
 
 @dataclass(slots=True, eq=False, repr=False)
 class Cls:
-    """A class with its file and all definitions of its methods, wherever they stand; `statics`: names, of C++."""
+    """A class with its file and all definitions of its methods; `statics` are names of those that need no object."""
 
     fact: Class
     file: File

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Container, Iterable, Mapping, Sequence
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from ecm_parsers.source.facts import Alias
@@ -33,16 +33,30 @@ class Aliases:
                 entry = Declared(file, alias)
                 found[f"{entry.scope}::{alias.name}" if entry.scope else alias.name].append(entry)
         self.by_name: Mapping[str, Sequence[Declared]] = found
-        self.last_names = frozenset(entry.alias.name for entries in found.values() for entry in entries)
+        self._by_last_name: dict[str, list[Declared]] = defaultdict(list)
+        for entry in self._all():
+            self._by_last_name[entry.alias.name].append(entry)
+        self.last_names = frozenset(self._by_last_name)
 
-    def meaning(self, classes: Container[str]) -> frozenset[str]:
-        """Return the names of aliases that may stand for one of some classes."""
+    def called(self, name: str) -> Sequence[Declared]:
+        """Return the aliases whose last name this is, in any scope."""
+        return self._by_last_name.get(name, ())
+
+    def meaning(self, classes: Container[str], beside: Container[str] = ()) -> frozenset[str]:
+        """Return the names of aliases that may stand for some classes; one may be called like those `beside`."""
         return frozenset(
             entry.alias.name
-            for entries in self.by_name.values()
-            for entry in entries
-            if entry.alias.name not in classes and _last_of(entry.alias.target) in classes
+            for entry in self._all()
+            if entry.alias.name not in classes and _means(entry.alias, classes, beside)
         )
+
+    def _all(self) -> Iterator[Declared]:
+        return (entry for entries in self.by_name.values() for entry in entries)
+
+
+def _means(alias: Alias, classes: Container[str], beside: Container[str]) -> bool:
+    last = _last_of(alias.target)
+    return last in classes or (last in beside and last != alias.name)
 
 
 def _last_of(target: str) -> str:

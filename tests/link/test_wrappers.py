@@ -52,7 +52,7 @@ class Channel { public:
   Channel(rclcpp::Node * node, const std::string & topic) : node_(node), topic_(topic) {}
   void open() { pub_ = node_->create_publisher<std_msgs::msg::String>(topic_, 1); }
   rclcpp::Node * node_; std::string topic_; };
-class D : public rclcpp::Node { D() : Node("d"), fixed_(this, "fixed") { made_ = std::make_unique<Channel>(this, "made"); }
+class D : public rclcpp::Node { D() : Node("d"), fixed_(this, "fixed") { made_ = std::make_unique<Channel>(this, "made"); fixed_.open(); made_->open(); }
   Channel fixed_; std::unique_ptr<Channel> made_; };"""
     modules = workspace.package({"src/d.cpp": text}).modules()
     assert {entry.name for entry in modules["ecm.pkg.d"].signature.interfaces} == {"/fixed", "/made"}
