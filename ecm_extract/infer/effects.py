@@ -52,6 +52,9 @@ class Targets(Protocol):
     def changes(self, func: Func, name: str) -> bool:
         """Tell whether a function may change what its parameter consists of."""
 
+    def is_outside(self, name: str, func: Func) -> bool:
+        """Tell whether a name in a method of C++ means a variable of a namespace."""
+
 
 @cache
 def calls_of(language: str) -> Calls:
@@ -77,14 +80,24 @@ class Effects:
         self.member = func.cls is not None and not self.python
         self.calls = calls_of(func.file.language)
         self._known: dict[int, tuple[Effect, ...]] = {}
+        self._members: dict[str, bool] = {}
 
     def key(self, expr: Expr | None) -> str:
         """Return the key of the variable that an expression is, empty for none."""
-        return key_of(expr, self.own, self.member)
+        return key_of(expr, self.own, self.is_member)
 
     def root(self, expr: Expr | None) -> str:
         """Return the key of the variable that an expression reaches into, empty for none."""
-        return root_of(expr, self.own, self.member)
+        return root_of(expr, self.own, self.is_member)
+
+    def is_member(self, name: str) -> bool:
+        """Tell whether a name that the function does not declare is a member of its object."""
+        if not self.member:
+            return False
+        known = self._members.get(name)
+        if known is None:
+            known = self._members[name] = not self.targets.is_outside(name, self.func)
+        return known
 
     def of(self, at: int) -> tuple[Effect, ...]:
         """Return what the calls of a statement change, inner calls first."""

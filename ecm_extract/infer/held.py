@@ -51,6 +51,11 @@ class Held:
     settled: dict[str, object] = field(default_factory=dict)
 
     @property
+    def is_likely(self) -> bool:
+        """Whether it is made so as long as nobody sets a parameter, or whether nothing tells that."""
+        return self.env is None or self.env.state is None or self.env.state.likely
+
+    @property
     def length(self) -> int:
         """How many changes lead to it, along the first way."""
         count, held = 0, self
@@ -103,24 +108,28 @@ class State:
         path: the undecided branches on the way, one number each.
         live: whether the way is one that a run can take; the others tell what code that is never reached would do.
         called: whether functions of the tree were called on it, which may have given members anything they give them.
+        likely: whether it comes about as long as nobody sets a parameter, or whether nothing tells that.
     """
 
     holds: Layers = field(default_factory=Layers)
     path: tuple[int, ...] = ()
     live: bool = True
     called: bool = False
+    likely: bool = True
 
     def having(self, changes: Mapping[str, tuple[Held, ...]]) -> State:
         """The same state with other things in some variables."""
-        return State(self.holds.having(changes), self.path, self.live, self.called) if changes else self
+        if not changes:
+            return self
+        return State(self.holds.having(changes), self.path, self.live, self.called, self.likely)
 
-    def on(self, branch: int) -> State:
+    def on(self, branch: int, likely: bool = True) -> State:
         """The same state beyond a branch that nobody can decide."""
-        return State(self.holds, (*self.path, branch), self.live, self.called)
+        return State(self.holds, (*self.path, branch), self.live, self.called, self.likely and likely)
 
     def along(self, path: tuple[int, ...]) -> State:
         """The same state on another path."""
-        return State(self.holds, path, self.live, self.called)
+        return State(self.holds, path, self.live, self.called, self.likely)
 
 
 def joined_states(states: Iterable[State | None]) -> State | None:
@@ -135,9 +144,10 @@ def joined_states(states: Iterable[State | None]) -> State | None:
 
 
 def _joined(one: State, other: State) -> State:
+    path = _common(one.path, other.path)
+    live, called, likely = one.live or other.live, one.called or other.called, one.likely or other.likely
     if one.holds is other.holds:
-        path = _common(one.path, other.path)
-        return State(one.holds, path, one.live or other.live, one.called or other.called)
+        return State(one.holds, path, live, called, likely)
     met: dict[tuple[int, int], tuple[Held, ...]] = {}
     holds: dict[str, tuple[Held, ...]] = {}
     for name in dict.fromkeys((*one.holds, *other.holds)):
@@ -149,8 +159,7 @@ def _joined(one: State, other: State) -> State:
         if key not in met:
             met[key] = _ways(name, left, right)
         holds[name] = met[key]
-    path = _common(one.path, other.path)
-    return State(Layers(holds), path, one.live or other.live, one.called or other.called)
+    return State(Layers(holds), path, live, called, likely)
 
 
 def _given(name: str, state: State) -> Held:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Protocol
 
 from ecm_parsers.source.expr import Call, Comprehension, Constant, Expr, Items, Member, Name, Number, Op, Opaque, Text
@@ -178,7 +178,7 @@ class Interpreter:
         keep = (self._breaks, self._continues, self._raised, self._left, self.run.returns)
         self._breaks, self._continues, self._raised, self._left, self.run.returns = [[]], [[]], [], [], []
         self._blurred += 1
-        self._block(block, State(state.holds, state.path, False))
+        self._block(block, replace(state, live=False))
         self._blurred -= 1
         self._breaks, self._continues, self._raised, self._left, self.run.returns = keep
 
@@ -194,10 +194,10 @@ class Interpreter:
             self._shadow(step.other if holds else step.then, state)
             return self._block(step.then if holds else step.other, state)
         number = self._new()
-        then = self._block(step.then, state.on(number))
-        other = self._block(step.other, state.on(-number))
-        by_default = self.judge.likely(step.test, self._env(state)) is not False
-        return joined_states([then, other] if by_default else [other, then])
+        likely = self.judge.likely(step.test, self._env(state))
+        then = self._block(step.then, state.on(number, likely is not False))
+        other = self._block(step.other, state.on(-number, likely is not True))
+        return joined_states([other, then] if likely is False else [then, other])
 
     def _switch(self, step: Switch, state: State) -> State | None:
         return self._falling(step, state) if step.falls else self._chosen(step, state)
@@ -394,7 +394,7 @@ class Interpreter:
 
     def _lost(self, state: State, keys: Iterable[str]) -> State:
         """The state in which nobody knows what some variables hold; what they were made as is kept."""
-        lost = {key: (Held("lost", key, before=state.holds.get(key, ())),) for key in keys}
+        lost = {key: (Held("lost", key, before=state.holds.get(key, ())),) for key in keys if key}
         for key in tuple(lost):
             for part in state.holds:
                 if part.startswith(f"{key}."):
@@ -483,7 +483,7 @@ class Interpreter:
         if not found:  # a condition of a comprehension: what its loops bind is not known yet
             for loop in self._pending:
                 states = [self._element(self.body[loop], loop, entry) for entry in states]
-        return states or [State(state.holds, state.path, False)]
+        return states or [replace(state, live=False)]
 
     def _elements(self, entry: Comprehension, state: State) -> list[State]:
         states = [state]
@@ -514,7 +514,18 @@ class Interpreter:
             return self._refer(target, value, at, env, state)
         if isinstance(value, Opaque):
             return self._bind(target, Held("lost", "", None, env, at), state)
+        state = self._placed(value, state)
         return self._bind(target, Held("value", "", value, env, at), state)
+
+    def _placed(self, value: Expr | None, state: State) -> State:
+        """A text of C++ that has no value yet, in the braces of an object: whoever makes that may write it."""
+        if self.python or not isinstance(value, Items):
+            return state
+        keys = {self.effects.key(expr) for expr in bare_names(value)}
+        empty = {
+            key for key in keys if all(held.how == "made" for held in state.holds.get(key, ())) and key in state.holds
+        }
+        return self._lost(state, empty)
 
     def _shared_change(self, statement: Statement, state: State) -> State:
         """`b += [x]` in Python changes a list for all who have it, and makes a new text."""
@@ -628,7 +639,7 @@ class Interpreter:
         own = [call for call in calls if self.judge.is_own(call, env)]
         if waits or any(self.judge.reaches_object(call, env) for call in own):
             state = self._given_again([key for key in state.holds if key.startswith(".")], state)
-            state = State(state.holds, state.path, state.live, True)
+            state = replace(state, called=True)
         if waits or own:
             outside = [key for key in state.holds if self._is_open(key) and not key.startswith(".")]
             state = self._given_again(outside, state)

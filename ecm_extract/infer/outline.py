@@ -7,11 +7,12 @@ from collections.abc import Iterator, Mapping, Sequence, Set
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Expr, Items, Name, Text
+from ecm_parsers.source.expr import Call, Expr, Items, Name, Op, Text
 from ecm_parsers.source.flow import Block, Later, Leave, Step, blocks
 
 from ecm_extract.infer.effects import Effect, Effects, Targets
 from ecm_extract.infer.places import own_names
+from ecm_extract.link.walk import children
 
 if TYPE_CHECKING:
     from ecm_extract.link.units import Func
@@ -52,6 +53,17 @@ class Outline:
     def escaped(self) -> Set[str]:
         """The variables that functions which are declared within it change: any time from then on."""
         return frozenset(key for func in self.inner for key in self._changed_inside(func))
+
+    @cached_property
+    def exposed(self) -> Set[str]:
+        """The variables of C++ that are given away, by address or to somebody unknown, and so decide no branch."""
+        if self.python:
+            return frozenset()
+        found = {effect.key for at in range(len(self.func.fact.body)) for effect in self.effects.of(at)}
+        for statement in self.func.fact.body:
+            for start in (statement.target, statement.value):
+                found |= {self.effects.key(name) for name in _given_away(start)}
+        return frozenset((found | self.escaped) & self.effects.own)
 
     @cached_property
     def certain(self) -> Set[int]:
@@ -99,7 +111,8 @@ class Outline:
             keys += [effect.key for effect in inner.of(at) if not self._is_text(effect)]
             for key in keys:
                 if key.split(".")[0] not in own:
-                    yield key if key in self.effects.own or not self.effects.member or "." in key else f".{key}"
+                    own_or_dotted = key in self.effects.own or "." in key
+                    yield key if own_or_dotted or not self.effects.is_member(key) else f".{key}"
 
     def _is_text(self, effect: Effect) -> bool:
         """Whether somebody only gets a variable that is declared as a literal text, which nobody can change."""
@@ -107,3 +120,25 @@ class Outline:
         lets = [entry for entry in body if entry.kind == "let" and entry.target == Name(effect.key)]
         fixed = all(isinstance(entry.value, Text) and ("*" in entry.type or entry.type == "auto") for entry in lets)
         return effect.kind == "handed" and bool(lets) and fixed
+
+
+def _given_away(expr: Expr | None) -> Iterator[Expr]:
+    """Yield the names in braces, the names whose address is taken, and the arguments of what makes an object."""
+    if expr is None:
+        return
+    if isinstance(expr, Items):
+        yield from (item for item in expr.items if isinstance(item, Name))
+    elif isinstance(expr, Op) and expr.op == "&" and len(expr.operands) == 1:
+        yield expr.operands[0]
+    elif isinstance(expr, Call) and isinstance(expr.callee, Name) and _makes_or_ties(expr.callee.id):
+        yield from (arg for arg in expr.args if isinstance(arg, Name))
+    prints = isinstance(expr, Op) and expr.op == "%"  # what a format is filled with stands in a list of its own
+    for part in children(expr):
+        for inner in children(part) if prints and isinstance(part, Items) else (part,):
+            yield from _given_away(inner)
+
+
+def _makes_or_ties(name: str) -> bool:
+    """Whether a call makes an object, by the way that classes are written, or refers to what it gets."""
+    last = name.rpartition("::")[2]
+    return last[:1].isupper() or last in {"tie", "ref"}

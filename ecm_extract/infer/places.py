@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Set
+from collections.abc import Callable, Iterator, Set
 
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op
 from ecm_parsers.source.facts import Function
@@ -27,16 +27,16 @@ def _bound(target: Expr | None) -> Iterator[str]:
             yield from _bound(item)
 
 
-def key_of(expr: Expr | None, own: Set[str], member: bool) -> str:
+def key_of(expr: Expr | None, own: Set[str], member: Callable[[str], bool]) -> str:
     """Return the key of a variable, empty for what is none.
 
     Args:
         expr: the expression.
         own: names of the function itself.
-        member: a name that is not the function's own is a member of `this`.
+        member: tells whether a name that is not the function's own is a member of `this`.
     """
     if isinstance(expr, Name):
-        if expr.id in own or "::" in expr.id or expr.id.startswith("#") or not member:
+        if expr.id in own or "::" in expr.id or expr.id.startswith("#") or not member(expr.id):
             return expr.id if expr != _THIS else ""
         return "" if expr == _THIS else f".{expr.id}"
     if isinstance(expr, Member):
@@ -49,7 +49,7 @@ def key_of(expr: Expr | None, own: Set[str], member: bool) -> str:
     return ""
 
 
-def root_of(expr: Expr | None, own: Set[str], member: bool) -> str:
+def root_of(expr: Expr | None, own: Set[str], member: Callable[[str], bool]) -> str:
     """Return the key of the variable that an expression reaches into: `table` of `table["a"].back()`."""
     while expr is not None:
         key = key_of(expr, own, member)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections import defaultdict
-from collections.abc import Callable, Hashable, Mapping, Sequence
+from collections.abc import Callable, Collection, Hashable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Member, Name, Number, Op, Opaque, Text
@@ -52,6 +52,11 @@ class Flow:
         self._outlines: dict[Func, Outline] = {}
         self._changes: dict[tuple[int, str], bool] = {}
         self._inner: dict[int, Mapping[str, list[Func]]] = {}
+
+    @property
+    def running(self) -> Collection[Func]:
+        """The functions that are run right now."""
+        return self._running.values()
 
     def forget(self) -> None:
         """Drop runs, since more is known of parameters now."""
@@ -196,12 +201,21 @@ class Flow:
         if isinstance(test, Op) and test.op in {"&&", "||"}:
             return self._all_of(test, env, counts)
         python = env.func.file.language == "python"
+        if self._is_exposed(test, env.func):
+            return None
         values = self.folder.fold(test, env)
         found = {truth(data_in(value), python) if counts(value) else None for value in values}
         if found == {None} and python:
             items = self.folder.lists.items(test, env)
             return None if items is None else bool(items)
         return found.pop() if len(found) == 1 else None
+
+    def _is_exposed(self, test: Expr, func: Func) -> bool:
+        """Whether a condition asks for a variable that somebody may write in a way that is not followed."""
+        outline = self.outline(func)
+        if outline.effects.key(test) in outline.exposed:
+            return True
+        return any(self._is_exposed(part, func) for part in children(test))
 
     def _all_of(self, test: Op, env: Env, counts: Callable[[Value], bool]) -> bool | None:
         ends = test.op == "||"
@@ -253,6 +267,15 @@ class Flow:
             if within or grown or kept:
                 return True
         return False
+
+    def is_outside(self, name: str, func: Func) -> bool:
+        """Tell whether a name in a method of C++ means a variable of a namespace."""
+        program = self.folder.program
+        if func.cls is None or name.rpartition("::")[2] not in program.constants:
+            return False
+        if any(name in entry.fields for entry in program.ancestry(func.cls)):
+            return False
+        return self.folder.scope.constant(name, Env(func)) is not None
 
     def is_own(self, call: Call, env: Env) -> bool:
         """Tell whether a call may run a function of the tree."""

@@ -166,7 +166,7 @@ class CallFolder:
     def _same(self, call: Invocation, env: Env) -> tuple[Value, ...]:
         """Conversions: a text of what is passed, or a number."""
         if not call.args:
-            return (literal(""),) if call.path not in NUMBERS else (constant(0),)
+            return (literal(""),) if call.path not in NUMBERS else (constant(as_number(0, call.path)),)
         if len(call.args) > 1:
             return self._repeated(call, env) if call.last == "string" else (unknown(call.last),)
         values = self.folder.fold(call.args[0], env)

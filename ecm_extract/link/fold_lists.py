@@ -631,6 +631,13 @@ class ListFolder:
         outside = self.folder.objects.file_scope.definitions(name, env)
         return [(entry, Env(entry.func, entry.at, this=entry.func.cls, depth=env.depth + 1)) for entry in outside]
 
+    def reaching(self, expr: Name | Member, env: Env) -> list[tuple[Definition, Env]]:
+        """Return the assignments of which one gave a variable what it holds at a place; of a member the first known."""
+        local = self.folder.scope.reaching(expr, env) if isinstance(expr, Name) else []
+        if local:
+            return [(definition, env.before(definition.at)) for definition in local]
+        return self.definitions(expr, env)[:1]
+
     def _member_definitions(self, name: str, cls: Cls | None, env: Env) -> list[tuple[Definition, Env]]:
         found: list[tuple[Definition, Env]] = []
         if cls is None:

@@ -118,12 +118,24 @@ class MemberFolder:
         known = self._known.get(asked)
         if known is not None:
             return known
+        if self._is_being_run(name, cls):
+            self.folder.cycles += 1
+            return (unknown(name),)
         marks = self.folder.marks
         place = Env(env.func, env.at, this=env.this, made=env.made)  # at no depth: the answer is for everybody
         values = self.folder.guarded(asked, name, lambda: self._member_value(name, cls, place), circular(name))
         if marks == self.folder.marks or not self.folder.is_asking:
             self._known[asked] = values
         return values
+
+    def _is_being_run(self, name: str, cls: Cls) -> bool:
+        """Whether a method that may change a member is run right now: what it leaves is not known before it ends."""
+        running = self.folder.flow.running
+        return bool(running) and any(
+            method in running
+            for entry in self.folder.program.ancestry(cls)
+            for method in self.folder.scope.changing(name, entry)
+        )
 
     def _member_value(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
         values: list[Value] = []

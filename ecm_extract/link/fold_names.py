@@ -84,6 +84,8 @@ class NameFolder:
         cls = env.this or env.func.cls
         if cls is None or env.func.file.language != "cpp" or "::" in name:
             return ()
+        if self.folder.flow.is_outside(name, env.func):
+            return ()
         return self.folder.members.member_value(name, cls, env)
 
     def _parameter(self, name: str, env: Env) -> tuple[Value, ...]:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Callable, Iterator, Sequence
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
+from ecm_parsers.source import expr as expressions
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Op, Text
 from ecm_parsers.source.facts import Constant, Statement
 
@@ -14,6 +15,8 @@ from ecm_extract.link.env import Env
 from ecm_extract.link.program import Program
 from ecm_extract.link.spelling import plain
 from ecm_extract.link.units import Cls, File, Func
+
+_FLAGS: Final = {"store_true": "false", "store_false": "true"}
 
 
 class Definition(NamedTuple):
@@ -72,6 +75,22 @@ class Scope:
                 continue
             if held.how in {"value", "each"} and body[held.at].value is not None:
                 found.setdefault(held.at, Definition(env.func, held.at))
+        return list(found.values())
+
+    def reaching(self, expr: Expr, env: Env) -> list[Definition]:
+        """Return the assignments of which one gave a variable what it holds as long as nobody sets a parameter."""
+        helds = list(dict.fromkeys(held for helds in self.ways(expr, env) for held in helds))
+        pending = [held for held in helds if held.is_likely] or helds
+        found: dict[int, Definition] = {}
+        seen: set[Held] = set()
+        while pending:
+            held = pending.pop(0)
+            seen.add(held)
+            given = held.how in {"value", "each"} and held.env is not None and held.env.func is env.func
+            if given and env.func.fact.body[held.at].value is not None:
+                found.setdefault(held.at, Definition(env.func, held.at))
+            else:
+                pending += [before for before in held.before if before not in seen]
         return list(found.values())
 
     def is_certain(self, name: str, env: Env) -> bool:
@@ -221,10 +240,17 @@ def _options(func: Func) -> Iterator[tuple[str, Expr]]:
     for calls in func.calls:
         for call in calls:
             if isinstance(call.callee, Member) and call.callee.name == "add_argument":
-                keywords = dict(call.keywords)
+                keywords = _with_flag(dict(call.keywords))
                 dest = keywords.get("dest") or next((arg for arg in call.args if _is_long(arg)), None)
                 if isinstance(dest, Text) and "default" in keywords:
                     yield dest.value.lstrip("-").replace("-", "_"), keywords["default"]
+
+
+def _with_flag(keywords: dict[str, Expr]) -> dict[str, Expr]:
+    """`action="store_true"` is false unless it is given."""
+    action = keywords.get("action")
+    flag = _FLAGS.get(action.value) if isinstance(action, Text) else None
+    return keywords if flag is None else {"default": expressions.Constant(flag), **keywords}
 
 
 def _is_long(arg: Expr) -> bool:

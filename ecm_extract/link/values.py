@@ -115,7 +115,7 @@ def alternatives(values: Iterable[Value]) -> tuple[Value, ...]:
     """
     listed = unique(values)
     fixed = tuple([value for value in listed if not is_setting(value)])
-    if len(fixed) < len(listed) and any(value.confidence != "pattern" for value in fixed):
+    if len(fixed) < len(listed) and any(value.text and is_known(value) for value in fixed):
         listed = lowered(fixed, "default")
     return listed if len(listed) <= 1 else lowered(listed, "one_of")
 
