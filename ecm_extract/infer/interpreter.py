@@ -390,6 +390,8 @@ class Interpreter:
 
     def _changed_by(self, at: int) -> set[str]:
         found = self.outline.changed_by(at)
+        if self.body[at].kind == "each":  # a loop binds its variable, and changes nothing of what it is over
+            return found
         return found | {self._derived[key] for key in found if key in self._derived}
 
     def _lost(self, state: State, keys: Iterable[str]) -> State:
@@ -552,7 +554,8 @@ class Interpreter:
     def _derive(self, each: Statement) -> None:
         """An element of a loop is a part of what the loop is over."""
         root = self.effects.root(each.value)
-        if root and (self.python or each.type.endswith("&")):
+        writes = each.type.endswith("&") and "const" not in each.type.split()
+        if root and (self.python or writes):
             for key in self.outline.bound_keys(each.target):
                 self._derived[key] = root
 

@@ -165,7 +165,9 @@ class MemberFolder:
         default = next((field.default for field in fields if field.default is not None), None)
         if default is None:
             return ()
-        return demoted(self.folder.fold(default, Env(env.func, depth=env.depth + 1, this=cls)))
+        values = demoted(self.folder.fold(default, Env(env.func, depth=env.depth + 1, this=cls)))
+        assigned = cls.file.language == "python" and self.folder.scope.is_assigned_outside(name)
+        return alternatives((*values, unknown(name))) if assigned else values
 
     def sources(self, name: str, cls: Cls, env: Env) -> list[tuple[Held, Env]]:
         """Return what the methods of a class and its bases leave a member with, or show it with to other functions.

@@ -46,6 +46,7 @@ class Scope:
         self._members: dict[int, dict[str, list[Definition]]] = {}
         self._changing: dict[int, dict[str, list[Func]]] = {}
         self._fields: dict[int, dict[str, list[int]]] = {}
+        self._outside: frozenset[str] | None = None
         self._class_fields: dict[int, dict[str, list[Definition]]] = {}
 
     def locals_of(self, func: Func) -> dict[str, list[int]]:
@@ -164,6 +165,15 @@ class Scope:
                 if isinstance(target, Member) and target.base != Name("this") and statement.kind == "set":
                     known[target.name].append(at)
         return known
+
+    def is_assigned_outside(self, name: str) -> bool:
+        """Tell whether a Python function assigns an attribute of that name of something else than its own object."""
+        if self._outside is None:
+            written = (func for group in self.program.functions.values() for func in group)
+            self._outside = frozenset(
+                field for func in written if func.file.language == "python" for field in self.fields(func)
+            )
+        return name in self._outside
 
     def class_fields(self, cls: Cls) -> dict[str, list[Definition]]:
         """Return field -> the assignments of it on other objects in all methods of a class."""
