@@ -26,9 +26,12 @@ NEAR = 0.86
 
 def check(workspace: Workspace) -> Iterator[Finding]:
     """Report unread parameters with a near one that is read; without one the tool may not see who reads it."""
-    found = (each for system in workspace.systems for each in filled(system.nodes))
-    lost = (_of(each, workspace) for each in found if each.match.state == "dangling")
-    yield from {finding.fingerprint: finding for finding in lost if finding is not None}.values()
+    found: dict[str, Finding] = {}
+    for each in (each for system in workspace.systems for each in filled(system.nodes)):
+        finding = _of(each, workspace) if each.match.state == "dangling" else None
+        if finding is not None:
+            found.setdefault(finding.fingerprint, finding)
+    yield from found.values()
 
 
 def _of(found: Filled, workspace: Workspace) -> Finding | None:

@@ -32,8 +32,11 @@ _JOINING = frozenset({"hears", "asks", "orders"})
 
 def check(workspace: Workspace) -> Iterator[Finding]:
     """Report users of names of the same type that differ in their last part only a little."""
-    found = (each for system in workspace.systems for each in _of_system(Connections(system), workspace))
-    yield from {finding.fingerprint: finding for finding in found}.values()
+    found: dict[str, Finding] = {}
+    for system in workspace.systems:
+        for finding in _of_system(Connections(system), workspace):
+            found.setdefault(finding.fingerprint, finding)
+    yield from found.values()
 
 
 def _of_system(joined: Connections, workspace: Workspace) -> Iterator[Finding]:
