@@ -68,7 +68,8 @@ class Flow:
         """Return the run of the function at a place; None while it is running: who asks then asks in a circle.
 
         Args:
-            env: the place. whole: whether its conditions are decided and its loops unrolled.
+            env: the place.
+            whole: whether its conditions are decided and its loops unrolled.
         """
         key = (_key(env), whole)
         known = self._runs.get(key) or self._meanwhile.get(key)
