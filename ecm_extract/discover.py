@@ -77,12 +77,16 @@ def is_test_package(root: str) -> bool:
 
 def is_test_path(path: str, root: str = "") -> bool:
     """Whether a file is test code, by the path of its package `root` and its own path below it."""
-    if is_test_package(root):
-        return True
+    name = path.lower().rpartition("/")[2]
+    named = name in TEST_FILES or name.endswith(TEST_EXTENSIONS) or _is_test_source(name)
+    return named or is_in_test_folder(path, root)
+
+
+def is_in_test_folder(path: str, root: str = "") -> bool:
+    """Whether a file lies where tests do, whatever it is called itself."""
     inside = path.removeprefix(f"{root}/") if root else path
-    *folders, name = inside.lower().split("/")
-    in_test_folder = not TEST_FOLDERS.isdisjoint(folders)
-    return in_test_folder or name in TEST_FILES or name.endswith(TEST_EXTENSIONS) or _is_test_source(name)
+    folders = inside.lower().split("/")[:-1]
+    return is_test_package(root) or not TEST_FOLDERS.isdisjoint(folders)
 
 
 def _is_test_source(name: str) -> bool:

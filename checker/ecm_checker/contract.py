@@ -10,7 +10,7 @@ from typing import Any, Literal
 
 import msgspec
 
-Confidence = Literal["literal", "folded", "default", "pattern"]
+Confidence = Literal["literal", "folded", "default", "one_of", "pattern"]
 Origin = Literal["declared", "observed", "inferred", "default"]
 Role = Literal[
     "publisher",
@@ -65,8 +65,8 @@ class Interface(msgspec.Struct, frozen=True):
         qos: ROS 2 policies, ROS 1 queue size as depth; None for parameters and transforms.
         default: of a parameter, as data; None when it has none or it cannot be folded.
         frame: `header.frame_id` or the transform's frames, where seen.
-        confidence: `literal`, `folded` (computed from constants), `default` (from a parameter's default),
-            `pattern`.
+        confidence: `literal`, `folded` (computed from constants, exactly this one), `default` (from a parameter's
+            default), `one_of` (one of several that the code can give it), `pattern`.
         evidence: the line that names it first, the outermost call of wrappers, then inwards; see the manual.
         inherited_from: class or package that brings it, when not the module itself.
     """

@@ -28,6 +28,7 @@ class Definitions:
     """Resolves full type names, `package/msg|srv|action/Name`."""
 
     def __init__(self, packages: Sequence[PackageFacts]) -> None:
+        packages = sorted(packages, key=lambda package: package.root.path)  # of one name the same one is meant always
         self._tree = {
             f"{package.name}/{definition.shape}/{PurePosixPath(path).stem}": definition
             for package in packages

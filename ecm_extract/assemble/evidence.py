@@ -12,7 +12,7 @@ MAX_LINES = 20
 _WATCHDOG = re.compile(
     r"cmd_vel_timeout|command_timeout|cmd_timeout|reference_timeout|watchdog|deadman|velocity_timeout|goal_timeout"
 )
-_RANK: dict[Confidence, int] = {"literal": 0, "folded": 1, "default": 2, "pattern": 3}
+_RANK: dict[Confidence, int] = {"literal": 0, "folded": 1, "default": 2, "one_of": 3, "pattern": 4}
 
 
 def inferred(value: Any, evidence: Iterable[Evidence], confidence: Confidence = "literal") -> Value | None:

@@ -65,7 +65,7 @@ def _stamped(entry: LinkedModule) -> Value | None:
     frames = {stamp.frame for stamp in entry.stamps}
     if len(frames) != 1:
         return None
-    surest = max((stamp.confidence for stamp in entry.stamps), key=("literal", "folded", "default").index)
+    surest = max((stamp.confidence for stamp in entry.stamps), key=("literal", "folded", "default", "one_of").index)
     return inferred(frames.pop(), (stamp.evidence for stamp in entry.stamps), surest)
 
 

@@ -10,6 +10,7 @@ import msgspec
 from ecm_checker.hub.provision import Provision
 from ecm_parsers.source.expr import Call, Constant, Expr, Name, Number, Op, Text
 from ecm_parsers.source.facts import Function, SourceFile
+from ecm_parsers.source.flow import Block, Branch, blocks, statements
 
 from ecm_extract.entities.public_files import python_modules, stub_modules
 from ecm_extract.entities.signatures import form_of
@@ -99,20 +100,25 @@ def _warning(function: Function) -> str | None:
 def advised(function: Function) -> tuple[str, ...]:
     """Return the optional parameters that a function warns of when they are left out: `if size is None: warn(..)`."""
     optional = {entry.name for entry in function.params if _is_none(entry.default)}
-    missing: dict[int, str] = {}
-    found: list[str] = []
-    for statement in function.body:
-        missing = {depth: name for depth, name in missing.items() if depth < statement.depth}
-        if _tested(statement.value) in optional:
-            missing[statement.depth] = _tested(statement.value)
-        elif _is_warning(statement.value):
-            found += missing.values()
+    found = [name for name in _warned(function, function.flow) if name in optional]
     return tuple(dict.fromkeys(found))
 
 
-def _tested(value: Expr | None) -> str:
+def _warned(function: Function, block: Block) -> Iterator[str]:
+    """Yield the names of which a block that runs for None alone warns."""
+    for step in block:
+        if isinstance(step, Branch):
+            without = step.then if _tested(step.test, "==") else step.other
+            name = _tested(step.test, "==") or _tested(step.test, "!=")
+            if name and any(_is_warning(function.body[at].value) for at in statements(without)):
+                yield name
+        for inner in blocks(step):
+            yield from _warned(function, inner)
+
+
+def _tested(value: Expr | None, comparison: str) -> str:
     """The name that is compared with None; empty for any other expression."""
-    if isinstance(value, Op) and value.op == "==" and isinstance(value.operands[0], Name):
+    if isinstance(value, Op) and value.op == comparison and isinstance(value.operands[0], Name):
         return value.operands[0].id if _is_none(value.operands[1]) else ""
     return ""
 

@@ -9,6 +9,7 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Final
 
+from ecm_parsers.cmake_tokens import Command, parse_commands
 from ecm_parsers.launch.model import LaunchFile
 from ecm_parsers.result import Facts, Parsed
 
@@ -54,6 +55,10 @@ class SideTexts:
         """Return the facts of a file; what of it was not read is told to the tree."""
         report_cuts(self._tree, path, parsed.diagnostics)
         return parsed.facts
+
+    def commands(self, path: str) -> Sequence[Command]:
+        """Return the commands of a CMake file as they are written; none of one that cannot be read."""
+        return [command for _, data in self.read_many([path]) for command in parse_commands(data).facts]
 
     def read_many(self, paths: Iterable[str]) -> Iterator[tuple[str, bytes]]:
         """Yield path and content in the order asked for; what is not kept is read anew."""

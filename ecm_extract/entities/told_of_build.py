@@ -38,7 +38,8 @@ class Surroundings(msgspec.Struct, frozen=True):
 
 def surroundings(tree: Tree, packages: Sequence[PackageFacts]) -> Surroundings:
     """Return the surroundings of the packages of a tree."""
-    listed = (names for _, data in tree.read_many([FILE_NAME]) for names in submodule_names(data))
+    listing = [FILE_NAME] if any(entry.path == FILE_NAME for entry in tree.files()) else []
+    listed = (names for _, data in tree.read_many(listing) for names in submodule_names(data))
     roots = (facts.root.path for facts in packages)
     return Surroundings(makers_of(tree), left_out(tree), frozenset((*listed, *roots)))
 

@@ -23,9 +23,18 @@ def files_of(packages: Iterable[PackageFacts]) -> list[File]:
 def _of_package(package: PackageFacts) -> Iterator[File]:
     folders = _include_folders(package)
     dead = _dead(package)
+    targets = _targets(package)
     for path, facts in package.sources.items():
         looked_in = folders.get(path, ())
-        yield File(path, package.name, package.ros, facts, include_folders=looked_in, is_built=path not in dead)
+        yield File(
+            path,
+            package.name,
+            package.ros,
+            facts,
+            include_folders=looked_in,
+            is_built=path not in dead,
+            targets=targets.get(path, ()),
+        )
 
 
 def _dead(package: PackageFacts) -> frozenset[str]:
@@ -47,4 +56,13 @@ def _include_folders(package: PackageFacts) -> Mapping[str, tuple[str, ...]]:
             folders = tuple(normpath(join(dirname(path), each)) for each in target.include_folders if "$" not in each)
             for source in paths_of(target, path):
                 found[source] = tuple(dict.fromkeys((*found[source], *folders)))
+    return found
+
+
+def _targets(package: PackageFacts) -> Mapping[str, tuple[str, ...]]:
+    found: dict[str, tuple[str, ...]] = defaultdict(tuple)
+    for path, file in package.cmake.items():
+        for target in file.targets:
+            for source in paths_of(target, path):
+                found[source] = (*found[source], target.name)
     return found

@@ -6,6 +6,7 @@ from collections import defaultdict
 from collections.abc import Callable, Container, Mapping, Sequence
 
 from ecm_extract.link.calls import Invocation
+from ecm_extract.link.closures import is_returned, uses
 from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.overloads import NO, score
@@ -38,6 +39,9 @@ class CallTargets:
 
     def callers(self, func: Func) -> Sequence[Invocation]:
         """Return the calls of a function by others: those that mean it by name, arguments and receiver."""
+        if is_returned(func):
+            maker = self.folder.flow.enclosing(func)
+            return list(uses(self.callers(maker))) if maker is not None else ()
         asked = (func.fact.name, func.file.package)
         if asked not in self._asked:
             self._asked.add(asked)
@@ -76,21 +80,30 @@ class CallTargets:
             )
         if func.cls is not None:
             return self._method_means(call, func.cls)
-        near = self.folder.program.nearness(func.file, call.func.file)
-        return call.receiver is None and near >= (0 if "::" in call.path or "." in call.path else 1)
+        if call.receiver is not None:
+            return False
+        return func in self.folder.program.functions_named(call.path, call.func.file, call.func.scope)
 
     def _method_means(self, call: Invocation, cls: Cls) -> bool:
-        if call.receiver is None and "::" in call.path:
-            return cls.fact.name in call.path.split("::")
+        if call.receiver is None and not call.simple:
+            return cls in self._named_classes(call)
         known = self._receivers.get(id(call))
         if known is None:
             known = self._receivers[id(call)] = self._classes(call)
         return cls in known
 
+    def _named_classes(self, call: Invocation) -> Container[Cls]:
+        """The class in front of the name of a method, with its bases."""
+        program = self.folder.program
+        owner = call.path.replace("::", ".").rpartition(".")[0].replace(".", "::")
+        named = program.class_named(owner, call.func.file, call.func.scope)
+        return program.ancestry(named) if named is not None else ()
+
     def _classes(self, call: Invocation) -> Container[Cls]:
         """The classes whose method a call can run: those of its receiver, any for one of unknown type."""
         if call.receiver is None:
-            return self.folder.program.ancestry(call.func.cls) if call.func.cls is not None else ()
+            own = self.folder.flow.object_of(call.func)
+            return self.folder.program.ancestry(own) if own is not None else ()
         env = self.place(call)
         owner = self.folder.objects.class_of(call.receiver, env)
         if owner is not None:

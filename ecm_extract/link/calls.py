@@ -77,7 +77,7 @@ def invocations(func: Func, wanted: Container[str] | None = None) -> Iterator[In
     """
     for statement, calls in zip(func.fact.body, func.calls, strict=True):
         for call in calls:
-            if wanted is None or _last_of(call) in wanted:
+            if wanted is None or _last_of(call, func) in wanted:
                 yield invocation(func, statement, call)
         if statement.value is None and statement.kind == "let" and by_value(statement.type):
             yield _construction(func, statement, statement.type, (), statement.line)
@@ -86,10 +86,12 @@ def invocations(func: Func, wanted: Container[str] | None = None) -> Iterator[In
             yield implied
 
 
-def _last_of(call: Call) -> str:
-    """The last name of a call, without building its path."""
+def _last_of(call: Call, func: Func) -> str:
+    """The last name of a call, without building its path; of an imported name that of what it stands for."""
     callee = call.callee
     name = callee.name if isinstance(callee, Member) else callee.id if isinstance(callee, Name) else ""
+    if isinstance(callee, Name) and name in func.file.imported:
+        return last_name(func.file.imported[name])
     last = name.rsplit("::", 1)[-1]
     if last not in _MAKERS:
         return last

@@ -44,7 +44,7 @@ class Composition:
 def composition_of(modules: Modules, references: References) -> Composition:
     """Return which modules run in which program and inside which other module."""
     found = Composition()
-    for module in modules.by_main.values():
+    for module in dict.fromkeys(modules.by_main.values()):
         found.programs[module.package, module.name].append(Part(module))
     composer = _Composer(modules, references)
     for module in modules.by_class.values():

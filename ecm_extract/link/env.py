@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Hashable, Mapping
 from dataclasses import dataclass, field
 
 from ecm_parsers.source.expr import Call, Expr, Items
 from ecm_parsers.source.facts import Statement
 
+from ecm_extract.infer.held import State
 from ecm_extract.link.calls import Invocation, invocation
 from ecm_extract.link.units import Cls, Func
 
-MAX_DEPTH = 24
+MAX_DEPTH = 32
 """Nesting of evaluations beyond which a value counts as unknown."""
 
 
@@ -52,6 +53,9 @@ class Env:
         this: concrete class of `this`.
         made: how `this` was made, when one way is looked at.
         depth: nesting of evaluations so far.
+        state: what the variables hold there; None for every state in which the statement is reached.
+        outer: the place that calls a function which is declared there, and so sees its variables.
+        asked: what tells runs apart, once that was asked (see `flow`).
     """
 
     func: Func
@@ -61,10 +65,22 @@ class Env:
     this: Cls | None = None
     made: Instance | None = None
     depth: int = 0
+    state: State | None = None
+    outer: Env | None = None
+    asked: Hashable = None
 
     def before(self, at: int) -> Env:
         """The same place, at another statement."""
-        return Env(self.func, at, self.args, self.types, self.this, self.made, self.depth + 1)
+        state = self.state if at == self.at else None
+        return Env(self.func, at, self.args, self.types, self.this, self.made, self.depth + 1, state, self.outer)
+
+    def within(self, state: State | None, at: int) -> Env:
+        """The same function, at a statement and in one state of it."""
+        return Env(self.func, at, self.args, self.types, self.this, self.made, self.depth, state, self.outer)
+
+    def deeper(self, depth: int) -> Env:
+        """The same place, as a part of an evaluation that is so deep."""
+        return Env(self.func, self.at, self.args, self.types, self.this, self.made, depth, self.state, self.outer)
 
     @property
     def scope(self) -> str:

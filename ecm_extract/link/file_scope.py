@@ -3,13 +3,24 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Mapping
+from typing import NamedTuple
 
-from ecm_parsers.source.expr import Name
+from ecm_parsers.source.expr import Member, Name
 
+from ecm_extract.infer.effects import calls_of
 from ecm_extract.link.env import Env
 from ecm_extract.link.program import Program
 from ecm_extract.link.scope import Definition, Scope
 from ecm_extract.link.units import Func
+from ecm_extract.resolve.cpp_constants import Stated
+
+
+class Mention(NamedTuple):
+    """A function that may change a variable, with how it writes that."""
+
+    func: Func
+    written: str
 
 
 class FileScope:
@@ -18,19 +29,20 @@ class FileScope:
     def __init__(self, program: Program, scope: Scope) -> None:
         self.program = program
         self.scope = scope
+        self._called: Mapping[str, list[Mention]] | None = None
         self._assigned: dict[str, list[Definition]] | None = None
 
     def type_of(self, name: str, env: Env) -> str:
         """Return the type of a variable as declared, empty when none of that name is visible."""
         if env.func.file.language != "cpp":
             return ""
-        last = name.rsplit("::", 1)[-1]
-        near = [
-            (self.program.nearness(file, env.func.file), constant.type)
-            for file, constant in self.program.constants.get(last, ())
-            if constant.type and file.language == "cpp" and "enum" not in constant.traits
-        ]
-        return max((entry for entry in near if entry[0]), key=lambda entry: entry[0], default=(0, ""))[1]
+        found = self._meant(name, env.func)
+        return found.constant.type if found is not None and "enum" not in found.constant.traits else ""
+
+    def _meant(self, name: str, func: Func) -> Stated | None:
+        if name.rsplit("::", 1)[-1] not in self.program.constants:
+            return None
+        return self.program.constant_named(name, func.file, f"{func.fact.scope}::{func.fact.name}")
 
     def definitions(self, name: str, env: Env) -> list[Definition]:
         """Return the assignments of a variable in all functions that see it."""
@@ -38,8 +50,37 @@ class FileScope:
             return []
         if self._assigned is None:
             self._assigned = self._index()
-        found = self._assigned.get(name.rsplit("::", 1)[-1], [])
-        return [entry for entry in found if self.program.nearness(entry.func.file, env.func.file)]
+        assigned = self._assigned.get(name.rsplit("::", 1)[-1], [])
+        own = self._meant(name, env.func)
+        return [entry for entry in assigned if self._meant(_target(entry), entry.func) == own]
+
+    def is_changed(self, name: str, env: Env) -> bool:
+        """Tell whether a function that sees a variable assigns it, or calls a method of it."""
+        if self.definitions(name, env):
+            return True
+        if self._called is None:
+            self._called = self._receivers()
+        found = self._called.get(name.rsplit("::", 1)[-1], ())
+        own = self._meant(name, env.func)
+        return any(self._meant(mention.written, mention.func) == own for mention in found)
+
+    def _receivers(self) -> Mapping[str, list[Mention]]:
+        """Variable -> the functions that call a method of it which changes it, or that take its address."""
+        found: Mapping[str, list[Mention]] = defaultdict(list)
+        known = calls_of("cpp")
+        for functions in self.program.functions.values():
+            for func in functions:
+                for call in (call for calls in func.calls for call in calls) if func.file.language == "cpp" else ():
+                    callee = call.callee
+                    if isinstance(callee, Member) and isinstance(callee.base, Name) and callee.name in known.changing:
+                        found[callee.base.id.rsplit("::", 1)[-1]].append(Mention(func, callee.base.id))
+                    last = callee.id.rsplit("::", 1)[-1] if isinstance(callee, Name) else ""
+                    harmless = isinstance(callee, Member) or last in known.reading or last[:1].isupper()
+                    for arg in call.args if not harmless else ():
+                        if isinstance(arg, Name) and arg.id.rsplit("::", 1)[-1] in self.program.constants:
+                            known_here = [] if self._hides(func, arg.id) else [Mention(func, arg.id)]
+                            found[arg.id.rsplit("::", 1)[-1]] += known_here
+        return found
 
     def _index(self) -> dict[str, list[Definition]]:
         index: dict[str, list[Definition]] = defaultdict(list)
@@ -67,3 +108,8 @@ class FileScope:
             return True
         own = any(parameter.name == name for parameter in func.fact.params)
         return own or bool(self.scope.member_type(name, func.cls))
+
+
+def _target(definition: Definition) -> str:
+    target = definition.statement.target
+    return target.id if isinstance(target, Name) else ""

@@ -6,7 +6,10 @@ defaults, functions that return a value. Every result has a confidence; unknown 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Hashable, Mapping, Sequence
+from itertools import islice, product
+from types import MappingProxyType
+from typing import Any, Final
 
 from ecm_parsers.source.expr import (
     Call,
@@ -21,10 +24,13 @@ from ecm_parsers.source.expr import (
     Text,
 )
 
+from ecm_extract.infer.compute import NULL, UNKNOWN, formatted, operate, shown, streamed
 from ecm_extract.link import formats
 from ecm_extract.link.env import MAX_DEPTH, Env
+from ecm_extract.link.flow import Flow
 from ecm_extract.link.fold_calls import CallFolder
 from ecm_extract.link.fold_fields import FieldFolder
+from ecm_extract.link.fold_held import HeldFolder
 from ecm_extract.link.fold_lists import ListFolder
 from ecm_extract.link.fold_members import MemberFolder
 from ecm_extract.link.fold_names import NameFolder
@@ -34,15 +40,25 @@ from ecm_extract.link.program import Program
 from ecm_extract.link.scope import Scope
 from ecm_extract.link.steps import Steps
 from ecm_extract.link.values import (
+    MAX_ALTERNATIVES,
+    TOO_MANY,
+    Hole,
     Value,
+    alternatives,
+    computed,
+    constant,
+    data_in,
     demoted,
     joined,
     literal,
-    unique,
+    lowered,
     unknown,
+    weaker,
 )
 
-_Asked = tuple[int, str, int, int, int, int, int]
+MAX_NESTED = 60
+"""Questions within questions."""
+_Asked = tuple[int, str, int, int, int, int, int, int]
 """A name with everything that its value depends on."""
 
 
@@ -59,10 +75,14 @@ class Folder:
         self.fields = FieldFolder(self)
         self.calls = CallFolder(self)
         self.lists = ListFolder(self)
+        self.held = HeldFolder(self)
+        self.flow = Flow(self)
+        scope.ways = self.flow.ways
         self.cuts = 0
-        self._cycles = 0
+        self.cycles = 0
         self.steps = Steps(sum(len(func.fact.body) for group in program.functions.values() for func in group))
-        self._active: set[tuple[int, str, int]] = set()
+        self._active: set[Hashable] = set()
+        self._meanwhile: dict[Hashable, tuple[Value, ...]] = {}
         self._answers: dict[_Asked, tuple[Env, tuple[Value, ...]]] = {}
 
     def fold(self, expr: Expr | None, env: Env) -> tuple[Value, ...]:
@@ -73,7 +93,10 @@ class Folder:
             self.cuts += 1
             return (unknown("value"),)
         with self.steps:
-            return self._by_kind(expr, env)
+            values = self._by_kind(expr, env)
+        if any(TOO_MANY.parts[0] in value.parts for value in values):
+            self.steps.leave_out(env)
+        return values
 
     def _by_kind(self, expr: Expr, env: Env) -> tuple[Value, ...]:
         match expr:
@@ -86,37 +109,67 @@ class Folder:
             case Op():
                 return self.op(expr, env)
             case Template():
-                return joined(self.fold(part, env.before(env.at)) for part in expr.parts)
-            case Text() | Number():
-                return (literal(str(expr.value)),)
+                return joined(self.shown(self.fold(part, env.before(env.at)), env) for part in expr.parts)
+            case Text():
+                return (literal(expr.value),)
+            case Number():
+                return (constant(expr.value),)
             case Constant():
-                return (literal("" if expr.name == "null" else expr.name),)
+                return (constant({"true": True, "false": False}.get(expr.name, NULL)),)
             case Opaque() if expr.text.isidentifier():
                 return (unknown(expr.text),)
         return (unknown("value"),)
 
-    def guarded(self, label: str, env: Env, work: Callable[[], tuple[Value, ...]]) -> tuple[Value, ...]:
-        """Break cycles such as `x = f(x)` in a loop or members that are set from each other."""
-        key = (id(env.func), label, env.at)
-        if key in self._active or len(self._active) > 60:
+    @property
+    def marks(self) -> tuple[int, int]:
+        """What changes when a bound or a circle has a part in an answer, which is then not for everybody."""
+        return self.cuts, self.cycles
+
+    @property
+    def is_asking(self) -> bool:
+        """Whether a question is being answered."""
+        return bool(self._active)
+
+    def guarded(
+        self, asked: Hashable, label: str, work: Callable[[], tuple[Value, ...]], circle: Value | None = None
+    ) -> tuple[Value, ...]:
+        """Break cycles such as `x = f(x)` in a loop or members that are set from each other.
+
+        Args:
+            asked: the question; who comes to it again while it is answered is told `circle`, or that it is unknown.
+            label: what the value is called.
+            work: gives the answer.
+            circle: what a question is answered with that comes from itself.
+        """
+        if asked in self._active or len(self._active) > MAX_NESTED:
             self.cuts += 1
-            self._cycles += 1
-            return (unknown(label),)
-        self._active.add(key)
+            self.cycles += 1
+            return (circle or unknown(label),)
+        known = self._meanwhile.get(asked)
+        if known is not None:
+            self.cycles += 1  # whoever uses it has a part in the cycle
+            return known
+        cycles = self.cycles
+        self._active.add(asked)
         try:
-            return work()
+            values = work()
         finally:
-            self._active.discard(key)
+            self._active.discard(asked)
+        if not self._active:
+            self._meanwhile.clear()
+        elif cycles != self.cycles:
+            self._meanwhile[asked] = values
+        return values
 
     def once(self, label: str, env: Env, work: Callable[[], tuple[Value, ...]]) -> tuple[Value, ...]:
         """Answer a question that several branches ask once, as long as no cycle had a part in the answer."""
-        key = (id(env.func), label, env.at, env.depth, id(env.args), id(env.this), id(env.made))
+        key = (id(env.func), label, env.at, env.depth, id(env.args), id(env.this), id(env.made), id(env.state))
         known = self._answers.get(key)
         if known is not None:
             return known[1]
-        cycles = self._cycles
-        values = self.guarded(label, env, work)
-        if self.steps.depth and cycles == self._cycles:
+        cycles = self.cycles
+        values = self.guarded(("name", label, env.func, env.at, env.state), label, work)
+        if self.steps.depth and cycles == self.cycles:
             self._answers[key] = (env, values)  # with the environment, so that no other one gets its identity
         return values
 
@@ -124,22 +177,182 @@ class Folder:
         """Drop remembered members, since more of the parameters is known now."""
         self.members.forget()
         self.reads.forget()
+        self.flow.forget()
+
+    def combined(
+        self, options: Sequence[tuple[Value, ...]], work: Callable[[list[Any]], Any], label: str
+    ) -> tuple[Value, ...]:
+        """Compute with each combination of known values; what is not known or not computed stays a pattern."""
+        found: list[Value] = []
+        for values in islice(product(*options), MAX_ALTERNATIVES + 1):
+            data = [data_in(value) for value in values]
+            result = None if UNKNOWN in data else computed(work(data))
+            found.append(_left_open(values, label) if result is None else _as_sure(result, values))
+        return alternatives(found) if len(found) > 1 else tuple(found) or (unknown(label),)
+
+    def shown(self, values: tuple[Value, ...], env: Env) -> tuple[Value, ...]:
+        """Return values as texts: numbers and truth values as the language writes them."""
+        python = env.func.file.language == "python"
+        return tuple([_shown(value, python) for value in values])
 
     def op(self, expr: Op, env: Env) -> tuple[Value, ...]:
-        """Concatenation, conditionals, `%` formats, subscripts."""
+        """Concatenation, conditionals, formats, subscripts, arithmetic, comparisons."""
         inner = env.before(env.at)
-        if expr.op == "+" and len(expr.operands) >= 2:
-            return joined(self.fold(operand, inner) for operand in expr.operands)
-        if expr.op == "?:":
-            values = [value for operand in expr.operands[1:] for value in self.fold(operand, inner)]
-            empty = [value for value in values if value.parts == ("",)]  # a prefix that may be missing
-            return tuple(dict.fromkeys((*unique(demoted(values)), *demoted(empty))))
-        if expr.op == "%" and isinstance(expr.operands[0], Text):
-            return joined(self.calls.folded_parts(formats.percent(expr.operands[0].value, expr.operands[1]), env))
-        if expr.op == "||":
-            return unique(value for operand in expr.operands for value in self.fold(operand, inner))
-        if expr.op == "[]":
-            return self.lists.elements(expr.operands[0], inner, expr.operands[1])
-        if expr.op == "&":
-            return self.fold(expr.operands[0], inner)
+        work = _OPERATORS.get(expr.op)
+        if work is not None:
+            return work(self, expr, inner)
+        if len(expr.operands) == 2:
+            return self._binary(expr, inner)
         return (unknown("value"),)
+
+    def _sum(self, expr: Op, env: Env) -> tuple[Value, ...]:
+        """Texts side by side, or a sum; in C++ a stream writes what is added to it."""
+        groups = [self.fold(operand, env) for operand in expr.operands]
+        if len(groups) == 1:
+            return groups[0]
+        if len(groups) == 2 and any(value.data is not None for group in groups for value in group):
+            return self._added(groups, env)
+        return joined(self._written(group, env) for group in groups)
+
+    def _added(self, groups: list[tuple[Value, ...]], env: Env) -> tuple[Value, ...]:
+        python = env.func.file.language == "python"
+        if not python and any(value.data is None and _has_text(value) for group in groups for value in group):
+            return joined(self._written(group, env) for group in groups)
+        return self.combined(groups, lambda data: operate("+", data[0], data[1], python), "value")
+
+    def _written(self, values: tuple[Value, ...], env: Env) -> tuple[Value, ...]:
+        if env.func.file.language == "python":
+            return self.shown(values, env)
+        return tuple([_streamed(value) for value in values])
+
+    def _conditional(self, expr: Op, env: Env) -> tuple[Value, ...]:
+        holds = self.flow.truth(expr.operands[0], env)
+        if holds is not None:
+            return demoted(self.fold(expr.operands[1 if holds else 2], env))
+        likely = self.flow.likely(expr.operands[0], env)
+        if likely is not None:
+            return lowered(self.fold(expr.operands[1 if likely else 2], env), "default")
+        return alternatives(value for operand in expr.operands[1:] for value in self.fold(operand, env))
+
+    def _percent(self, expr: Op, env: Env) -> tuple[Value, ...]:
+        text, operand = expr.operands
+        if isinstance(text, Text):
+            return joined(self.calls.folded_parts(formats.percent(text.value, operand), env))
+        return self._binary(expr, env)
+
+    def _either(self, expr: Op, env: Env) -> tuple[Value, ...]:
+        """`a or b` in Python is one of the two; in C++ it is a truth value."""
+        if env.func.file.language != "python":
+            holds = self.flow.truth(expr, env)
+            return (unknown("value"),) if holds is None else (constant(holds),)
+        found: list[Value] = []
+        for operand in expr.operands:
+            found += self.fold(operand, env)
+            holds = self.flow.truth(operand, env)
+            if holds is not None and holds is (expr.op == "||"):
+                break
+            if holds is not None:
+                found = [] if operand is not expr.operands[-1] else found
+        return alternatives(found) or (unknown("value"),)
+
+    def _negated(self, expr: Op, env: Env) -> tuple[Value, ...]:
+        if expr.op == "!":
+            holds = self.flow.truth(expr, env)
+            return (unknown("value"),) if holds is None else (constant(holds)._replace(confidence="folded"),)
+        return self.combined([self.fold(expr.operands[0], env)], lambda data: operate("-", 0, data[0], True), "value")
+
+    def _minus(self, expr: Op, env: Env) -> tuple[Value, ...]:
+        return self._negated(expr, env) if len(expr.operands) == 1 else self._binary(expr, env)
+
+    def _subscript(self, expr: Op, env: Env) -> tuple[Value, ...]:
+        return self.lists.elements(expr.operands[0], env, expr.operands[1])
+
+    def _formatted(self, expr: Op, env: Env) -> tuple[Value, ...]:
+        spec = expr.operands[1]
+        text = spec.value if isinstance(spec, Text) else "?"
+        python = env.func.file.language == "python"
+        values = self.fold(expr.operands[0], env)
+        if text in {"%s", "!s"} and all(value.data is None for value in values):
+            return values
+        return self.combined([values], lambda data: formatted(data[0], text, python), _name_of(values))
+
+    def _binary(self, expr: Op, env: Env) -> tuple[Value, ...]:
+        python = env.func.file.language == "python"
+        if expr.op in {"in", "not in"}:
+            return self._within(expr, env)
+        groups = [self.fold(operand, env) for operand in expr.operands]
+        joins = expr.op == "/" and any(_has_text(value) and value.data is None for value in groups[0])
+        if joins:  # paths
+            return joined([groups[0], (literal("/"),), groups[1]])
+        return self.combined(groups, lambda data: operate(expr.op, data[0], data[1], python), "value")
+
+    def _within(self, expr: Op, env: Env) -> tuple[Value, ...]:
+        """`x in names`: every element is known, or nothing is told."""
+        items = self.lists.items(expr.operands[1], env)
+        if items is None:
+            groups = [self.fold(operand, env) for operand in expr.operands]
+            return self.combined(groups, lambda data: operate(expr.op, data[0], data[1], True), "value")
+        found = [
+            self.flow.alike(expr.operands[0], Name("#item"), self.flow.naming(env, {"#item": item})) for item in items
+        ]
+        if None in found and True not in found:
+            return (unknown("value"),)
+        return (constant((True in found) is (expr.op == "in"))._replace(confidence="folded"),)
+
+
+def _left_open(values: Sequence[Value], label: str) -> Value:
+    """What is not computed: it still depends on the parameters that its parts depend on."""
+    holes = [part for value in values for part in value.parts if isinstance(part, Hole)]
+    open_ = tuple([hole._replace(default=None) for hole in holes if hole.kind in {"param", "made"}])
+    named = next((hole.label for hole in holes), label) if label == "value" else label
+    return Value(open_, "pattern") if open_ else unknown(named)
+
+
+def _as_sure(result: Value, values: Sequence[Value]) -> Value:
+    weakest = result.confidence
+    for value in values:
+        weakest = weaker(weakest, value.confidence)
+    return result._replace(confidence=weakest)
+
+
+def _shown(value: Value, python: bool) -> Value:
+    if value.data is None:
+        return value
+    text = shown(value.data, python)
+    return unknown("value") if text is UNKNOWN else value._replace(parts=(text,), data=None)
+
+
+def _streamed(value: Value) -> Value:
+    if value.data is None:
+        return value
+    text = streamed(value.data)
+    return unknown("value") if text is UNKNOWN else value._replace(parts=(text,), data=None)
+
+
+def _has_text(value: Value) -> bool:
+    return any(isinstance(part, str) for part in value.parts)
+
+
+def _name_of(values: Sequence[Value]) -> str:
+    """What a value that is not known is called."""
+    parts = values[0].parts if values else ()
+    return next((part.label for part in parts if isinstance(part, Hole)), "value")
+
+
+_Work = Callable[[Folder, Op, Env], tuple[Value, ...]]
+_OPERATORS: Final[Mapping[str, _Work]] = MappingProxyType(
+    {
+        "+": Folder._sum,
+        "?:": Folder._conditional,
+        "%": Folder._percent,
+        "||": Folder._either,
+        "&&": Folder._either,
+        "!": Folder._negated,
+        "-": Folder._minus,
+        "[]": Folder._subscript,
+        "format": Folder._formatted,
+        "&": lambda folder, expr, env: (
+            folder.fold(expr.operands[0], env) if len(expr.operands) == 1 else (unknown("value"),)
+        ),
+    }
+)

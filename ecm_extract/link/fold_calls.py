@@ -2,24 +2,35 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Mapping, Sequence
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
 
 from ecm_parsers.source.expr import (
     Call,
     Expr,
+    Lambda,
+    Member,
     Name,
     Text,
 )
 
+from ecm_extract.infer.compute import UNKNOWN, is_number, method, shown, truth
 from ecm_extract.link import formats
 from ecm_extract.link.calls import Invocation
-from ecm_extract.link.env import Env, bind, invocation_of
-from ecm_extract.link.numbers import NUMBERS
+from ecm_extract.link.env import Bound, Env, bind, invocation_of
+from ecm_extract.link.numbers import NUMBERS, as_number
+from ecm_extract.link.overloads import score
+from ecm_extract.link.placing import CAMERA_INFO, placed
+from ecm_extract.link.spelling import plain
+from ecm_extract.link.units import Func
 from ecm_extract.link.values import (
     PARENT_NAMESPACE,
+    Hole,
     Value,
+    alternatives,
     below_namespace,
+    constant,
     demoted,
     joined,
     literal,
@@ -27,7 +38,7 @@ from ecm_extract.link.values import (
     node_name,
     node_namespace,
     set_by,
-    unique,
+    setting,
     unknown,
 )
 
@@ -63,6 +74,40 @@ _MAKES_TOPICS = frozenset(
     | {"create_camera_subscription", "advertise", "subscribe", "advertiseService", "serviceClient"}
     | {"advertiseCamera", "subscribeCamera"}
 )
+MAX_RETURNS = 12
+"""Returns of one call that are looked at."""
+MAX_FILL = 256
+_SIZES = frozenset({"len", "size", "length", "empty"})
+CPP_TEXT_METHODS = frozenset(
+    {"substr", "size", "length", "empty", "find", "rfind", "find_last_of", "find_first_of", "compare", "back", "front"}
+    | {"starts_with", "ends_with"}
+)
+TEXT_METHODS = frozenset(
+    {"lower", "upper", "strip", "lstrip", "rstrip", "replace", "startswith", "endswith", "title", "capitalize", "count"}
+    | {
+        "removeprefix",
+        "removesuffix",
+        "zfill",
+        "find",
+        "rfind",
+        "swapcase",
+        "isdigit",
+        "isalpha",
+        "isidentifier",
+        "index",
+    }
+)
+_PYTHON_FUNCTIONS: Mapping[str, Callable[[list[Any]], Any]] = MappingProxyType(
+    {
+        "hex": lambda data: hex(data[0]) if len(data) == 1 and isinstance(data[0], int) else UNKNOWN,
+        "oct": lambda data: oct(data[0]) if len(data) == 1 and isinstance(data[0], int) else UNKNOWN,
+        "bin": lambda data: bin(data[0]) if len(data) == 1 and isinstance(data[0], int) else UNKNOWN,
+        "bool": lambda data: truth(data[0], True) if len(data) == 1 else UNKNOWN,
+        "abs": lambda data: abs(data[0]) if len(data) == 1 and is_number(data[0]) else UNKNOWN,
+        "min": lambda data: min(data) if len(data) > 1 and all(map(is_number, data)) else UNKNOWN,
+        "max": lambda data: max(data) if len(data) > 1 and all(map(is_number, data)) else UNKNOWN,
+    }
+)
 _PROPERTY_READS = frozenset({"getStdString", "getTopicStd", "getString"})
 
 
@@ -78,17 +123,25 @@ class CallFolder:
         if call.path.endswith("names::resolve") and len(call.args) == 1:
             return self._absolute(call.args[0], env.before(env.at))
         tidied = call.last in RESOLVERS or call.path.endswith(_TIDIED)
-        if call.path in _SAME or call.last in _STREAMS or (tidied and call.args):
-            return self.folder.fold(call.args[0], env.before(env.at)) if call.args else (literal(""),)
+        plainly = call.receiver is None and (call.path in _SAME or call.last in _STREAMS)
+        if tidied and call.args:
+            return self.folder.fold(call.args[0], env.before(env.at))
+        if plainly:
+            return self._same(call, env.before(env.at))
         if call.last == "getCameraInfoTopic" and call.args:
-            return self._beside(call.args[0], "camera_info", env.before(env.at))
+            images = self.folder.fold(call.args[0], env.before(env.at))
+            return demoted(tuple([placed(value, CAMERA_INFO) for value in images]))
         read = self.folder.reads.read(call)
         if read is not None:
             return self.parameter_value(*read, env.before(env.at))
         formatted = formats.formatted(call)
         if formatted is not None:
             return joined(self.folded_parts(formatted, env))
-        text = self._of_text(call, env.before(env.at))
+        return self._computed(call, expr, env.before(env.at))
+
+    def _computed(self, call: Invocation, expr: Call, env: Env) -> tuple[Value, ...]:
+        """Methods of texts, sizes, functions of the standard library, functions of the tree."""
+        text = self._of_text(call, env)
         if text is not None:
             return text
         if call.receiver is not None and call.last in _TOPIC_READS:
@@ -96,8 +149,105 @@ class CallFolder:
         if call.receiver is not None and call.last in _PROPERTY_READS:
             return self._property(call.receiver, env) or (unknown(call.last),)
         if call.receiver is not None and call.last in formats.VALUE_READS:
-            return self.folder.fold(call.receiver, env.before(env.at))
-        return self.folder.guarded(f"{call.path}()", env, lambda: self._returns(call, env))
+            return self._read_from(call.receiver, call.last, env)
+        known = self._of_library(call, env)
+        if known is not None:
+            return known
+        closure = self._closure(expr, call, env)
+        if closure is not None:
+            return closure
+        return self.folder.guarded(_asked(expr, env), f"{call.path}()", lambda: self._returns(call, env))
+
+    def _read_from(self, receiver: Expr, name: str, env: Env) -> tuple[Value, ...]:
+        """What a value of a parameter holds; of one that nothing shows it is what somebody sets."""
+        values = self.folder.fold(receiver, env)
+        if name not in formats.PARAMETER_READS:
+            return values
+        return tuple([setting(value.text.strip("{}")) if _is_unknown(value) else value for value in values])
+
+    def _same(self, call: Invocation, env: Env) -> tuple[Value, ...]:
+        """Conversions: a text of what is passed, or a number."""
+        if not call.args:
+            return (literal(""),) if call.path not in NUMBERS else (constant(as_number(0, call.path)),)
+        if len(call.args) > 1:
+            return self._repeated(call, env) if call.last == "string" else (unknown(call.last),)
+        values = self.folder.fold(call.args[0], env)
+        python = env.func.file.language == "python"
+        if call.path in {"str", "std::to_string", "String"}:
+            return self._shown_items(call, env) or tuple([self._text_of(value, python) for value in values])
+        return tuple([_converted(value, call.path) for value in values]) if call.path in NUMBERS else values
+
+    def _shown_items(self, call: Invocation, env: Env) -> tuple[Value, ...]:
+        """`str(names)` of a list is nothing that anybody names things with."""
+        listed = env.func.file.language == "python" and self.folder.lists.items(call.args[0], env) is not None
+        return (unknown("value"),) if listed else ()
+
+    def _text_of(self, value: Value, python: bool) -> Value:
+        text = shown(value.data, python) if value.data is not None else ""
+        return (
+            value
+            if value.data is None
+            else unknown("value")
+            if text is UNKNOWN
+            else value._replace(parts=(text,), data=None)
+        )
+
+    def _repeated(self, call: Invocation, env: Env) -> tuple[Value, ...]:
+        """`std::string(3, 'x')`, `std::string(text, 0, 4)`."""
+        options = [self.folder.fold(arg, env) for arg in call.args]
+        return self.folder.combined(options, _filled, "string")
+
+    def _of_library(self, call: Invocation, env: Env) -> tuple[Value, ...] | None:
+        """What the standard library gives for what is known; None for other functions."""
+        python = env.func.file.language == "python"
+        if call.last in _SIZES and self._is_size(call, python):
+            subject = call.args[0] if python else call.receiver
+            items = self.folder.lists.items(subject, env)
+            if items is not None:
+                size = len(items)
+                return (constant(size == 0 if call.last == "empty" else size)._replace(confidence="folded"),)
+            if python and subject is not None:
+                return self.folder.combined([self.folder.fold(subject, env)], _length, "len")
+        work = _PYTHON_FUNCTIONS.get(call.path) if python and call.receiver is None else None
+        if work is not None and not call.keywords:
+            return self.folder.combined([self.folder.fold(arg, env) for arg in call.args], work, call.last)
+        if call.receiver is not None and call.last in {"at", "front", "back", "get"}:
+            return self._element(call, env)
+        return None
+
+    def _is_size(self, call: Invocation, python: bool) -> bool:
+        return call.path == "len" and len(call.args) == 1 if python else call.receiver is not None and not call.args
+
+    def _element(self, call: Invocation, env: Env) -> tuple[Value, ...] | None:
+        """`names.at(0)`, `names.back()`, `table.get(key, default)`."""
+        receiver = call.receiver
+        if call.last in {"front", "back"} and not call.args:
+            items = self.folder.lists.items(receiver, env)
+            return demoted(self.folder.lists.fold(items[0 if call.last == "front" else -1], env)) if items else None
+        if call.last == "at" and len(call.args) == 1:
+            return self.folder.lists.elements(receiver, env, call.args[0])
+        entries = self.folder.lists.entries(receiver, env) if call.last == "get" and 1 <= len(call.args) <= 2 else None
+        if entries is None:
+            return None
+        return self.folder.lists.entry_or(entries, call.args[0], call.args[1:], env)
+
+    def _closure(self, expr: Call, call: Invocation, env: Env) -> tuple[Value, ...] | None:
+        """A call of a variable that holds a Python lambda."""
+        python = env.func.file.language == "python"
+        ways = self.folder.flow.ways(expr.callee, env) if python and isinstance(expr.callee, Name | Member) else []
+        helds = {held for way in ways for held in way}
+        made = [held for held in helds if isinstance(held.expr, Lambda) and held.how == "value"]
+        if not made:
+            return None
+        held, body = made[0], made[0].expr
+        plain = (
+            isinstance(body, Lambda) and body.body is not None and not any("=" in p or "*" in p for p in body.params)
+        )
+        own = held.env is not None and held.env.func is env.func
+        if len(helds) > 1 or not plain or not own or not isinstance(body, Lambda) or len(body.params) != len(call.args):
+            return (unknown(call.last),)
+        given = {name: Bound(arg, env) for name, arg in zip(body.params, call.args, strict=True)}
+        return demoted(self.folder.fold(body.body, self.folder.flow.naming(env, given)))
 
     def _absolute(self, name: Expr, env: Env) -> tuple[Value, ...]:
         """`ros::names::resolve(name)`: below the namespace of the node, whatever handle it is given to later."""
@@ -110,16 +260,32 @@ class CallFolder:
         """Methods of texts: what is appended, joined or cut off; None for other calls."""
         if call.receiver is None:
             return None
-        if call.last == "append" and len(call.args) == 1:
+        python = env.func.file.language == "python"
+        if call.last == "append" and len(call.args) == 1 and not python:
             return joined([self.folder.fold(part, env) for part in (call.receiver, call.args[0])])
-        if call.last == "join" and isinstance(call.receiver, Text) and call.args:
-            return self._joined(call.receiver.value, call.args[0], env)
-        return (self._above(call.receiver, env) or (unknown(call.last),)) if _is_above(call) else None
+        if call.last == "join" and call.args:
+            return self._joined(self.folder.fold(call.receiver, env), call.args[0], env)
+        if _is_above(call):
+            return self._above(call.receiver, env) or (unknown(call.last),)
+        if call.last not in (TEXT_METHODS if python else CPP_TEXT_METHODS) or call.keywords:
+            return None
+        return self._method(call, env, python)
 
-    def _beside(self, expr: Expr, leaf: str, env: Env) -> tuple[Value, ...]:
-        """Return names in the namespace of other names: image_transport puts `camera_info` beside each image."""
-        texts = [value.text.rpartition("/") for value in self.folder.fold(expr, env) if value.confidence != "pattern"]
-        return tuple([Value((f"{head}{slash}{leaf}",), "folded") for head, slash, _ in texts]) or (unknown(leaf),)
+    def _method(self, call: Invocation, env: Env, python: bool) -> tuple[Value, ...] | None:
+        """A method of a text; None where what it is called on is no text."""
+        if call.last in {"size", "length", "empty", "back", "front", "at", "count", "index", "find"}:
+            listed = self.folder.lists.items(call.receiver, env) is not None
+            if listed or (call.receiver is not None and self.folder.lists.entries(call.receiver, env) is not None):
+                return None
+        subject = self.folder.fold(call.receiver, env)
+        if any(value.data is not None for value in subject):
+            return None
+        options = [subject, *(self.folder.fold(arg, env) for arg in call.args)]
+        found = self.folder.combined(options, lambda data: method(call.last, data[0], data[1:], python), call.last)
+        owned = (
+            all(value.confidence == "pattern" for value in found) and self.folder.objects.callee(call, env) is not None
+        )
+        return None if owned else found
 
     def _topic(self, receiver: Expr, env: Env) -> tuple[Value, ...]:
         """The name that a publisher, subscription, service or client was made with."""
@@ -149,12 +315,17 @@ class CallFolder:
         known = [value for value in values if value.confidence != "pattern"]
         return tuple([Value((value.text.rpartition("/")[0],), "folded") for value in known])
 
-    def _joined(self, separator: str, expr: Expr, env: Env) -> tuple[Value, ...]:
+    def _joined(self, separator: tuple[Value, ...], expr: Expr, env: Env) -> tuple[Value, ...]:
+        items = self.folder.lists.items(expr, env)
+        if items is None:
+            items = self.folder.lists.flat(expr, env)
+            if len(items) == 1 and items[0].expr is expr:
+                return (unknown("join"),)
         groups: list[tuple[Value, ...]] = []
-        for bound in self.folder.lists.flat(expr, env):
+        for bound in items:
             if groups:
-                groups.append((literal(separator),))
-            groups.append(self.folder.fold(bound.expr, bound.env.before(bound.env.at)))
+                groups.append(separator)
+            groups.append(self.folder.lists.fold(bound, env))
         return joined(groups)
 
     def folded_parts(self, parts: Sequence[Expr | str], env: Env) -> list[tuple[Value, ...]]:
@@ -163,23 +334,67 @@ class CallFolder:
         return [(literal(part),) if isinstance(part, str) else self.folder.fold(part, inner) for part in parts]
 
     def _returns(self, call: Invocation, env: Env) -> tuple[Value, ...]:
-        callee = self.folder.objects.callee(call, env)
+        callee = self.meant(call, env)
         if callee is None:
             return (_of_node(call) or unknown(call.last),)
-        returned = [
-            (at, s.value) for at, s in enumerate(callee.fact.body) if s.kind == "return" and s.value is not None
-        ]
-        if not returned or len(returned) > 4:
+        found = self.returned(callee, call, env)
+        if not found or len(found) > MAX_RETURNS:
             return (unknown(call.last),)
+        values = [value for expr, place in found for value in self.folder.fold(expr, place)]
+        open_ = self._may_be_overridden(callee, call, env)
+        listed = _beside_joined(values)
+        return alternatives(demoted((*listed, *([unknown(call.last)] if open_ else []))))
+
+    def meant(self, call: Invocation, env: Env) -> Func | None:
+        """Return the one function that a call means by what is known of its arguments; None where several fit."""
+        fitting = self.folder.objects.callees(call, env)
+        if len(fitting) > 1 and env.func.file.language == "cpp":
+            kinds = [self._kind(arg, env) for arg in call.args]
+            fitting = [func for func in fitting if _takes(func, kinds)]
+            scores = [score(call, func) for func in fitting]
+            fitting = fitting[:1] if scores[1:] and scores[0] > scores[1] and all(kinds) else fitting
+        return fitting[0] if len(fitting) == 1 or (fitting and env.func.file.language == "python") else None
+
+    def _kind(self, arg: Expr, env: Env) -> str:
+        """`text`, `number`, or nothing where that is not known."""
+        values = self.folder.fold(arg, env)
+        if all(value.data is not None for value in values):
+            return "number"
+        if all(value.data is None and any(isinstance(part, str) for part in value.parts) for value in values):
+            return "text"
+        return kind_of_type(self.folder.objects.type_of(arg, env))
+
+    def _may_be_overridden(self, callee: Func, call: Invocation, env: Env) -> bool:
+        """Tell whether a class that derives from the one at hand has a method of its own of that name."""
+        cls = env.this or env.func.cls
+        own = call.receiver in {None, Name("this")} and callee.cls is not None and cls is not None
+        concrete = env.made is not None and bool(env.made.args or env.made.types or env.made.maker)
+        if not own or concrete or cls is None or callee.is_constructor:
+            return False
+        derived = self.folder.program.derived(cls)
+        return any(method.fact.name == callee.fact.name for entry in derived for method in entry.methods)
+
+    def returned(self, callee: Func, call: Invocation, env: Env) -> list[tuple[Expr, Env]]:
+        """Return what a call of a function gives back: an expression for each reached return, with its place."""
+        inner = self.entered(callee, call, bind(callee, call, env), env)
+        run = self.folder.flow.run(inner)
+        body = callee.fact.body
+        found = [(body[at].value, inner.within(state, at)) for at, state in run.returns] if run is not None else []
+        return [(value, place) for value, place in found if value is not None]
+
+    def entered(self, callee: Func, call: Invocation, args: Mapping[str, Bound], env: Env) -> Env:
+        """Return the place of evaluation at the entry of a called function."""
         inside = callee.cls is not None or "lambda" in callee.fact.traits
         this = env.this if call.receiver in {None, Name("this")} and inside else callee.cls
         made = env.made if this is env.this else None
-        args = bind(callee, call, env)
-        values = [
-            self.folder.fold(value, Env(callee, at, args, this=this, made=made, depth=env.depth + 1))
-            for at, value in returned
-        ]
-        return unique(demoted(_beside_joined([value for group in values for value in group])))
+        outer = env if self.folder.flow.enclosing(callee) is env.func else None
+        return Env(callee, 0, args, this=this, made=made, depth=env.depth + 1, outer=outer)
+
+    def kept_value(self, name: Expr, kept: Sequence[Value], env: Env) -> tuple[Value, ...]:
+        """Return what a variable keeps that a parameter is read into which is not set."""
+        names = self.folder.fold(name, env)
+        values = lowered(kept, "default")
+        return values if names[0].confidence == "pattern" else set_by(names[0].text, values)
 
     def parameter_value(self, name: Expr, default: Expr | None, env: Env) -> tuple[Value, ...]:
         """Return the value of a ROS parameter: its default where the call or a declaration has one."""
@@ -203,7 +418,47 @@ class CallFolder:
             values = lowered(self.folder.fold(known[0], known[1].before(known[1].at)), "default")
         if values and (values[0].text or len(values) > 1):
             return values
-        return (unknown(name.rsplit("/", 1)[-1].rsplit(".", 1)[-1].strip("~{}")),)
+        return (setting(name.rsplit("/", 1)[-1].rsplit(".", 1)[-1].strip("~{}")),)
+
+
+def _is_unknown(value: Value) -> bool:
+    return len(value.parts) == 1 and isinstance(value.parts[0], Hole) and value.parts[0].kind == "unknown"
+
+
+def kind_of_type(written: str) -> str:
+    """Return whether a type is one of texts or of numbers, nothing for others."""
+    last = plain(written).rsplit("::", 1)[-1]
+    if last in {"string", "string_view"} or (last == "char" and "*" in written):
+        return "text"
+    return "number" if last in NUMBERS or last == "bool" else ""
+
+
+def _takes(func: Func, kinds: Sequence[str]) -> bool:
+    wanted = [kind_of_type(parameter.type) for parameter in func.fact.params]
+    return not any(kind and other and kind != other for kind, other in zip(kinds, wanted, strict=False))
+
+
+def _asked(expr: Call, env: Env) -> tuple[object, ...]:
+    """What tells a call with its arguments from the same call with others."""
+    return "call", expr, env.func, env.at, env.state, tuple(env.args.values())
+
+
+def _converted(value: Value, kind: str) -> Value:
+    data = as_number(value.data, kind)
+    return value if data is value.data else constant(data)._replace(confidence="folded")
+
+
+def _filled(data: list[object]) -> object:
+    first, *rest = data
+    if isinstance(first, int) and len(rest) == 1 and isinstance(rest[0], str) and 0 <= first <= MAX_FILL:
+        return rest[0] * first
+    if isinstance(first, str) and len(rest) == 2:
+        return method("substr", first, rest, False)
+    return UNKNOWN
+
+
+def _length(data: list[object]) -> object:
+    return len(data[0]) if isinstance(data[0], str) else UNKNOWN
 
 
 def _beside_joined(values: list[Value]) -> list[Value]:

@@ -13,7 +13,7 @@ from ecm_parsers.source.expr import Expr, Member, Name
 
 from ecm_extract.link.env import Env, invocation_of
 from ecm_extract.link.units import Func
-from ecm_extract.link.values import MAX_ALTERNATIVES, Value, demoted, unique
+from ecm_extract.link.values import MAX_ALTERNATIVES, Value, alternatives, demoted
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
@@ -27,12 +27,14 @@ class FieldFolder:
 
     def value(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """Return what the field can hold; empty when nothing at hand writes it."""
-        return self.folder.guarded(f"->{expr.name}", env, lambda: self._value(expr, env))
+        return self.folder.guarded(
+            ("field", expr, env.func, env.at, env.state), expr.name, lambda: self._value(expr, env)
+        )
 
     def _value(self, expr: Member, env: Env) -> tuple[Value, ...]:
         found = [*self._of_functions(expr, env), *self._of_class(expr, env)]
         filled = [value for value in found if value.text]
-        return unique(filled or found)[:MAX_ALTERNATIVES] if found else ()
+        return alternatives(filled or found)[:MAX_ALTERNATIVES] if found else ()
 
     def _of_functions(self, expr: Member, env: Env) -> Iterator[Value]:
         """What the function at hand writes, and functions that it hands the object to."""

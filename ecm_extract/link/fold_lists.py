@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
 from ecm_parsers.source.expr import (
     Call,
+    Comprehension,
+    Constant,
     Expr,
     Items,
     Member,
@@ -14,18 +18,24 @@ from ecm_parsers.source.expr import (
     Number,
     Op,
     Table,
+    Text,
 )
 
-from ecm_extract.link.calls import invocations
-from ecm_extract.link.env import MAX_DEPTH, Bound, Env, Instance
+from ecm_extract.infer.compute import NULL, UNKNOWN, method
+from ecm_extract.infer.held import Held, State
+from ecm_extract.link.calls import Invocation
+from ecm_extract.link.env import MAX_DEPTH, Bound, Env, Instance, invocation_of
 from ecm_extract.link.scope import Definition
-from ecm_extract.link.units import Cls, Func
+from ecm_extract.link.spelling import last_name, plain
+from ecm_extract.link.units import Cls
 from ecm_extract.link.values import (
-    MAX_ALTERNATIVES,
     Value,
+    alternatives,
+    constant,
+    data_in,
     demoted,
+    is_proved,
     set_by,
-    unique,
     unknown,
 )
 
@@ -36,27 +46,99 @@ if TYPE_CHECKING:
 _WHOLE_PARAMETER = re.compile(r"\$\{([^={}]+)=(?:[^{}]|\{[^{}]*\})*\}")
 
 
-_CONTAINER = re.compile(r"vector|map$")
+_CONTAINER = re.compile(r"(?:vector|deque|array|list|map|set)$")
 _APPENDS = frozenset({"push_back", "emplace_back", "append"})
+_TABLES = frozenset({"map", "unordered_map"})
+_ENDS = frozenset({"begin", "end", "rbegin", "rend", "cbegin", "cend"})
+MAX_ITEMS = 256
+"""Elements of a list that are looked at one by one."""
 
 
 class ListFolder:
-    """Takes lists apart."""
+    """Takes lists and tables apart."""
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
-        self._appending: dict[int, list[tuple[int, str, Expr]]] = {}
-        self._searching: set[tuple[int, int, int]] = set()
+        self._searching: set[tuple[int, str]] = set()
+        self._asked: set[Held] = set()
 
     def elements(self, expr: Expr | None, env: Env, index: Expr | None = None) -> tuple[Value, ...]:
-        """Return the values that the elements of a list, or one of them, can have."""
+        """Return the values that the elements of a list, or the one at an index or key, can have."""
+        if index is not None:
+            return self._at(expr, index, env)
         items = self.items(expr, env)
-        if items is None:
-            return self._of_parameter(expr, env)
-        if isinstance(index, Number) and isinstance(index.value, int) and -len(items) <= index.value < len(items):
-            items = [items[index.value]]
-        folded = [value for bound in items for value in self.folder.fold(bound.expr, bound.env.before(bound.env.at))]
-        return unique(demoted(folded)) if folded else (unknown("item"),)
+        if items is not None:
+            return self._folded(items, env) or (unknown("item"),)
+        some, _ = self._some(expr, env)
+        rest = self._of_parameter(expr, env)
+        return alternatives((*self._folded(some, env), *rest)) if some else rest
+
+    def _folded(self, items: Iterable[Bound], env: Env) -> tuple[Value, ...]:
+        values = [value for bound in items for value in self.fold(bound, env)]
+        return alternatives(demoted(values)) if values else ()
+
+    def fold(self, bound: Bound, env: Env) -> tuple[Value, ...]:
+        """Return the values of an element, as a part of an evaluation at a place."""
+        return self.folder.fold(bound.expr, bound.env.deeper(max(env.depth, bound.env.depth) + 1))
+
+    def _some(self, expr: Expr | None, env: Env) -> tuple[list[Bound], bool]:
+        """Elements that a list surely may have, where not all are known."""
+        ways = self.folder.flow.ways(expr, env) if isinstance(expr, Name | Member) else []
+        if not ways and isinstance(expr, Name | Member):
+            found = self.sources(expr, env)
+            ways = [(held,) for held, _ in found]
+        return self.folder.held.any_items(ways, env)
+
+    def _at(self, expr: Expr | None, index: Expr, env: Env) -> tuple[Value, ...]:
+        """The element at an index, or of a table the value of a key."""
+        if isinstance(index, Op) and index.op == ":":
+            return self._sliced_text(expr, index, env)
+        keys = self.folder.fold(index, env)
+        known = len(keys) == 1 and is_proved(keys[0])
+        entries = self.entries(expr, env)
+        if entries is not None:
+            return self._entry(entries, index, env)
+        items = self.items(expr, env)
+        data = data_in(keys[0]) if known else UNKNOWN
+        if items is not None and isinstance(data, int) and -len(items) <= data < len(items):
+            return demoted(self.fold(items[data], env))
+        if items is not None and data is UNKNOWN:
+            return self._folded(items, env) or (unknown("item"),)
+        if items is None and isinstance(data, int):
+            text = self.folder.combined([self.folder.fold(expr, env)], lambda found: _character(found[0], data), "item")
+            if not any(value.confidence == "pattern" for value in text):
+                return text
+        some, _ = self._some(expr, env) if items is None else ([], True)
+        rest = self._of_parameter(expr, env)
+        return alternatives((*self._folded(some, env), *rest)) if some else rest
+
+    def _entry(self, entries: list[Entry], key: Expr, env: Env) -> tuple[Value, ...]:
+        """The value of a key: of the last entry that has it, of any that may have it."""
+        found: list[Value] = []
+        for entry in reversed(entries):
+            alike = self.folder.flow.alike(key, Name("#key"), self.folder.flow.naming(env, {"#key": entry.key}))
+            if alike is not False:
+                found += self.fold(entry.value, env)
+            if alike:
+                return alternatives(demoted(found))
+        return alternatives((*demoted(found), unknown("item")))
+
+    def entry_or(self, entries: list[Entry], key: Expr, rest: Sequence[Expr], env: Env) -> tuple[Value, ...]:
+        """Return `table.get(key, default)`."""
+        found: list[Value] = []
+        for entry in reversed(entries):
+            alike = self.folder.flow.alike(key, Name("#key"), self.folder.flow.naming(env, {"#key": entry.key}))
+            if alike is not False:
+                found += self.fold(entry.value, env)
+            if alike:
+                return alternatives(demoted(found))
+        default = self.folder.fold(rest[0], env) if rest else (constant(NULL),)
+        return alternatives(demoted((*found, *default)))
+
+    def _sliced_text(self, expr: Expr | None, index: Op, env: Env) -> tuple[Value, ...]:
+        bounds = [self.folder.fold(bound, env) for bound in index.operands]
+        options = [self.folder.fold(expr, env), *bounds]
+        return self.folder.combined(options, lambda data: _slice(data[0], data[1:], str), "item")
 
     def _of_parameter(self, expr: Expr | None, env: Env) -> tuple[Value, ...]:
         """An element of a list that a ROS parameter holds: not known here, but a launch may set it."""
@@ -65,81 +147,456 @@ class ListFolder:
         matches = [match for value in values if (match := _WHOLE_PARAMETER.fullmatch(value.template or ""))]
         return tuple([value for match in matches for value in set_by(match[1], (item,))]) or (item,)
 
+    # --- lists -------------------------------------------------------------------------------------------------
+
     def items(self, expr: Expr | None, env: Env) -> list[Bound] | None:
-        """Return the elements of a list that an expression is, None when the tree does not show them."""
+        """Return all elements of a list that an expression is, None when the tree does not show them."""
         if env.depth > MAX_DEPTH or expr is None or not self.folder.steps.take(env):
+            self.folder.cuts += 1
             return None
         with self.folder.steps:
             return self._items(expr, env)
 
     def _items(self, expr: Expr, env: Env) -> list[Bound] | None:
+        inner = env.before(env.at)
         if isinstance(expr, Items):
-            return [Bound(item, env) for item in expr.items]
+            return self._spread(expr, env)
         if isinstance(expr, Table):
-            return [Bound(value, env) for _, value in expr.entries]
-        if isinstance(expr, Call) and len(expr.args) == 1 and isinstance(expr.args[0], Items):
-            return self.items(expr.args[0], env)
-        if isinstance(expr, Call) and isinstance(expr.callee, Name) and _CONTAINER.search(expr.callee.id):
-            return [Bound(item, env) for item in expr.args]
-        if isinstance(expr, Name) and expr.id in env.args:
-            return self.items(env.args[expr.id].expr, env.args[expr.id].env.before(env.args[expr.id].env.at))
-        found = self._assigned(expr, env)
-        if found is not None:
-            return found
-        appended = self._appended(expr, env)
-        if appended:
-            return appended
-        constant = self.folder.scope.constant(expr.id, env) if isinstance(expr, Name) else None
-        return self.items(constant[0], env.before(env.at)) if constant is not None else None
+            return [Bound(key, env) for key, _ in expr.entries] if _is_plain_table(expr) else None
+        if isinstance(expr, Comprehension):
+            return self._comprehended(expr, inner)
+        if isinstance(expr, Call):
+            return self._called(expr, inner)
+        if isinstance(expr, Op):
+            return self._of_op(expr, inner)
+        return self._of_variable(expr, inner) if isinstance(expr, Name | Member) else None
 
-    def _assigned(self, expr: Expr, env: Env) -> list[Bound] | None:
-        """Return the elements of the first list that is assigned to a variable or a member."""
-        key = (id(expr), id(env.func), env.at)
-        if key in self._searching:  # members that are set from each other: what was tried once gives nothing again
+    def _spread(self, expr: Items, env: Env) -> list[Bound] | None:
+        """The elements of a display, `*spread` ones in place."""
+        found: list[Bound] = []
+        for item in expr.items:
+            spread = isinstance(item, Op) and item.op == "*" and len(item.operands) == 1
+            more = (
+                self.items(item.operands[0], env.before(env.at))
+                if spread and isinstance(item, Op)
+                else [Bound(item, env)]
+            )
+            if more is None:
+                return None
+            found += more
+        return found
+
+    def _of_op(self, expr: Op, env: Env) -> list[Bound] | None:
+        if expr.op == "+" and len(expr.operands) == 2:
+            parts = [self.items(operand, env) for operand in expr.operands]
+            return [*parts[0], *parts[1]] if parts[0] is not None and parts[1] is not None else None
+        if expr.op == "?:":
+            holds = self.folder.flow.truth(expr.operands[0], env)
+            return None if holds is None else self.items(expr.operands[1 if holds else 2], env)
+        if expr.op == "[]":
+            return self._of_subscript(expr, env)
+        return self.items(expr.operands[0], env) if expr.op == "&" and len(expr.operands) == 1 else None
+
+    def _of_subscript(self, expr: Op, env: Env) -> list[Bound] | None:
+        base, index = expr.operands
+        items = self.items(base, env)
+        if items is None:
             return None
-        outermost = not self._searching
+        if isinstance(index, Op) and index.op == ":":
+            bounds = [self.folder.fold(bound, env) for bound in index.operands]
+            data = [data_in(values[0]) if len(values) == 1 else UNKNOWN for values in bounds]
+            found = _slice(items, data, list)
+            return found if isinstance(found, list) else None
+        data_ = [data_in(value) for value in self.folder.fold(index, env)]
+        at = data_[0] if len(data_) == 1 else UNKNOWN
+        if not isinstance(at, int) or not -len(items) <= at < len(items):
+            return None
+        return self.items(items[at].expr, items[at].env.deeper(env.depth + 1))
+
+    def _of_variable(self, expr: Name | Member, env: Env) -> list[Bound] | None:
+        ways = self.folder.flow.ways(expr, env)
+        if ways:
+            return self.folder.held.items_of(ways, env)
+        if isinstance(expr, Name) and expr.id in env.args:
+            given = env.args[expr.id]
+            return self.items(given.expr, given.env.deeper(env.depth + 1))
+        if isinstance(expr, Name) and any(entry.name.lstrip("*") == expr.id for entry in env.func.fact.params):
+            return None
+        found = self.sources(expr, env)
+        if found:
+            return self.folder.held.items(*found[0]) if len(found) == 1 else None
+        return (
+            self._default(expr, env)
+            if isinstance(expr, Member)
+            else self._default(expr, env) or self._constant(expr, env)
+        )
+
+    def sources(self, expr: Name | Member, env: Env) -> list[tuple[Held, Env]]:
+        """Return what methods leave a member with that is a list."""
+        cls = env.this or env.func.cls
+        member = (isinstance(expr, Member) and expr.base == Name("this")) or (
+            isinstance(expr, Name) and env.func.file.language == "cpp"
+        )
+        name = expr.id if isinstance(expr, Name) else expr.name
+        key = (id(cls), name)
+        if cls is None or not member or key in self._searching:
+            return []
         self._searching.add(key)
         try:
-            for definition, inner in self.definitions(expr, env):
-                value = definition.statement.value
-                found = self.items(value, inner) if definition.statement.kind != "each" else None
-                if found is not None:
-                    return found
-            return None
+            return self.folder.members.sources(name, cls, env)
         finally:
-            if outermost:
-                self._searching.clear()
+            self._searching.discard(key)
 
-    def _appended(self, expr: Expr, env: Env) -> list[Bound]:
-        """Return what the functions of a class, or the one at hand, append to a list that starts empty."""
-        name = _variable(expr)
-        if not name:
-            return []
+    def _default(self, expr: Name | Member, env: Env) -> list[Bound] | None:
+        """What a member is declared with."""
+        name = expr.id if isinstance(expr, Name) else expr.name
         cls = env.this or env.func.cls
-        found = []
-        is_local = any(s.kind == "let" and s.target == Name(name) for s in env.func.fact.body)
-        for func in [env.func] if is_local else self._functions(cls, env):
-            for at, target, value in self._appends(func):
-                inner = Env(func, at, this=cls, depth=env.depth + 1)
-                if target == name and not (func is env.func and at >= env.at):
-                    found.append(Bound(value, inner))
-        return found[:MAX_ALTERNATIVES]
+        for entry in self.folder.program.ancestry(cls) if cls is not None else ():
+            if name in entry.fields and (isinstance(expr, Name) or expr.base == Name("this")):
+                return self.items(entry.fields[name].default, Env(env.func, depth=env.depth + 1, this=cls))
+        return None
 
-    def _functions(self, cls: Cls | None, env: Env) -> list[Func]:
-        methods = [method for entry in self.folder.program.ancestry(cls) for method in entry.methods] if cls else []
-        return methods if env.func in methods else [env.func, *methods]
+    def _constant(self, expr: Name, env: Env) -> list[Bound] | None:
+        if env.func.file.language == "python":
+            return self.folder.names.module_items(expr.id, env)
+        found = self.folder.scope.constant(expr.id, env)
+        if found is None or self.folder.names.may_change(expr.id, found[0], env):
+            return None
+        return self.items(found[0].value, Env(env.func, 0, depth=env.depth + 1))
 
-    def _appends(self, func: Func) -> list[tuple[int, str, Expr]]:
-        """Return (statement, list, value) of the calls of a function that append to a list."""
-        known = self._appending.get(id(func))
-        if known is None:
-            index = {id(statement): at for at, statement in enumerate(func.fact.body)}
-            known = self._appending[id(func)] = [
-                (index[id(call.statement)], _variable(call.receiver), call.args[-1])
-                for call in invocations(func, _APPENDS)
-                if call.receiver is not None and call.args
-            ]
-        return known
+    def given(self, key: str, env: Env, first: bool) -> list[Bound] | None:
+        """Return the elements of a list that a variable is which the function did not change, `first`: yet."""
+        name = key.rpartition(".")[2]
+        entry = Env(env.func, 0, env.args, env.types, env.this, env.made, env.depth + 1, State(), env.outer)
+        cls = env.func.cls
+        if not key.startswith("."):
+            return self._items(Name(name), entry) if "." not in key else None
+        if not first or not env.func.is_constructor or cls is None:
+            return self._shared(name, entry)
+        for base in self.folder.program.bases(cls):
+            found = self.folder.members.sources(name, base, entry)
+            if found:
+                return self.folder.held.items(*found[0]) if len(found) == 1 else None
+        default = self._default(Member(Name("this"), name), entry)
+        last = plain(self.folder.scope.member_type(name, cls)).rsplit("::", 1)[-1]
+        return default if default is not None else [] if _CONTAINER.search(last) else None
+
+    def _shared(self, name: str, env: Env) -> list[Bound] | None:
+        """What all methods together leave a member with."""
+        found = self.sources(Member(Name("this"), name), env)
+        return self.folder.held.items(*found[0]) if len(found) == 1 else None
+
+    # --- calls that give lists ---------------------------------------------------------------------------------
+
+    def _comprehended(self, expr: Comprehension, env: Env) -> list[Bound] | None:
+        """`[f(x) for x in xs if g(x)]` element by element."""
+        places = [env]
+        for loop in expr.loops:
+            each = env.func.fact.body[loop] if loop < len(env.func.fact.body) else None
+            wider: list[Env] = []
+            for place in places:
+                items = self.items(each.value, place) if each is not None else None
+                if items is None or len(items) * len(places) > MAX_ITEMS:
+                    return None
+                wider += [self._bound_to(each.target, item, place) for item in items if each is not None]
+            places = wider
+        return self._passing(expr, places)
+
+    def _bound_to(self, target: Expr | None, item: Bound, env: Env) -> Env:
+        """A place at which a loop has bound its target to an element."""
+        if isinstance(target, Name):
+            return self.folder.flow.naming(env, {target.id: item})
+        given: dict[str, Bound] = {}
+        for index, part in enumerate(target.items if isinstance(target, Items) else ()):
+            pair = item.expr.items if isinstance(item.expr, Items) else ()
+            value = pair[index] if index < len(pair) else Op("[]", (item.expr, Number(index)))
+            if isinstance(part, Name):
+                given[part.id] = Bound(value, item.env)
+        return self.folder.flow.naming(env, given)
+
+    def _passing(self, expr: Comprehension, places: Iterable[Env]) -> list[Bound] | None:
+        kept: list[Bound] = []
+        for place in places:
+            tests = [self.folder.flow.truth(test, place) for test in expr.tests]
+            if None in tests and False not in tests:
+                return None
+            if False not in tests:
+                kept.append(Bound(expr.element, place))
+        return kept
+
+    def _called(self, expr: Call, env: Env) -> list[Bound] | None:
+        call = invocation_of(expr, env)
+        last = call.last
+        if env.func.file.language == "python":
+            work = _PYTHON.get(last if call.receiver is not None else call.path)
+            if work is not None:
+                return work(self, call, env)
+        elif call.receiver is None and _CONTAINER.search(call.path):
+            return self._made(call, env)
+        return self._returned(call, env)
+
+    def _made(self, call: Invocation, env: Env) -> list[Bound] | None:
+        """`vector{a, b}`, `vector<T>(other)`, `vector<T>(count, value)`; types tell braces from parentheses."""
+        args = call.args
+        if len(args) == 1 and (isinstance(args[0], Items) or self.items(args[0], env) is not None):
+            return self.items(args[0], env)
+        if len(args) == 2:
+            count = [value.data for value in self.folder.fold(args[0], env)]
+            if len(count) == 1 and isinstance(count[0], int) and not isinstance(count[0], bool):
+                texts = "string" in "".join(call.types) or "string" in call.statement.type
+                return [Bound(args[1], env)] * count[0] if texts and 0 <= count[0] <= MAX_ITEMS else None
+        iterates = any(
+            isinstance(arg, Call) and isinstance(arg.callee, Member) and arg.callee.name in _ENDS for arg in args
+        )
+        return None if iterates else [Bound(arg, env) for arg in args]
+
+    def _returned(self, call: Invocation, env: Env) -> list[Bound] | None:
+        """What a function of the tree returns, where one return is reached."""
+        callee = self.folder.calls.meant(call, env)
+        if callee is None:
+            return None
+        found = self.folder.calls.returned(callee, call, env)
+        return self.items(*found[0]) if len(found) == 1 else None
+
+    def structure(self, expr: Expr, env: Env) -> list[Bound] | None:
+        """Return the values that an object of a plain structure is made from, in order."""
+        ways = self.folder.flow.ways(expr, env) if isinstance(expr, Name | Member) else []
+        helds = {held for way in ways for held in way}
+        held = helds.pop() if len(helds) == 1 else None
+        if held is None or held.how != "value" or held.env is None:
+            return None
+        made = held.expr
+        if isinstance(made, Name | Member):
+            return self.structure(made, held.env.deeper(env.depth + 1)) if env.depth < MAX_DEPTH else None
+        if isinstance(made, Items):
+            return [Bound(item, held.env) for item in made.items]
+        if not isinstance(made, Call) or not isinstance(made.callee, Name) or made.keywords:
+            return None
+        cls = self.folder.objects.class_written(made.callee.id, held.env)
+        simple = cls is not None and not any(method.is_constructor for method in cls.methods)
+        return [Bound(item, held.env) for item in made.args] if simple else None
+
+    # --- changes -----------------------------------------------------------------------------------------------
+
+    def changed(self, items: list[Bound], call: Call, env: Env) -> list[Bound] | None:
+        """Return the elements of a list after a method changed it; None for what is not modelled."""
+        name = call.callee.name if isinstance(call.callee, Member) else ""
+        args = call.args
+        if name in _APPENDS and len(args) == 1:
+            return [*items, Bound(args[0], env)]
+        if name == "emplace_back" and len(args) > 1:
+            return [*items, Bound(Items(args), env)]
+        if name in {"pop", "pop_back"} and not args and items:
+            return items[:-1]
+        if name == "clear" and not args:
+            return []
+        if name == "reverse" and not args:
+            return items[::-1]
+        if name == "extend" and len(args) == 1:
+            more = self.items(args[0], env)
+            return None if more is None else [*items, *more]
+        if name == "sort" and not args and not call.keywords:
+            return self.ordered(items, env)
+        return self._at_place(name, items, args, env)
+
+    def _at_place(self, name: str, items: list[Bound], args: tuple[Expr, ...], env: Env) -> list[Bound] | None:
+        at = self._place(args[0], items, env) if args else None
+        if at is None:
+            return None
+        if name == "insert" and len(args) == 2:
+            return [*items[:at], Bound(args[1], env), *items[at:]]
+        inside = -len(items) <= at < len(items)
+        return (
+            [item for index, item in enumerate(items) if index != at % len(items)] if name == "pop" and inside else None
+        )
+
+    def _place(self, expr: Expr, items: list[Bound], env: Env) -> int | None:
+        if isinstance(expr, Call) and isinstance(expr.callee, Member) and not expr.args:
+            return {"begin": 0, "end": len(items)}.get(expr.callee.name)
+        values = self.folder.fold(expr, env)
+        data = values[0].data if len(values) == 1 and is_proved(values[0]) else None
+        return data if isinstance(data, int) and not isinstance(data, bool) else None
+
+    def stored(self, items: list[Bound], held: Held, env: Env) -> list[Bound] | None:
+        """Return the elements of a list after one was given a value."""
+        at = self._place(held.expr, items, env) if held.expr is not None else None
+        if at is None or held.more is None or not -len(items) <= at < len(items):
+            return None
+        changed = list(items)
+        changed[at] = Bound(held.more, env)
+        return changed
+
+    def ordered(self, items: list[Bound], env: Env) -> list[Bound] | None:
+        """Return elements in their order, where each of them is known."""
+        values = [self.fold(item, env) for item in items]
+        if any(len(found) != 1 or not is_proved(found[0]) or data_in(found[0]) is UNKNOWN for found in values):
+            return None
+        data = [data_in(found[0]) for found in values]
+        if len({type(entry) for entry in data}) > 1:
+            return None
+        return [item for _, item in sorted(zip(data, items, strict=True), key=lambda pair: pair[0])]
+
+    # --- tables ------------------------------------------------------------------------------------------------
+
+    def entries(self, expr: Expr | None, env: Env) -> list[Entry] | None:
+        """Return the entries of a table in the order in which they were given; None when they are not all known."""
+        if env.depth > MAX_DEPTH or expr is None or not self.folder.steps.take(env):
+            self.folder.cuts += 1
+            return None
+        with self.folder.steps:
+            return self._entries(expr, env.before(env.at))
+
+    def _entries(self, expr: Expr, env: Env) -> list[Entry] | None:
+        if isinstance(expr, Table):
+            return [Entry(Bound(k, env), Bound(v, env)) for k, v in expr.entries] if _is_plain_table(expr) else None
+        if isinstance(expr, Comprehension) and isinstance(expr.element, Table):
+            rows = self._comprehended(expr, env)
+            return None if rows is None else [entry for row in rows for entry in self._entries(row.expr, row.env) or ()]
+        if isinstance(expr, Call):
+            return self._entries_of_call(expr, env)
+        if not isinstance(expr, Name | Member):
+            return None
+        ways = self.folder.flow.ways(expr, env)
+        if ways:
+            states = list(dict.fromkeys(ways))
+            return self.held_entries(states[0][0], env) if len(states) == 1 and len(states[0]) == 1 else None
+        if isinstance(expr, Name) and expr.id in env.args:
+            given = env.args[expr.id]
+            return self.entries(given.expr, given.env.deeper(env.depth + 1))
+        found = self.sources(expr, env)
+        if found:
+            return self.held_entries(*found[0]) if len(found) == 1 else None
+        return self._declared_entries(expr, env)
+
+    def _declared_entries(self, expr: Name | Member, env: Env) -> list[Entry] | None:
+        if isinstance(expr, Name) and env.func.file.language == "python":
+            return self.folder.names.module_entries(expr.id, env)
+        found = self.folder.scope.constant(expr.id, env) if isinstance(expr, Name) else None
+        if found is not None and found[0].value is not None and "map" in found[0].type:
+            fixed = not self.folder.names.may_change(found[0].name, found[0], env)
+            return self._pairs(found[0].value, Env(env.func, 0, depth=env.depth + 1)) if fixed else None
+        return None
+
+    def _entries_of_call(self, expr: Call, env: Env) -> list[Entry] | None:
+        call = invocation_of(expr, env)
+        if env.func.file.language == "python":
+            if call.path == "dict" and not call.args:
+                return [Entry(Bound(Text(key), env), Bound(value, env)) for key, value in call.keywords]
+            copies = call.path == "dict" or (call.last == "copy" and call.receiver is not None)
+            base = call.args[0] if call.path == "dict" else call.receiver
+            return self.entries(base, env) if copies and len(call.args) <= 1 else self._returned_entries(call, env)
+        if call.receiver is None and last_name(call.path) in _TABLES:
+            listed = call.args[0] if len(call.args) == 1 and _is_nested(call.args[0]) else Items(call.args)
+            return self._pairs(listed, env)
+        return self._returned_entries(call, env)
+
+    def _returned_entries(self, call: Invocation, env: Env) -> list[Entry] | None:
+        callee = self.folder.calls.meant(call, env)
+        found = self.folder.calls.returned(callee, call, env) if callee is not None else []
+        return self.entries(*found[0]) if len(found) == 1 else None
+
+    def _pairs(self, expr: Expr, env: Env) -> list[Entry] | None:
+        items = expr.items if isinstance(expr, Items) else ()
+        if not isinstance(expr, Items) or not all(isinstance(item, Items) and len(item.items) == 2 for item in items):
+            return None
+        return [Entry(*[Bound(part, env) for part in item.items]) for item in items if isinstance(item, Items)]
+
+    def held_entries(self, held: Held, env: Env) -> list[Entry] | None:
+        """Return the entries of a table that a variable holds; None when they are not all known."""
+        if env.depth > MAX_DEPTH or held in self._asked:
+            self.folder.cuts += 1
+            return None
+        self._asked.add(held)
+        try:
+            return self._kept_entries(held, env.deeper(env.depth + 1))
+        finally:
+            self._asked.discard(held)
+
+    def _kept_entries(self, held: Held, env: Env) -> list[Entry] | None:
+        inner = held.env.deeper(env.depth + 1) if held.env is not None else env.deeper(env.depth + 1)
+        if held.how == "value":
+            declared = self._declared(held)
+            return (
+                self._pairs(held.expr, inner)
+                if declared and isinstance(held.expr, Items)
+                else self.entries(held.expr, inner)
+            )
+        if held.how == "made":
+            return [] if self._declared(held) else None
+        if held.how == "given":
+            return self._given_entries(held.name, env)
+        if held.how == "shared":
+            found_ = self.sources(Member(Name("this"), held.name.rpartition(".")[2]), env)
+            return self.held_entries(*found_[0]) if len(found_) == 1 else None
+        if held.how == "out":
+            found = self.folder.held.out(held, inner)
+            single = found is not None and len(found[0]) == 1
+            return self.held_entries(found[0][0], found[1].deeper(env.depth + 1)) if found and single else None
+        before = self.held_entries(held.before[0], env) if len(held.before) == 1 else None
+        if before is None:
+            return None
+        if held.how == "stored" and held.expr is not None and held.more is not None:
+            return [*before, Entry(Bound(held.expr, inner), Bound(held.more, inner))]
+        return self._changed_entries(before, held, inner) if held.how == "changed" else None
+
+    def _declared(self, held: Held) -> bool:
+        """Whether a variable of C++ is declared as a table."""
+        body = held.env.func.fact.body if held.env is not None else ()
+        written = body[held.at].type if 0 <= held.at < len(body) else ""
+        return last_name(plain(written)) in _TABLES
+
+    def _given_entries(self, key: str, env: Env) -> list[Entry] | None:
+        """A member at the start of a constructor is empty, or what it is declared with."""
+        name, cls = key.rpartition(".")[2], env.func.cls
+        if "." not in key:
+            entry = Env(env.func, 0, env.args, env.types, env.this, env.made, env.depth + 1, State(), env.outer)
+            return self._entries(Name(name), entry)
+        if not key.startswith(".") or not env.func.is_constructor or cls is None:
+            return None
+        if any(self.folder.members.sources(name, base, env) for base in self.folder.program.bases(cls)):
+            return None
+        field = cls.fields.get(name)
+        if field is None:
+            return None
+        if field.default is None:
+            return [] if last_name(plain(field.type)) in _TABLES else None
+        place = Env(env.func, 0, depth=env.depth + 1, this=cls)
+        return (
+            self._pairs(field.default, place)
+            if isinstance(field.default, Items)
+            else self.entries(field.default, place)
+        )
+
+    def _changed_entries(self, entries: list[Entry], held: Held, env: Env) -> list[Entry] | None:
+        """`update`, `setdefault`, `insert`, `emplace`: those of C++ keep what a key has."""
+        call = held.expr
+        if not isinstance(call, Call) or not isinstance(call.callee, Member):
+            return None
+        name, args = call.callee.name, call.args
+        if name == "clear" and not args:
+            return []
+        if name == "update" and len(args) == 1 and not call.keywords:
+            more = self.entries(args[0], env)
+            return None if more is None else [*entries, *more]
+        if name in {"insert_or_assign"} and len(args) == 2:
+            return [*entries, Entry(Bound(args[0], env), Bound(args[1], env))]
+        pair = args[0].items if name == "insert" and len(args) == 1 and isinstance(args[0], Items) else args
+        if name in {"insert", "emplace", "setdefault", "try_emplace"} and len(pair) == 2:
+            return [Entry(Bound(pair[0], env), Bound(pair[1], env)), *entries]
+        return None
+
+    def distinct(self, entries: list[Entry], env: Env) -> list[Entry] | None:
+        """Return the entries that a table has in the end: each key once, in the place where it came first."""
+        found: dict[Any, Entry] = {}
+        for entry in entries:
+            keys = self.fold(entry.key, env)
+            if len(keys) != 1 or not is_proved(keys[0]):
+                return None
+            first = found.get(data_in(keys[0]))
+            found[data_in(keys[0])] = Entry(first.key if first is not None else entry.key, entry.value)
+        return list(found.values())
+
+    # --- sequences ---------------------------------------------------------------------------------------------
 
     def flat(self, expr: Expr, env: Env) -> list[Bound]:
         """Return the elements of a sequence with spread and concatenated ones in place."""
@@ -147,7 +604,7 @@ class ListFolder:
             return [Bound(expr, env)]
         if isinstance(expr, Items):
             return [bound for item in expr.items for bound in self.flat(item, env.before(env.at))]
-        if isinstance(expr, Op) and expr.op == "+":
+        if isinstance(expr, Op) and expr.op in {"+", "*"}:
             return [bound for operand in expr.operands for bound in self.flat(operand, env.before(env.at))]
         if isinstance(expr, Name) and expr.id in env.args:
             given = env.args[expr.id]
@@ -165,15 +622,21 @@ class ListFolder:
         )
         if not name:
             return []
-        if isinstance(expr, Name):
-            local = self.folder.scope.local(name, env)
-            if local:
-                return [(definition, env.before(definition.at)) for definition in local]
+        local = self.folder.scope.local(expr, env) if isinstance(expr, Name) else []
+        if local:
+            return [(definition, env.before(definition.at)) for definition in local]
         found = self._member_definitions(name, env.this or env.func.cls, env)
         if found or not isinstance(expr, Name):
             return found
         outside = self.folder.objects.file_scope.definitions(name, env)
         return [(entry, Env(entry.func, entry.at, this=entry.func.cls, depth=env.depth + 1)) for entry in outside]
+
+    def reaching(self, expr: Name | Member, env: Env) -> list[tuple[Definition, Env]]:
+        """Return the assignments of which one gave a variable what it holds at a place; of a member the first known."""
+        local = self.folder.scope.reaching(expr, env) if isinstance(expr, Name) else []
+        if local:
+            return [(definition, env.before(definition.at)) for definition in local]
+        return self.definitions(expr, env)[:1]
 
     def _member_definitions(self, name: str, cls: Cls | None, env: Env) -> list[tuple[Definition, Env]]:
         found: list[tuple[Definition, Env]] = []
@@ -189,8 +652,131 @@ class ListFolder:
         return found
 
 
-def _variable(expr: Expr | None) -> str:
-    """The name of a variable or of a member of `this`."""
-    if isinstance(expr, Name):
-        return expr.id
-    return expr.name if isinstance(expr, Member) and expr.base == Name("this") else ""
+class Entry(NamedTuple):
+    """An entry of a table."""
+
+    key: Bound
+    value: Bound
+
+
+def _row(*parts: Bound) -> Bound:
+    """A tuple of elements that are evaluated in different places."""
+    names = [f"#{index}" for index in range(len(parts))]
+    place = parts[0].env
+    state = State().having(
+        {name: (Held("value", name, part.expr, part.env),) for name, part in zip(names, parts, strict=True)}
+    )
+    return Bound(Items(tuple([Name(name) for name in names])), place.within(state, place.at))
+
+
+def _is_plain_table(expr: Table) -> bool:
+    return all(key != Constant("null") for key, _ in expr.entries)
+
+
+def _is_nested(expr: Expr) -> bool:
+    """Whether braces hold braces: the list of a table, not one of its entries."""
+    return isinstance(expr, Items) and all(isinstance(item, Items) for item in expr.items) and bool(expr.items)
+
+
+def _slice(found: Any, bounds: Sequence[Any], kind: type) -> Any:
+    if not isinstance(found, kind) or any(bound is UNKNOWN for bound in bounds):
+        return UNKNOWN
+    limits = [None if bound is NULL else bound for bound in bounds]
+    if not all(limit is None or (isinstance(limit, int) and limit is not False) for limit in limits) or 0 in limits[2:]:
+        return UNKNOWN
+    return found[slice(*limits)]  # type: ignore[index]
+
+
+def _character(text: Any, at: Any) -> Any:
+    return text[at] if isinstance(text, str) and -len(text) <= at < len(text) else UNKNOWN
+
+
+def _range(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
+    values = [lists.folder.fold(arg, env) for arg in call.args]
+    known = [found[0].data for found in values if len(found) == 1 and is_proved(found[0])]
+    data = [entry for entry in known if isinstance(entry, int)]
+    if not 1 <= len(data) <= 3 or len(data) != len(values) or 0 in data[2:]:
+        return None
+    numbers = range(*data)
+    return [Bound(Number(number), env) for number in numbers] if len(numbers) <= MAX_ITEMS else None
+
+
+def _copied(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
+    if not call.args:
+        return []
+    return lists.items(call.args[0], env) if len(call.args) == 1 and not call.keywords else None
+
+
+def _sorted(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
+    items = _copied(lists, call, env)
+    return None if items is None else lists.ordered(items, env)
+
+
+def _reversed(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
+    items = _copied(lists, call, env)
+    return None if items is None else items[::-1]
+
+
+def _enumerated(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
+    start = next(
+        (value for name, value in call.keywords if name == "start"), call.args[1] if len(call.args) > 1 else Number(0)
+    )
+    items = lists.items(call.args[0], env) if call.args else None
+    if items is None or not isinstance(start, Number) or not isinstance(start.value, int):
+        return None
+    return [_row(Bound(Number(start.value + index), env), item) for index, item in enumerate(items)]
+
+
+def _zipped(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
+    columns = [lists.items(arg, env) for arg in call.args]
+    known = [column for column in columns if column is not None]
+    if len(known) != len(columns) or not columns or call.keywords:
+        return None
+    return [_row(*row) for row in zip(*known, strict=False)]
+
+
+def _table_part(which: str) -> _Giver:
+    def work(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
+        entries = lists.entries(call.receiver, env)
+        distinct = lists.distinct(entries, env) if entries is not None else None
+        if distinct is None:
+            return None
+        if which == "items":
+            return [_row(entry.key, entry.value) for entry in distinct]
+        return [entry.key if which == "keys" else entry.value for entry in distinct]
+
+    return work
+
+
+def _split(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
+    if call.receiver is None:
+        return None
+    groups = [lists.folder.fold(part, env) for part in (call.receiver, *call.args)]
+    if any(len(group) != 1 or not is_proved(group[0]) for group in groups):
+        return None
+    data = [data_in(group[0]) for group in groups]
+    found = method(call.last, data[0], data[1:], True) if isinstance(data[0], str) and UNKNOWN not in data else UNKNOWN
+    return [Bound(Text(part), env) for part in found] if isinstance(found, list | tuple) else None
+
+
+_Giver = Callable[[ListFolder, Invocation, Env], list[Bound] | None]
+_PYTHON: Final[Mapping[str, _Giver]] = MappingProxyType(
+    {
+        "range": _range,
+        "list": _copied,
+        "tuple": _copied,
+        "copy": lambda lists, call, env: lists.items(call.receiver, env) if not call.args else None,
+        "sorted": _sorted,
+        "reversed": _reversed,
+        "enumerate": _enumerated,
+        "zip": _zipped,
+        "keys": _table_part("keys"),
+        "values": _table_part("values"),
+        "items": _table_part("items"),
+        "split": _split,
+        "rsplit": _split,
+        "partition": _split,
+        "rpartition": _split,
+    }
+)
+"""Calls of Python that give lists, as functions or as methods."""

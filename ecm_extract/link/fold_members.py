@@ -2,39 +2,35 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection, Hashable
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import (
-    Call,
     Expr,
     Member,
     Name,
 )
-from ecm_parsers.source.facts import Statement
-from msgspec.structs import replace
 
+from ecm_extract.infer.held import Held
 from ecm_extract.link.calls import dotted_name
 from ecm_extract.link.env import Env, Instance
+from ecm_extract.link.fold_names import is_fresh
 from ecm_extract.link.formats import VALUE_READS
-from ecm_extract.link.scope import Definition
-from ecm_extract.link.spelling import last_name
 from ecm_extract.link.units import Cls, Func
 from ecm_extract.link.values import (
     MAX_ALTERNATIVES,
     Value,
+    alternatives,
+    circular,
     demoted,
+    is_circle,
     lowered,
-    node_name,
     set_by,
-    unique,
     unknown,
 )
-from ecm_extract.link.walk import expressions
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
-
-_NODES = frozenset({"Node", "LifecycleNode"})
 
 
 class MemberFolder:
@@ -42,7 +38,7 @@ class MemberFolder:
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
-        self._known: dict[tuple[int, str], tuple[Value, ...]] = {}
+        self._known: dict[Hashable, tuple[Value, ...]] = {}
 
     def forget(self) -> None:
         """Drop remembered members, since more of the parameters is known now."""
@@ -50,7 +46,13 @@ class MemberFolder:
 
     def member(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """`this->x`, `params_.x`, `module.CONSTANT`, `object.field`."""
+        ways = self.folder.flow.ways(expr, env)
+        if ways:
+            return self.folder.held.of(ways, env)
         if expr.base == Name("this"):
+            first = self.folder.held.at_first(expr.name, env) if is_fresh(env) else ()
+            if first:
+                return first
             cls = env.this or env.func.cls
             found = self.member_value(expr.name, cls, env) if cls is not None else ()
             return found or (unknown(expr.name),)
@@ -58,7 +60,18 @@ class MemberFolder:
             return self.folder.fold(expr.base, env.before(env.at))
         dotted = dotted_name(expr)
         found = self.folder.names.imported(dotted, env) if dotted and env.func.file.language == "python" else ()
-        return found or self._field(expr, env) or self._option(expr, env) or (unknown(expr.name),)
+        part = self._part(expr, env) if not found else ()
+        return found or part or self._field(expr, env) or self._option(expr, env) or (unknown(expr.name),)
+
+    def _part(self, expr: Member, env: Env) -> tuple[Value, ...]:
+        """A field of a structure that is made from a list of its values: `Row{"a", 1}` and `row.name`."""
+        items = self.folder.lists.structure(expr.base, env)
+        cls = self.folder.objects.class_of(expr.base, env) if items is not None else None
+        names = [field.name for field in cls.fact.fields] if cls is not None else []
+        if items is None or expr.name not in names or names.index(expr.name) >= len(items):
+            return ()
+        bound = items[names.index(expr.name)]
+        return demoted(self.folder.fold(bound.expr, bound.env.deeper(env.depth + 1)))
 
     def _option(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """`args.name` of argparse: the option's default."""
@@ -94,77 +107,97 @@ class MemberFolder:
         if not self.folder.reads.is_declared(name, package):
             return None
         known = self.folder.reads.default(name, package)
-        label = f"{package}.{name}"  # a default may be the parameter itself: declare_parameter("a", params_.a)
-        values = self.folder.guarded(
-            label, Env(env.func), lambda: self.folder.calls.default_value(name, known, None, env)
-        )
+        asked = ("parameter", package, name)  # a default may be the parameter itself: declare_parameter("a", params_.a)
+        values = self.folder.guarded(asked, name, lambda: self.folder.calls.default_value(name, known, None, env))
         return set_by(name, values)
 
     def member_value(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
         """Return the values that the methods of a class and its bases give one of its data members."""
         anyone = env.made is None or env.made.cls is not cls or not (env.made.args or env.made.types)
-        known = self._known.get((id(cls), name)) if anyone else None
+        asked = ("member", cls, name, None if anyone else env.made)
+        known = self._known.get(asked)
         if known is not None:
             return known
-        cuts = self.folder.cuts
-        label = f"{cls.qualified}.{name}"
-        values = self.folder.guarded(label, Env(env.func), lambda: self._member_value(name, cls, env))
-        if anyone and cuts == self.folder.cuts:
-            self._known[id(cls), name] = values
+        if self._is_being_run(name, cls):
+            self.folder.cycles += 1
+            return (unknown(name),)
+        marks = self.folder.marks
+        place = Env(env.func, env.at, this=env.this, made=env.made)  # at no depth: the answer is for everybody
+        values = self.folder.guarded(asked, name, lambda: self._member_value(name, cls, place), circular(name))
+        if marks == self.folder.marks or not self.folder.is_asking:
+            self._known[asked] = values
         return values
+
+    def _is_being_run(self, name: str, cls: Cls) -> bool:
+        """Whether a method that may change a member is run right now: what it leaves is not known before it ends."""
+        running = self.folder.flow.running
+        return bool(running) and any(
+            method in running
+            for entry in self.folder.program.ancestry(cls)
+            for method in self.folder.scope.changing(name, entry)
+        )
 
     def _member_value(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
         values: list[Value] = []
+        sources = self.sources(name, cls, env)
+        for held, place in sources:
+            values += self.folder.held.values(held, place)
         for entry in self.folder.program.ancestry(cls):
-            values += self._assigned(name, entry, cls, env)
             for method, at, read, default in self.folder.reads.members(entry, name):
-                values += self.folder.calls.parameter_value(
-                    read, default, self._method_env(Definition(method, at), cls, env)
-                )
-        fields = [entry.fields[name].default for entry in self.folder.program.ancestry(cls) if name in entry.fields]
-        default = next((found for found in fields if found is not None), None)  # that of a derived class hides others
-        if default is not None:
-            values += demoted(self.folder.fold(default, Env(env.func, depth=env.depth + 1, this=cls)))
-        filled = [value for value in values if value.text]
-        return unique(filled or values) if values else ()
+                if at not in self._reads_of(method, name):
+                    place = self._method_env(method, cls, env)
+                    values += self.folder.calls.parameter_value(read, default, place.within(None, at))
+        if not any(_makes(held) for held, _ in sources):
+            values += self.initial(name, cls, env)
+        others = [value for value in values if not is_circle(value)]  # `x = x` gives it nothing new
+        filled = [value for value in others or values if value.text]
+        return alternatives(filled or others or values) if values else ()
 
-    def _assigned(self, name: str, entry: Cls, cls: Cls, env: Env) -> list[Value]:
-        """What the methods of one class assign; `x = join(x)` takes the place of what its method assigned before."""
-        found: list[tuple[Func, tuple[Value, ...]]] = []
-        for definition in self.folder.scope.members(name, entry):
-            if len(found) >= MAX_ALTERNATIVES or not self.folder.objects.runs(definition.func, env.made):
-                continue
-            inner = self._method_env(definition, cls, env)
-            named = _is_name_of_node(definition)
-            values = (node_name(),) if named else demoted(self.folder.fold(definition.statement.value, inner))
-            if values and _rewrites(definition.statement, name):
-                found = [(func, before) for func, before in found if func is not definition.func]
-            found.append((definition.func, values))
-        return [value for _, values in found for value in values][:MAX_ALTERNATIVES]
+    def _reads_of(self, method: Func, name: str) -> Collection[int]:
+        """The statements whose reads of parameters the run of a method has followed into the member."""
+        found = self.folder.flow.reads(method)
+        effects = self.folder.flow.effects(method)
+        return [at for at, entries in found.items() if any(effects.key(entry[0]) == f".{name}" for entry in entries)]
 
-    def _method_env(self, definition: Definition, cls: Cls, env: Env) -> Env:
+    def initial(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
+        """Return what a member holds before any method runs: its default; that of a derived class hides others."""
+        fields = [entry.fields[name] for entry in self.folder.program.ancestry(cls) if name in entry.fields]
+        default = next((field.default for field in fields if field.default is not None), None)
+        if default is None:
+            return ()
+        values = demoted(self.folder.fold(default, Env(env.func, depth=env.depth + 1, this=cls)))
+        assigned = cls.file.language == "python" and self.folder.scope.is_assigned_outside(name)
+        return alternatives((*values, unknown(name))) if assigned else values
+
+    def sources(self, name: str, cls: Cls, env: Env) -> list[tuple[Held, Env]]:
+        """Return what the methods of a class and its bases leave a member with, or show it with to other functions.
+
+        Of a class whose objects are not known to be of no derived one, what derived classes do counts too.
+        """
+        found: list[tuple[Held, Env]] = []
+        concrete = env.made is not None and bool(env.made.args or env.made.types or env.made.maker)
+        derived = () if concrete else self.folder.program.derived(cls)
+        for entry in (*self.folder.program.ancestry(cls), *derived):
+            for method in self.folder.scope.changing(name, entry):
+                if self.folder.objects.runs(method, env.made):
+                    place = self._method_env(method, cls if entry not in derived else entry, env)
+                    found += [(held, place) for held in self._left(method, place, name)]
+        return found[: MAX_ALTERNATIVES + 1]
+
+    def _left(self, method: Func, place: Env, name: str) -> list[Held]:
+        run = self.folder.flow.run(place, whole=method.is_constructor)
+        if run is None:
+            return [Held("lost", name)]
+        key = f".{name}"
+        ends = run.end.holds.get(key, ()) if run.end is not None else ()
+        helds = dict.fromkeys((*run.shown.get(key, ()), *ends))
+        return [held for held in helds if held.how not in {"given", "shared"}]
+
+    def _method_env(self, method: Func, cls: Cls, env: Env) -> Env:
         made = env.made if env.made is not None and env.made.cls is cls else None
-        return Env(definition.func, definition.at, this=cls, made=made or Instance(cls, {}, {}), depth=env.depth + 1)
+        return Env(method, this=cls, made=made or Instance(cls, {}, {}), depth=env.depth + 1)
 
 
-def _rewrites(statement: Statement, name: str) -> bool:
-    """Tell whether a statement that always runs makes a new value of a member from the one that it has."""
-    own = (Name(name), Member(Name("this"), name))
-    return statement.depth == 0 and any(expr in own for expr, _ in expressions(replace(statement, target=None)))
-
-
-def _is_name_of_node(definition: Definition) -> bool:
-    """Tell whether a constructor gives a member what it gives its node as a name: `Node(name), name_(name)`."""
-    if definition.statement.kind != "init" or definition.statement.value is None:
-        return False
-    calls = (entry.value for entry in definition.func.fact.body if entry.kind == "init" and _is_node(entry.target))
-    return any(isinstance(call, Call) and call.args[:1] == (_only(definition.statement.value),) for call in calls)
-
-
-def _is_node(target: Expr | None) -> bool:
-    return isinstance(target, Name) and last_name(target.id) in _NODES
-
-
-def _only(value: Expr) -> Expr:
-    """What an initialiser `x_(value)` holds."""
-    return value.args[0] if isinstance(value, Call) and len(value.args) == 1 else value
+def _makes(held: Held) -> bool:
+    """Tell whether a value does not depend on what was there before."""
+    return held.how in {"value", "each"}

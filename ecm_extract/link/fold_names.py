@@ -13,26 +13,31 @@ from ecm_parsers.source.expr import (
     Expr,
     Name,
 )
+from ecm_parsers.source.facts import Constant
 
-from ecm_extract.link.env import Env, bind, invocation_of
-from ecm_extract.link.scope import Definition
+from ecm_extract.link.env import Bound, Env
 from ecm_extract.link.spelling import last_name
 from ecm_extract.link.units import File
 from ecm_extract.link.values import (
+    Enumerator,
     Value,
+    alternatives,
+    constant,
     demoted,
+    literal,
     lowered,
     parameter,
-    unique,
     unknown,
 )
 
 if TYPE_CHECKING:
+    from ecm_extract.infer.held import Held
     from ecm_extract.link.fold import Folder
+    from ecm_extract.link.fold_lists import Entry
 
 
 @cache
-def outside_constants() -> Mapping[str, str]:
+def outside_constants() -> Mapping[str, str | float]:
     """Return constants of public headers outside the tree by their own name."""
     text = (resources.files("ecm_extract.link") / "outside_constants.toml").read_text("utf-8")
     return MappingProxyType(tomllib.loads(text)["constants"])
@@ -49,57 +54,39 @@ class NameFolder:
         return self.folder.once(expr.id, env, lambda: self._name(expr.id, env))
 
     def _name(self, name: str, env: Env) -> tuple[Value, ...]:
-        found = self._local(name, env)
-        if found and self.folder.scope.is_certain(name, env):
-            return found
-        base = self._given(name, env)
-        if found or base:
-            return unique((*base, *found))
-        return self._outside(name, env) or (unknown(name),)
+        ways = self.folder.flow.ways(Name(name), env)
+        if ways:
+            return self.folder.held.of(ways, env)
+        key = self.folder.flow.effects(env.func).key(Name(name))
+        first = self.folder.held.at_first(name, env) if key.startswith(".") and is_fresh(env) else ()
+        return first or self.around(name, env) or (unknown(name),)
+
+    def around(self, name: str, env: Env) -> tuple[Value, ...]:
+        """Return what a name means that the function at hand does not give a value; empty when nothing shows it."""
+        return self._given(name, env) or self._captured(name, env) or self._outside(name, env)
+
+    def _captured(self, name: str, env: Env) -> tuple[Value, ...]:
+        """A variable of the function around the one at hand: of who calls it there, else if it has one value."""
+        flow = self.folder.flow
+        outer = flow.enclosing(env.func)
+        if outer is None or name not in flow.effects(outer).own:
+            return ()
+        if env.outer is not None and env.outer.func is outer:
+            return self.folder.fold(Name(name), env.outer.deeper(env.depth + 1))
+        if not flow.is_bound_once(outer, name):
+            return (unknown(name),)
+        return self.folder.fold(Name(name), Env(outer, this=env.this, made=env.made, depth=env.depth + 1))
 
     def _given(self, name: str, env: Env) -> tuple[Value, ...]:
         """What a name is before the function assigns it: its parameter, or a member of the object."""
         if any(entry.name.lstrip("*") == name for entry in env.func.fact.params):
             return self._parameter(name, env)
         cls = env.this or env.func.cls
-        if cls is None or env.func.file.language != "cpp":
+        if cls is None or env.func.file.language != "cpp" or "::" in name:
+            return ()
+        if self.folder.flow.is_outside(name, env.func):
             return ()
         return self.folder.members.member_value(name, cls, env)
-
-    def _local(self, name: str, env: Env) -> tuple[Value, ...]:
-        values: list[Value] = []
-        for definition in self.folder.scope.local(name, env):
-            values += self._defined(definition, env.before(definition.at))
-        for at, read, default in self.folder.reads.written(env.func, name):
-            if at < env.at:
-                values += self.folder.calls.parameter_value(read, default, env.before(at))
-        return unique(values or self._by_reference(name, env)) if values or not env.args.get(name) else ()
-
-    def _by_reference(self, name: str, env: Env) -> list[Value]:
-        """What functions of the tree write to a local that they get by reference."""
-        values: list[Value] = []
-        for at, expr, index in self.folder.scope.passed(env.func, name):
-            if at >= env.at:
-                continue
-            outer = env.before(at)
-            call = invocation_of(expr, outer)
-            callee = self.folder.objects.callee(call, outer)
-            if callee is None or callee is env.func or index >= len(callee.fact.params):
-                continue
-            target = callee.fact.params[index]
-            if target.type.endswith("&") and "const" not in target.type:
-                given = {key: bound for key, bound in bind(callee, call, outer).items() if key != target.name}
-                inner = Env(callee, args=given, this=env.this, made=env.made, depth=env.depth + 1)
-                found = self._local(target.name, inner)
-                always = any(entry.statement.depth == 0 for entry in self.folder.scope.local(target.name, inner))
-                values += found if always else lowered(found, "default")
-        return values
-
-    def _defined(self, definition: Definition, env: Env) -> tuple[Value, ...]:
-        statement = definition.statement
-        if statement.kind == "each":
-            return self.folder.lists.elements(statement.value, env)
-        return demoted(self.folder.fold(statement.value, env))
 
     def _parameter(self, name: str, env: Env) -> tuple[Value, ...]:
         bound = env.args.get(name)
@@ -128,35 +115,93 @@ class NameFolder:
         return demoted(self.folder.fold(bound.expr, bound.env.before(bound.env.at))) if bound is not None else ()
 
     def _outside(self, name: str, env: Env) -> tuple[Value, ...]:
-        constant = self.folder.scope.constant(name, env)
-        if constant is not None:
-            expr, _, file = constant
-            inner = Env(self._file_env(file, env).func, depth=env.depth + 1)
-            return demoted(self.folder.fold(expr, inner))
         if env.func.file.language == "python":
-            return self.imported(name, env)
-        text = outside_constants().get(last_name(name))
-        return () if text is None else (Value((text,), "folded"),)
+            return self._of_module(name, env.func.file, env) or self.imported(name, env)
+        found = self.folder.scope.constant(name, env)
+        if found is not None:
+            return self._of_namespace(name, found, env)
+        known = outside_constants().get(last_name(name))
+        return () if known is None else demoted((literal(known) if isinstance(known, str) else constant(known),))
+
+    def _of_namespace(self, name: str, found: tuple[Constant, File], env: Env) -> tuple[Value, ...]:
+        """A constant, or a variable that functions may assign to."""
+        constant, file = found
+        if constant.value is None:
+            return (Value((f"{constant.scope}::{constant.name}",), "literal", None, Enumerator(constant)),)
+        values = demoted(self.folder.fold(constant.value, Env(self._file_env(file, env).func, depth=env.depth + 1)))
+        return alternatives((*values, unknown(name))) if self.may_change(name, constant, env) else values
+
+    def may_change(self, name: str, constant: Constant, env: Env) -> bool:
+        """Tell whether a variable of a namespace may hold something else than what it is declared with."""
+        return not _is_fixed(constant) and self.folder.objects.file_scope.is_changed(name, env)
 
     def _file_env(self, file: File, env: Env) -> Env:
         func = next((f for f in self.folder.program.functions_in(file) if f.fact.name == "<module>"), None)
         return Env(func) if func is not None else env
 
+    def _of_module(self, name: str, file: File, env: Env) -> tuple[Value, ...]:
+        """What the body of a Python module leaves a name with; functions may give it something else."""
+        place = self._module(file, env)
+        ways = self.folder.flow.ways(Name(name), place) if place is not None else []
+        if place is None or not ways:
+            return ()
+        values = demoted(self.folder.held.of(ways, place))
+        return alternatives((*values, unknown(name))) if self._is_shared(name, file) else values
+
+    def _module(self, file: File, env: Env) -> Env | None:
+        """The end of the body of a Python module; None in that body itself."""
+        module = next((f for f in self.folder.program.functions_in(file) if f.fact.name == "<module>"), None)
+        return Env(module, depth=env.depth + 1) if module is not None and module is not env.func else None
+
+    def _is_shared(self, name: str, file: File) -> bool:
+        """Tell whether functions of a module may change a variable of it: they assign it, or call a method of it."""
+        flow = self.folder.flow
+        for func in self.folder.program.functions_in(file):
+            if name in func.fact.shared:
+                return True
+            if (
+                func.fact.name != "<module>"
+                and name not in flow.effects(func).own
+                and name in flow.outline(func).changes
+            ):
+                return True
+        return False
+
+    def module_items(self, name: str, env: Env) -> list[Bound] | None:
+        """Return the elements of a list that the body of a module leaves a name with."""
+        place, ways = self._left(name, env)
+        return self.folder.held.items_of(ways, place) if place is not None and ways else None
+
+    def module_entries(self, name: str, env: Env) -> list[Entry] | None:
+        """Return the entries of a table that the body of a module leaves a name with."""
+        place, ways = self._left(name, env)
+        if place is None or len(set(ways)) != 1 or len(ways[0]) != 1:
+            return None
+        return self.folder.lists.held_entries(ways[0][0], place)
+
+    def _left(self, name: str, env: Env) -> tuple[Env | None, list[tuple[Held, ...]]]:
+        file = env.func.file
+        place = self._module(file, env)
+        if place is None or self._is_shared(name, file):
+            return None, []
+        return place, self.folder.flow.ways(Name(name), place)
+
     def imported(self, dotted: str, env: Env) -> tuple[Value, ...]:
         """A constant of another Python module, by its dotted name."""
-        head, *rest = dotted.split(".")
-        target = ".".join([env.func.file.imported.get(head, head), *rest])
-        owner, _, last = target.rpartition(".")
-        owner_last = owner.rsplit(".", 1)[-1]
-        for file, constant in self.folder.program.seen_constants(last, env.func.file):
-            stem = file.path.rsplit("/", 1)[-1].removesuffix(".py")
-            if (
-                file.language == "python"
-                and constant.value is not None
-                and owner_last in {stem, constant.scope, ""}
-                and owner_last
-            ):
-                return demoted(
-                    self.folder.fold(constant.value, Env(self._file_env(file, env).func, depth=env.depth + 1))
-                )
-        return ()
+        found = self.folder.program.constant_named(dotted, env.func.file)
+        if found is None or found.constant.value is None:
+            return ()
+        if not found.constant.scope:
+            return self._of_module(found.constant.name, found.file, env)
+        inner = Env(self._file_env(found.file, env).func, depth=env.depth + 1)
+        return demoted(self.folder.fold(found.constant.value, inner))
+
+
+def is_fresh(env: Env) -> bool:
+    """Tell whether a place is one on which no function of the tree was called before."""
+    return env.state is not None and not env.state.called
+
+
+def _is_fixed(constant: Constant) -> bool:
+    """Tell whether nobody can assign to a constant; a pointer that is constant is one that may be moved."""
+    return any(trait in {"constexpr", "define", "enum", "const"} for trait in constant.traits)

@@ -5,20 +5,23 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from ecm_parsers.source.expr import Expr, Items, Name, Text
+from ecm_parsers.source.expr import Expr, Items, Name, Op, Text
 
 from ecm_extract.link.calls import Invocation
 
 VALUE_READS = frozenset(
     {"as_string", "as_string_array", "get_parameter_value", "get_value", "string_array_value", "string_value", "value"}
-    | {"c_str", "data", "encode", "get", "str", "string", "toStdString", "to_string"}
-    | {"lower", "lstrip", "rstrip", "strip"}
+    | {"c_str", "data", "decode", "encode", "get", "str", "string", "toStdString", "to_string"}
 )
 """Members and methods that give the text of what they are called on."""
+PARAMETER_READS = frozenset(
+    {"as_string", "as_string_array", "get_parameter_value", "string_array_value", "string_value"}
+)
+"""Those of them that values of parameters alone have."""
 _MAX_INDEX = 6
 """Digits of an index that are read: no call has as many arguments."""
-_PERCENT = re.compile(r"%(?:\((\w+)\))?[-+ #0-9.]*l?[sdifurgx]")
-_BRACES = re.compile(r"\{([^{}:!]*)(?:[:!][^{}]*)?\}")
+_PERCENT = re.compile(r"%(?:\((\w+)\))?[-+ #0-9.]*(?:hh|h|ll|l|z)?[a-zA-Z]")
+_BRACES = re.compile(r"\{([^{}:!]*)((?:![a-z])?)(?::([^{}]*))?\}")
 
 
 def formatted(call: Invocation) -> list[Expr | str] | None:
@@ -37,18 +40,24 @@ def formatted(call: Invocation) -> list[Expr | str] | None:
 
 def percent(text: str, operand: Expr) -> list[Expr | str]:
     """Take a printf-style format apart."""
+    if "%%" in text:
+        return [Name("value")]
     values = list(operand.items) if isinstance(operand, Items) else [operand]
     pieces: list[Expr | str] = []
     position = 0
     for match in _PERCENT.finditer(text):
         pieces.append(text[position : match.start()])
-        pieces.append(values.pop(0) if values and not match.group(1) else Name(match.group(1) or "value"))
+        value = values.pop(0) if values and not match.group(1) else Name(match.group(1) or "value")
+        spec = match.group().replace(f"({match.group(1)})", "") if match.group(1) else match.group()
+        pieces.append(Op("format", (value, Text(spec))))
         position = match.end()
     return [*pieces, text[position:]]
 
 
 def braces(text: str, args: Sequence[Expr], keywords: dict[str, Expr]) -> list[Expr | str]:
     """Take a brace format apart."""
+    if "{{" in text or "}}" in text:
+        return [Name("value")]
     pieces: list[Expr | str] = []
     position, count = 0, 0
     for match in _BRACES.finditer(text):
@@ -57,7 +66,9 @@ def braces(text: str, args: Sequence[Expr], keywords: dict[str, Expr]) -> list[E
         index = int(key[:_MAX_INDEX]) if key.isdecimal() else count
         count += not key
         known = keywords.get(key) if key and not key.isdecimal() else args[index] if index < len(args) else None
-        pieces.append(known if known is not None else Name(key or "value"))
+        value = known if known is not None else Name(key or "value")
+        spec = match.group(2) + (match.group(3) or "")
+        pieces.append(Op("format", (value, Text(spec))))
         position = match.end()
     return [*pieces, text[position:]]
 

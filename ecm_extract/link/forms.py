@@ -36,12 +36,15 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         out: position of the variable that receives a parameter's value.
         receiver: last names of the classes whose objects have the method; empty for any.
         node: position of the node or node handle when it is an argument.
-        fixed: the name, when the form implies it.
+        fixed: the name, when the form implies it; `~/x` is private, or below the handle at `node` where one is given.
+        place: what the endpoint is called where the name that is given is not its own: `{name}/get`, `{parent}/info`.
+        beside: the row holds in addition to the one that a call is.
+        flag: position of what has to be true for the row to hold.
+        profile: preset of the QoS, when the form implies it.
         items: position of a list of (name, default) pairs, for calls that declare many.
         min_args: fewer positional arguments are another function.
         frame: positions of frames, for transforms.
         latch: position of the flag that keeps the last message for who comes later (ROS 1).
-        beside: last part of the name of a second endpoint in the same namespace. beside_type: its type.
     """
 
     callee: str
@@ -57,12 +60,14 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     receiver: tuple[str, ...] = ()
     node: str = ""
     fixed: str = ""
+    place: str = ""
+    beside: bool = False
+    flag: str = ""
+    profile: str = ""
     items: str = ""
     min_args: int = 0
     frame: str = ""
     latch: str = ""
-    beside: str = ""
-    beside_type: str = ""
 
     def __post_init__(self) -> None:
         """Refuse positions that mean nothing, so that a misspelt one is an error and not a form without effect."""
@@ -76,6 +81,7 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
             self.node,
             self.frame,
             self.latch,
+            self.flag,
         )
         for column in columns:
             if column and not _is_position(column):

@@ -8,12 +8,11 @@ from dataclasses import dataclass, field
 from typing import TypeVar
 
 from ecm_checker.contract import Evidence, Interface, Qos, Role
-from ecm_parsers.source.expr import Expr, Items, Text
+from ecm_parsers.source.expr import Expr, Items, Name, Text
 
 from ecm_extract.link.activation import Activation
 from ecm_extract.link.built import files_of
 from ecm_extract.link.claims import Claim, claims_of
-from ecm_extract.link.companions import beside, companion
 from ecm_extract.link.data import UNKNOWN, stated_type
 from ecm_extract.link.diagnoses import SUMMARIES, Diagnosis, diagnoses
 from ecm_extract.link.endpoint_types import EndpointTypes
@@ -21,9 +20,9 @@ from ecm_extract.link.fallbacks import fallback
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.forms import FormTable
 from ecm_extract.link.generated import GeneratedParameters
-from ecm_extract.link.handles import OWN, Handle, Handles
+from ecm_extract.link.handles import Handle, Handles
 from ecm_extract.link.made import units_of
-from ecm_extract.link.match import Matcher, is_callback, name_argument, positions
+from ecm_extract.link.match import Matcher, handle_argument, is_callback, name_argument, positions
 from ecm_extract.link.merging import merged
 from ecm_extract.link.module_kinds import is_managed
 from ecm_extract.link.modules import Module, Modules
@@ -38,19 +37,22 @@ from ecm_extract.link.names import (
 )
 from ecm_extract.link.node_names import NodeName, NodeNames
 from ecm_extract.link.observe import Observation, observation_forms, observations
+from ecm_extract.link.ownership import Ownership
 from ecm_extract.link.parameters import Home, Parameters
+from ecm_extract.link.placing import placed
 from ecm_extract.link.program import Program
 from ecm_extract.link.qos import QosReader
 from ecm_extract.link.references import References, Unit
-from ecm_extract.link.registry import build_registry
+from ecm_extract.link.registry import build_registry, plugins_of
 from ecm_extract.link.scope import Scope
-from ecm_extract.link.sight import Sight
 from ecm_extract.link.site import Site
-from ecm_extract.link.sites import Sites, overrides
+from ecm_extract.link.sites import Sites
 from ecm_extract.link.stamps import Stamp, stamps
 from ecm_extract.link.types import Types
-from ecm_extract.link.values import Value, literal, settled, unknown
+from ecm_extract.link.values import Value, literal, settled, unknown, weaker
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.resolve.layout import layouts
+from ecm_extract.resolve.sight import Sight
 from ecm_extract.tree import Tree
 
 MAX_NAMES = 40
@@ -84,24 +86,25 @@ class Linker:
     """Everything that is known of one tree while its endpoints are found."""
 
     def __init__(self, packages: Sequence[PackageFacts], forms: FormTable) -> None:
-        self.packages = packages
+        packages = self.packages = sorted(packages, key=lambda package: package.root.path)
         files = files_of(packages)
-        self.program = Program(files, Sight(packages, files))
+        self.program = Program(files, Sight(packages, files), layouts(packages))
         self.parameters = Parameters(forms)
         self.folder = Folder(self.program, Scope(self.program), self.parameters)
         self.types = Types(self.folder)
         self.qos = QosReader(self.folder)
         self.handles = Handles(self.folder)
         matcher = Matcher(forms, self.folder)
-        self.sites = Sites(self.program, matcher, self.types, self.parameters, (*observation_forms(), *SUMMARIES))
+        self.registry = registry = build_registry(self.program, packages)
+        also, plugins = (*observation_forms(), *SUMMARIES), plugins_of(self.program, registry)
+        self.sites = Sites(self.program, matcher, self.types, self.parameters, also, plugins)
         self.typing = EndpointTypes(self.folder, self.types)
         self.names = NodeNames(self.folder, self.sites)
         self.generated = GeneratedParameters(self.program, packages)
-        registry = build_registry(self.program, packages)
-        self.registry = registry
         self.parameter_sites: list[Site] = []
         self.references = References(self.sites)
         self.modules = Modules(self.program, self.references, registry)
+        self.ownership = Ownership(self.sites, self.modules)
         self._observed: dict[int, list[Observation]] = defaultdict(list)
         self._stamped: dict[int, list[Stamp]] = defaultdict(list)
         self._diagnosed: dict[int, list[Diagnosis]] = defaultdict(list)
@@ -191,9 +194,8 @@ class Linker:
     # --- endpoints ---------------------------------------------------------------------------------------
 
     def _attribute(self, site: Site, found: dict[int, list[Interface]], nodes: Mapping[int, NodeName]) -> None:
-        offered = self._only_offered(site)
         for unit in units_of(site, self.sites, self.modules):
-            for module in (self.modules.library(unit),) if offered else self.modules.owners(unit):
+            for module in self.ownership.owners(unit, site):
                 node = self._node(module, nodes)
                 self._give(site, unit, module, found[id(module)], node.text if node is not None else None)
 
@@ -203,16 +205,6 @@ class Linker:
             found.append(interface)
             names = self._local[id(module)].setdefault((interface.role, interface.name, interface.type), [])
             names += [local] * (local not in names)
-
-    def _only_offered(self, site: Site) -> bool:
-        """A helper that nobody calls declares nothing in the modules that could call it."""
-        if site.root.is_constructor or overrides(site.root) or site.form.fixed or site.form.items:
-            return False
-        values = self.sites.names(site)
-        given = {parameter.name for parameter in site.root.fact.params}
-        return any(
-            value.open("param") & given and all(not isinstance(part, str) for part in value.parts) for value in values
-        )
 
     def _interfaces(self, site: Site, node: str | None, origin: str | None) -> Iterator[tuple[Interface, str]]:
         ros = site.root.file.ros
@@ -227,6 +219,8 @@ class Linker:
             kind, data = self.typing.of(site, default)
             if is_below_node(value):
                 confidence = "folded"
+            if not site.certain:
+                confidence = weaker(confidence, "one_of")
             if value.text == "" and site.form.role != "parameter":
                 confidence = "pattern"
             interface = Interface(
@@ -241,33 +235,35 @@ class Linker:
                 default=None if data is UNKNOWN else data,
                 inherited_from=origin,
             )
-            yield interface, name.resolved if site.form.fixed else local
-            if site.form.beside:
-                yield companion(interface, site.form), beside(local, site.form.beside)
+            yield interface, name.resolved if _is_absolute(site) else local
 
     def _name(self, site: Site, value: Value, handle: Handle, node: str | None, ros: int | None) -> RosName:
-        if site.form.fixed:
+        if _is_absolute(site):
             return RosName(value.text, value.text)
         make = parameter_name if site.form.role == "parameter" else endpoint_name
         return make(value, handle, node, ros)
 
     def _handle(self, site: Site) -> Handle:
-        if site.form.node:
-            expr = next(positions(site.form.node, site.call), None)
-            return self.handles.of(expr, site.env)
-        return self.handles.of(site.call.receiver, site.env) if site.call.receiver is not None else OWN
+        return self.handles.of(handle_argument(site.form, site.call), site.env)
 
     def _named(self, site: Site) -> list[tuple[Value, Expr | None]]:
         """Return the names of a site with the expression of each default."""
         form, call = site.form, site.call
         if form.fixed:
-            return [(literal(form.fixed), None)]
+            return [(self._fixed(site), None)]
         default = next(positions(form.default, call), None)
         if form.items:
             return self._listed(site)
         values = self.sites.names(site)
         default = default or fallback(site, self.sites.position(site.call), self.folder)
-        return [(value, default) for value in values[:MAX_NAMES]]
+        return [(placed(value, form.place), default) for value in values[:MAX_NAMES]]
+
+    def _fixed(self, site: Site) -> Value:
+        """The name that a row implies: a private one is below the handle that the call is given, if it is given one."""
+        text = site.form.fixed
+        given = next(positions(site.form.node, site.call), None) if text.startswith("~") else None
+        of_handle = given is not None and "NodeHandle" in self.folder.objects.type_of(given, site.env)
+        return literal(text.removeprefix("~").lstrip("/") if of_handle else text)
 
     def _listed(self, site: Site) -> list[tuple[Value, Expr | None]]:
         listed = next(positions(site.form.items, site.call), None)
@@ -290,10 +286,10 @@ class Linker:
         return found or [(unknown("parameters"), None)]
 
     def _qos(self, site: Site, ros: int | None) -> Qos | None:
-        if site.form.role not in {"publisher", "subscriber"} or (site.form.fixed and site.form.fixed.startswith("/tf")):
+        if site.form.role not in {"publisher", "subscriber"} and (ros == 1 or not site.form.profile):
             return None
         given = [expr for expr in positions(site.form.qos, site.call) if not is_callback(expr)]
-        expr = given[0] if given else None
+        expr = given[0] if given else Name(site.form.profile) if site.form.profile else None
         if ros != 1:
             return self.qos.read(expr, site.env)
         flags = [flag for flag in positions(site.form.latch, site.call) if not is_callback(flag)]
@@ -304,6 +300,11 @@ class Linker:
             return None
         frames = [self.folder.fold(expr, site.env)[0].text for expr in positions(site.form.frame, site.call)]
         return " <- ".join(frames) if frames else None
+
+
+def _is_absolute(site: Site) -> bool:
+    """Tell whether a row implies the whole name, which no handle and no node changes."""
+    return site.form.fixed.startswith("/")
 
 
 def _role(role: Role, kind: str | None) -> Role:

@@ -14,25 +14,33 @@ from ecm_extract.link.forms import Form, FormTable
 from ecm_extract.link.spelling import last_name, plain, pointee
 from ecm_extract.link.units import Func
 
+_TRUE = Constant("true")
+
 
 class Matcher:
-    """Finds the row of the table that a call is, if any."""
+    """Finds the rows of the table that a call is."""
 
     def __init__(self, forms: FormTable, folder: Folder) -> None:
         self.forms = forms
         self.folder = folder
 
-    def form(self, call: Invocation, env: Env) -> Form | None:
-        """Return the first fitting row."""
-        file = call.func.file
+    def fitting(self, call: Invocation, env: Env) -> Iterator[Form]:
+        """Yield the rows that a call is: the first that fits, and those that hold beside it."""
+        found = False
         for form in self.forms.get(call.last, ()):
-            if form.language != file.language or len(call.args) < form.min_args:
-                continue
-            if form.ros and file.ros and form.ros != file.ros:
-                continue
-            if self._fits(form, call, env) and self._named(form, call):
-                return form
-        return None
+            if (form.beside or not found) and self._is(form, call, env):
+                found = found or not form.beside
+                yield form
+
+    def _is(self, form: Form, call: Invocation, env: Env) -> bool:
+        file = call.func.file
+        if form.language != file.language or len(call.args) < form.min_args:
+            return False
+        if form.ros and file.ros and form.ros != file.ros:
+            return False
+        if form.flag and next(positions(form.flag, call), None) != _TRUE:
+            return False
+        return self._fits(form, call, env) and self._named(form, call)
 
     def _fits(self, form: Form, call: Invocation, env: Env) -> bool:
         if form.match == "method":
@@ -87,7 +95,8 @@ class Matcher:
         if target is not None:
             return _qualified(plain(target), form.callee)
         namespace = form.callee.rsplit("::", 1)[0]
-        return any(using == namespace or using.endswith("::" + namespace) for using in call.func.file.facts.usings)
+        usings = (using.namespace for using in call.func.file.facts.usings)
+        return any(using == namespace or using.endswith("::" + namespace) for using in usings)
 
 
 def _forwards(func: Func) -> bool:
@@ -108,6 +117,11 @@ def positions(text: str, call: Invocation) -> Iterator[Expr]:
             texts = [arg for arg in call.args if _texty(arg)]
             if int(index) < len(texts):
                 yield texts[int(index)]
+
+
+def handle_argument(form: Form, call: Invocation) -> Expr | None:
+    """Return the node or node handle that a call names its endpoint below; None for that of its own object."""
+    return next(positions(form.node, call), None) if form.node else call.receiver
 
 
 def name_argument(form: Form, call: Invocation) -> Expr | None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Collection, Iterable
-from typing import Any
+from typing import Any, NamedTuple
 
 import msgspec
 from ecm_checker.contract import Evidence, Interface
@@ -13,13 +13,15 @@ from ecm_checker.contract import Evidence, Interface
 def merged(interfaces: Iterable[Interface]) -> tuple[Interface, ...]:
     """Join records of one endpoint that several lines make: same role, name and type; evidence adds up.
 
-    Where lines give a parameter different defaults, which of them holds is not known.
+    Transforms are told by their pair of frames too; a listener without one has what is looked up first. Where lines
+    give a parameter different defaults, which of them holds is not known.
     """
     entries = list(interfaces)
     unsure = _of_several_defaults(entries)
-    by_key: dict[tuple[str, str, str | None], Interface] = {}
+    frames = _first_frames(entries)
+    by_key: dict[_Key, Interface] = {}
     for entry in (_undecided(each, unsure) for each in entries):
-        key = (entry.role, entry.name, entry.type)
+        key = _Key(entry.role, entry.name, entry.type, entry.frame or frames.get((entry.role, entry.name)))
         known = by_key.get(key)
         if known is None:
             by_key[key] = entry
@@ -32,6 +34,24 @@ def merged(interfaces: Iterable[Interface]) -> tuple[Interface, ...]:
             key=lambda e: (e.role, e.name, e.type or "", e.evidence[0].path, e.evidence[0].line),
         )
     )
+
+
+class _Key(NamedTuple):
+    """What makes two records one endpoint."""
+
+    role: str
+    name: str
+    type: str | None
+    frame: str | None
+
+
+def _first_frames(entries: Iterable[Interface]) -> dict[tuple[str, str], str]:
+    """The frames that are told first of each role and name."""
+    found: dict[tuple[str, str], str] = {}
+    for entry in entries:
+        if entry.frame is not None:
+            found.setdefault((entry.role, entry.name), entry.frame)
+    return found
 
 
 def _of_several_defaults(entries: Iterable[Interface]) -> frozenset[str]:

@@ -106,7 +106,7 @@ class Modules:
         """A class of the tree that others derive from and that nobody makes is a base, not a module."""
         if any("pure" in method.fact.traits for method in cls.methods):
             return False
-        if not self.references.sites.derived(cls):
+        if not self.references.sites.program.derived(cls):
             return not cls.fact.template
         return any(
             self.references.sites.makes(call, cls) for call in self.references.sites.calls.get(cls.fact.name, ())
@@ -145,7 +145,7 @@ class Modules:
         """A module class passes its endpoints on only to the classes that derive from it."""
         if module is None:
             return self.references.users(unit)
-        return self.references.sites.derived(unit) if isinstance(unit, Cls) else ()
+        return self.references.sites.program.derived(unit) if isinstance(unit, Cls) else ()
 
     def _own(self, unit: Unit) -> Module | None:
         if isinstance(unit, Cls):
@@ -155,10 +155,15 @@ class Modules:
             return None
         module = self.by_main.get(id(unit))
         if module is None:
-            kind = "script" if unit.file.language == "python" else "node"
-            module = Module(unit.file.package, name, kind, None, unit, unit.file.path, unit.fact.line)
-            self.by_main[id(unit)] = module
+            module = self.by_main[id(unit)] = self._started(unit, name)
         return module
+
+    def _started(self, unit: Func, name: str) -> Module:
+        """A program that is started in two ways, by its file and by a function of it, is one."""
+        known = (each for each in self.by_main.values() if each.path == unit.file.path and each.name == name)
+        kind = "script" if unit.file.language == "python" else "node"
+        made = Module(unit.file.package, name, kind, None, unit, unit.file.path, unit.fact.line)
+        return next(known, made)
 
     def library(self, unit: Unit) -> Module:
         """Return the library module of the package of a unit."""
@@ -171,7 +176,7 @@ class Modules:
 
     def all(self) -> Sequence[Module]:
         """Return every module found so far."""
-        return [*self.by_class.values(), *self.by_main.values(), *self.libraries.values()]
+        return [*self.by_class.values(), *dict.fromkeys(self.by_main.values()), *self.libraries.values()]
 
 
 def registration_kind(macro: str) -> str | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
 
@@ -42,6 +42,7 @@ class Objects:
         for _ in range(3):
             name = plain(pointee(written))
             found = self.program.class_named(name, env.func.file, env.scope) if name else None
+            found = found or (self._of_inherited_member(name, env) if name else None)
             if found is not None or not name:
                 return found
             alias = self.program.alias(name, env.func.file, env.scope)
@@ -49,6 +50,14 @@ class Objects:
             if written == name:
                 return None
         return None
+
+    def _of_inherited_member(self, name: str, env: Env) -> Cls | None:
+        """The class of a member of a base, which names it where the base stands."""
+        cls = env.this or env.func.cls
+        bases = self.program.ancestry(cls)[1:] if cls is not None else ()
+        naming = (base for base in bases if any(plain(pointee(each.type)) == name for each in base.fields.values()))
+        found = (self.program.class_named(name, base.file, base.qualified) for base in naming)
+        return next((each for each in found if each is not None), None)
 
     def type_of(self, expr: Expr, env: Env) -> str:
         """Return the type of an object as written, empty when the tree does not show it."""
@@ -72,11 +81,15 @@ class Objects:
         return ""
 
     def _assigned_type(self, name: str, env: Env) -> str:
-        for definition in self.scope.local(name, env):
-            value = definition.statement.value
-            if value is not None:
-                written = self.type_of(value, env.before(definition.at))
-                return element_type(written) if definition.statement.kind == "each" else written
+        """The type of what a variable is given; a type needs no run, since it does not change on the way."""
+        body = env.func.fact.body
+        given = [
+            at for at in self.scope.locals_of(env.func).get(name, ()) if at < env.at and body[at].value is not None
+        ]
+        for at in reversed(given):
+            value = body[at].value
+            written = self.type_of(value, env.before(at)) if value is not None else ""
+            return element_type(written) if body[at].kind == "each" else written
         return self._member_assigned_type(name, env.this or env.func.cls, env)
 
     def _member_assigned_type(self, name: str, cls: Cls | None, env: Env) -> str:
@@ -200,32 +213,51 @@ class Objects:
     # --- functions -------------------------------------------------------------------------------------
 
     def callee(self, call: Invocation, env: Env) -> Func | None:
-        """Return the function in the tree that a call means, with a body."""
-        if call.last not in self.program.functions:
-            return None
-        if call.receiver is not None:
-            return self._method(call, self.class_of(call.receiver, env.before(env.at)))
-        return self._method(call, env.this or env.func.cls) or self._free(call, env)
+        """Return the function in the tree that a call means, with a body; of several that it can mean one."""
+        return next(iter(self.callees(call, env)), None)
 
-    def _method(self, call: Invocation, cls: Cls | None) -> Func | None:
-        """The method of an object's class, or else of its nearest base, that fits a call best."""
+    def callees(self, call: Invocation, env: Env) -> Sequence[Func]:
+        """Return the functions in the tree that a call can mean, with a body, best first."""
+        if call.last not in self.program.functions:
+            return ()
+        own = env.func.cls or env.this
+        if is_super(call.receiver) and own is not None:
+            return self._methods(call, next(iter(self.program.bases(own)), None))
+        if call.receiver is not None:
+            return self._methods(call, self.class_of(call.receiver, env.before(env.at)))
+        return self._methods(call, self._named_base(call, env) or env.this or env.func.cls) or self._free(call, env)
+
+    def _named_base(self, call: Invocation, env: Env) -> Cls | None:
+        """`Base::name()` means that of the base, whatever a derived class has."""
+        owner = env.this or env.func.cls
+        qualifier = last_name(call.path.rpartition("::")[0])
+        lineage = self.program.ancestry(owner) if owner is not None and qualifier else ()
+        return next((entry for entry in lineage if entry.fact.name == qualifier), None)
+
+    def _methods(self, call: Invocation, cls: Cls | None) -> Sequence[Func]:
+        """The methods of an object's class, or else of its nearest base, that fit a call."""
         owners, name = self.program.ancestry(cls) if cls is not None else (), call.last
         found = (_fitting(call, [func for func in owner.methods if func.fact.name == name]) for owner in owners)
-        return next((funcs[0] for funcs in found if funcs), None)
+        return next((funcs for funcs in found if funcs), ())
 
-    def _free(self, call: Invocation, env: Env) -> Func | None:
-        """The function outside of classes, or method named with its class, that is nearest and fits best."""
-        least = 0 if "::" in call.path or "." in call.path else 1
-        seen = self.program.seen_functions(call.last, call.func.file)
-        free = [f for f in seen if f.cls is None or call.path.endswith(f"{f.cls.fact.name}::{f.fact.name}")]
-        near = [f for f in free if self.program.nearness(f.file, env.func.file) >= least]
-        return max(_fitting(call, near), key=lambda f: self.program.nearness(f.file, env.func.file), default=None)
+    def _free(self, call: Invocation, env: Env) -> Sequence[Func]:
+        """The functions outside of classes, or methods named with their class, that a call can mean."""
+        free = self.program.functions_named(call.path, call.func.file, env.scope)
+        owner = self.program.class_named(call.path.rpartition("::")[0], call.func.file, env.scope)
+        methods = self.program.ancestry(owner) if owner is not None else ()
+        named = [func for cls in methods for func in cls.methods if func.fact.name == call.last]
+        return _fitting(call, [*free, *named])
 
 
 def _fitting(call: Invocation, funcs: Iterable[Func]) -> list[Func]:
     """The functions with a body that a call can mean, best first."""
     scored = [(score(call, func), func) for func in funcs if func.fact.body]
     return [func for fit, func in sorted(scored, key=lambda entry: -entry[0]) if fit != NO]
+
+
+def is_super(receiver: Expr | None) -> bool:
+    """`super()`, or `super(Class, self)`."""
+    return isinstance(receiver, Call) and receiver.callee == Name("super")
 
 
 def _calls_super(call: Call, parent: Cls) -> bool:

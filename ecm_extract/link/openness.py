@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 
 from ecm_parsers.source.expr import Call, Expr, Member, Name
+from ecm_parsers.source.facts import Statement
 
 from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
-from ecm_extract.link.match import name_argument, positions
+from ecm_extract.link.match import handle_argument, name_argument, positions
 from ecm_extract.link.site import Site
 from ecm_extract.link.types import Types
 from ecm_extract.link.units import Cls, Func
@@ -43,7 +44,7 @@ class Openness:
             params |= found.open
             made |= found.open
         made |= self._redefined(site)
-        for expr, accepts in ((site.call.receiver, _is_handle), (_qos(site), _is_qos)):
+        for expr, accepts in ((handle_argument(site.form, site.call), _is_handle), (_qos(site), _is_qos)):
             given, kept = self._origin(expr, site, accepts)
             params, made = params | given, made | given | kept
         return params, made
@@ -81,8 +82,11 @@ class Openness:
         return none, none
 
     def _initialiser(self, name: str, env: Env) -> tuple[Expr | None, Env]:
-        """What the constructor at hand makes of a member."""
+        """What the constructor at hand makes of a member, and what a handle of a body is below."""
         for definition, inner in self.folder.lists.definitions(Name(name), env):
+            outer = _below(definition.statement)
+            if outer is not None:
+                return outer, inner
             kinds = {"init", "set"} if definition.func.file.language == "python" else {"init"}
             if definition.statement.kind in kinds and definition.func.is_constructor:
                 value = definition.statement.value
@@ -98,6 +102,13 @@ def _qos(site: Site) -> Expr | None:
 def _is_handle(name: str, func: Func) -> bool:
     """Tell whether a function takes a node handle of ROS 1 by this name."""
     return any(entry.name == name and "NodeHandle" in entry.type for entry in func.fact.params)
+
+
+def _below(statement: Statement) -> Expr | None:
+    """The handle that a variable of a body is made below: `ros::NodeHandle inner(outer, "inner")`."""
+    if statement.kind != "let" or "NodeHandle" not in statement.type or not isinstance(statement.value, Call):
+        return None
+    return next(iter(statement.value.args), None)
 
 
 def _is_qos(name: str, func: Func) -> bool:

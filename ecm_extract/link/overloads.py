@@ -68,7 +68,7 @@ def _text_fit(last: str) -> int:
 
 def _variable_fit(name: str, wanted: str, caller: Func) -> int:
     declared = caller.written_types.get(name, "")
-    if not declared or declared == "auto" or plain(declared) in caller.fact.template:
+    if not declared or plain(declared) == "auto" or plain(declared) in caller.fact.template:
         return 0
     actual = plain(declared).rsplit("::", 1)[-1]
     last = wanted.rsplit("::", 1)[-1]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Protocol
 
 from ecm_parsers.source.expr import (
@@ -19,6 +19,12 @@ class ParameterReads(Protocol):
 
     def read(self, call: Invocation) -> tuple[Expr, Expr | None] | None:
         """Return (name, default) when a call gives the value of a parameter."""
+
+    def knows(self, name: str) -> bool:
+        """Tell whether a row of the tables is about calls of a name."""
+
+    def all_written(self, func: Func) -> Mapping[str, Sequence[tuple[int, Expr, Expr | None]]]:
+        """Return variable -> (statement, name, default) of the calls of a function that write a parameter to it."""
 
     def written(self, func: Func, target: str) -> list[tuple[int, Expr, Expr | None]]:
         """Return (statement, name, default) of the calls of a function that write a parameter to a variable."""

@@ -66,6 +66,10 @@ class Parameters:
         found = self._wrappers.get(call.last, ())
         return [entry for entry in found if entry[0].cls is not None or call.receiver is None]
 
+    def knows(self, name: str) -> bool:
+        """Tell whether a row of the tables is about calls of a name."""
+        return name in self.forms
+
     def written(self, func: Func, target: str) -> list[tuple[int, Expr, Expr | None]]:
         """Return (statement, name, default) of the calls of a function that write a parameter to a variable."""
         return self.all_written(func).get(target, [])

@@ -1,7 +1,4 @@
-"""All source facts of a tree, indexed so that names can be looked up the way a compiler would.
-
-A name resolves to the nearest candidate: same file, included or imported file, same package, packages that it sees.
-"""
+"""All source facts of a tree, indexed; names are looked up the way a compiler or interpreter does (`resolve`)."""
 
 from __future__ import annotations
 
@@ -10,17 +7,24 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TypeVar
 
 from ecm_parsers.source.facts import Constant, Function
+from msgspec.structs import replace
 
-from ecm_extract.link.aliases import Aliases, enclosing_scopes
 from ecm_extract.link.class_alternatives import alternatives_joined
-from ecm_extract.link.includes import Includes
-from ecm_extract.link.sight import Sight
 from ecm_extract.link.spelling import plain
 from ecm_extract.link.units import Cls, File, Func
+from ecm_extract.resolve.cpp_constants import Stated
+from ecm_extract.resolve.headers import Headers
+from ecm_extract.resolve.layout import PackageLayout
+from ecm_extract.resolve.messages import Messages
+from ecm_extract.resolve.names import Names
+from ecm_extract.resolve.python_path import PythonPath
+from ecm_extract.resolve.sight import Sight
 
 _Unit = TypeVar("_Unit", Cls, Func)
 _Asked = tuple[str, str, str]
 """A name, with the package and the language of who asks for it."""
+_Named = tuple[str, str, File]
+"""A name, with the scope and the file in which it stands."""
 
 
 class Program:
@@ -29,57 +33,59 @@ class Program:
     Args:
         files: all source files of the tree.
         sight: which packages see which.
+        layouts: where packages have their headers and modules, by name.
     """
 
-    def __init__(self, files: Sequence[File], sight: Sight) -> None:
-        self.files = tuple(files)
+    def __init__(self, files: Sequence[File], sight: Sight, layouts: Mapping[str, PackageLayout]) -> None:
+        self.files = tuple(sorted(files, key=lambda file: file.path))  # the order of reading says nothing
         self.sight = sight
         self.classes: Mapping[str, list[Cls]] = _group_classes(self.files)
         self.functions: dict[str, list[Func]] = defaultdict(list)
         self.constants: dict[str, list[tuple[File, Constant]]] = defaultdict(list)
-        self.aliases = Aliases(self.nearness)
-        self._resolved: dict[tuple[str, str, int], Cls | None] = {}
-        self._headers = Includes(self.files, sight)
+        self._headers = Headers(self.files, sight, layouts)
         self._classes_by_file = _by_file(self.classes)
-        self._functions_by_file: dict[int, list[Func]] = defaultdict(list)
+        self._functions_by_file: dict[File, list[Func]] = defaultdict(list)
         self._seen_functions: dict[_Asked, tuple[Func, ...]] = {}
         self._seen_classes: dict[_Asked, tuple[Cls, ...]] = {}
-        self._mro: dict[int, tuple[Cls, ...]] = {}
+        self._resolved: dict[_Named, Cls | None] = {}
+        self._free: dict[_Named, tuple[Func, ...]] = {}
+        self._renamed: dict[_Named, str | None] = {}
+        self._mro: dict[Cls, tuple[Cls, ...]] = {}
+        self._derived: dict[Cls, list[Cls]] | None = None
+        classes = (cls for group in self.classes.values() for cls in group)
+        self._path = PythonPath(self.files, sight, layouts)
+        self._names = Names(self.files, self._headers, self._path, classes, lambda cls: self.ancestry(cls)[1:])
+        self.aliases = self._names.aliases
+        self._messages = Messages(layouts, self.included)
         for file in self.files:
             self._index(file)
+            self._names.add(file, self.classes_in(file), self.functions_in(file))
 
     def _index(self, file: File) -> None:
-        for function in file.facts.functions:
-            owner = self._owner(function, file)
+        renamed: dict[str, str] = {}
+        for written in file.facts.functions:
+            owner = self._owner(written, file)
+            if owner is not None and owner.qualified != written.scope:
+                renamed[written.scope] = owner.qualified
+            function = _in_scope(written, renamed) if renamed else written
             namesakes = self.functions[function.name]
             func = Func(function, file, owner, namesakes)
             namesakes.append(func)
-            self._functions_by_file[id(file)].append(func)
+            self._functions_by_file[file].append(func)
             if owner is not None:
                 owner.methods.append(func)
-                if "static" in function.traits and file.language == "cpp":
+                if "static" in function.traits or "classmethod" in function.decorators:
                     owner.statics.add(function.name)
         for constant in file.facts.constants:
             self.constants[constant.name].append((file, constant))
-        for alias in file.facts.aliases:
-            self.aliases.add(file, alias)
         file.imported = imported_names(file) if file.language == "python" else {}
 
     def _owner(self, function: Function, file: File) -> Cls | None:
-        """The class that a scope names; with `using` it is a part of its name, inside a namespace it may repeat it."""
         if not function.scope:
             return None
-        last = function.scope.rsplit("::", 1)[-1]
-        candidates = self.seen_classes(last, file)
-        exact = [cls for cls in candidates if cls.qualified == function.scope]
-        loose = [cls for cls in candidates if cls.qualified.endswith("::" + function.scope)]
-        repeated = [cls for cls in candidates if function.scope.endswith("::" + cls.qualified)]
-        return self._nearest(exact or loose or repeated, file)
-
-    def _nearest(self, candidates: Sequence[Cls], file: File) -> Cls | None:
-        if not candidates:
-            return None
-        return max(candidates, key=lambda cls: self.nearness(cls.file, file))
+        if file.language == "cpp":
+            return self._names.owner(function.scope, file)
+        return next((cls for cls in self.classes_in(file) if cls.qualified == function.scope), None)
 
     def seen_functions(self, name: str, file: File) -> tuple[Func, ...]:
         """Return the functions of a name that code in a file can mean: of its language, in packages that it sees."""
@@ -112,104 +118,89 @@ class Program:
 
     def classes_in(self, file: File) -> Sequence[Cls]:
         """Return the classes of a file, in its order."""
-        return self._classes_by_file.get(id(file), ())
+        return self._classes_by_file.get(file, ())
 
     def functions_in(self, file: File) -> Sequence[Func]:
         """Return the functions of a file, in its order."""
-        return self._functions_by_file.get(id(file), ())
-
-    def nearness(self, other: File, file: File) -> int:
-        """Return how close another file is: 3 itself, 2 included, 1 in the same package, 0 elsewhere."""
-        if other is file:
-            return 3
-        if self.includes(file, other):
-            return 2
-        return 1 if other.package == file.package else 0
-
-    def includes(self, file: File, other: File) -> bool:
-        """Tell whether `file` includes or imports `other`, C++ headers also through other headers of the tree."""
-        if file.language == "python":
-            module = other.path.removesuffix(".py").replace("/", ".")
-            return any(entry.module and module.endswith(entry.module.lstrip(".")) for entry in file.facts.imports)
-        return id(other) in self._headers.of(file)
+        return self._functions_by_file.get(file, ())
 
     def included(self, file: File) -> Iterable[File]:
         """Return the headers of the tree that a C++ file sees, directly or through others."""
-        return self._headers.of(file).values()
+        return self._headers.of(file)
 
     def class_named(self, name: str, file: File, scope: str = "") -> Cls | None:
-        """Return the class that `name` (possibly qualified, without template arguments) means in a scope of a file."""
-        key = (name, scope, id(file))
+        """Return the class that a name means in a scope of a file; None where it is outside the tree or ambiguous.
+
+        Args:
+            name: possibly qualified, without template arguments; of Python also with imports put in.
+            file: in which it stands.
+            scope: in which it stands, the function included.
+        """
+        key = (name, scope, file)
         if key not in self._resolved:
             self._resolved[key] = None  # aliases may stand for each other
-            self._resolved[key] = self._find_class(name, file, scope)
+            found = self._names.classes(name, file, scope) if name else None
+            self._resolved[key] = found if isinstance(found, Cls) else None
         return self._resolved[key]
 
-    def _find_class(self, name: str, file: File, scope: str) -> Cls | None:
-        if file.language == "python":
-            return self._find_python(name, file)
-        last = name.rsplit("::", 1)[-1]
-        candidates = self.seen_classes(last, file)
-        for prefix in enclosing_scopes(scope):
-            wanted = f"{prefix}::{name}" if prefix else name.removeprefix("::")
-            exact = [cls for cls in candidates if cls.qualified == wanted]
-            if exact:
-                return self._nearest(exact, file)
-        loose = [cls for cls in candidates if cls.qualified.endswith("::" + name) and self._visible(cls, file)]
-        found = self._nearest(loose, file)
-        return found or self._aliased(name, file, scope)
+    def functions_named(self, name: str, file: File, scope: str = "") -> tuple[Func, ...]:
+        """Return the functions outside of classes that a name means in a scope of a file, all overloads."""
+        key = (name, scope, file)
+        if key not in self._free:
+            self._free[key] = self._names.functions(name, file, scope)
+        return self._free[key]
 
-    def _visible(self, cls: Cls, file: File) -> bool:
-        namespace = cls.fact.scope
-        return any(namespace == using or namespace.endswith("::" + using) for using in file.facts.usings) or (
-            cls.file.package == file.package
-        )
-
-    def _find_python(self, name: str, file: File) -> Cls | None:
-        head, *rest = name.replace("::", ".").split(".")
-        target = ".".join([file.imported.get(head, head), *rest])
-        last = target.rsplit(".", 1)[-1]
-        candidates = self.seen_classes(last, file)
-        if head not in file.imported:
-            return next((cls for cls in candidates if cls.file is file), None)
-        module = target.rpartition(".")[0].lstrip(".")
-        near = [cls for cls in candidates if module and module_matches(cls.file.path, module)]
-        if near:
-            return self._nearest(near, file)
-        return next((cls for cls in candidates if cls.file.package == file.package and cls.file is not file), None)
-
-    def _aliased(self, name: str, file: File, scope: str) -> Cls | None:
-        found = self.aliases.find(name, file, scope)
-        if found is None or plain(found[1].target) == name:
-            return None
-        other, alias = found
-        target = plain(alias.target)
-        return self.class_named(target, file, scope) or self.class_named(target, other, alias.scope)
+    def constant_named(self, name: str, file: File, scope: str = "") -> Stated | None:
+        """Return the constant or global that a name means in a scope of a file; None where several are meant."""
+        found = self._names.constants(name, file, scope)
+        return found if isinstance(found, Stated) else None
 
     def alias(self, name: str, file: File, scope: str = "") -> str | None:
-        """Return what `using name = ...` or a typedef stands for, nearest declaration first."""
-        found = self.aliases.find(name, file, scope)
-        return found[1].target if found is not None else None
+        """Return what the `using name = ...` or typedef stands for that a name means; None of other names."""
+        key = (name, scope, file)
+        if key not in self._renamed:
+            self._renamed[key] = self._names.alias(name, file, scope)
+        return self._renamed[key]
+
+    def installed_module(self, dotted: str, package: str) -> File | None:
+        """Return the file of a module that a package installs; None of one that its build does not show."""
+        found = self._path.installed(dotted, package)
+        return self._path.file(found) if found is not None else None
+
+    def message_named(self, name: str, file: File, scope: str) -> str | None:
+        """Return the whole name of a C++ `msg::Name` whose package is a namespace around it; None of other names."""
+        return self._messages.find(name, file, scope)
 
     def bases(self, cls: Cls) -> list[Cls]:
         """Return the direct base classes that stand in the tree."""
-        found = (self.class_named(plain(base), cls.file, cls.qualified) for base in cls.fact.bases)
+        found = (self.class_named(plain(base), cls.file, cls.fact.scope) for base in cls.fact.bases)
         return [base for base in found if base is not None and base is not cls]
 
     def ancestry(self, cls: Cls) -> tuple[Cls, ...]:
         """Return the class and its bases in the tree, nearest first, each once."""
-        known = self._mro.get(id(cls))
+        known = self._mro.get(cls)
         if known is None:
+            self._mro[cls] = (cls,)  # of a class that derives from itself
             ordered = [cls]
             for entry in ordered:
                 ordered.extend(base for base in self.bases(entry) if base not in ordered)
-            known = self._mro[id(cls)] = tuple(ordered)
+            known = self._mro[cls] = tuple(ordered)
         return known
+
+    def derived(self, cls: Cls) -> Sequence[Cls]:
+        """Return the classes of the tree that derive from a class, at any distance."""
+        if self._derived is None:
+            self._derived = defaultdict(list)
+            for group in self.classes.values():
+                for entry in group:
+                    for base in self.ancestry(entry)[1:]:
+                        self._derived[base].append(entry)
+        return self._derived.get(cls, ())
 
     def base_names(self, cls: Cls) -> list[str]:
         """Return all base names of the ancestry as written, those outside the tree included."""
         return [
-            self.canonical(base, entry.file, entry.qualified)
+            self.canonical(base, entry.file, entry.fact.scope)
             for entry in self.ancestry(cls)
             for base in entry.fact.bases
         ]
@@ -232,11 +223,19 @@ def _group_classes(files: tuple[File, ...]) -> dict[str, list[Cls]]:
     return grouped
 
 
-def _by_file(classes: Mapping[str, list[Cls]]) -> Mapping[int, list[Cls]]:
-    found: dict[int, list[Cls]] = defaultdict(list)
+def _in_scope(function: Function, renamed: Mapping[str, str]) -> Function:
+    """A function, with those inside it, in the scope of its class, where it writes another name of that."""
+    for written, qualified in renamed.items():
+        if function.scope == written or function.scope.startswith(f"{written}::"):
+            return replace(function, scope=qualified + function.scope.removeprefix(written))
+    return function
+
+
+def _by_file(classes: Mapping[str, list[Cls]]) -> Mapping[File, list[Cls]]:
+    found: dict[File, list[Cls]] = defaultdict(list)
     for group in classes.values():
         for cls in group:
-            found[id(cls.file)].append(cls)
+            found[cls.file].append(cls)
     return found
 
 
@@ -253,10 +252,5 @@ def imported_names(file: File) -> dict[str, str]:
 
 
 def _dotted(module: str, name: str) -> str:
-    return f"{module}.{name}" if name and name != "*" and module else name or module
-
-
-def module_matches(path: str, module: str) -> bool:
-    """Tell whether a Python file is what a dotted module name means, seen from some folder of the tree."""
-    stem = path.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
-    return stem == module or stem.endswith("." + module)
+    dot = "" if module.endswith(".") else "."
+    return f"{module}{dot}{name}" if name and name != "*" and module else name or module

@@ -24,6 +24,7 @@ from ecm_extract.link.data import declared_type, plain_type
 from ecm_extract.link.env import Bound, Env, bind, invocation_of
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.qos_values import milliseconds, policy_word
+from ecm_extract.link.scope import Definition
 from ecm_extract.link.spelling import last_name
 
 _FLAGS: dict[str, tuple[str, str]] = {
@@ -251,12 +252,10 @@ class QosReader:
             given = self._policies(bound.expr, bound.env, level + 1) if bound is not None else {}
             if given:
                 return given  # `if qos is None: qos = ...` has not happened then
-        for definition, inner in self.folder.lists.definitions(expr, env):
-            value = definition.statement.value
-            if value is not None and definition.statement.kind != "each" and not isinstance(value, Constant):
-                policies = self._policies(value, inner, level + 1)
-                later = definition.func.fact.body[definition.at :]
-                return self._mutated(policies, name, _Steps(later, definition.statement.depth), inner)
+        found = [self._defined(entry, name, inner, level) for entry, inner in self.folder.lists.reaching(expr, env)]
+        known = [policies for policies in found if policies is not None]
+        if known:
+            return agreed(known)
         for parameter in env.func.fact.params:
             if parameter.name == name and parameter.default is not None:
                 return self._policies(parameter.default, env, level + 1)
@@ -264,7 +263,16 @@ class QosReader:
         if field is not None:
             return field
         constant = self.folder.scope.constant(name, env)
-        return self._policies(constant[0], env, level + 1) if constant is not None else self._unseen(expr, env)
+        value = constant[0].value if constant is not None else None
+        return self._policies(value, env, level + 1) if value is not None else self._unseen(expr, env)
+
+    def _defined(self, definition: Definition, name: str, env: Env, level: int) -> dict[str, Any] | None:
+        value = definition.statement.value
+        if value is None or definition.statement.kind == "each" or isinstance(value, Constant):
+            return None
+        policies = self._policies(value, env, level + 1)
+        later = definition.func.fact.body[definition.at :]
+        return self._mutated(policies, name, _Steps(later, definition.statement.depth), env)
 
     def _field(self, name: str, expr: Name | Member, env: Env, level: int) -> dict[str, Any] | None:
         """What a data member, its own or of a base, is declared with, and what methods set on it; None for no such."""

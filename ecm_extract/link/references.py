@@ -9,14 +9,18 @@ import re
 from collections import defaultdict
 from collections.abc import Iterator
 
+from ecm_parsers.source.expr import Name
 from ecm_parsers.source.facts import Constant
 
+from ecm_extract.link.handed import Handed, only_loads
 from ecm_extract.link.sites import Sites
-from ecm_extract.link.spelling import by_value, last_name
+from ecm_extract.link.spelling import by_value, last_name, plain
 from ecm_extract.link.units import Cls, File, Func
 
 Unit = Cls | Func
 _NAME = re.compile(r"[\w:.]+")
+_OWN = Name("this")
+"""The first parameter of a method, of a class method the class."""
 _Mention = tuple[Unit, str, File, str]
 """A unit, the name by which it mentions a class, and where that name is looked up: file and scope."""
 
@@ -27,6 +31,7 @@ class References:
     def __init__(self, sites: Sites) -> None:
         self.sites = sites
         self.program = sites.program
+        self._handed = Handed(self.program)
         self._mentions: dict[str, list[_Mention]] = defaultdict(list)
         self._aliases = self.program.aliases.meaning(self.program.classes)
         self._holders: dict[str, list[_Mention]] = defaultdict(list)
@@ -53,11 +58,11 @@ class References:
         unit: Unit = func.holder or func
         scope = f"{func.fact.scope}::{func.fact.name}"
         for statement in func.fact.body:
-            if statement.type and statement.type != "auto":
+            if statement.type and plain(statement.type) != "auto":
                 self._mention(statement.type, unit, func.file, scope)
 
     def _mention(self, text: str, unit: Unit, file: File, scope: str) -> None:
-        held = by_value(text)
+        held = by_value(text) and not only_loads(text)
         for name in _NAME.findall(text):
             last = last_name(name)
             if last in self._aliases:
@@ -81,19 +86,24 @@ class References:
         yield from self._mentioning(cls, self._holders)
 
     def _class_users(self, cls: Cls) -> Iterator[Unit]:
-        found = [*self.sites.derived(cls), *self._makers(cls), *self._mentioning(cls, self._holders)]
+        found = [*self.sites.program.derived(cls), *self._makers(cls), *self._mentioning(cls, self._holders)]
         yield from found or self._mentioning(cls, self._mentions)
-        for method in cls.methods if cls.file.language == "python" else ():
-            if "static" in method.fact.traits:
-                yield from self._callers(method)
+        for method in dict.fromkeys(self._factories(cls)):
+            yield from self._callers(method)
+
+    def _factories(self, cls: Cls) -> Iterator[Func]:
+        """Yield the methods that need no object and make one: singletons, factories."""
         for call in self.sites.calls.get(cls.fact.name, ()):
             if call.func.cls is cls and call.func.holder is None and self.sites.makes(call, cls):
-                yield from self._callers(call.func)  # a static method that makes the object: a singleton, a factory
+                yield call.func
+        yield from (method for method in cls.methods if makes_own_class(method))
 
     def _makers(self, cls: Cls) -> Iterator[Unit]:
         for call in self.sites.calls.get(cls.fact.name, ()):
             if self.sites.makes(call, cls):
                 yield call.func.holder or call.func
+        for func in self._handed.classes(cls):
+            yield func.holder or func
 
     def _mentioning(self, cls: Cls, index: dict[str, list[_Mention]]) -> Iterator[Unit]:
         for unit, name, file, scope in index.get(cls.fact.name, ()):
@@ -103,3 +113,11 @@ class References:
     def _callers(self, func: Func) -> Iterator[Unit]:
         for call in self.sites.callers(func):
             yield call.func.holder or call.func
+        for other in self._handed.functions(func):
+            yield other.holder or other
+
+
+def makes_own_class(method: Func) -> bool:
+    """Tell whether a class method of Python makes an object of the class that it is called through."""
+    of_class = "classmethod" in method.fact.decorators
+    return of_class and any(call.callee == _OWN for calls in method.calls for call in calls)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from fnmatch import fnmatch
 from pathlib import PurePosixPath
 
@@ -15,6 +15,7 @@ from ecm_extract.link.modules import Registry, registration_kind
 from ecm_extract.link.program import Program
 from ecm_extract.link.spelling import plain
 from ecm_extract.link.units import Cls, File, Func
+from ecm_extract.link.wrapper_scripts import Wrapped, runs_as_main
 from ecm_extract.read.facts import PackageFacts
 
 _TEMPLATE = re.compile(r"<([\w:\s]+)>")
@@ -37,13 +38,19 @@ def build_registry(program: Program, packages: Iterable[PackageFacts]) -> Regist
     return registry
 
 
+def plugins_of(program: Program, registry: Registry) -> list[Cls]:
+    """Return the classes that a loader makes by the name of a configuration, and that are no nodes."""
+    classes = (cls for group in program.classes.values() for cls in group)
+    return [cls for cls in classes if registry.classes.get(id(cls)) == "plugin"]
+
+
 def _macros(file: File, program: Program, registry: Registry) -> None:
     for macro in file.facts.macros:
         kind = registration_kind(macro.name)
         if kind is None:
             continue
         for arg in macro.args:
-            cls = program.class_named(plain(arg), file)
+            cls = program.class_named(plain(arg), file, macro.scope)
             if cls is not None:
                 _register(_namesake(cls, program), kind, registry)
                 break
@@ -81,11 +88,14 @@ def _components(package: PackageFacts, files: list[File], program: Program, regi
 
 
 def _class_of(written: str, files: list[File], program: Program) -> Cls | None:
+    """Return the class of a package that its build names; None where several may be meant."""
     name = plain(written)
-    for cls in program.classes.get(name.rsplit("::", 1)[-1], ()):
-        if cls.file in files and (cls.qualified == name or cls.qualified.endswith("::" + name) or "::" not in name):
-            return _namesake(cls, program)
-    return None
+    own = [cls for cls in program.classes.get(name.rsplit("::", 1)[-1], ()) if cls.file in files]
+    exact = [cls for cls in own if cls.qualified == name]
+    found = exact or [cls for cls in own if cls.qualified.endswith(f"::{name}")]
+    loaded = [cls for cls in found if class_kind(cls, program) is not None] or found
+    built = [cls for cls in loaded if cls.file.is_built] or loaded
+    return built[0] if len(built) == 1 else None
 
 
 def _namesake(cls: Cls, program: Program) -> Cls:
@@ -121,11 +131,20 @@ def _sources(target: Target, cmake: str, listed: set[str]) -> list[str]:
 
 def _programs(package: PackageFacts, files: list[File], program: Program, registry: Registry) -> None:
     names = _executables(package, {file.path for file in files})
-    entries = _entry_points(package)
+    entries = _entry_points(package, files, program)
+    started = Wrapped(program)
     for file in files:
         for func in _mains(file, program, entries) if file.is_built else ():
-            stem = PurePosixPath(file.path).stem
-            registry.programs[id(func)] = names.get(file.path) or entries.get((stem, func.fact.name)) or stem
+            if (file, func.fact.name) in entries or not started.by_script(func):
+                registry.programs[id(func)] = names.get(file.path) or _program_name(func, entries)
+
+
+def _program_name(func: Func, entries: Mapping[tuple[File, str], str]) -> str:
+    """The console script that runs a function, or the file that holds it; a file with one console script is that."""
+    stem = PurePosixPath(func.file.path).stem
+    own = {name for (file, _), name in entries.items() if file is func.file}
+    only = next(iter(own)) if len(own) == 1 and func.fact.name == "<module>" else stem
+    return entries.get((func.file, func.fact.name)) or only
 
 
 def _executables(package: PackageFacts, listed: set[str]) -> dict[str, str]:
@@ -138,26 +157,36 @@ def _executables(package: PackageFacts, listed: set[str]) -> dict[str, str]:
     return found
 
 
-def _entry_points(package: PackageFacts) -> dict[tuple[str, str], str]:
+_Entries = Mapping[tuple[File, str], str]
+"""File and function -> name of the program that runs it."""
+
+
+def _entry_points(package: PackageFacts, files: list[File], program: Program) -> _Entries:
     found = {}
     for setup in package.setups.values():
-        for entry in setup.entry_points:
-            if entry.group == "console_scripts":
-                found[entry.module.rsplit(".", 1)[-1], entry.attribute] = entry.name
+        for entry in setup.entry_points if package.sources else ():
+            file = _module(entry.module, package.name, files, program)
+            if entry.group == "console_scripts" and file is not None:
+                found[file, entry.attribute] = entry.name
     return found
 
 
-def _mains(file: File, program: Program, entries: dict[tuple[str, str], str]) -> list[Func]:
+def _module(dotted: str, package: str, files: list[File], program: Program) -> File | None:
+    """Return the file of an installed module; where the build does not show it, the only one with such a path."""
+    installed = program.installed_module(dotted, package)
+    if installed is not None:
+        return installed
+    path = f"/{dotted.replace('.', '/')}.py"
+    named = [file for file in files if f"/{file.path}".endswith(path)]
+    return named[0] if len(named) == 1 else None
+
+
+def _mains(file: File, program: Program, entries: _Entries) -> list[Func]:
     """Main functions of a file: `main`, what an entry point names, and the body of a Python program."""
-    stem = PurePosixPath(file.path).stem
-    wanted = {"main", *(attribute for module, attribute in entries if module == stem)}
+    wanted = {"main", *(attribute for module, attribute in entries if module is file)}
     own = program.functions_in(file)
     found = [func for func in own if func.fact.name in wanted and func.cls is None]
     if file.language == "python":
         body = [func for func in own if func.fact.name == "<module>"]
-        found += [func for func in body if file.facts.shebang or found or _runs_as_main(func)]
+        found += [func for func in body if file.facts.shebang or found or runs_as_main(func)]
     return found
-
-
-def _runs_as_main(func: Func) -> bool:
-    return any(statement.kind == "do" and statement.depth > 0 for statement in func.fact.body)

@@ -3,15 +3,20 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator
-from typing import NamedTuple
+from collections.abc import Callable, Iterator, Sequence
+from typing import Final, NamedTuple
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name, Text
-from ecm_parsers.source.facts import Statement
+from ecm_parsers.source import expr as expressions
+from ecm_parsers.source.expr import Call, Expr, Member, Name, Op, Text
+from ecm_parsers.source.facts import Constant, Statement
 
+from ecm_extract.infer.held import Held
 from ecm_extract.link.env import Env
 from ecm_extract.link.program import Program
+from ecm_extract.link.spelling import plain
 from ecm_extract.link.units import Cls, File, Func
+
+_FLAGS: Final = {"store_true": "false", "store_false": "true"}
 
 
 class Definition(NamedTuple):
@@ -27,15 +32,21 @@ class Definition(NamedTuple):
 
 
 class Scope:
-    """Definition look-ups over a program, each function and class indexed once."""
+    """Definition look-ups over a program, each function and class indexed once.
+
+    `ways` gives what a variable may hold at a place; whoever runs functions sets it.
+    """
 
     def __init__(self, program: Program) -> None:
         self.program = program
+        self.ways: Callable[[Expr, Env], Sequence[Sequence[Held]]] = _nothing
         self._locals: dict[int, dict[str, list[int]]] = {}
         self._options: dict[tuple[int, str], Expr] | None = None
         self._passed: dict[int, dict[str, list[tuple[int, Call, int]]]] = {}
         self._members: dict[int, dict[str, list[Definition]]] = {}
+        self._changing: dict[int, dict[str, list[Func]]] = {}
         self._fields: dict[int, dict[str, list[int]]] = {}
+        self._outside: frozenset[str] | None = None
         self._class_fields: dict[int, dict[str, list[Definition]]] = {}
 
     def locals_of(self, func: Func) -> dict[str, list[int]]:
@@ -49,35 +60,44 @@ class Scope:
             self._locals[id(func)] = known
         return known
 
-    def local(self, name: str, env: Env) -> list[Definition]:
-        """Return the assignments of a local that can reach the place, latest first.
-
-        Going back, the first one whose block encloses everything since ends the search: it has surely happened.
-        """
-        indices = self.locals_of(env.func).get(name)
-        if not indices:
-            return []
-        body = env.func.fact.body
-        reaching: list[Definition] = []
-        lowest, seen = _depth_at(body, env.at), min(env.at, len(body))
-        for at in reversed(indices):
-            if at >= env.at:
+    def local(self, expr: Expr, env: Env) -> list[Definition]:
+        """Return the assignments that may have given a variable of a function what it holds at a place, in order."""
+        found: dict[int, Definition] = {}
+        pending = [held for helds in self.ways(expr, env) for held in helds]
+        seen: set[Held] = set()
+        while pending:
+            held = pending.pop(0)
+            if held in seen:
                 continue
-            lowest = min([lowest, *(statement.depth for statement in body[at + 1 : seen])])
-            seen = at + 1
-            if body[at].value is not None:
-                reaching.append(Definition(env.func, at))
-                if body[at].depth <= lowest:
-                    break
-        return reaching
+            seen.add(held)
+            pending += held.before
+            body = env.func.fact.body
+            if held.env is None or held.env.func is not env.func or not 0 <= held.at < len(body):
+                continue
+            if held.how in {"value", "each"} and body[held.at].value is not None:
+                found.setdefault(held.at, Definition(env.func, held.at))
+        return list(found.values())
+
+    def reaching(self, expr: Expr, env: Env) -> list[Definition]:
+        """Return the assignments of which one gave a variable what it holds as long as nobody sets a parameter."""
+        helds = list(dict.fromkeys(held for helds in self.ways(expr, env) for held in helds))
+        pending = [held for held in helds if held.is_likely] or helds
+        found: dict[int, Definition] = {}
+        seen: set[Held] = set()
+        while pending:
+            held = pending.pop(0)
+            seen.add(held)
+            given = held.how in {"value", "each"} and held.env is not None and held.env.func is env.func
+            if given and env.func.fact.body[held.at].value is not None:
+                found.setdefault(held.at, Definition(env.func, held.at))
+            else:
+                pending += [before for before in held.before if before not in seen]
+        return list(found.values())
 
     def is_certain(self, name: str, env: Env) -> bool:
-        """Tell whether one of the assignments that reach the place has surely happened."""
-        found = self.local(name, env)
-        if not found:
-            return False
-        since = env.func.fact.body[found[-1].at + 1 : env.at + 1]
-        return found[-1].statement.depth <= min((statement.depth for statement in since), default=0)
+        """Tell whether the function has surely given a variable a value before the place."""
+        ways = self.ways(Name(name), env)
+        return bool(ways) and all(held.how not in {"given", "shared", "made"} for helds in ways for held in helds)
 
     def passed(self, func: Func, name: str) -> list[tuple[int, Call, int]]:
         """Return (statement, call, argument index) of the calls that a local is handed to."""
@@ -96,7 +116,7 @@ class Scope:
         """Return the written type of a variable at a place: local, parameter, member, constant; empty when unknown."""
         body = env.func.fact.body
         for at in self.locals_of(env.func).get(name, ()):
-            if body[at].kind == "let" and body[at].type and body[at].type != "auto":
+            if body[at].kind == "let" and body[at].type and plain(body[at].type) != "auto":
                 return body[at].type
         for parameter in env.func.fact.params:
             if parameter.name == name:
@@ -125,6 +145,16 @@ class Scope:
             self._members[id(cls)] = known
         return known.get(name, [])
 
+    def changing(self, name: str, cls: Cls) -> list[Func]:
+        """Return the methods of a class that may give a data member something else, by an assignment or a call."""
+        known = self._changing.get(id(cls))
+        if known is None:
+            known = self._changing[id(cls)] = defaultdict(list)
+            for method in cls.methods:
+                for target in _touched(method):
+                    known[target].append(method)
+        return known.get(name, [])
+
     def fields(self, func: Func) -> dict[str, list[int]]:
         """Return field -> indices of the statements of a function that assign it on an object other than its own."""
         known = self._fields.get(id(func))
@@ -136,6 +166,15 @@ class Scope:
                     known[target.name].append(at)
         return known
 
+    def is_assigned_outside(self, name: str) -> bool:
+        """Tell whether a Python function assigns an attribute of that name of something else than its own object."""
+        if self._outside is None:
+            written = (func for group in self.program.functions.values() for func in group)
+            self._outside = frozenset(
+                field for func in written if func.file.language == "python" for field in self.fields(func)
+            )
+        return name in self._outside
+
     def class_fields(self, cls: Cls) -> dict[str, list[Definition]]:
         """Return field -> the assignments of it on other objects in all methods of a class."""
         known = self._class_fields.get(id(cls))
@@ -146,40 +185,14 @@ class Scope:
                     known[name] += [Definition(method, at) for at in indices]
         return known
 
-    def constant(self, name: str, env: Env) -> tuple[Expr, Func | None, File] | None:
-        """Return the value of a constant that `name` means at a place, with the file it stands in."""
-        last = name.rsplit("::", 1)[-1]
-        best, rank = None, 0
-        for file, constant in self.program.seen_constants(last, env.func.file):
-            if constant.value is None or file.language != env.func.file.language:
-                continue
-            score = self._constant_rank(name, constant.scope, file, env)
-            if score > rank:
-                best, rank = (constant.value, None, file), score
-        return best
-
-    def _constant_rank(self, name: str, scope: str, file: File, env: Env) -> int:
-        here = env.func.file
-        near = self.program.nearness(file, here)
-        if "::" in name:
-            qualifier = name.rsplit("::", 1)[0]
-            return (
-                10 + near
-                if scope == qualifier or scope.endswith("::" + qualifier) or (qualifier.endswith(scope) and scope)
-                else 0
-            )
-        inside = bool(scope) and (env.scope == scope or env.scope.startswith(scope + "::"))
-        if self._in_ancestry(scope, env):
-            return 20 + near
-        if inside:
-            return 10 + len(scope.split("::")) + near
-        if not scope or any(scope == using or scope.endswith("::" + using) for using in here.facts.usings):
-            return 5 + near if near else 0
-        return 0
-
-    def _in_ancestry(self, scope: str, env: Env) -> bool:
-        cls = env.this or env.func.cls
-        return bool(scope) and cls is not None and any(entry.qualified == scope for entry in self.program.ancestry(cls))
+    def constant(self, name: str, env: Env) -> tuple[Constant, File] | None:
+        """Return the constant that `name` means at a place, with the file it stands in."""
+        cls = env.func.cls
+        scope = f"{cls.qualified}::{env.func.fact.name}" if cls is not None else env.scope
+        found = self.program.constant_named(name, env.func.file, scope)
+        if found is None or (found.constant.value is None and "enum" not in found.constant.traits):
+            return None
+        return found.constant, found.file
 
     def option(self, name: str, file: File) -> Expr | None:
         """Return the default of a command line option that a Python file adds with `add_argument`."""
@@ -205,19 +218,54 @@ def _member_target(statement: Statement, params: set[str]) -> str:
     return ""
 
 
+def _touched(method: Func) -> set[str]:
+    """Names of members, or of what may be one, that a method assigns, calls a method of, or hands to somebody."""
+    own = {parameter.name for parameter in method.fact.params}
+    own |= {s.target.id for s in method.fact.body if s.kind == "let" and isinstance(s.target, Name)}
+    targets: list[Expr | None] = [s.target for s in method.fact.body if s.kind != "let"]
+    for call in (call for calls in method.calls for call in calls):
+        targets += [call.callee.base if isinstance(call.callee, Member) else None, *call.args]
+    return {name for target in targets if (name := _reached(target, own))}
+
+
+def _reached(expr: Expr | None, own: set[str]) -> str:
+    """The name of the member that an expression is or leads into; `own` are the names of the method itself."""
+    while expr is not None:
+        if isinstance(expr, Name):
+            return "" if expr.id in own else expr.id
+        if isinstance(expr, Member) and expr.base == Name("this"):
+            return expr.name
+        if isinstance(expr, Member):
+            expr = expr.base
+        elif isinstance(expr, Op) and expr.op in {"[]", "&"}:
+            expr = expr.operands[0]
+        elif isinstance(expr, Call) and isinstance(expr.callee, Member):
+            expr = expr.callee.base
+        else:
+            return ""
+    return ""
+
+
 def _options(func: Func) -> Iterator[tuple[str, Expr]]:
     for calls in func.calls:
         for call in calls:
             if isinstance(call.callee, Member) and call.callee.name == "add_argument":
-                keywords = dict(call.keywords)
+                keywords = _with_flag(dict(call.keywords))
                 dest = keywords.get("dest") or next((arg for arg in call.args if _is_long(arg)), None)
                 if isinstance(dest, Text) and "default" in keywords:
                     yield dest.value.lstrip("-").replace("-", "_"), keywords["default"]
+
+
+def _with_flag(keywords: dict[str, Expr]) -> dict[str, Expr]:
+    """`action="store_true"` is false unless it is given."""
+    action = keywords.get("action")
+    flag = _FLAGS.get(action.value) if isinstance(action, Text) else None
+    return keywords if flag is None else {"default": expressions.Constant(flag), **keywords}
 
 
 def _is_long(arg: Expr) -> bool:
     return isinstance(arg, Text) and (arg.value.startswith("--") or not arg.value.startswith("-"))
 
 
-def _depth_at(body: tuple[Statement, ...], at: int) -> int:
-    return body[at].depth if at < len(body) else 0
+def _nothing(expr: Expr, env: Env) -> Sequence[Sequence[Held]]:
+    return ()

@@ -22,6 +22,7 @@ class Site:
         chain: the calls it came through, outermost first; empty for a direct call.
         owner: class whose objects have the endpoint; None for a free function's.
         root: outermost function.
+        certain: whether a run that gets to the call makes the endpoint; False for one of several that it may make.
     """
 
     form: Form
@@ -30,6 +31,7 @@ class Site:
     chain: tuple[Invocation, ...]
     owner: Cls | None
     root: Func
+    certain: bool = True
 
     def lines(self) -> Iterator[tuple[str, int]]:
         """Yield (path, line), outermost call first."""

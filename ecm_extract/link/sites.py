@@ -6,18 +6,21 @@ for a class that passes a constructor argument or template argument on: each pla
 
 from __future__ import annotations
 
-from collections import defaultdict, deque
-from collections.abc import Iterable, Iterator, Sequence
+from collections import deque
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from dataclasses import replace
 
 from ecm_parsers.source.expr import Expr, Name
 
 from ecm_extract.link.call_index import call_index
 from ecm_extract.link.call_targets import CallTargets
 from ecm_extract.link.calls import Invocation
+from ecm_extract.link.closures import captured
 from ecm_extract.link.env import Env, Instance, bind
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.match import Matcher, name_argument, positions
 from ecm_extract.link.openness import MAX_CHAIN, Openness
+from ecm_extract.link.option_structs import spread
 from ecm_extract.link.parameters import Parameters
 from ecm_extract.link.program import Program
 from ecm_extract.link.site import Site
@@ -35,19 +38,25 @@ class Sites:
     """Finds all sites of a program."""
 
     def __init__(
-        self, program: Program, matcher: Matcher, types: Types, parameters: Parameters, also: Iterable[str] = ()
+        self,
+        program: Program,
+        matcher: Matcher,
+        types: Types,
+        parameters: Parameters,
+        also: Iterable[str] = (),
+        plugins: Collection[Cls] = (),
     ) -> None:
         self.program = program
+        self.plugins = frozenset(plugins)
         self.matcher = matcher
         self.types = types
         self.folder: Folder = matcher.folder
         self.parameters = parameters
         self._positions: dict[int, dict[int, int]] = {}
-        self._derived: dict[int, list[Cls]] | None = None
         self._remembered: set[int] = set()
         self._names: dict[int, tuple[Site, tuple[Value, ...]]] = {}
-        self.openness = Openness(self.folder, types, self.derived)
-        self._aliases = program.aliases.meaning({*program.classes, *matcher.forms})
+        self.openness = Openness(self.folder, types, program.derived)
+        self._aliases = program.aliases.meaning(program.classes, matcher.forms)
         wanted = {*matcher.forms, *program.functions, *program.classes, *_ALSO, *also}
         self.calls = call_index(program, wanted, self._aliases)
         self._calls_of = CallTargets(self.folder, self.calls, self._place)
@@ -58,23 +67,23 @@ class Sites:
         found: list[Site] = []
         for last in self.matcher.forms:
             for call in self.calls.get(last, ()):
-                site = self._direct(call, parameters)
-                if site is not None:
+                for site in self._direct(call, parameters):
                     found.extend(self._closed(site))
         return found
 
-    def _direct(self, call: Invocation, parameters: bool) -> Site | None:
+    def _direct(self, call: Invocation, parameters: bool) -> Iterator[Site]:
         func = call.func
         env = self.root_env(func, self.position(call))
-        form = self.matcher.form(call, env)
-        if form is None or (form.role == "parameter") is not parameters:
-            return None
-        return Site(form, call, env, (), func.holder, func)
+        call = spread(call)
+        for form in self.matcher.fitting(call, env):
+            if (form.role == "parameter") is parameters:
+                yield Site(form, call, env, (), func.holder, func)
 
     def root_env(self, func: Func, at: int) -> Env:
         """Return the place of a statement of a function about whose callers nothing is assumed."""
-        made = Instance(func.cls, {}, {}) if func.cls is not None else None
-        return Env(func, at, this=func.cls, made=made)
+        own = self.folder.flow.object_of(func)
+        made = Instance(own, {}, {}) if own is not None else None
+        return Env(func, at, this=own, made=made)
 
     def _place(self, call: Invocation) -> Env:
         return self.root_env(call.func, self.position(call))
@@ -86,6 +95,10 @@ class Sites:
             known = {id(statement): at for at, statement in enumerate(call.func.fact.body)}
             self._positions[id(call.func)] = known
         return known.get(id(call.statement), len(known))
+
+    def is_held(self, call: Invocation) -> bool:
+        """Tell whether a call makes a member of a class, where the class says it has one, and not in a body."""
+        return call.made and self.position(call) == len(call.func.fact.body)
 
     # --- wrappers --------------------------------------------------------------------------------------
 
@@ -99,8 +112,22 @@ class Sites:
             if wider:
                 pending.extend(wider)
             else:
-                closed.append(current)
+                closed.extend(self._in_each_state(current))
         return closed
+
+    def _in_each_state(self, site: Site) -> Iterator[Site]:
+        """A site once for each state in which its call is reached; none where its arguments keep it from that."""
+        if site.chain and not self.folder.flow.is_reached(site.env):
+            return
+        for env, certain in self._places(site.env):
+            yield replace(site, env=env, certain=site.certain and certain)
+
+    def _places(self, env: Env) -> Iterator[tuple[Env, bool]]:
+        """A place once for each state, and whether a run that gets there in one of them does so in all."""
+        places = self.folder.flow.places(env)
+        paths = {place.state.path for place in places if place.state is not None}
+        for place in places:
+            yield place, len(paths) <= 1
 
     def _wider(self, site: Site) -> Iterator[Site]:
         params, made = self.openness.of(site, self.names(site))
@@ -111,13 +138,13 @@ class Sites:
                 self._remember_wrapper(site)
             callers = list(self._callers(site))
             yield from callers
-            if callers or (params & given and not overrides(site.root)):
+            if callers or (params & given and not overrides(site.root) and not self._is_loaded(site.root)):
                 return
         if made and site.owner is not None:
             yield from self._makers(site, site.owner)
 
     def names(self, site: Site) -> tuple[Value, ...]:
-        """Return the possible names of a site, folded once."""
+        """Return the possible names that a site is given, folded once."""
         known = self._names.get(id(site))
         if known is None:
             name = name_argument(site.form, site.call)
@@ -146,8 +173,22 @@ class Sites:
         for call in self.callers(root):
             if id(call) in passed:
                 continue
-            outer = self.root_env(call.func, self.position(call))
-            yield self._through(site, call, outer)
+            for outer, certain in self._places(self.root_env(call.func, self.position(call))):
+                wider = self._through(replace(site, certain=site.certain and certain), call, outer)
+                if not self._names_an_instance(wider, root):
+                    yield wider
+
+    def _is_loaded(self, func: Func) -> bool:
+        """Tell whether a method runs on plugins, its class or one that derives from it being one."""
+        cls = func.cls
+        return cls is not None and any(each in self.plugins for each in (cls, *self.program.derived(cls)))
+
+    def _names_an_instance(self, site: Site, func: Func) -> bool:
+        """Tell whether the host of a plugin gives its method a name that only the configuration knows."""
+        own = site.root.cls is not None and func.cls in self.program.ancestry(site.root.cls)
+        if own or not self._is_loaded(func):
+            return False
+        return any(value.confidence == "pattern" and not value.open("param") for value in self.names(site))
 
     def callers(self, func: Func) -> Sequence[Invocation]:
         """Return the calls of a function by others."""
@@ -156,7 +197,8 @@ class Sites:
     def _through(self, site: Site, call: Invocation, outer: Env) -> Site:
         """Rebuild the chain of environments from a new outermost call."""
         env = self._enter(call, self._first(site), outer)
-        return Site(site.form, site.call, self._inside(site, env), (call, *site.chain), call.func.holder, call.func)
+        chain = (call, *site.chain)
+        return Site(site.form, site.call, self._inside(site, env), chain, call.func.holder, call.func, site.certain)
 
     def _first(self, site: Site) -> Invocation:
         return site.chain[0] if site.chain else site.call
@@ -172,6 +214,9 @@ class Sites:
         func, at = following.func, self.position(following)
         args = bind(func, link, env)
         types = self._template(func, link, env, args)
+        if "lambda" in func.fact.traits:
+            outer = captured(func, link, env, self.folder)
+            return Env(func, at, args, types, outer.this, outer.made, outer=outer)
         if func.cls is None:
             return Env(func, at, args, types)
         if func.is_constructor or self.makes(link, func.cls):
@@ -208,31 +253,32 @@ class Sites:
         """One site for each class that derives from `cls`, and for each place that makes one."""
         at = self.position(self._first(site))
         own = site.owner is site.root.cls
-        for derived in self.derived(cls) if own else ():
+        for derived in self.program.derived(cls) if own else ():
             made = Instance(derived, {}, {})
             part = self.folder.objects.part(made, cls)
             types = dict(part.types) if part is not None else {}
             root = Env(site.root, at, {}, types, derived, made)
-            yield Site(site.form, site.call, self._inside(site, root), site.chain, derived, site.root)
+            yield Site(site.form, site.call, self._inside(site, root), site.chain, derived, site.root, site.certain)
         for call in self.calls.get(cls.fact.name, ()):
             if call.func.cls is cls or (own and self._is_base_of(call, cls)):
                 continue
             if self.makes(call, cls) and not any(call is link for link in site.chain):
-                yield self._made_at(site, cls, call, at)
+                for outer, certain in self._places(self.root_env(call.func, self.position(call))):
+                    yield self._made_at(replace(site, certain=site.certain and certain), cls, call, at, outer)
 
     def _is_base_of(self, call: Invocation, cls: Cls) -> bool:
         """Tell whether a call makes the base of a derived object, which is no object of its own."""
         maker = call.func.cls
         return call.statement.kind == "init" and maker is not None and cls in self.program.ancestry(maker)
 
-    def _made_at(self, site: Site, cls: Cls, call: Invocation, at: int) -> Site:
-        outer = self.root_env(call.func, self.position(call))
+    def _made_at(self, site: Site, cls: Cls, call: Invocation, at: int, outer: Env) -> Site:
         constructor = self.folder.objects.constructor(cls, len(call.args))
         args = bind(constructor, call, outer) if constructor is not None else {}
         types = self._class_types(cls, call, outer)
         own = args if site.root.is_constructor and site.root.cls is cls else {}
         root = Env(site.root, at, own, types, cls, Instance(cls, args, types, constructor))
-        return Site(site.form, site.call, self._inside(site, root), (call, *site.chain), call.func.holder, call.func)
+        chain = (call, *site.chain)
+        return Site(site.form, site.call, self._inside(site, root), chain, call.func.holder, call.func, site.certain)
 
     def makes(self, call: Invocation, cls: Cls) -> bool:
         """Tell whether a call makes an object of a class."""
@@ -242,22 +288,7 @@ class Sites:
             return False
         scope = f"{call.func.fact.scope}::{call.func.fact.name}"
         path = call.path.replace(".", "::") if call.func.file.language == "cpp" else call.path
-        return self.program.class_named(path, call.func.file, scope) is cls or self._imported_as(call, cls)
-
-    def _imported_as(self, call: Invocation, cls: Cls) -> bool:
-        if cls.file.language != "python" or call.func.file.language != "python":
-            return False
-        return self.program.class_named(call.path.rsplit(".", 1)[-1], call.func.file) is cls
-
-    def derived(self, cls: Cls) -> list[Cls]:
-        """Return the classes of the tree that derive from a class, at any distance."""
-        if self._derived is None:
-            self._derived = defaultdict(list)
-            for group in self.program.classes.values():
-                for entry in group:
-                    for base in self.program.ancestry(entry)[1:]:
-                        self._derived[id(base)].append(entry)
-        return self._derived.get(id(cls), [])
+        return self.program.class_named(path, call.func.file, scope) is cls
 
 
 def overrides(func: Func) -> bool:

@@ -29,10 +29,10 @@ def stamps(sites: Sites) -> Iterator[tuple[Cls | Func, Stamp]]:
         for func in functions:
             for at, statement in enumerate(func.fact.body):
                 if statement.kind == "set" and _is_frame(statement.target) and statement.value is not None:
-                    value = settled(sites.folder.fold(statement.value, sites.root_env(func, at))[0])
-                    if value.confidence != "pattern" and value.text:
-                        evidence = Evidence(func.file.path, statement.line)
-                        yield func.holder or func, Stamp(value.text.lstrip("/"), value.confidence, evidence)
+                    for value in map(settled, sites.folder.fold(statement.value, sites.root_env(func, at))):
+                        if value.confidence != "pattern" and value.text:
+                            evidence = Evidence(func.file.path, statement.line)
+                            yield func.holder or func, Stamp(value.text.lstrip("/"), value.confidence, evidence)
 
 
 def _is_frame(target: Expr | None) -> bool:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Final
 
 from ecm_extract.link.env import Env
@@ -9,9 +11,9 @@ from ecm_extract.tree import FileDiagnostic
 
 MAX_QUESTION: Final = 5_000
 """Evaluations for one name, type or profile; the most that one took in 65 public repositories was 331."""
-LEAST_RUN: Final = 200_000
+LEAST_RUN: Final = 2_000_000
 """Evaluations that any run has; those 65 repositories took 90,000 together."""
-MAX_PER_STATEMENT: Final = 4
+MAX_PER_STATEMENT: Final = 40
 """Evaluations that a run has for each statement of its sources."""
 MAX_TOLD: Final = 20
 """Places that are told one by one."""
@@ -46,11 +48,25 @@ class Steps:
         self._cut[_place(self._asked or env)] = None
         return False
 
+    def leave_out(self, env: Env) -> None:
+        """Remember a place whose values are not all computed; within a question it is the place that asked."""
+        self._cut[_place(self._asked if self.depth and self._asked is not None else env)] = None
+
     def __enter__(self) -> None:
         self.depth += 1
 
     def __exit__(self, *_: object) -> None:
         self.depth -= 1
+
+    @contextmanager
+    def apart(self) -> Iterator[None]:
+        """Within it, each evaluation is a question of its own: a run of a function asks many."""
+        depth, spent, asked = self.depth, self._spent, self._asked
+        self.depth = 0
+        try:
+            yield
+        finally:
+            self.depth, self._spent, self._asked = depth, spent, asked
 
     def left_out(self) -> tuple[FileDiagnostic, ...]:
         """Return what is to be told of places whose values were not computed to the end."""

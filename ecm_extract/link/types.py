@@ -109,7 +109,7 @@ class Types:
         if not rest and any(parameter.name == head for parameter in env.func.fact.params):
             return TypeFound(None, frozenset({head}))
         if isinstance(expr, Name):
-            for definition in self.folder.scope.local(head, env):
+            for definition in self.folder.scope.local(Name(head), env):
                 value = definition.statement.value
                 if value is not None:
                     return self.expression(value, env.before(definition.at), role)
@@ -142,29 +142,35 @@ class Types:
         head, _, tail = bare.partition("::")
         if head in template:
             return TypeFound(None, frozenset({head}))
-        if head in _KINDS and tail:
-            return TypeFound(self._relative(bare, env, role))
         outer = (self.program.alias(head, env.func.file, self._scope(env)) or self._macro(head, env)) if tail else None
         if outer is not None and plain(outer) != head:
             return self.written(f"{_bare(outer)}::{tail}", env, role, depth + 1)
+        if head in _KINDS and env.func.file.ros != 1:
+            return self._in_namespace(bare, env, role)
+        if bare.count("::") == 1 and not bare.endswith("_") and _is_template(text) and env.func.file.ros != 1:
+            return UNKNOWN_TYPE  # `pcl::PointCloud<P>` is sent as a message, but is none
         full = self._full(bare, role) if "::" in bare else self._unqualified(bare, env, role)
         return TypeFound(full or self._in_lower_case(bare, env, role))
 
-    def _relative(self, bare: str, env: Env, role: Role) -> str | None:
-        """`msg::Goal` in `namespace pkg`: generated types stand in the outermost namespace, named as the package."""
+    def _in_namespace(self, bare: str, env: Env, role: Role) -> TypeFound:
+        """`msg::Name`: a namespace around it is the package; what is no name of a package is none in ROS 2."""
+        whole = self.program.message_named(bare, env.func.file, self._scope(env)) or self._outermost(bare, env)
+        return TypeFound(self._full(whole, role)) if whole is not None else UNKNOWN_TYPE
+
+    def _outermost(self, bare: str, env: Env) -> str | None:
+        """Generated types stand in the outermost namespace; a header that is not seen may bring them."""
         scope = env.func.cls.fact.scope if env.func.cls is not None else env.func.fact.scope
         outer = scope.removeprefix("::").partition("::")[0]
-        if not outer or self.program.class_named(outer, env.func.file) is not None:
-            return None
-        return self._full(f"{outer}::{bare}", role)
+        return f"{outer}::{bare}" if outer and self.program.class_named(outer, env.func.file) is None else None
 
     def _macro(self, name: str, env: Env) -> str | None:
         """What `#define name other::name` stands for, as trees for two distributions rename packages."""
-        for file, constant in self.program.constants.get(name, ()):
-            renames = "define" in constant.traits and isinstance(constant.value, Name)
-            if renames and isinstance(constant.value, Name) and self.program.nearness(file, env.func.file):
-                return constant.value.id
-        return None
+        if name not in self.program.constants:
+            return None
+        found = self.program.constant_named(name, env.func.file)
+        if found is None or "define" not in found.constant.traits or not isinstance(found.constant.value, Name):
+            return None
+        return found.constant.value.id
 
     def _in_lower_case(self, bare: str, env: Env, role: Role) -> str | None:
         """`my_pkg::cloud_info`: a message named against the convention, told by the header that generation makes."""
@@ -185,7 +191,7 @@ class Types:
                 stem = parts[-1].rsplit(".", 1)[0]
                 if len(parts) in {2, 3} and (stem == name or (len(parts) == 3 and stem == snake(name))):
                     return self._full("::".join([*parts[:-1], name]), role)
-        for using in env.func.file.facts.usings:
+        for using in (entry.namespace for entry in env.func.file.facts.usings):
             if using.rsplit("::", 1)[-1] in _KINDS or using.endswith("_msgs"):
                 return self._full(f"{using}::{name}", role)
         return None
@@ -232,7 +238,7 @@ class Types:
                 inner = Env(func, types=env.types, this=env.this, made=env.made)
                 written = _REQUEST.sub(r"\1", params[0].type) if service else params[0].type
                 return self.written(written, inner, role)
-        for definition in self.folder.scope.local(name, env):
+        for definition in self.folder.scope.local(Name(name), env):
             value = definition.statement.value
             if value is not None:
                 return self._callback(value, env.before(definition.at), role, service)
@@ -248,6 +254,10 @@ class Types:
         methods = [func for func in candidates if func.cls in lineage]
         near = [func for func in candidates if func.file is env.func.file]
         return [*methods, *near]
+
+
+def _is_template(text: str) -> bool:
+    return "<" in pointee(text)
 
 
 def _serves(func: Func) -> bool:

@@ -15,9 +15,10 @@ from ecm_extract.link.walk import calls_in
 
 @dataclass(slots=True, eq=False, repr=False)
 class File:
-    """One source file: its path, the package it belongs to, its facts, where its target looks for headers.
+    """One source file: its path, the package it belongs to, its facts, where its targets look for headers.
 
-    `is_built` is False of a source that no target compiles, as far as the build is known.
+    `targets` are the names of those that compile it; `is_built` is False of a source that none does, as far as the
+    build is known.
     """
 
     path: str
@@ -27,6 +28,7 @@ class File:
     imported: dict[str, str] = field(default_factory=dict)
     include_folders: tuple[str, ...] = ()
     is_built: bool = True
+    targets: tuple[str, ...] = ()
 
     @property
     def language(self) -> str:
@@ -101,8 +103,14 @@ class Func:
 
     @property
     def holder(self) -> Cls | None:
-        """The class whose objects have what it declares; None for functions and for static methods of C++."""
+        """The class whose objects have what it declares; None for functions and for methods that need no object."""
         return None if self.cls is None or self.fact.name in self.cls.statics else self.cls
+
+    @property
+    def scope(self) -> str:
+        """The scope in which the names of its body stand."""
+        outer = self.cls.qualified if self.cls is not None else self.fact.scope
+        return f"{outer}::{self.fact.name}" if outer else self.fact.name
 
     @property
     def is_constructor(self) -> bool:
@@ -112,7 +120,7 @@ class Func:
 
 @dataclass(slots=True, eq=False, repr=False)
 class Cls:
-    """A class with its file and all definitions of its methods, wherever they stand; `statics`: names, of C++."""
+    """A class with its file and all definitions of its methods; `statics` are names of those that need no object."""
 
     fact: Class
     file: File

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from itertools import islice
-from typing import Literal, NamedTuple
+from dataclasses import dataclass
+from typing import Any, Literal, NamedTuple
 
 from ecm_checker.contract import Confidence
+from ecm_parsers.source.facts import Constant
+
+from ecm_extract.infer.compute import NULL, UNKNOWN
 
 MAX_ALTERNATIVES = 12
 MAX_LENGTH = 16_384
@@ -14,7 +17,7 @@ MAX_LENGTH = 16_384
 NAMESPACE = "node namespace"
 PARENT_NAMESPACE = "parent namespace"
 """Labels with a space: no variable of a source is called so."""
-_RANK: dict[Confidence, int] = {"literal": 0, "folded": 1, "default": 2, "pattern": 3}
+_RANK: dict[Confidence, int] = {"literal": 0, "folded": 1, "default": 2, "one_of": 3, "pattern": 4}
 
 
 class Hole(NamedTuple):
@@ -22,11 +25,12 @@ class Hole(NamedTuple):
 
     `param`: a parameter of the function at hand, which its callers know; `made`: a parameter of the constructor,
     which whoever makes the object knows; `node`: the name of the node at hand; `space`: its namespace, or the one above
-    that; `unknown`: nobody does.
+    that; `circle`: what is asked for itself; `setting`: the value of a parameter that somebody
+    sets; `unknown`: nobody does.
     """
 
     label: str
-    kind: Literal["param", "made", "node", "space", "unknown"] = "unknown"
+    kind: Literal["param", "made", "node", "space", "circle", "setting", "unknown"] = "unknown"
     default: str | None = None
 
 
@@ -34,15 +38,24 @@ TOO_LONG = Hole("too long a text")
 """Stands for a text that is put together beyond `MAX_LENGTH`."""
 
 
+@dataclass(frozen=True, slots=True)
+class Enumerator:
+    """A value of an enumeration that has no number of its own, by its declaration."""
+
+    constant: Constant
+
+
 class Value(NamedTuple):
     """One possible value: its parts in order and how surely it is known.
 
-    `template` is the text with `${parameter=default}` where a ROS parameter gives it, None where none does.
+    `template` is the text with `${parameter=default}` where a ROS parameter gives it, None where none does. `data` is
+    what is no text: a number, a truth value, null; None for texts and for what is not known.
     """
 
     parts: tuple[str | Hole, ...]
     confidence: Confidence = "literal"
     template: str | None = None
+    data: Any = None
 
     @property
     def text(self) -> str:
@@ -56,14 +69,80 @@ class Value(NamedTuple):
         return frozenset(part.label for part in self.parts if isinstance(part, Hole) and part.kind == kind)
 
 
+TOO_MANY = Value((Hole("one of many"),), "pattern")
+"""Stands for values beyond `MAX_ALTERNATIVES`."""
+
+
 def literal(text: str) -> Value:
     """A value read as it stands."""
     return Value((text,))
 
 
+def constant(data: Any) -> Value:
+    """A number, truth value or null read as it stands; its text is what it is written as."""
+    text = "" if data is NULL else str(data).lower() if isinstance(data, bool) else str(data)
+    return Value((text,), "literal", None, data)
+
+
+def computed(data: Any) -> Value | None:
+    """What a computation gives, None for what is not known."""
+    if data is UNKNOWN or data is None:
+        return None
+    return Value((data,), "folded") if isinstance(data, str) else constant(data)._replace(confidence="folded")
+
+
+def data_in(value: Value) -> Any:
+    """Return the data that a value is: a number, truth value or null, else its text; UNKNOWN with holes."""
+    if value.data is not None:
+        return value.data
+    return value.text if all(isinstance(part, str) for part in value.parts) else UNKNOWN
+
+
+def is_proved(value: Value) -> bool:
+    """Tell whether a value is surely this one, or one of several of which each is known."""
+    return value.confidence in {"literal", "folded", "one_of"} and value.template is None
+
+
+def is_known(value: Value) -> bool:
+    """Tell whether a value is this one, or is as long as nobody sets a parameter."""
+    return value.confidence != "pattern"
+
+
+def alternatives(values: Iterable[Value]) -> tuple[Value, ...]:
+    """Values of which one is true: several are each `one of`, a pattern stays beside them.
+
+    What somebody may set through a parameter makes what stands beside it a default.
+    """
+    listed = unique(values)
+    fixed = tuple([value for value in listed if not is_setting(value)])
+    if len(fixed) < len(listed) and any(value.text and is_known(value) for value in fixed):
+        listed = lowered(fixed, "default")
+    return listed if len(listed) <= 1 else lowered(listed, "one_of")
+
+
 def unknown(label: str) -> Value:
     """A value that nothing shows; the label tells what it is called in source."""
     return Value((Hole(_label(label)),), "pattern")
+
+
+def setting(label: str) -> Value:
+    """The value of a parameter, or of a port of a behaviour tree, of which no default is known."""
+    return Value((Hole(_label(label), "setting"),), "pattern")
+
+
+def is_setting(value: Value) -> bool:
+    """Tell whether a value is no more than what somebody sets."""
+    return len(value.parts) == 1 and isinstance(value.parts[0], Hole) and value.parts[0].kind == "setting"
+
+
+def circular(label: str) -> Value:
+    """What a value is that is made from itself."""
+    return Value((Hole(_label(label), "circle"),), "pattern")
+
+
+def is_circle(value: Value) -> bool:
+    """Tell whether a value is no more than what is asked for itself."""
+    return len(value.parts) == 1 and isinstance(value.parts[0], Hole) and value.parts[0].kind == "circle"
 
 
 def parameter(label: str, made: bool = False, default: str | None = None) -> Value:
@@ -116,7 +195,7 @@ def weaker(first: Confidence, second: Confidence) -> Confidence:
 
 def lowered(values: Iterable[Value], to: Confidence) -> tuple[Value, ...]:
     """The same values, at most as certain as `to`."""
-    return tuple([Value(value.parts, weaker(value.confidence, to), value.template) for value in values])
+    return tuple([value._replace(confidence=weaker(value.confidence, to)) for value in values])
 
 
 def demoted(values: Iterable[Value]) -> tuple[Value, ...]:
@@ -128,8 +207,10 @@ def joined(groups: Iterable[tuple[Value, ...]]) -> tuple[Value, ...]:
     """Concatenate: every combination of one alternative of each group, bounded in number and length."""
     results: list[Value] = [Value((), "folded")]
     for group in groups:
-        pairs = ((left, right) for left in results for right in group)
-        results = [_beside(left, right) for left, right in islice(pairs, MAX_ALTERNATIVES)]
+        if len(results) * len(group) > MAX_ALTERNATIVES:
+            results = [TOO_MANY] if len(results) > len(group) else results
+            group = (TOO_MANY,) if len(results) * len(group) > MAX_ALTERNATIVES else group
+        results = [_beside(left, right) for left in results for right in group]
     return tuple(results)
 
 
@@ -154,19 +235,26 @@ def _template(left: Value, right: Value) -> str | None:
 
 def set_by(name: str, values: Iterable[Value]) -> tuple[Value, ...]:
     """The same values as those of a ROS parameter that a launch may set."""
-    return tuple([Value(value.parts, value.confidence, f"${{{name}={value.text}}}") for value in values])
+    return tuple([value._replace(template=f"${{{name}={value.text}}}") for value in values])
 
 
 def unique(values: Iterable[Value]) -> tuple[Value, ...]:
-    """Drop repetitions by text and patterns that a known value stands beside, keeping order."""
-    listed = tuple(values)
-    if len(listed) <= 1:
-        return listed
+    """Drop repetitions by text, keeping order; more than a bound of them are one that nobody knows."""
     seen: dict[str, Value] = {}
-    for value in listed:
-        seen.setdefault(value.text, value)
-    known = [value for value in seen.values() if any(isinstance(part, str) and part for part in value.parts)]
-    return tuple((known or list(seen.values()))[:MAX_ALTERNATIVES])
+    for value in values:
+        known = seen.setdefault(value.text, value)
+        if known is not value:
+            seen[value.text] = _either(known, value)
+    listed = tuple(seen.values())
+    if len(listed) <= MAX_ALTERNATIVES:
+        return listed
+    return (*listed[: MAX_ALTERNATIVES - 1], TOO_MANY)
+
+
+def _either(one: Value, other: Value) -> Value:
+    """One text that is known in two ways: as surely as the weaker of them."""
+    data = one.data if one.data == other.data else None
+    return Value(one.parts, weaker(one.confidence, other.confidence), one.template or other.template, data)
 
 
 def _label(text: str) -> str:

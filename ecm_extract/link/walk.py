@@ -8,6 +8,7 @@ from typing import Any, Final
 
 from ecm_parsers.source.expr import (
     Call,
+    Comprehension,
     Constant,
     Expr,
     Items,
@@ -92,6 +93,7 @@ _PARTS: Final[Mapping[type[Expr], Callable[[Any], tuple[Expr, ...]]]] = {
     Items: attrgetter("items"),
     Template: attrgetter("parts"),
     Table: _of_table,
+    Comprehension: lambda comprehension: (comprehension.element, *comprehension.tests),
 }
 """What gives the parts of an expression that has some; asked of each expression of a program."""
 _LEAVES = frozenset({Name, Text, Number, Constant, Opaque, Lambda})

@@ -77,7 +77,7 @@ def _required(facts: PackageFacts, workspace: Workspace) -> Iterator[Requirement
     yield from dependency_requirements(facts)
     yield from interface_requirements(facts)
     yield from diagnostic_requirements(facts)
-    yield from build_file_requirements(workspace.tree.read_many, facts)
+    yield from build_file_requirements(workspace.commands, facts)
     yield from share_file_requirements(workspace.tree.read_many, facts)
     for path, file in workspace.launches.items():
         if workspace.package_of(path) == facts.name:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ecm_parsers.source.expr import Call, Member, Name
 
 from ecm_extract.link.calls import dotted_name
-from ecm_extract.link.program import Program, module_matches
+from ecm_extract.link.program import Program
 from ecm_extract.link.units import Cls, Func
 
 
@@ -17,27 +17,16 @@ def callees(call: Call, func: Func, program: Program) -> list[Func]:
     callee = call.callee
     if isinstance(callee, Member) and callee.base == Name("this") and func.cls is not None:
         return _methods(callee.name, func.cls, program)
-    head, _, rest = dotted_name(callee).partition(".")
+    head = dotted_name(callee).partition(".")[0]
     if not head or head in _bound(func):
         return []
-    if head in func.file.imported:
-        module, _, name = f"{func.file.imported[head]}.{rest}".strip(".").rpartition(".")
-        return [other for other in _free(name, program) if module and module_matches(other.file.path, module)]
-    return [other for other in _free(head, program) if other.file is func.file] if not rest else []
+    return [other for other in program.functions_named(dotted_name(callee), func.file) if not other.fact.scope]
 
 
 def _bound(func: Func) -> set[str]:
     """Names that mean something of the function's own."""
     targets = (entry.target for entry in func.fact.body if func.fact.name != "<module>")
     return {target.id for target in targets if isinstance(target, Name)} | {entry.name for entry in func.fact.params}
-
-
-def _free(name: str, program: Program) -> list[Func]:
-    return [
-        other
-        for other in program.functions.get(name, ())
-        if other.file.language == "python" and other.cls is None and not other.fact.scope
-    ]
 
 
 def _methods(name: str, cls: Cls, program: Program) -> list[Func]:

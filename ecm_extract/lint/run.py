@@ -9,6 +9,7 @@ import msgspec
 from ecm_checker.finding import SEVERITIES, Finding
 
 from ecm_extract.config import Level
+from ecm_extract.lint.beside import of_tree
 from ecm_extract.lint.catalogue import catalogue
 from ecm_extract.lint.refused import is_refused
 from ecm_extract.lint.rules.lnt061 import RULE as REFUSAL
@@ -39,7 +40,7 @@ def findings_of(
         if level == "off" or (selected and entry.rule.id not in selected):
             continue
         try:
-            for finding in (each for part in workspace.parts for each in entry.findings(part)):
+            for finding in (each for part in workspace.parts for each in of_tree(entry.findings(part))):
                 place = finding.evidence[0] if finding.evidence else None
                 key = (finding.fingerprint, place.path if place else "", place.line if place else 0)
                 found.setdefault(key, msgspec.structs.replace(finding, severity=level) if level else finding)

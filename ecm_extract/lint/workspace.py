@@ -8,6 +8,7 @@ from functools import cached_property
 from ecm_checker.contract import Evidence
 from ecm_checker.hub.package import Package
 from ecm_checker.versions import in_range
+from ecm_parsers.cmake_tokens import Command, parse_commands
 from ecm_parsers.launch.model import Action, Include, LaunchFile
 from ecm_parsers.launch.templates import all_actions
 from ecm_parsers.result import Diagnostic, Parsed
@@ -22,6 +23,7 @@ from ecm_extract.entities.workspace import Workspace as Side
 from ecm_extract.extraction_model import Options
 from ecm_extract.link.composition import composition_of
 from ecm_extract.link.linker import Linker
+from ecm_extract.lint.beside import running_beside
 from ecm_extract.lint.builds import builds
 from ecm_extract.lint.fetched import fetched_repositories
 from ecm_extract.lint.known import Known
@@ -47,7 +49,7 @@ class Workspace:
 
     Attributes:
         tree: where files are read. config: what the project sets.
-        packages: their facts. linker: with all that it found. index: of modules.
+        packages: their facts. linker: with all that it found.
         files: as launch files and descriptions name them.
 
         stored: documents of packages that are not in the tree.
@@ -72,9 +74,14 @@ class Workspace:
         self.externals = frozenset(config.externals)
         self.by_name = {package.name: package for package in self.packages}
         self.files = Files(tree, folders_read(self.packages))
-        composition = composition_of(self.linker.modules, self.linker.references)
-        self.programs = composition.programs
-        self.index = ModuleIndex(running_of(self.packages, self.linked, composition))
+        self._composition = composition_of(self.linker.modules, self.linker.references)
+        self.programs = self._composition.programs
+
+    @cached_property
+    def index(self) -> ModuleIndex:
+        """What runs of its packages, and of those that are known by their documents."""
+        own = running_of(self.packages, self.linked, self._composition)
+        return ModuleIndex({**running_beside(self.stored), **own})
 
     @cached_property
     def parts(self) -> Sequence[Workspace]:
@@ -183,6 +190,11 @@ class Workspace:
         facts = self.by_name.get(package)
         held = facts.manifest.version if facts is not None and facts.manifest is not None else None
         return held is not None and in_range(held, versions) is True
+
+    def commands(self, path: str) -> Sequence[Command]:
+        """Return the commands of a CMake file as they are written, parsed once; none of one that cannot be read."""
+        parsed = self.files.parsed(path, parse_commands)
+        return parsed.facts if parsed is not None else ()
 
     def package_of(self, path: str) -> str:
         """Return the name of the package that a file belongs to; empty for none."""

@@ -27,6 +27,7 @@ from ecm_extract.read import select
 from ecm_extract.read.build_files import read_cmake, read_setups
 from ecm_extract.read.cuts import located
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.read.installed import installed_sources
 from ecm_extract.read.parallel import SourceParse
 from ecm_extract.read.parsed_file import BlobFacts, ParsedFile, Task
 from ecm_extract.read.prefetch import Prefetch
@@ -86,6 +87,9 @@ class Reader:
         parsed = sources.finish(_counting(progress, len(missing)))
         self._keep(dict(missing), parsed)
         contents = known | {file.path: file.content for file in parsed}
+        late = [task for package in packages for task in installed_sources(package) if task[0] not in contents]
+        contents |= self._parsed(late)
+        tasks += late
         owner = {entry.path: package for package in packages for entry in package.root.files}
         for path, _ in tasks:
             if path in contents:
@@ -93,6 +97,14 @@ class Reader:
         for package in packages:
             package.ros = _ros(package)
         return packages
+
+    def _parsed(self, tasks: Sequence[Task]) -> dict[str, BlobFacts]:
+        """Facts of the few sources that only build files tell to be programs."""
+        parse = SourceParse(self.tree, tasks, 1)
+        parse.start()
+        parsed = parse.finish(lambda _: None)
+        self._keep(dict(tasks), parsed)
+        return {file.path: file.content for file in parsed}
 
     def _read_packages(self, packages: list[PackageFacts]) -> None:
         self._contents.fetch(entry for package in packages for entry in package.root.files)

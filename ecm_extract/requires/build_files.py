@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from typing import Final
 
 import msgspec
 from ecm_checker.finding import Certainty
 from ecm_checker.hub.requirement import Requirement
 from ecm_parsers.cmake_facts import Command
-from ecm_parsers.cmake_tokens import parse_commands
+from ecm_parsers.cmake_tokens import Command as WrittenCommand
 
 from ecm_extract.entities.install_rules import InstallRule, install_rules
 from ecm_extract.read.facts import PackageFacts
-from ecm_extract.requires.place import Place, Reader, required
+from ecm_extract.requires.place import Place, required
 
 _OPEN: Final = re.compile(r"[$*?\[\]<>@]")
 _BUILDERS: Final = frozenset({"configure_file", "add_custom_command", "execute_process", "file", "externalproject_add"})
@@ -22,6 +22,8 @@ _BUILDERS: Final = frozenset({"configure_file", "add_custom_command", "execute_p
 _LIBRARIES: Final = {"catkin_package": "LIBRARIES", "ament_export_libraries": ""}
 _OTHER: Final = frozenset({"INCLUDE_DIRS", "CATKIN_DEPENDS", "DEPENDS", "CFG_EXTRAS", "EXPORTED_TARGETS"})
 _HEADERS: Final = ("INCLUDE_DIRS", "include")
+Written = Callable[[str], Sequence[WrittenCommand]]
+"""Gives the commands of a CMake file as they are written; none of one that cannot be read."""
 
 
 class Words(msgspec.Struct, frozen=True):
@@ -35,11 +37,11 @@ class Words(msgspec.Struct, frozen=True):
     is_open: bool
 
 
-def build_file_requirements(read: Reader, facts: PackageFacts) -> Iterator[Requirement]:
+def build_file_requirements(written: Written, facts: PackageFacts) -> Iterator[Requirement]:
     """Yield what the CMake files of a package need of the package; rosbuild installs and exports nothing."""
     if facts.root.rosbuild or not facts.cmake:
         return
-    words = build_words(read, facts)
+    words = build_words(written, facts)
     for rule in install_rules(facts):
         if rule.kind != "TARGETS" and "OPTIONAL" not in rule.words:
             yield from _installed(rule, words, facts)
@@ -49,11 +51,11 @@ def build_file_requirements(read: Reader, facts: PackageFacts) -> Iterator[Requi
             yield from _libraries(command, path, facts)
 
 
-def build_words(read: Reader, facts: PackageFacts) -> Words:
+def build_words(written: Written, facts: PackageFacts) -> Words:
     """Return what the commands of a package say outside of install rules."""
     found: set[str] = set()
-    for _, data in read(list(facts.cmake)):
-        for command in parse_commands(data).facts:
+    for path in facts.cmake:
+        for command in written(path):
             words = [argument.text for argument in command.args]
             found |= set() if command.name == "install" or command.name.startswith("end") else set(words)
             if command.name in _BUILDERS:

@@ -98,7 +98,7 @@ def _of_package(
     yield from dependency_requirements(facts)
     yield from interface_requirements(facts)
     yield from rviz_requirements(tree, facts)
-    yield from build_file_requirements(texts.read_many, facts)
+    yield from build_file_requirements(texts.commands, facts)
     yield from share_file_requirements(texts.read_many, facts)
     for file in _python_launch_files(texts, facts):
         yield from python_requirements(file)

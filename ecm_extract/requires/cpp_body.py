@@ -12,7 +12,7 @@ from typing import Final
 from ecm_parsers.source.expr import Call, Expr, Member, Name
 
 from ecm_extract.link.objects import Objects
-from ecm_extract.link.units import Func
+from ecm_extract.link.units import Cls, Func
 from ecm_extract.link.walk import expressions
 from ecm_extract.requires.foreign_classes import ForeignClasses, Inherited
 
@@ -39,11 +39,11 @@ class Body:
 
 def bodies(objects: Objects) -> Iterator[Body]:
     """Yield the bodies of all functions of C++."""
-    inherited: dict[tuple[int, str], Inherited] = {}
+    inherited: dict[tuple[Cls | None, str], Inherited] = {}
     for functions in objects.program.functions.values():
         for func in functions:
             if func.file.language == "cpp" and func.fact.body:
-                key = (id(func.cls), func.file.package)
+                key = (func.cls, func.file.package)
                 if key not in inherited:
                     inherited[key] = Inherited(func.cls, func.file.package, objects)
                 statements = _statements(func, _INHERITING if inherited[key].bases else _REACHING)

@@ -57,14 +57,14 @@ def _handled(body: Body) -> Iterator[Requirement]:
 
 
 def _touched(statement: Sequence[tuple[Expr, int]], classes: ForeignClasses) -> Iterator[tuple[_Touched, int]]:
-    called: set[int] = set()
+    callee: Member | None = None  # a call is followed by what it calls
     for expr, line in statement:
-        if isinstance(expr, Call) and isinstance(expr.callee, Member):
-            called.add(id(expr.callee))
-            member, count = expr.callee, len(expr.args)
-        elif isinstance(expr, Member) and id(expr) not in called:
-            member, count = expr, -1
+        if isinstance(expr, Call):
+            callee = expr.callee if isinstance(expr.callee, Member) else None
+            member, count = callee, len(expr.args)
         else:
+            member, count = (expr if isinstance(expr, Member) and expr is not callee else None), -1
+        if member is None:
             continue
         owner = classes.of(member.base)
         if owner:

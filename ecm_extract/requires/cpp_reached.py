@@ -60,20 +60,16 @@ def reached_requirements(body: Body) -> Iterator[Requirement]:
 
 
 def _touched(statement: Sequence[tuple[Expr, int]], ways: _Ways) -> Iterator[tuple[_Touched, int]]:
-    called: set[int] = set()
-    inside: set[int] = set()
+    around: Expr | None = None  # an expression is followed by what it calls, or whose member it is
     for expr, line in statement:
-        end: Expr | None = expr
-        count = -1
+        is_inside = isinstance(around, Member) and expr is around.base
         if isinstance(expr, Call):
-            called.add(id(expr.callee))
-            end, count = expr.callee, len(expr.args)
-        elif id(expr) in called:
-            end = None
-        if isinstance(expr, Member):
-            inside.add(id(expr.base))
-        for owner, name in ways.touched(end) if end is not None else ():
-            yield _Touched(owner, name, count, id(expr) in inside), line
+            for owner, name in ways.touched(expr.callee):
+                yield _Touched(owner, name, len(expr.args), is_inside), line
+        elif not isinstance(around, Call) or expr is not around.callee:
+            for owner, name in ways.touched(expr):
+                yield _Touched(owner, name, inside=is_inside), line
+        around = expr
 
 
 def _required(touched: _Touched, func: Func, scope: str, lines: tuple[int, ...]) -> Requirement:

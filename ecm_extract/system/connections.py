@@ -7,6 +7,7 @@ where the endpoints of every node are known; else somebody whose source is elsew
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from functools import cached_property
 from typing import Final
 
 import msgspec
@@ -34,11 +35,29 @@ from ecm_extract.system.system import System
 CLAIM: Final = "claims"
 
 
+class Connections:
+    """What the nodes of a system offer each other, and what they ask for."""
+
+    def __init__(self, system: System) -> None:
+        self._packages = Packages([_package(system)])
+
+    @cached_property
+    def matches(self) -> Sequence[Match]:
+        """What became of each subscription, client and claim, in the order of the nodes."""
+        packages = self._packages
+        found = [packages.match(each, one) for one in packages.consumers for each in one.requirements]
+        return contended(alternatives(found))
+
+    def offered(self, use: str) -> Iterator[Provision]:
+        """Yield what a use may mean, whatever its name."""
+        row = uses()[use]
+        found = (each for kind in row.of for each in self._packages.provisions.of_kind(kind))
+        return (each for each in found if row.facet in {"", each.facet})
+
+
 def connections(system: System) -> Sequence[Match]:
     """Return what became of each subscription, client and claim, in the order of the nodes."""
-    packages = Packages([_package(system)])
-    found = [packages.match(each, one) for one in packages.consumers for each in one.requirements]
-    return contended(alternatives(found))
+    return Connections(system).matches
 
 
 def _package(system: System) -> Package:

@@ -124,8 +124,15 @@ def test_parameters_that_share_a_helper_are_told_apart(told) -> None:  # type: i
     """The line of a helper says nothing of the parameters of the packages that use it."""
     user = node('util::declare(this, "transform_tolerance", 0.1);', 'util::declare(this, "rate", 1.0);')
     less = node('util::declare(this, "rate", 1.0);')
+    include = '#include "util/helper.hpp"\n'
+    user, less = include + user, include + less
     other = {"leg/package.xml": package("leg"), "leg/src/leg.cpp": user.replace("Arm", "Leg").replace("arm", "leg")}
-    old = {"arm/include/util/helper.hpp": HELPER, "arm/src/arm.cpp": user, "arm/CMakeLists.txt": CMAKE, **other}
+    old = {
+        "arm/include/util/helper.hpp": HELPER,
+        "arm/src/arm.cpp": user,
+        "arm/CMakeLists.txt": CMAKE,
+        **other,
+    }
     found = told(old, {"arm/src/arm.cpp": less})
     assert ("parameter", "removed", "transform_tolerance", None) in found
 

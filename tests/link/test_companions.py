@@ -6,7 +6,8 @@ from typing import Any
 
 import pytest
 
-from ecm_extract.link.companions import beside
+from ecm_extract.link.placing import CAMERA_INFO, placed
+from ecm_extract.link.values import Hole, Value
 
 CPP = """
 #include <ros/ros.h>
@@ -24,13 +25,15 @@ ROWS = [
     ('auto p = it.advertise("image", 1);', "publisher", {"/image"}),
 ]
 NAMES = [
-    ("/left/image_raw", "/left/camera_info"),
-    ("image_raw", "camera_info"),
-    ("~image_raw", "~camera_info"),
-    ("~/image_raw", "~/camera_info"),
-    ("/{name}/image_raw", "/{name}/camera_info"),
-    ("/left/{topic}", "/{camera_info}"),
-    ("{topic}", "{camera_info}"),
+    (("/left/image_raw",), "/left/camera_info"),
+    (("image_raw",), "camera_info"),
+    (("~image_raw",), "~camera_info"),
+    (("~/image_raw",), "~/camera_info"),
+    (("/", Hole("name"), "/image_raw"), "/{name}/camera_info"),
+    (("/left/", Hole("topic")), "/{camera_info}"),
+    ((Hole("topic"),), "{camera_info}"),
+    ((Hole("side"), "_raw"), "{camera_info}"),
+    (("~", Hole("topic")), "~{camera_info}"),
 ]
 
 
@@ -44,7 +47,20 @@ def test_camera_info_is_beside_the_image(workspace: Any, body: str, role: str, n
     assert len({entry.qos.depth for entry in found}) == 1
 
 
-@pytest.mark.parametrize(("name", "second"), NAMES, ids=[row[0] for row in NAMES])
-def test_a_name_beside_another(name: str, second: str) -> None:
+def test_camera_info_is_beside_an_image_that_callers_name(workspace: Any) -> None:
+    """What a helper is given is followed to its callers for both."""
+    helper = "void take(image_transport::ImageTransport & it, std::string topic) {{ it.subscribeCamera(topic, 1, f); }}"
+    source = CPP.replace("int main", f"{helper}\nint main").format(body='take(it, "left/image_raw");')
+    found = workspace.package({"src/d.cpp": source}, ros=1).interfaces()
+    assert {entry.name for entry in found if entry.role == "subscriber"} == {"/left/image_raw", "/left/camera_info"}
+
+
+@pytest.mark.parametrize(("name", "second"), NAMES, ids=[row[1] for row in NAMES])
+def test_a_name_beside_another(name: tuple[str | Hole, ...], second: str) -> None:
     """A hole at the end may hold a namespace, so that the name beside it is not known."""
-    assert beside(name, "camera_info") == second
+    assert placed(Value(name, "default"), CAMERA_INFO).text == second
+
+
+def test_a_name_beside_another_is_as_sure() -> None:
+    """What holds by default holds by default beside it."""
+    assert placed(Value(("image",), "default"), CAMERA_INFO) == Value(("camera_info",), "default")

@@ -66,14 +66,12 @@ ROWS = [
     ("", 'std::string("a").append("/b").c_str()', "/a/b", "folded"),
     ("", 'std::string(get_name()).append("/state")', "/demo/state", "folded"),
     ('std::string n = "a"; n += "/b";', "n", "/a/b", "folded"),
-    ('std::string n; if (x) { n = "first"; } else { n = "second"; }', "n", None, "folded"),
+    ('std::string n; if (x) { n = "first"; } else { n = "second"; }', "n", None, "one_of"),
     ("", 'std::string(get_namespace()) + "/state"', "/state", "folded"),
     ('std::string ns = get_namespace(); auto up = ns.substr(0, ns.rfind("/"));', 'up + "/state"', "/state", "folded"),
     ('std::string ns = "/a/b"; auto up = ns.substr(0, ns.rfind("/"));', 'up + "/state"', "/a/state", "folded"),
-    ('char n[9] = "arm00"; snprintf(n, sizeof(n), "arm%02d/%s", 7, "odom");', "n", "/arm7/odom", "folded"),
-    ('char n[9]; for (int i = 0; i < 4; i++) { sprintf(n, "arm%d", i); }', "n", "/arm{item}", "pattern"),
-    ('int i = 0; std::string n; while (more()) { n = "arm" + std::to_string(i); i++; }', "n", "/arm{i}", "pattern"),
-    ('std::string n; read_or("topic", n, "fallback");', "n", "/fallback", "default"),
+    ('char n[9] = "arm00"; snprintf(n, sizeof(n), "arm%02d/%s", 7, "odom");', "n", "/arm07/odom", "folded"),
+    ('char n[9]; for (int i = 0; i < 4; i++) { sprintf(n, "arm%d", i); }', "n", "/arm3", "folded"),
     ('std::string n; fill("topic", n);', "n", "/filled/topic", "folded"),
     ("", 'given + "/state"', "/{given}/state", "pattern"),
     ("", 'compute() + "/state"', "/{compute}/state", "pattern"),
@@ -147,9 +145,17 @@ def test_python_name_folds(workspace: Any, setup: str, name: str, expected: str,
     assert (entry.name, entry.confidence) == (expected, confidence)
 
 
+def test_a_helper_that_may_write_either_value_gives_both(workspace: Any) -> None:
+    """What a function writes by reference on two ways is one of two values."""
+    body = 'std::string n; read_or("topic", n, "fallback");'
+    workspace.package({"src/demo.cpp": CPP.format(setup=body, name="n")})
+    found = {(entry.name, entry.confidence) for entry in workspace.interfaces() if entry.role == "publisher"}
+    assert found == {("/fallback", "one_of"), ("/{get}", "pattern")}
+
+
 def test_values_that_define_each_other_end(workspace: Any) -> None:
     """Members that are set from each other give a pattern, not an endless search."""
-    text = 'class D : public rclcpp::Node { D() : Node("d") { a_ = b_; b_ = a_; create_client<std_srvs::srv::Empty>(a_); } std::string a_, b_; };'
+    text = 'class D : public rclcpp::Node { D() : Node("d") { turn(); create_client<std_srvs::srv::Empty>(a_); } void turn() { a_ = b_; b_ = a_; } std::string a_, b_; };'
     assert workspace.package({"src/d.cpp": text}).only("service_client").confidence == "pattern"
 
 

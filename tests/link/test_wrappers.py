@@ -16,7 +16,7 @@ void declare_once(NodeT node, const std::string & name, const rclcpp::ParameterV
 
 def test_a_helper_function_in_another_package_is_a_form(workspace: Any) -> None:
     """The call of the helper is the declaration: its name, its default, its line first."""
-    workspace.package({"include/util/util.hpp": HELPER}, name="util")
+    workspace.package({"include/util/util.hpp": f"namespace util {{{HELPER}}}"}, name="util")
     node = 'class D : public rclcpp::Node { D() : Node("d") {\n util::declare_once(this, "speed", rclcpp::ParameterValue(0.5)); } };'
     workspace.package({"src/d.cpp": '#include "util/util.hpp"\n' + node})
     entry = workspace.only("parameter")
@@ -52,7 +52,7 @@ class Channel { public:
   Channel(rclcpp::Node * node, const std::string & topic) : node_(node), topic_(topic) {}
   void open() { pub_ = node_->create_publisher<std_msgs::msg::String>(topic_, 1); }
   rclcpp::Node * node_; std::string topic_; };
-class D : public rclcpp::Node { D() : Node("d"), fixed_(this, "fixed") { made_ = std::make_unique<Channel>(this, "made"); }
+class D : public rclcpp::Node { D() : Node("d"), fixed_(this, "fixed") { made_ = std::make_unique<Channel>(this, "made"); fixed_.open(); made_->open(); }
   Channel fixed_; std::unique_ptr<Channel> made_; };"""
     modules = workspace.package({"src/d.cpp": text}).modules()
     assert {entry.name for entry in modules["ecm.pkg.d"].signature.interfaces} == {"/fixed", "/made"}

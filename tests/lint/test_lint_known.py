@@ -9,6 +9,7 @@ import msgspec
 import pytest
 from ecm_checker.finding import Finding
 from ecm_checker.hub.package import Package
+from ecm_parsers.cmake_tokens import parse_commands
 from lint_fixtures import FIXTURES
 
 from ecm_extract.cli.run import run
@@ -16,6 +17,7 @@ from ecm_extract.extraction import extract
 from ecm_extract.extraction_model import Options
 from ecm_extract.lint.catalogue import catalogue
 from ecm_extract.lint.known import Known
+from ecm_extract.lint.run import findings_of
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.stored import package_of
 from ecm_extract.tree import open_tree
@@ -55,6 +57,34 @@ USER = {
     "user/scripts/b.py": CALLS,
     "user/urdf/a.urdf": MESHES,
     "user/msg/Hand.msg": "driver/Gripp left\ndriver/Grip right\n",
+}
+
+BUILT = {
+    "arm_core/package.xml": MANIFEST.format("arm_core", "<buildtool_depend>catkin</buildtool_depend>"),
+    "arm_core/CMakeLists.txt": "project(arm_core)\nadd_library(arm_kernel a.cpp)\n"
+    "catkin_package(LIBRARIES arm_kernel)\n",
+    "arm_core/launch/base.launch": "<launch>\n  <node pkg='arm_core' type='base' name='arm_base'/>\n</launch>\n",
+}
+BUILDS = """project(arm_user)
+catkin_package(LIBRARIES arm_kernel arm_user)
+install(DIRECTORY configs DESTINATION share)
+install(DIRECTORY config DESTINATION share)
+"""
+DIAGNOSED = """analyzers:
+  base:
+    type: diagnostic_aggregator/GenericAnalyzer
+    remove_prefix: arm_base
+  hand:
+    type: diagnostic_aggregator/GenericAnalyzer
+    remove_prefix: arm_hand
+"""
+OF_BUILDS = {
+    "arm_user/package.xml": MANIFEST.format("arm_user", "<buildtool_depend>catkin</buildtool_depend>"),
+    "arm_user/CMakeLists.txt": BUILDS,
+    "arm_user/config/diagnostics.yaml": DIAGNOSED,
+    "arm_user/launch/a.launch": "<launch>\n  <include file='$(find arm_core)/launch/base.launch'/>\n"
+    "  <node pkg='diagnostic_aggregator' type='aggregator_node' name='all'>\n"
+    "    <rosparam command='load' file='$(find arm_user)/config/diagnostics.yaml'/>\n  </node>\n</launch>\n",
 }
 
 
@@ -121,3 +151,34 @@ def test_documents_are_named_on_the_command_line(tmp_path: Path, capsys: pytest.
     assert (status, [each["rule"] for each in found]) == (1, ["LNT003"])
     assert found[0]["edit"] == {"kind": "rename", "old": "arm_drvier", "new": "arm_driver"}
     assert "known from documents: 1 packages" in err
+
+
+def test_libraries_and_nodes_of_another_package_are_known_by_its_document(tmp_path: Path) -> None:
+    """LNT040, LNT044 and LNT059 say of a consumer alone what they say of it beside the source of its provider."""
+    both = Workspace(open_tree(written(tmp_path / "both", BUILT, OF_BUILDS)), Options(jobs=1))
+    documents = stored(written(tmp_path / "provider", BUILT))
+    folder = written(tmp_path / "user", OF_BUILDS)
+    found = told(Workspace(open_tree(folder), Options(jobs=1), stored=documents).known)
+    assert found == [each for each in told(both.known) if each.subjects == ("arm_user",)]
+    assert by_line(found) == [("LNT040", 5), ("LNT044", 2), ("LNT059", 3)]
+    assert [each.about.old for each in found if each.rule == "LNT044" and each.about] == ["arm_user"]
+    without = told(Workspace(open_tree(folder), Options(jobs=1)).known)
+    assert by_line(without) == [("LNT044", 2), ("LNT044", 2), ("LNT059", 3)]
+
+
+def by_line(findings: list[Finding]) -> list[tuple[str, int]]:
+    return sorted((each.rule, each.evidence[0].line) for each in findings if each.rule != "LNT055")
+
+
+def test_build_files_are_parsed_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """However many rules and requirements want the words of a build file."""
+    seen: list[bytes] = []
+
+    def parsed(data: bytes) -> object:
+        seen.append(data)
+        return parse_commands(data)
+
+    monkeypatch.setattr("ecm_extract.lint.workspace.parse_commands", parsed)
+    workspace = Workspace(open_tree(written(tmp_path, BUILT, OF_BUILDS)), Options(jobs=1))
+    assert "LNT059" in {each.rule for each in findings_of(workspace, ("LNT044", "LNT059"))}
+    assert len(seen) == len(set(seen)) == 2

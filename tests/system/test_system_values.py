@@ -67,7 +67,7 @@ def test_a_robot_whose_names_the_launch_decides(form: str, tmp_path: Path, capsy
 
 
 def test_who_broadcasts_transforms(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """A broadcaster publishes /tf, a listener reads it, and edges say what goes over them."""
+    """A broadcaster publishes /tf, a listener reads it and /tf_static, and edges say what goes over them."""
     node = (
         "import rclpy\nfrom rclpy.node import Node\nfrom tf2_ros import Buffer, TransformBroadcaster, TransformListener\n"
         "class N(Node):\n    def __init__(self):\n        super().__init__('n')\n"
@@ -83,4 +83,8 @@ def test_who_broadcasts_transforms(tmp_path: Path, capsys: pytest.CaptureFixture
         (tmp_path / name).write_text(text)
     assert run(["system", "a.launch.xml", "--workspace", str(tmp_path), "--format", "mermaid", "--no-cache"]) == 0
     lines = [line.strip() for line in capsys.readouterr().out.splitlines() if "TFMessage" in line]
-    assert lines == ['v0 -->|"tf2_msgs/msg/TFMessage"| v1', 'v1 -->|"tf2_msgs/msg/TFMessage"| v0']
+    assert lines == [
+        'v0 -->|"tf2_msgs/msg/TFMessage"| v1',
+        'v1 -->|"tf2_msgs/msg/TFMessage"| v0',
+        'v2 -->|"tf2_msgs/msg/TFMessage"| v0',
+    ]

@@ -72,7 +72,8 @@ def kinds() -> Mapping[str, Kind]:
 @cache
 def uses() -> Mapping[str, UseKind]:
     """Return the uses by their word in documents."""
-    return msgspec.convert(_table("uses.toml") | _table("uses_of_files.toml"), dict[str, UseKind])
+    rows = _table("uses.toml") | _table("uses_of_launches.toml") | _table("uses_of_files.toml")
+    return msgspec.convert(rows, dict[str, UseKind])
 
 
 def _table(name: str) -> dict[str, Any]:

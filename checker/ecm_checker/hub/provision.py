@@ -15,6 +15,8 @@ ALIAS: Final = "alias"
 """Type of a class that only stands for another one."""
 LAUNCHED: Final = "launched"
 """Facet of the name of a node that a launch file gives."""
+ABOVE: Final = "above"
+"""Facet of a name that is none itself: names of its owner lie below it."""
 Key = tuple[str, str, str, str, str]
 Line = tuple[str, int]
 """A path and a line, 1-based."""

@@ -1,5 +1,6 @@
 """Matching: every requirement against every provision (DESIGN §3).
 
-One engine for diff, check, the registry and the rules of lint that ask packages for the other side. What one system of
-nodes has, by the names that its launch files give, is decided where these are evaluated: `ecm_extract.system`.
+One engine for diff, check, the registry, system and the rules of lint that ask for the other side. What one launch
+starts is asked under the names that it has there: `ecm_extract.system` evaluates launch files, and gives what they
+start as provisions and requirements of the engine.
 """

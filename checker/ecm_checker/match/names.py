@@ -7,7 +7,8 @@ from typing import Final
 
 import msgspec
 
-from ecm_checker.hub.provision import Provision
+from ecm_checker.hub.package import folders_of
+from ecm_checker.hub.provision import ABOVE, Provision
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.match.consumer import Consumer
 from ecm_checker.match.generated import python_names, section_owners
@@ -105,6 +106,19 @@ def _resolved_keys(requirement: Requirement) -> Iterator[str]:
 def _resolved(site: Site, entity: Provision) -> bool:
     """Names that are whole: nothing is put before them; a computed part is anything."""
     return _exact(site, entity) or (entity.is_computed and whole_name_matches(entity.name, site.requirement.name))
+
+
+def _branch_keys(requirement: Requirement) -> Iterator[str]:
+    yield requirement.name
+    yield from folders_of(requirement.name)
+
+
+def _branch(site: Site, entity: Provision) -> bool:
+    """A name of the owner, one that such names lie below, or one below a name that stands for all below it."""
+    wanted = site.requirement
+    if wanted.owner != entity.owner:
+        return False
+    return wanted.name == entity.name or (entity.facet != ABOVE and wanted.name.startswith(f"{entity.name}/"))
 
 
 def _remap_keys(requirement: Requirement) -> Iterator[str]:
@@ -278,6 +292,7 @@ NAMES: Final[Mapping[str, Names]] = {
     "last": Names(_whole, _last_part),
     "graph": Names(_last, _graph, whole=True),
     "resolved": Names(_resolved_keys, _resolved, whole=True),
+    "branch": Names(_branch_keys, _branch),
     "remap": Names(_remap_keys, _remap),
     "parameter": Names(_last, _parameter, whole=True),
     "plugin": Names(_plugin_name, _plugin),

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
+from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
+from ecm_checker.hub.provision import Provision
+from ecm_checker.hub.requirement import Requirement
+from ecm_checker.match.engine import Match
 
 from ecm_extract.lint.near import nearest
 from ecm_extract.lint.rule import LintRule
-from ecm_extract.lint.workspace import Workspace, evidence_of
-from ecm_extract.system.node_model import Endpoint
-from ecm_extract.system.system import System
+from ecm_extract.lint.workspace import Workspace
+from ecm_extract.system.connections import Connections
 
 RULE = LintRule(
     id="LNT015",
@@ -24,53 +27,48 @@ RULE = LintRule(
 CUTOFF = 0.84
 _PEOPLE = frozenset({"/initialpose", "/goal_pose", "/clicked_point", "/move_base_simple/goal"})
 """What people give with the tools of rviz, which need no launch file."""
-_OFFERS = {"subscriber": "publisher", "service_client": "service_server", "action_client": "action_server"}
+_JOINING = frozenset({"hears", "asks", "orders"})
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
-    """Report users of names of the same type that differ in their last part only a little.
-
-    No requirement of packages: the other side is a node of one evaluated system, not a package.
-    """
-    seen = set()
+    """Report users of names of the same type that differ in their last part only a little."""
+    found: dict[str, Finding] = {}
     for system in workspace.systems:
-        offered = _offered(system)
-        for node in system.nodes:
-            for entry in node.endpoints:
-                finding = _of(entry, offered, workspace)
-                if finding is not None and finding.fingerprint not in seen:
-                    seen.add(finding.fingerprint)
-                    yield finding
+        for finding in _of_system(Connections(system), workspace):
+            found.setdefault(finding.fingerprint, finding)
+    yield from found.values()
 
 
-def _offered(system: System) -> dict[tuple[str, str | None], dict[str, Endpoint]]:
-    found: dict[tuple[str, str | None], dict[str, Endpoint]] = {}
-    for node in system.nodes:
-        for entry in node.endpoints:
-            if entry.known:
-                found.setdefault((entry.role, entry.type), {}).setdefault(entry.name, entry)
-    return found
+def _of_system(joined: Connections, workspace: Workspace) -> Iterator[Finding]:
+    used: dict[str, set[str]] = {use: set() for use in _JOINING}
+    for each in joined.matches:
+        used.get(each.requirement.use, set()).add(each.requirement.name)
+    for each in joined.matches:
+        near = _near(each, joined, used) if each.requirement.use in _JOINING else None
+        if near is not None:
+            yield _finding(each.requirement, near, workspace)
 
 
-def _of(
-    entry: Endpoint, offered: dict[tuple[str, str | None], dict[str, Endpoint]], workspace: Workspace
-) -> Finding | None:
-    role = _OFFERS.get(entry.role)
-    if role is None or entry.type is None or not entry.known or entry.name in _PEOPLE:
+def _near(found: Match, joined: Connections, used: Mapping[str, set[str]]) -> Provision | None:
+    """What is offered beside the name that is asked for, nearly by that name, and not asked for by anybody."""
+    wanted = found.requirement
+    if found.found or wanted.type is None or wanted.certainty == "unknown" or wanted.name in _PEOPLE:
         return None
-    providers = offered.get((role, entry.type), {})
-    used = {other for (kind, _), names in offered.items() if kind == entry.role for other in names}
-    free = [name for name in providers if name not in used]
-    if entry.name in providers or not free:
-        return None
-    namespace, _, last = entry.name.rpartition("/")
-    beside = {name.rpartition("/")[2]: name for name in free if name.rpartition("/")[0] == namespace}
-    near = nearest(last, beside, CUTOFF)
-    if near is None or providers[beside[near]].node == entry.node:
-        return None  # a node that uses `in` and offers `out` means both
-    near = beside[near]
-    provider = providers[near]
-    text = f"{entry.node} uses {entry.name}, which nothing here offers; {provider.node} offers {near} of the same type"
-    evidence = [evidence_of(entry.place), evidence_of(provider.place)]
-    package = workspace.package_of(entry.place.path)
-    return RULE.finding(text, Entity("topic", near, entry.name), package, evidence, certainty="likely")
+    fitting = (each for each in joined.offered(wanted.use) if wanted.type in {each.type, *each.others})
+    free = (each for each in fitting if not each.is_computed and each.name not in used[wanted.use])
+    namespace, _, last = wanted.name.rpartition("/")
+    beside: dict[str, Provision] = {}
+    for each in free:
+        if each.name.rpartition("/")[0] == namespace:
+            beside.setdefault(each.name.rpartition("/")[2], each)
+    near = beside.get(nearest(last, beside, CUTOFF) or "")
+    return near if near is not None and near.owner != wanted.by else None  # who uses `in` and offers `out` means both
+
+
+def _finding(wanted: Requirement, near: Provision, workspace: Workspace) -> Finding:
+    text = (
+        f"{wanted.by} uses {wanted.said}, which nothing here offers; {near.owner} offers {near.name} of the same type"
+    )
+    evidence = [wanted.evidence[0], Evidence(near.path, near.line)]
+    package = workspace.package_of(wanted.evidence[0].path)
+    return RULE.finding(text, Entity("topic", near.name, wanted.said), package, evidence, certainty="likely")

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding, Severity
+from ecm_checker.hub.provision import Provision
 from ecm_parsers.launch.model import Action, Node, Remap, Substitution
 from ecm_parsers.launch.templates import all_actions
 
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace, evidence_of
-from ecm_extract.system.model import Instance, Place
+from ecm_extract.system.model import Place
+from ecm_extract.system.reached import Reached, reached
 
 RULE = LintRule(
     id="LNT042",
@@ -23,49 +26,22 @@ RULE = LintRule(
 )
 _IN_INCLUDED: Severity = "warning"
 """Who includes a file may put it in a namespace; a file that is started itself chooses its own."""
-_MANAGER = 2
-"""Of `load pkg/Class manager`, the arguments of a nodelet."""
+_HOSTED = frozenset({"component", "controller"})
+"""Kinds of nodes that are named by what holds them."""
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
-    """Report remaps to topics of a node, and nodelet managers, each line once.
-
-    No requirement of packages: how a name is written decides, in one evaluated system.
-    """
-    owners = {
-        instance.full_name: instance.place
-        for system in workspace.systems
-        for instance in (node.instance for node in system.nodes)
-        if instance.full_name and instance.namespace == "/" and instance.kind not in {"component", "controller"}
-    }
-    given = {
-        (node.instance.full_name, remap.target)
-        for system in workspace.systems
-        for node in system.nodes
-        for remap in node.instance.remaps
-    }  # a node that is told to use the absolute name is met by it anywhere
+    """Report remaps to topics of a node, and nodelet managers, each line once."""
+    nodes = [node for system in workspace.systems for node in system.nodes]
+    relative = [each.instance for each in nodes if each.instance.namespace == "/" and each.instance.kind not in _HOSTED]
+    told = {(node.instance.full_name, remap.target) for node in nodes for remap in node.instance.remaps}
     seen = set()
-    included = workspace.included
-    for system in workspace.systems:
-        for node in system.nodes:
-            for name, place in _absolute(node.instance):
-                owner = "/" + name.split("/")[1]
-                offered = (owner, name) in given
-                if owner in owners and not offered and owner != node.name and (name, place) not in seen:
-                    seen.add((name, place))
-                    shared = place.path.rpartition("/")[2] in included and _is_written(place, workspace)
-                    level = _IN_INCLUDED if shared else None
-                    yield _finding(name, [place, owners[owner]], workspace, level)
-
-
-def _absolute(instance: Instance) -> Iterator[tuple[str, Place]]:
-    for remap in instance.remaps:
-        if remap.target.startswith("/") and remap.target.count("/") > 1:
-            yield remap.target, remap.place
-    words = [word.text for word in instance.arguments]
-    manager = words[_MANAGER] if instance.executable == "nodelet" and words[:1] == ["load"] and words[_MANAGER:] else ""
-    if manager.startswith("/"):
-        yield manager, instance.place
+    for each in reached(nodes, relative):
+        for owner in each.nodes:
+            is_met = owner.name == each.node.name or (owner.name, each.name) in told  # who is told so is there anywhere
+            if not is_met and (each.name, each.place) not in seen:
+                seen.add((each.name, each.place))
+                yield _finding(each, owner, workspace)
 
 
 def _is_written(place: Place, workspace: Workspace) -> bool:
@@ -86,8 +62,14 @@ def _is_given(remap: Remap) -> bool:
     return isinstance(first, Substitution) and first.kind == "arg"
 
 
-def _finding(name: str, places: list[Place], workspace: Workspace, level: Severity | None) -> Finding:
-    text = f"{name} is absolute, and the node {name.split('/')[1]} is started by a relative name"
-    package = workspace.package_of(places[0].path)
-    evidence = [evidence_of(place) for place in places]
-    return RULE.finding(text, Entity("topic", name), package, evidence, certainty="likely", severity=level)
+def _finding(found: Reached, owner: Provision, workspace: Workspace) -> Finding:
+    shared = found.place.path.rpartition("/")[2] in workspace.included and _is_written(found.place, workspace)
+    text = f"{found.name} is absolute, and the node {owner.name.lstrip('/')} is started by a relative name"
+    return RULE.finding(
+        text,
+        Entity("topic", found.name),
+        workspace.package_of(found.place.path),
+        [evidence_of(found.place), Evidence(owner.path, owner.line)],
+        certainty="likely",
+        severity=_IN_INCLUDED if shared else None,
+    )

@@ -11,6 +11,7 @@ from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace, evidence_of
 from ecm_extract.system.model import Instance, Remapping
 from ecm_extract.system.node_model import SystemNode
+from ecm_extract.system.reached import reached
 
 RULE = LintRule(
     id="LNT045",
@@ -24,27 +25,22 @@ RULE = LintRule(
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
-    """Report absolute remap targets whose first part is a node that is started in namespaces only.
-
-    No requirement of packages: the other side is a node of one evaluated system, not a package.
-    """
+    """Report absolute remap targets whose first part is a node that is started in namespaces only."""
     nodes = [node for system in workspace.systems for node in system.nodes]
-    instances = [node.instance for node in nodes]
-    places: dict[str, list[SystemNode]] = {}
+    called: dict[str, list[SystemNode]] = defaultdict(list)
     for node in nodes:
-        if node.instance.full_name and "{" not in node.instance.full_name:
-            places.setdefault(node.instance.full_name.rpartition("/")[2], []).append(node)
-    roots = {instance.full_name.split("/")[1] for instance in instances if instance.full_name}
+        name = node.instance.full_name or ""
+        if name and "{" not in name:
+            called[name.rpartition("/")[2]].append(node)
     users = _users(nodes)
-    seen = set()
-    for node in nodes:
-        for remap in node.instance.remaps:
-            name = _first(remap)
-            others = [other.instance for other in places.get(name, []) if _may_have(other, remap)]
-            met = users[remap.target] - {node.name}
-            if name and name not in roots and others and not met and remap not in seen:
-                seen.add(remap)
-                yield _finding(remap, name, others[0], workspace)
+    lost: dict[Remapping, Instance] = {}
+    for each in reached(nodes, [node.instance for node in nodes]):
+        if each.remap is not None and each.match.state == "dangling" and not users[each.name] - {each.node.name}:
+            others = [other for other in called[_first(each.name)] if _may_have(other, each.remap)]
+            if others and "{" not in each.name:
+                lost.setdefault(each.remap, others[0].instance)
+    for remap, other in lost.items():
+        yield _finding(remap, other, workspace)
 
 
 def _users(nodes: Iterable[SystemNode]) -> Mapping[str, set[str]]:
@@ -64,14 +60,13 @@ def _may_have(node: SystemNode, remap: Remapping) -> bool:
     return unknown or any(own & {entry.name, entry.before} for entry in node.endpoints)
 
 
-def _first(remap: Remapping) -> str:
+def _first(name: str) -> str:
     """The first part of `/node/topic`."""
-    parts = remap.target.split("/")
-    return parts[1] if remap.target.startswith("/") and len(parts) > 2 and "{" not in remap.target else ""
+    return name.split("/")[1]
 
 
-def _finding(remap: Remapping, name: str, other: Instance, workspace: Workspace) -> Finding:
-    text = f"{remap.target} is a name of the node /{name}, and only {other.full_name} is started"
+def _finding(remap: Remapping, other: Instance, workspace: Workspace) -> Finding:
+    text = f"{remap.target} is a name of the node /{_first(remap.target)}, and only {other.full_name} is started"
     package = workspace.package_of(remap.place.path)
     evidence = [evidence_of(remap.place), evidence_of(other.place)]
     entity = Entity("remap", remap.target, other.full_name or "")

@@ -7,7 +7,6 @@ from collections.abc import Iterator
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
-from ecm_parsers.cmake_tokens import parse_commands
 
 from ecm_extract.entities.install_rules import InstallRule, install_rules
 from ecm_extract.lint.known import Asked, Known
@@ -61,7 +60,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     """Report variables that nothing sets: a slip inside one build, which has no other side."""
     for package in workspace.packages:
         if not package.root.rosbuild and package.cmake:
-            words = build_words(workspace.tree.read_many, package)
+            words = build_words(workspace.commands, package)
             if not words.is_open:
                 yield from _slips(package, words.said, workspace)
                 for rule in install_rules(package):
@@ -72,8 +71,7 @@ def _slips(package: PackageFacts, words: frozenset[str], workspace: Workspace) -
     """Variables that are nearly one of catkin or CMake, each once."""
     seen: set[str] = set()
     for path in package.cmake:
-        read = workspace.files.parsed(path, parse_commands)
-        for command in read.facts if read is not None else ():
+        for command in workspace.commands(path):
             for name in {name for each in command.args for name in _VARIABLE.findall(each.text)} - seen - set(_KNOWN):
                 near = nearest(name, _KNOWN, _SLIP)
                 if near and name not in words:

@@ -59,4 +59,4 @@ def _promised(expected: Expected) -> _Promised | None:
     common = frames.known(value.value) if value is not None and isinstance(value.value, str) else None
     if value is None or common is None or value.confidence == "pattern":
         return None
-    return _Promised(common, value.evidence[:1], "likely" if value.confidence == "default" else "proved")
+    return _Promised(common, value.evidence[:1], "likely" if value.confidence in {"default", "one_of"} else "proved")

@@ -39,7 +39,8 @@ def parse_cpp(data: bytes) -> Parsed[SourceFile]:
         return Parsed(SourceFile("cpp"), (Diagnostic("warning", "cpp-too-slow", 0, message, cut=True),))
     reader = DeclarationReader(read)
     reader.read(tree.root_node, Place())
-    macros = tuple([Macro(name, args, line) for name, args, line in cpp_text.registrations(data)])
+    written = cpp_text.registrations(data)
+    macros = tuple([Macro(name, args, line, reader.namespace_at(line)) for name, args, line in written])
     facts = msgspec.structs.replace(reader.facts(macros), mentions=mentions(tree.root_node, read))
     return Parsed(facts, _diagnostics(tree))
 

@@ -5,35 +5,32 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from msgspec.structs import replace
-
-from ecm_parsers.source.cpp_effects import has_call, keeps_number, matters, shifted
+from ecm_parsers.source.cpp_effects import has_call, matters, shifted
 from ecm_parsers.source.cpp_expr import ExprReader, lambda_types
 from ecm_parsers.source.cpp_parameters import declared_name, parameters
 from ecm_parsers.source.cpp_vexing import as_arguments, loop_macro
 from ecm_parsers.source.cpp_writes import written
-from ecm_parsers.source.expr import Call, Expr, Items, Lambda, Name, Number, Op, Opaque
+from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Name, Number, Op, Opaque
 from ecm_parsers.source.facts import Function, Statement, StatementKind
+from ecm_parsers.source.flow import Attempt, Block, Branch, Case, FlowWriter, Later, Leave, Loop, Switch
 
 if TYPE_CHECKING:
     from tree_sitter import Node
 
 MAX_NESTING = 200
+RETURNED = "<returned>"
+"""Name of a lambda that a function returns."""
 _BLOCKS = frozenset(
     {
         "compound_statement",
         "else_clause",
         "case_statement",
         "labeled_statement",
-        "preproc_if",
-        "preproc_ifdef",
+        "ERROR",
     }
-    | {"preproc_else", "preproc_elif", "preproc_elifdef", "ERROR"}
 )
-_BRANCHES = frozenset(
-    {"if_statement", "for_statement", "while_statement", "do_statement", "switch_statement"}
-    | {"try_statement", "catch_clause", "for_range_loop"}
-)
+_ASSIGNING = frozenset({"-=", "*=", "/=", "%=", "|=", "&=", "^=", "<<=", ">>="})
+_TRUE = Constant("true")
 _MARKS = {"pointer_declarator": " *", "reference_declarator": " &"}
 _LOGGING = ("RCLCPP_", "ROS_", "RCUTILS_", "ASSERT_", "EXPECT_")
 
@@ -43,6 +40,7 @@ class BodyReader:
 
     Attributes:
         statements: what was read so far, in source order.
+        flow: how they follow each other.
         functions: lambdas bound to a name, read as functions of their own.
         types: `using A = B` and typedefs, whoever reads declarations reads them.
     """
@@ -51,11 +49,13 @@ class BodyReader:
         self.expr = ExprReader(data, self._lambda_body)
         self.scope = scope
         self.statements: list[Statement] = []
+        self.flow = FlowWriter()
         self.functions: list[Function] = []
         self.types: list[Node] = []
         self._depth = 0
         self._lambdas = 0
         self._nesting = 0
+        self._entering = False
 
     def read(self, node: Node) -> None:
         """Read one statement, or a block of them."""
@@ -63,11 +63,12 @@ class BodyReader:
             return
         self._nesting += 1
         kind = node.type
-        if kind in _BLOCKS:
+        if kind == "compound_statement" and self._nesting > 1 and not self._entering:
+            self.flow.add(Branch(_TRUE, self._inner(node, deeper=0)))
+        elif kind in _BLOCKS:
+            self._entering = False
             for child in node.named_children:
                 self.read(child)
-        elif kind in _BRANCHES:
-            self._branch(node)
         elif (step := _STEPS.get(kind)) is not None:
             step(self, node)
         self._nesting -= 1
@@ -96,23 +97,149 @@ class BodyReader:
             value = Call(name, args, (), types, _line(target))
         self._add("init", target, value, name)
 
-    def _branch(self, node: Node) -> None:
-        self._depth += 1
-        if node.type == "for_range_loop":
-            self._range(node)
-        for child in node.named_children:
-            if child.type in {"condition_clause", "parenthesized_expression"}:
-                self._condition(child)
-            elif child.type == "update_expression" and node.type == "for_statement":
-                self._counter(child)
-            else:
-                self.read(child)
-        self._depth -= 1
+    def _inner(self, *nodes: Node | None, deeper: int = 1) -> Block:
+        """Read statements as a block of their own and return their flow."""
+        self.flow.begin()
+        self._depth += deeper
+        for node in nodes:
+            if node is not None:
+                self._entering = node.type == "compound_statement"
+                self.read(node)
+        self._entering = False
+        self._depth -= deeper
+        return self.flow.end()
 
-    def _range(self, node: Node) -> None:
+    def _if(self, node: Node) -> None:
+        """A condition with its block; `else if` makes it a choice among conditions, of which the first one holds."""
+        self._depth += 1
+        cases, other = [self._tested(node)], _otherwise(node)
+        while other is not None and other.type == "if_statement":
+            cases.append(self._tested(other))
+            other = _otherwise(other)
+        self._depth -= 1
+        rest = self._inner(other)
+        if len(cases) == 1:
+            self.flow.add(Branch(cases[0].tests[0], cases[0].body, rest))
+        else:
+            self.flow.add(Switch(_TRUE, (*cases, Case((), rest)), False))
+
+    def _tested(self, node: Node) -> Case:
+        """One condition with what runs when it holds."""
+        test = self._condition(node.child_by_field_name("condition"))
+        return Case((test,), self._inner(node.child_by_field_name("consequence"), deeper=0))
+
+    def _while(self, node: Node) -> None:
+        self._depth += 1
+        if node.type == "do_statement":
+            body = self._inner(node.child_by_field_name("body"), deeper=0)
+            test, again = self._asked_again(node)
+        else:
+            test, again = self._asked_again(node)
+            body = self._inner(node.child_by_field_name("body"), deeper=0)
+        self._depth -= 1
+        self.flow.add(Loop(-1, test, body, again, first=node.type == "do_statement"))
+
+    def _asked_again(self, node: Node) -> tuple[Expr, Block]:
+        """Return the condition of a loop, and what it assigns each time that it is asked."""
+        before = len(self.statements)
+        test = self._condition(node.child_by_field_name("condition"))
+        asked = range(before, len(self.statements))
+        return test, tuple([at for at in asked if self.statements[at].kind == "set"])
+
+    def _for(self, node: Node) -> None:
+        self._depth += 1
+        start, update = node.child_by_field_name("initializer"), node.child_by_field_name("update")
+        if start is not None:
+            self.read(start) if start.type == "declaration" else self._expression(start)
+        asked = node.child_by_field_name("condition")
+        test = self._condition(asked) if asked is not None else None
+        body = self._inner(node.child_by_field_name("body"), deeper=0)
+        self.flow.begin()
+        if update is not None:
+            self._expression(update)
+        self._depth -= 1
+        self.flow.add(Loop(-1, test, body, self.flow.end()))
+
+    def _for_each(self, node: Node) -> None:
+        self._depth += 1
+        kind = node.child_by_field_name("type")
         declarator, right = node.child_by_field_name("declarator"), node.child_by_field_name("right")
+        each = -1
         if declarator is not None and right is not None:
-            self._add("each", node, self.expr.read(right), Name(declared_name(self.expr, declarator)))
+            value = self.expr.read(right)
+            mark = _MARKS.get(declarator.type, "")
+            written = self._written(node, kind, declarator) + mark if kind is not None else ""
+            each = self._looped(node, value, self._bound(declarator), written)
+        body = self._inner(node.child_by_field_name("body"), deeper=0)
+        self._depth -= 1
+        self.flow.add(Loop(each, None, body))
+
+    def _looped(self, node: Node, value: Expr, target: Expr, declared: str = "") -> int:
+        """Emit what a loop binds; its step belongs to the loop."""
+        self.flow.begin()
+        self._add("each", node, value, target, declared)
+        self.flow.end()
+        return len(self.statements) - 1
+
+    def _written(self, node: Node, kind: Node, declarator: Node) -> str:
+        """A declared type with its qualifiers."""
+        first = next((child for child in node.children if child.type == "type_qualifier"), kind)
+        text = self.expr.data[min(first.start_byte, kind.start_byte) : declarator.start_byte]
+        return " ".join(text.decode("utf-8", "replace").split())
+
+    def _bound(self, declarator: Node) -> Expr:
+        """What a declarator binds: a name, or several of a structured binding."""
+        while declarator.type == "reference_declarator" and declarator.named_children:
+            declarator = declarator.named_children[0]
+        if declarator.type == "structured_binding_declarator":
+            return Items(tuple([Name(self.expr.text(child)) for child in declarator.named_children]))
+        return Name(declared_name(self.expr, declarator))
+
+    def _preprocessed(self, node: Node) -> None:
+        """`#if`: which side a build takes is not known here."""
+        other = node.child_by_field_name("alternative")
+        named = node.child_by_field_name("name") or node.child_by_field_name("condition")
+        rest = [child for child in node.named_children if child not in (other, named)]
+        test = Opaque(self.expr.text(named)[:80] if named is not None else "else")
+        then = self._inner(*rest, deeper=0)
+        otherwise = self._inner(other, deeper=0)
+        if node.type == "preproc_else":
+            for step in then:
+                self.flow.add(step)
+        else:
+            self.flow.add(Branch(test, then, otherwise))
+
+    def _switch(self, node: Node) -> None:
+        subject = self._condition(node.child_by_field_name("condition"))
+        body = node.child_by_field_name("body")
+        self._depth += 1
+        cases = [self._case(child) for child in body.named_children] if body is not None else []
+        self._depth -= 1
+        self.flow.add(Switch(subject, tuple([case for case in cases if case is not None]), True))
+
+    def _case(self, node: Node) -> Case | None:
+        if node.type != "case_statement":
+            return None
+        value = node.child_by_field_name("value")
+        rest = [child for child in node.named_children if child != value]
+        tests = (self.expr.read(value),) if value is not None else ()
+        return Case(tests, self._inner(*rest, deeper=0))
+
+    def _try(self, node: Node) -> None:
+        handlers = [child for child in node.named_children if child.type == "catch_clause"]
+        body = self._inner(node.child_by_field_name("body"))
+        caught = tuple([self._inner(child.child_by_field_name("body"), deeper=2) for child in handlers])
+        self.flow.add(Attempt(body, caught))
+
+    def _break(self, _: Node) -> None:
+        self.flow.add(Leave("break"))
+
+    def _continue(self, _: Node) -> None:
+        self.flow.add(Leave("continue"))
+
+    def _throw(self, node: Node) -> None:
+        self._expressions(node)
+        self.flow.add(Leave("throw"))
 
     def _macro_block(self, node: Node) -> None:
         """`BOOST_FOREACH(const T & item, list) { ... }` reads as a function; within a body none can stand."""
@@ -121,34 +248,54 @@ class BodyReader:
         self._depth += 1
         declarator, body = node.child_by_field_name("declarator"), node.child_by_field_name("body")
         loop = loop_macro(self.expr, declarator) if declarator is not None else None
+        each = -1
         if loop is not None:
-            self._add("each", node, loop[1], Name(declared_name(self.expr, loop[0])))
-        if body is not None:
-            self.read(body)
+            each = self._looped(node, loop[1], Name(declared_name(self.expr, loop[0])))
+        self.flow.add(Loop(each, None, self._inner(body, deeper=0)))
         self._depth -= 1
 
-    def _counter(self, node: Node) -> None:
-        """`++i` of a loop: from here on the counter is not the value that it starts with."""
-        counter = node.child_by_field_name("argument")
-        if counter is not None and counter.type == "identifier":
-            name = self.expr.name(counter)
-            self._add("each", node, Opaque(name), Name(name))
-
-    def _condition(self, node: Node) -> None:
+    def _condition(self, node: Node | None) -> Expr:
+        """Return a condition; what it declares, assigns or calls is a step of its own."""
+        if node is None:
+            return Opaque("")
+        start = node.child_by_field_name("initializer")
+        if start is not None:
+            for child in start.named_children if start.type == "init_statement" else [start]:
+                self.read(child)
         value = node.child_by_field_name("value") or node
         if value.type == "declaration":
             self._bind(value, value)
-            return
+            declarator = value.child_by_field_name("declarator")
+            return Name(declared_name(self.expr, declarator)) if declarator is not None else Opaque("")
         read = self.expr.read(value)
+        if isinstance(read, Op) and read.op == "=":
+            self._effect(node, read)
+            return read.operands[0]
+        self._assigned_within(node, read)
         if matters(read):
             self._add("do", node, read)
+        return read
+
+    def _assigned_within(self, node: Node, value: Expr) -> None:
+        """`while (stream >> name)` and `if ((n = next()) > 0)` change variables before they are decided."""
+        if not isinstance(value, Op):
+            return
+        if value.op in {">>", "="}:
+            self._effect(node, value)
+            return
+        for operand in value.operands:
+            self._assigned_within(node, operand)
 
     def _expression(self, node: Node) -> None:
         if node.type == "call_expression" and self.expr.data.startswith(_LOGGING_BYTES, node.start_byte):
             return
+        if node.type == "comma_expression":
+            for child in node.named_children:
+                self._expression(child)
+            return
         counter = node.child_by_field_name("argument") if node.type == "update_expression" else None
         if counter is not None:
-            self._counted(self.expr.read(counter))
+            self._counted(node, self.expr.read(counter))
             return
         self._effect(node, self.expr.read(node))
 
@@ -158,26 +305,33 @@ class BodyReader:
             target, assigned = value.operands
             if isinstance(assigned, Op) and assigned.op == "=":
                 self._chained(node, value)
-            elif not isinstance(assigned, Opaque):
+            else:
                 self._add("set", node, assigned, target)
-        elif isinstance(value, Op) and value.op == "+=" and self._depth and isinstance(value.operands[1], Number):
-            self._counted(value.operands[0])
         elif isinstance(value, Op) and value.op == "+=":
             self._add("set", node, Op("+", value.operands), value.operands[0])
+        elif isinstance(value, Op) and value.op in _ASSIGNING:
+            self._add("set", node, Op(value.op[:-1], value.operands), value.operands[0])
         elif isinstance(value, Op) and value.op == "<<":
             self._stream(node, value)
+        elif isinstance(value, Op) and value.op == ">>":
+            self._streamed_out(node, value)
         elif isinstance(value, Call) and (write := written(value)) is not None:
             self._add("set", node, write[1], write[0])
         elif has_call(value):
             self._add("do", node, value)
 
-    def _counted(self, counter: Expr) -> None:
-        """`index++;` in a loop: what the counter starts with is not what it is."""
-        for at in range(len(self.statements) - 1, -1, -1) if self._depth else ():
-            known = self.statements[at]
-            if known.target == counter and isinstance(counter, Name) and isinstance(known.value, Number):
-                self.statements[at] = replace(known, value=Opaque(counter.id))
-                return
+    def _counted(self, node: Node, counter: Expr) -> None:
+        """What `++index;` and `index--;` give the index."""
+        operator = node.child_by_field_name("operator")
+        sign = "+" if operator is not None and operator.type == "++" else "-"
+        self._add("set", node, Op(sign, (counter, Number(1))), counter)
+
+    def _streamed_out(self, node: Node, value: Op) -> None:
+        """`stream >> a >> b` writes what nobody knows."""
+        left: Expr = value
+        while isinstance(left, Op) and left.op == ">>" and len(left.operands) == 2:
+            self._add("set", node, Opaque(">>"), left.operands[1])
+            left = left.operands[0]
 
     def _chained(self, node: Node, value: Expr) -> None:
         """`a = b = c` gives `c` to both."""
@@ -185,9 +339,8 @@ class BodyReader:
         while isinstance(value, Op) and value.op == "=" and len(value.operands) == 2:
             targets.append(value.operands[0])
             value = value.operands[1]
-        if not isinstance(value, Opaque):
-            for target in reversed(targets):
-                self._add("set", node, value, target)
+        for target in reversed(targets):
+            self._add("set", node, value, target)
 
     def _stream(self, node: Node, value: Op) -> None:
         """`stream << a << b` appends to the stream."""
@@ -198,10 +351,15 @@ class BodyReader:
             self._add("do", node, value)
 
     def _return(self, node: Node) -> None:
-        for child in node.named_children:
-            value = self.expr.read(child)
-            if not isinstance(value, Opaque):
-                self._add("return", node, value)
+        values = [child for child in node.named_children if child.type != "comment"]
+        for child in values:
+            if child.type == "lambda_expression":
+                self._named_lambda(RETURNED, child)
+                self._add("return", node, Name(RETURNED))
+            else:
+                self._add("return", node, self.expr.read(child))
+        if not values:
+            self.flow.add(Leave("return"))
 
     def _declaration(self, node: Node) -> None:
         kind = node.child_by_field_name("type")
@@ -219,17 +377,17 @@ class BodyReader:
             self._constructed(kind, declarator)
             return
         bound = declarator.child_by_field_name("declarator") or declarator
+        target = self._bound(bound)
+        if isinstance(target, Items):
+            self._add("let", declarator, self._initial(kind, value), target, self.expr.type_text(kind))
+            return
         name = declared_name(self.expr, bound)
         if value is not None and value.type == "lambda_expression":
             self._named_lambda(name, value)
             return
         read = self._initial(kind, value)
-        if kind.type == "primitive_type" and read is not None and not keeps_number(read):
-            if matters(read):
-                self._add("do", declarator, read)
-            read = None
-        mark = "" if kind.type == "placeholder_type_specifier" else _MARKS.get(bound.type, "")
-        self._add("let", declarator, read, Name(name), self.expr.type_text(kind) + mark)
+        written = _qualifier(self.expr, declaration) + self.expr.type_text(kind) + _MARKS.get(bound.type, "")
+        self._add("let", declarator, read, Name(name), written)
 
     def _constructed(self, kind: Node, declarator: Node) -> None:
         """`Listener listener(buffer);` reads as a function declaration; in a body it makes an object."""
@@ -274,17 +432,19 @@ class BodyReader:
                 node.end_point[0] + 1,
                 tuple(inner.statements),
                 traits=("lambda",),
+                flow=inner.flow.flow(),
             )
         )
         self.functions.extend(inner.functions)
         self._add("let", node, Lambda(lambda_types(self.expr, node)), Name(name), "auto")
 
-    def _lambda_body(self, body: Node) -> None:
-        self._depth += 1
+    def _lambda_body(self, node: Node) -> None:
+        declarator = node.child_by_field_name("declarator")
+        listed = declarator.child_by_field_name("parameters") if declarator is not None else None
+        names = tuple([parameter.name for parameter in parameters(self.expr, listed)])
         self._lambdas += 1
-        self.read(body)
+        self.flow.add(Later(self._inner(node.child_by_field_name("body")), names))
         self._lambdas -= 1
-        self._depth -= 1
 
     def _add(
         self,
@@ -294,6 +454,7 @@ class BodyReader:
         target: Expr | None = None,
         declared: str = "",
     ) -> None:
+        self.flow.add(len(self.statements))
         self.statements.append(Statement(kind, _line(node), value, target, declared, self._depth, self._lambdas > 0))
 
 
@@ -305,6 +466,20 @@ def _line(node: Node) -> int:
     return row + 1
 
 
+def _qualifier(reader: ExprReader, declaration: Node) -> str:
+    """`const` where a declaration has it."""
+    words = [reader.text(child) for child in declaration.children if child.type == "type_qualifier"]
+    return "const " if {"const", "constexpr"} & set(words) else ""
+
+
+def _otherwise(node: Node) -> Node | None:
+    """What an `else` leads to."""
+    clause = node.child_by_field_name("alternative")
+    if clause is None or clause.type != "else_clause":
+        return clause
+    return next((child for child in clause.named_children if child.type != "comment"), None)
+
+
 _STEPS: dict[str, Callable[[BodyReader, Node], None]] = {
     "expression_statement": BodyReader._expressions,
     "declaration": BodyReader._declaration,
@@ -312,5 +487,20 @@ _STEPS: dict[str, Callable[[BodyReader, Node], None]] = {
     "type_definition": BodyReader._local_type,
     "return_statement": BodyReader._return,
     "co_return_statement": BodyReader._return,
+    "break_statement": BodyReader._break,
+    "continue_statement": BodyReader._continue,
+    "throw_statement": BodyReader._throw,
+    "if_statement": BodyReader._if,
+    "while_statement": BodyReader._while,
+    "do_statement": BodyReader._while,
+    "for_statement": BodyReader._for,
+    "for_range_loop": BodyReader._for_each,
+    "switch_statement": BodyReader._switch,
+    "try_statement": BodyReader._try,
     "function_definition": BodyReader._macro_block,
+    "preproc_if": BodyReader._preprocessed,
+    "preproc_ifdef": BodyReader._preprocessed,
+    "preproc_else": BodyReader._preprocessed,
+    "preproc_elif": BodyReader._preprocessed,
+    "preproc_elifdef": BodyReader._preprocessed,
 }

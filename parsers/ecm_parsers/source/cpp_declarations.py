@@ -21,7 +21,7 @@ from ecm_parsers.source.cpp_parameters import declared_name, parameters
 from ecm_parsers.source.cpp_parser import parser
 from ecm_parsers.source.cpp_place import Place
 from ecm_parsers.source.expr import Expr, Items
-from ecm_parsers.source.facts import Alias, Class, Constant, Function, Import, Macro, SourceFile
+from ecm_parsers.source.facts import Alias, Class, Constant, Function, Import, Macro, SourceFile, Using
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -36,11 +36,12 @@ class DeclarationReader:
         self.data = data
         self.expr = ExprReader(data, lambda body: None)
         self.imports: list[Import] = []
-        self.usings: list[str] = []
+        self.usings: list[Using] = []
         self.aliases: list[Alias] = []
         self.classes: list[Class] = []
         self.functions: list[Function] = []
         self.constants: list[Constant] = []
+        self._namespaces: list[tuple[int, int, str]] = []
         self._nesting = 0
 
     def facts(self, macros: tuple[Macro, ...]) -> SourceFile:
@@ -90,7 +91,14 @@ class DeclarationReader:
         """A namespace, anonymous ones included."""
         name, body = node.child_by_field_name("name"), node.child_by_field_name("body")
         if body is not None:
-            self.read(body, place.inside(self.expr.text(name).replace(" ", "") if name is not None else ""))
+            inner = place.inside(self.expr.text(name).replace(" ", "") if name is not None else "")
+            self._namespaces.append((*lines_of(body), inner.scope))
+            self.read(body, inner)
+
+    def namespace_at(self, line: int) -> str:
+        """Return the innermost namespace around a line of what was read; empty outside of all."""
+        around = [scope for first, last, scope in self._namespaces if first <= line <= last]
+        return around[-1] if around else ""
 
     def template(self, node: Node, place: Place) -> None:
         """A template: its parameters go to what it declares."""
@@ -109,14 +117,15 @@ class DeclarationReader:
         name, body = node.child_by_field_name("name"), node.child_by_field_name("body")
         if body is None:
             return
-        own = self.expr.name(name) if name is not None else self._declared_of(node)
-        inner = Place(f"{place.scope}::{own}" if place.scope else own, "", place.anonymous)
+        written = self.expr.name(name) if name is not None else self._declared_of(node)
+        scope, own = split_name(written, place.scope)
+        inner = Place(f"{scope}::{own}" if scope else own, "", place.anonymous)
         access = "private" if node.type == "class_specifier" else ""
         fields = members(self, body, inner, access)
         bases = next((child for child in node.named_children if child.type == "base_class_clause"), None)
         listed = self._bases(bases) if bases is not None else ()
         traits = (*place.traits(), *announced_end(self.expr, node))
-        self.classes.append(Class(own, place.scope, listed, *lines_of(node), tuple(fields), place.template, traits))
+        self.classes.append(Class(own, scope, listed, *lines_of(node), tuple(fields), place.template, traits))
 
     def _declared_of(self, node: Node) -> str:
         """The variable, member or typedef whose type an unnamed struct is."""
@@ -173,6 +182,7 @@ class DeclarationReader:
                 place.template,
                 traits,
                 decorators,
+                read.flow.flow(),
             )
         )
         self.functions.extend(read.functions)
@@ -231,7 +241,7 @@ class DeclarationReader:
         for child in node.named_children:
             name = self.expr.name(child)
             if "namespace" in self.expr.text(node).split():
-                self.usings.append(name)
+                self.usings.append(Using(name, place.scope))
             elif "::" in name:
                 self.aliases.append(Alias(name.rsplit("::", 1)[1], place.scope, name, lines_of(node)[0]))
 
@@ -239,7 +249,8 @@ class DeclarationReader:
         """`#include`."""
         path = node.child_by_field_name("path")
         if path is not None:
-            self.imports.append(Import(self.expr.text(path).strip('<>"'), "", "", lines_of(node)[0]))
+            written, line = self.expr.text(path), lines_of(node)[0]
+            self.imports.append(Import(written.strip('<>"'), "", "", line, written.startswith("<")))
 
     def define(self, node: Node, place: Place) -> None:
         """`#define` of a value."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Member, Name, Number, Op, Text
+from ecm_parsers.source.expr import Call, Expr, Lambda, Member, Op
 
 
 def shifted(value: Expr) -> list[Expr]:
@@ -28,8 +28,3 @@ def matters(value: Expr) -> bool:
     if isinstance(value, Call | Member | Lambda):
         return True
     return isinstance(value, Op) and any(matters(operand) for operand in value.operands)
-
-
-def keeps_number(value: Expr | None) -> bool:
-    """Tell whether the value of a variable may be needed: a literal, a name, or what is called."""
-    return isinstance(value, Number | Text | Name | Constant) or (value is not None and has_call(value))

@@ -1,6 +1,6 @@
 """C++ expressions from tree-sitter nodes.
 
-One small function per node type, found by its name in a table. Lambdas hand their bodies to `Reader.inline`,
+One small function per node type, found by its name in a table. Lambdas are handed to `Reader.inline`,
 since what happens in a callback happens in the module that wrote it.
 """
 
@@ -47,7 +47,7 @@ class ExprReader:
 
     Attributes:
         data: the bytes that the nodes point into.
-        inline: called with the body node of each lambda met on the way.
+        inline: called with each lambda that has a body, on the way.
     """
 
     def __init__(self, data: bytes, inline: Callable[[Node], None]) -> None:
@@ -214,9 +214,8 @@ def _last(reader: ExprReader, node: Node) -> Expr:
 
 
 def _lambda(reader: ExprReader, node: Node) -> Expr:
-    body = node.child_by_field_name("body")
-    if body is not None:
-        reader.inline(body)
+    if node.child_by_field_name("body") is not None:
+        reader.inline(node)
     return Lambda(lambda_types(reader, node))
 
 

@@ -92,9 +92,25 @@ class Template(_Node, frozen=True):
 
 
 class Lambda(_Node, frozen=True):
-    """An anonymous function; its statements are those of the enclosing function, its parameter types are kept."""
+    """An anonymous function; its statements are those of the enclosing function.
+
+    `params` and `body` are what a Python lambda gives for what; a call in it is found among the statements.
+    """
 
     param_types: tuple[str, ...]
+    params: tuple[str, ...] = ()
+    body: Expr | None = None
+
+
+class Comprehension(_Node, frozen=True):
+    """`[element for ... in ... if test]`: its loops are `each` statements just before, here by their index.
+
+    The element of a dict comprehension is a `Table` of one entry.
+    """
+
+    element: Expr
+    loops: tuple[int, ...]
+    tests: tuple[Expr, ...] = ()
 
 
 class Opaque(_Node, frozen=True):
@@ -103,4 +119,6 @@ class Opaque(_Node, frozen=True):
     text: str
 
 
-Expr: TypeAlias = Text | Number | Constant | Name | Member | Call | Op | Items | Table | Template | Lambda | Opaque
+Expr: TypeAlias = (
+    Text | Number | Constant | Name | Member | Call | Op | Items | Table | Template | Lambda | Comprehension | Opaque
+)

@@ -11,6 +11,7 @@ from typing import Literal
 import msgspec
 
 from ecm_parsers.source.expr import Expr
+from ecm_parsers.source.flow import Block
 
 StatementKind = Literal["do", "let", "set", "init", "return", "each"]
 
@@ -28,8 +29,8 @@ class Statement(_Fact, frozen=True):
         line: 1-based.
         value: the expression; None for a declaration without a value.
         target: what is bound (`let`, `set`, `init`, `each`).
-        type: declared type as written (`let` in C++, annotated Python).
-        depth: how many conditions and loops enclose it; 0 runs whenever the body runs.
+        type: declared type as written (`let` and `each` in C++, annotated Python); of `x += y` in Python the operator.
+        depth: how many conditions and loops enclose it; `Function.flow` says which.
         deferred: it stands in an anonymous lambda, which runs when somebody calls it.
     """
 
@@ -64,6 +65,8 @@ class Function(_Fact, frozen=True):
         traits: of `declaration`, `static`, `virtual`, `override`, `pure`, `deleted`, `private`, `protected`,
             `anonymous` (namespace), `deprecated`, `const`.
         decorators: Python decorators or C++ attributes, as written.
+        flow: how the statements of its body follow each other; empty where they simply do.
+        shared: names that a Python function takes from around it to assign them (`global`, `nonlocal`).
     """
 
     name: str
@@ -76,6 +79,8 @@ class Function(_Fact, frozen=True):
     template: tuple[str, ...] = ()
     traits: tuple[str, ...] = ()
     decorators: tuple[str, ...] = ()
+    flow: Block = ()
+    shared: tuple[str, ...] = ()
 
 
 class Field(_Fact, frozen=True):
@@ -134,21 +139,33 @@ class Import(_Fact, frozen=True):
     """An include (`module` is the path, `name` empty) or a Python import.
 
     Python `import a.b as c` -> module `a.b`, name empty, alias `c`; `from a import b as c` -> module `a`, name `b`,
-    alias `c`. A star import has name `*`.
+    alias `c`. A star import has name `*`. `angled`: `#include <...>`, which is not looked for beside the file.
     """
 
     module: str
     name: str
     alias: str
     line: int
+    angled: bool = False
+
+
+class Using(_Fact, frozen=True):
+    """`using namespace a` in a scope; that of a directive within a function is not read."""
+
+    namespace: str
+    scope: str = ""
 
 
 class Macro(_Fact, frozen=True):
-    """A macro used like a declaration, e.g. `PLUGINLIB_EXPORT_CLASS(a::B, c::D)`; arguments as written."""
+    """A macro used like a declaration, e.g. `PLUGINLIB_EXPORT_CLASS(a::B, c::D)`; arguments as written.
+
+    `scope` is the namespace in which it stands.
+    """
 
     name: str
     args: tuple[str, ...]
     line: int
+    scope: str = ""
 
 
 class Mention(_Fact, frozen=True):
@@ -168,7 +185,7 @@ class SourceFile(_Fact, frozen=True):
 
     language: Literal["cpp", "python"]
     imports: tuple[Import, ...] = ()
-    usings: tuple[str, ...] = ()
+    usings: tuple[Using, ...] = ()
     aliases: tuple[Alias, ...] = ()
     classes: tuple[Class, ...] = ()
     functions: tuple[Function, ...] = ()

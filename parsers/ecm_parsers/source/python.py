@@ -72,7 +72,7 @@ def _parser() -> Parser:
 
 def _source_file(scan: Scan, root: Node) -> SourceFile:
     end_line = root.end_point[0] + 1
-    module = Function("<module>", "", (), "", 1, end_line, tuple(scan.frame.body))
+    module = Function("<module>", "", (), "", 1, end_line, tuple(scan.frame.body), flow=scan.frame.flow.flow())
     return SourceFile(
         language="python",
         imports=tuple(scan.imports),

@@ -8,17 +8,20 @@ value is `let`.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Literal
 
 from tree_sitter import Node
 
 from ecm_parsers.source.expr import Expr, Items, Member, Name, Op
 from ecm_parsers.source.facts import Constant, Field
+from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Leave, Loop, Switch
 from ecm_parsers.source.python_expr import parts, salvage
+from ecm_parsers.source.python_literal import NULL, TRUE
 from ecm_parsers.source.python_scan import Scan, StatementHandler
 
 _THIS = Name("this")
 _DISPLAYS = ("tuple", "list", "expression_list")
-_CLAUSES = frozenset(("elif_clause", "else_clause"))
+_LITERALS = frozenset(("string", "concatenated_string", "integer", "float", "true", "false", "none"))
 
 
 def _expression(scan: Scan, node: Node) -> None:
@@ -59,7 +62,7 @@ def _bind(scan: Scan, target: Node, type_: str, value: Node | None) -> Expr:
     """Emit an assignment; the result is what an outer target of its chain is bound to."""
     left = scan.expr(target)
     bound = scan.expr(value) if value is not None else None
-    if value is not None and _pairwise(target, value, left, bound):
+    if value is not None and _pairwise(scan, target, value, left, bound):
         for one, item in _pairs(left, bound):
             _record(scan, target, one, item, type_)
         return left
@@ -73,12 +76,21 @@ def _pairs(left: Expr, right: Expr | None) -> list[tuple[Expr, Expr]]:
     return []
 
 
-def _pairwise(target: Node, value: Node, left: Expr, right: Expr | None) -> bool:
-    """Whether each item is bound to the item of the same place: two displays of one length without a star."""
+def _pairwise(scan: Scan, target: Node, value: Node, left: Expr, right: Expr | None) -> bool:
+    """Whether each item is bound to the item of the same place, one after the other: displays without a star."""
     if value.type not in _DISPLAYS or not _pairs(left, right):
         return False
     starred = ("list_splat", "list_splat_pattern")
-    return not any(child.type in starred for side in (target, value) for child in side.named_children)
+    if any(child.type in starred for side in (target, value) for child in side.named_children):
+        return False
+    return not _words(scan, target) & _words(scan, value)  # `a, b = b, a` binds both at once
+
+
+def _words(scan: Scan, node: Node) -> set[bytes]:
+    """The identifiers in an expression."""
+    if node.type == "identifier":
+        return {scan.raw(node)}
+    return {word for child in node.named_children for word in _words(scan, child)}
 
 
 def _record(scan: Scan, node: Node, left: Expr, value: Expr | None, type_: str = "") -> None:
@@ -112,12 +124,23 @@ def _augmented(scan: Scan, node: Node) -> None:
     if left is None or right is None or operator is None:
         return
     target = scan.expr(left)
-    scan.emit("set", node, Op(operator.type[:-1], (target, scan.expr(right))), target)
+    scan.emit("set", node, Op(operator.type[:-1], (target, scan.expr(right))), target, operator.type)
 
 
 def _returned(scan: Scan, node: Node) -> None:
-    for child in parts(node):
+    values = parts(node)
+    for child in values:
         scan.emit("return", node, scan.expr(child))
+    if not values:
+        scan.frame.flow.add(Leave("return"))
+
+
+def _left(how: Literal["break", "continue", "throw"]) -> StatementHandler:
+    def handler(scan: Scan, node: Node) -> None:
+        _calls(scan, node)
+        scan.frame.flow.add(Leave(how))
+
+    return handler
 
 
 def _calls(scan: Scan, node: Node) -> None:
@@ -125,78 +148,131 @@ def _calls(scan: Scan, node: Node) -> None:
         scan.do(child)
 
 
-def _branch(scan: Scan, node: Node) -> None:
-    """A condition with its block and alternatives."""
-    children = parts(node)
-    without = _left_out(scan, children)
-    for child in children:
-        kind = child.type
-        if kind == "block":
-            scan.block(child, 1)
-        elif kind in _CLAUSES:
-            if without is not None and without.op == "!=":
-                scan.emit("do", child, Op("==", without.operands))
-            _clause(scan, child)
-        elif without is None:
-            scan.do(child)
-        elif without.op == "==":
-            scan.emit("do", child, without)
-
-
-def _left_out(scan: Scan, children: list[Node]) -> Op | None:
-    """A test of a name for None, where one block runs for None alone: `if a is None:`, `if a is not None: .. else:`."""
-    condition, clauses = children[0], [child for child in children if child.type in _CLAUSES]
-    if condition.type != "comparison_operator" or not scan.raw(condition).endswith(b"None"):
-        return None
-    value = scan.expr(condition)
-    if not isinstance(value, Op) or not isinstance(value.operands[0], Name):
-        return None
-    wanted = {"==": [], "!=": ["else_clause"]}.get(value.op)
-    return value if [child.type for child in clauses] == wanted else None
-
-
-def _clause(scan: Scan, node: Node) -> None:
-    """An alternative: its condition runs only when what stands before it did not apply."""
-    scan.frame.depth += 1
+def _deleted(scan: Scan, node: Node) -> None:
+    """What is deleted, or what an element is deleted of, is not what it was."""
     for child in parts(node):
-        if child.type == "block":
-            scan.block(child)
-        elif child.type == "if_clause":
-            _calls(scan, child)
-        elif child.type != "case_pattern":
-            scan.do(child)
+        for target in parts(child) if child.type == "expression_list" else (child,):
+            changed = target.child_by_field_name("value") if target.type == "subscript" else target
+            scan.emit("set", node, scan.opaque(target), scan.expr(changed or target))
+            scan.do(target)
+
+
+def _shared(scan: Scan, node: Node) -> None:
+    """`global` and `nonlocal`: what the function assigns is not its own."""
+    for child in parts(node):
+        name = scan.text(child)
+        scan.frame.shared.append(name)
+        if node.type == "global_statement":
+            scan.constants.append(Constant(name, "", scan.opaque(child), node.start_point[0] + 1))
+
+
+def _tested(scan: Scan, node: Node | None) -> Expr:
+    """A condition; what it calls is a step before the branch."""
+    return NULL if node is None else scan.done(node)
+
+
+def _if(scan: Scan, node: Node) -> None:
+    """A condition with its block; with alternatives it is a choice among conditions, of which the first one holds."""
+    test = _tested(scan, node.child_by_field_name("condition"))
+    then = scan.inner(node.child_by_field_name("consequence"), 1)
+    cases = [
+        Case((test,), then),
+        *[_alternative(scan, clause) for clause in node.children_by_field_name("alternative")],
+    ]
+    if len(cases) == 1 or (len(cases) == 2 and not cases[1].tests):
+        scan.frame.flow.add(Branch(test, then, cases[1].body if len(cases) == 2 else ()))
+    else:
+        scan.frame.flow.add(Switch(TRUE, tuple(cases), False))
+
+
+def _alternative(scan: Scan, clause: Node) -> Case:
+    """`elif` or `else`; its condition is asked only when what stands before it did not apply."""
+    scan.frame.depth += 1
+    if clause.type == "elif_clause":
+        test = _tested(scan, clause.child_by_field_name("condition"))
+        case = Case((test,), scan.inner(clause.child_by_field_name("consequence")))
+    else:
+        case = Case((), scan.inner(clause.child_by_field_name("body")))
     scan.frame.depth -= 1
+    return case
+
+
+def _while(scan: Scan, node: Node) -> None:
+    test = _tested(scan, node.child_by_field_name("condition"))
+    body = scan.inner(node.child_by_field_name("body"), 1)
+    scan.frame.flow.add(Loop(-1, test, body, other=_otherwise(scan, node)))
+
+
+def _otherwise(scan: Scan, node: Node) -> Block:
+    """The `else` of a loop."""
+    clause = next((child for child in parts(node) if child.type == "else_clause"), None)
+    return scan.inner(clause.child_by_field_name("body"), 1) if clause is not None else ()
 
 
 def _match(scan: Scan, node: Node) -> None:
-    for child in parts(node):
-        if child.type == "block":
-            scan.block(child)
-        else:
-            scan.do(child)
+    subject = _tested(scan, node.child_by_field_name("subject"))
+    clauses = [clause for clause in parts(node.child_by_field_name("body") or node) if clause.type == "case_clause"]
+    cases = [_case(scan, clause) for clause in clauses]
+    scan.frame.flow.add(Switch(subject, tuple(cases), False))
+
+
+def _case(scan: Scan, clause: Node) -> Case:
+    """A case; a pattern that is no literal may mean anything, a guard is no more than possible."""
+    patterns = [part for part in parts(clause) if part.type == "case_pattern"]
+    guard = clause.child_by_field_name("guard")
+    if guard is not None:
+        scan.frame.depth += 1
+        _calls(scan, guard)
+        scan.frame.depth -= 1
+    tests = tuple([_pattern(scan, pattern) for pattern in patterns])
+    if guard is None and [scan.text(pattern) for pattern in patterns] == ["_"]:
+        tests = ()
+    elif guard is not None:
+        tests = (scan.opaque(guard),)
+    return Case(tests, scan.inner(clause.child_by_field_name("consequence"), 1))
+
+
+def _pattern(scan: Scan, node: Node) -> Expr:
+    inner = parts(node)
+    kind = inner[0].type if len(inner) == 1 else ""
+    return scan.expr(inner[0]) if kind in _LITERALS else scan.opaque(node)
 
 
 def _try(scan: Scan, node: Node) -> None:
+    handlers: list[Block] = []
+    body: Block = ()
+    other: Block = ()
+    final: Block = ()
     for child in parts(node):
         if child.type == "block":
-            scan.block(child)
-            continue
-        deeper = int(child.type.startswith("except"))
-        for part in child.named_children:
-            if part.type == "block":
-                scan.block(part, deeper)
+            body = scan.inner(child)
+        elif child.type.startswith("except"):
+            handlers.append(_handler(scan, child, 1))
+        elif child.type == "else_clause":
+            other = _handler(scan, child, 0)
+        else:
+            final = _handler(scan, child, 0)
+    scan.frame.flow.add(Attempt(body, tuple(handlers), other, final))
+
+
+def _handler(scan: Scan, node: Node, deeper: int) -> Block:
+    block = next((part for part in node.named_children if part.type == "block"), None)
+    return scan.inner(block, deeper)
 
 
 def _for(scan: Scan, node: Node) -> None:
     left, right = node.child_by_field_name("left"), node.child_by_field_name("right")
+    each = -1
+    scan.frame.flow.begin()
     if left is not None and right is not None:
         value = scan.expr(right)
         scan.emit("each", node, value, scan.expr(left))
-    for child in parts(node):
-        if child.type == "block":
-            scan.block(child, 1)
-        elif child.type == "else_clause":
-            _clause(scan, child)
+        each = len(scan.frame.body) - 1
+    before = scan.frame.flow.end()
+    for step in before[:-1]:
+        scan.frame.flow.add(step)
+    body = scan.inner(node.child_by_field_name("body"), 1)
+    scan.frame.flow.add(Loop(each, None, body, other=_otherwise(scan, node)))
 
 
 def _with(scan: Scan, node: Node) -> None:
@@ -228,19 +304,20 @@ STATEMENTS: Mapping[str, StatementHandler] = {
     "ERROR": _broken,
     "assert_statement": _calls,
     "block": lambda scan, node: scan.block(node, 1),
-    "case_clause": _clause,
-    "delete_statement": _calls,
-    "elif_clause": _clause,
-    "else_clause": _clause,
+    "break_statement": _left("break"),
+    "continue_statement": _left("continue"),
+    "delete_statement": _deleted,
     "exec_statement": _calls,
     "expression_statement": _expression,
     "for_statement": _for,
-    "if_statement": _branch,
+    "global_statement": _shared,
+    "if_statement": _if,
     "match_statement": _match,
+    "nonlocal_statement": _shared,
     "print_statement": _calls,
-    "raise_statement": _calls,
+    "raise_statement": _left("throw"),
     "return_statement": _returned,
     "try_statement": _try,
-    "while_statement": _branch,
+    "while_statement": _while,
     "with_statement": _with,
 }

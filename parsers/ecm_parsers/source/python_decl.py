@@ -60,6 +60,8 @@ def _read_function(scan: Scan, node: Node, decorators: tuple[str, ...]) -> None:
             body=tuple(body),
             traits=_traits(name, decorators),
             decorators=decorators,
+            flow=frame.flow.flow(),
+            shared=tuple(frame.shared),
         )
     )
 
@@ -70,7 +72,7 @@ def _read_class(scan: Scan, node: Node, decorators: tuple[str, ...]) -> None:
     bases = node.child_by_field_name("superclasses")
     fields: list[Field] = []
     # The body of a class runs where the class is declared.
-    frame = Frame("class", _inside(outer.scope, name), outer.body, outer.names)
+    frame = Frame("class", _inside(outer.scope, name), outer.body, outer.names, outer.flow)
     frame.depth = outer.depth
     frame.fields = fields
     frame.owner = Member(outer.owner, name) if outer.owner is not None else Name(name)

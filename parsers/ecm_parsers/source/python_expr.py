@@ -1,9 +1,9 @@
 """Python expressions in the vocabulary of `expr.py`.
 
 Choices beyond it: `and`, `or`, `not`, `is`, `is not` and `<>` are written as C++ writes them; a comprehension
-is `Op("for", (element,))` after an `each` statement for each of its loops; a formatted part of an f-string is
+is a `Comprehension` after an `each` statement for each of its loops; a formatted part of an f-string is
 `Op("format", (value, Text(spec)))`; a slice is `Op(":", (start, stop, ...))`; the keyword of `**spread` is
-`**`.
+`**`, and `*spread` is `Op("*", (value,))`.
 """
 
 from __future__ import annotations
@@ -12,7 +12,8 @@ from collections.abc import Mapping
 
 from tree_sitter import Node
 
-from ecm_parsers.source.expr import Call, Expr, Items, Lambda, Member, Number, Op, Table, Template, Text
+from ecm_parsers.source.expr import Call, Comprehension, Expr, Items, Lambda, Member, Number, Op, Table, Template, Text
+from ecm_parsers.source.flow import Later
 from ecm_parsers.source.python_literal import (
     FALSE,
     NULL,
@@ -221,30 +222,44 @@ def _inner(scan: Scan, node: Node) -> Expr:
     return Items(tuple(scan.expr(child) for child in children))
 
 
+def _spread(scan: Scan, node: Node) -> Expr:
+    return Op("*", (_inner(scan, node),))
+
+
 def _lambda(scan: Scan, node: Node) -> Expr:
     parameters, body = node.child_by_field_name("parameters"), node.child_by_field_name("body")
-    if body is not None:
-        scan.frame.lambdas += 1
-        scan.do(body)
-        scan.frame.lambdas -= 1
-    return Lambda(("",) * parameters.named_child_count if parameters is not None else ())
+    if body is None:
+        return Lambda(())
+    scan.frame.lambdas += 1
+    scan.frame.flow.begin()
+    value = scan.done(body)
+    names = tuple([scan.text(child) for child in parts(parameters)]) if parameters is not None else ()
+    plain = tuple([name.partition("=")[0].strip() for name in names])
+    scan.frame.flow.add(Later(scan.frame.flow.end(), plain))
+    scan.frame.lambdas -= 1
+    return Lambda(("",) * len(names), names, value)
 
 
 def _comprehension(scan: Scan, node: Node) -> Expr:
     body, *clauses = parts(node)
+    loops: list[int] = []
+    tests: list[Expr] = []
     for clause in clauses:
         if clause.type == "for_in_clause":
-            _loop(scan, clause)
-        else:
-            for condition in parts(clause):
-                scan.do(condition)
-    return Op("for", (scan.expr(body),))
+            loops += _loop(scan, clause)
+            continue
+        tests += [scan.done(condition) for condition in parts(clause)]
+    return Comprehension(scan.expr(body), tuple(loops), tuple(tests))
 
 
-def _loop(scan: Scan, clause: Node) -> None:
+def _loop(scan: Scan, clause: Node) -> list[int]:
+    """Emit the `each` of a loop and return its index."""
     target, value = clause.child_by_field_name("left"), clause.child_by_field_name("right")
-    if target is not None and value is not None:
-        scan.emit("each", clause, scan.expr(value), scan.expr(target))
+    if target is None or value is None:
+        return []
+    over, bound = scan.expr(value), scan.expr(target)
+    scan.emit("each", clause, over, bound)
+    return [len(scan.frame.body) - 1]
 
 
 def _named(scan: Scan, node: Node) -> Expr:
@@ -282,7 +297,7 @@ EXPRESSIONS: Mapping[str, ExprHandler] = {
     "list": _items,
     "list_comprehension": _comprehension,
     "list_pattern": _items,
-    "list_splat": _inner,
+    "list_splat": _spread,
     "list_splat_pattern": _inner,
     "named_expression": _named,
     "none": lambda _scan, _node: NULL,

@@ -12,6 +12,7 @@ from tree_sitter import Node
 
 from ecm_parsers.source.expr import Expr, Member, Name, Number, Opaque, Text
 from ecm_parsers.source.facts import Class, Constant, Field, Function, Import, Statement, StatementKind
+from ecm_parsers.source.flow import Block, FlowWriter
 
 MAX_EXPRESSION_DEPTH = 80
 MAX_BLOCK_DEPTH = 40
@@ -33,19 +34,29 @@ class Frame:
     Attributes:
         place: what it is the body of.
         scope: scope of what is declared in it.
-        body: statements; a class body runs as part of the body that declares the class.
+        body: statements; a class body runs as part of the body that declares the class. flow: how they follow.
+        shared: names that are declared `global` or `nonlocal`.
         names: expressions of names and dotted names seen, by source bytes; maps the receiver to `this`.
         fields: of the class being read, also in its `__init__`; None elsewhere.
         owner: the class as an expression, in a class body.
         depth: how many conditions and loops enclose the current statement. lambdas: how many lambdas do.
     """
 
-    __slots__ = ("body", "depth", "fields", "lambdas", "names", "owner", "place", "scope")
+    __slots__ = ("body", "depth", "fields", "flow", "lambdas", "names", "owner", "place", "scope", "shared")
 
-    def __init__(self, place: Place, scope: str, body: list[Statement], names: dict[bytes, Expr]) -> None:
+    def __init__(
+        self,
+        place: Place,
+        scope: str,
+        body: list[Statement],
+        names: dict[bytes, Expr],
+        flow: FlowWriter | None = None,
+    ) -> None:
         self.place = place
         self.scope = scope
         self.body = body
+        self.flow = flow or FlowWriter()
+        self.shared: list[str] = []
         self.names = names
         self.fields: list[Field] | None = None
         self.owner: Expr | None = None
@@ -132,14 +143,25 @@ class Scan:
         self.frame.depth -= deeper
         self._nesting -= 1
 
+    def inner(self, node: Node | None, deeper: int = 0) -> Block:
+        """Read the statements of a block as a step of its own and return their flow."""
+        self.frame.flow.begin()
+        if node is not None:
+            self.block(node, deeper)
+        return self.frame.flow.end()
+
     def do(self, node: Node) -> None:
         """Emit an expression as a statement if it calls anything."""
-        if self.data.find(b"(", node.start_byte, node.end_byte) < 0:
-            return
+        if self.data.find(b"(", node.start_byte, node.end_byte) >= 0:
+            self.done(node)
+
+    def done(self, node: Node) -> Expr:
+        """Read an expression once, and emit it as a statement if it calls anything."""
         before = self.calls
         value = self.expr(node)
         if self.calls > before:
             self.emit("do", node, value)
+        return value
 
     def emit(
         self, kind: StatementKind, node: Node, value: Expr | None, target: Expr | None = None, type_: str = ""
@@ -147,6 +169,7 @@ class Scan:
         """Add a statement to the current body."""
         frame = self.frame
         deferred = frame.lambdas > 0
+        frame.flow.add(len(frame.body))
         frame.body.append(Statement(kind, node.start_point[0] + 1, value, target, type_, frame.depth, deferred))
 
     def raw(self, node: Node) -> bytes:

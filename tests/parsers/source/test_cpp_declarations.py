@@ -7,7 +7,7 @@ import pytest
 from ecm_parsers.source import cpp_parser
 from ecm_parsers.source.cpp import MAX_BYTES, parse_cpp
 from ecm_parsers.source.expr import Call, Items, Name, Number, Op, Text
-from ecm_parsers.source.facts import Alias, Import, SourceFile
+from ecm_parsers.source.facts import Alias, Import, SourceFile, Using
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -52,8 +52,8 @@ def facts() -> SourceFile:
 
 def test_includes_and_usings(facts: SourceFile) -> None:
     """Includes keep their path, `using namespace` its namespace."""
-    assert facts.imports == (Import("rclcpp/rclcpp.hpp", "", "", 1), Import("own/names.hpp", "", "", 2))
-    assert facts.usings == ("std::placeholders",)
+    assert facts.imports == (Import("rclcpp/rclcpp.hpp", "", "", 1, angled=True), Import("own/names.hpp", "", "", 2))
+    assert facts.usings == (Using("std::placeholders"),)
 
 
 def test_aliases(facts: SourceFile) -> None:
@@ -295,3 +295,18 @@ def test_an_access_that_the_grammar_mends_is_none() -> None:
 def test_a_pointer_to_a_function_is_a_parameter_like_any(parameter: str, written: str) -> None:
     (function,) = parse_cpp(f"void start(const char *name, {parameter}) {{}}".encode()).facts.functions
     assert [entry.type for entry in function.params] == ["const char *", written]
+
+
+def test_what_is_declared_with_the_name_of_its_class_is_inside_it() -> None:
+    """`class Outer::Inner` is a member of `Outer`, and a directive stands in the namespace that has it."""
+    text = b"namespace a { using namespace b; class Outer::Inner { Inner(int x) {} }; }"
+    facts = parse_cpp(text).facts
+    assert [(entry.scope, entry.name) for entry in facts.classes] == [("a::Outer", "Inner")]
+    assert [(entry.scope, entry.name) for entry in facts.functions] == [("a::Outer::Inner", "Inner")]
+    assert facts.usings == (Using("b", "a"),)
+
+
+def test_a_registration_stands_in_its_namespace() -> None:
+    """The macro may name a class of the namespace around it."""
+    text = b"namespace a {\nnamespace b {\n}\nPLUGINLIB_EXPORT_CLASS(C, D)\n}\nPLUGINLIB_EXPORT_CLASS(E, F)\n"
+    assert [entry.scope for entry in parse_cpp(text).facts.macros] == ["a", ""]

@@ -1,7 +1,7 @@
 """Statements, functions, classes and imports of Python sources."""
 
 import pytest
-from ecm_parsers.source.expr import Call, Constant, Items, Member, Name, Number, Op, Text
+from ecm_parsers.source.expr import Call, Constant, Items, Member, Name, Number, Op, Opaque, Text
 from ecm_parsers.source.facts import Class, Field, Function, Import, Parameter, SourceFile, Statement
 from ecm_parsers.source.facts import Constant as ConstantFact
 from ecm_parsers.source.python import parse_python
@@ -33,10 +33,11 @@ def call(name: str, line: int = 1) -> Call:
         ("a, *b = 1, 2", [Statement("set", 1, Items((Number(1), Number(2))), Items((A, B)))]),
         ("a: int = 1", [Statement("set", 1, Number(1), A, "int")]),
         ("a: List[int]", [Statement("let", 1, None, A, "List[int]")]),
-        ("a += 'x'", [Statement("set", 1, Op("+", (A, Text("x"))), A)]),
+        ("a += 'x'", [Statement("set", 1, Op("+", (A, Text("x"))), A, "+=")]),
         ("a['k'] = 1", [Statement("set", 1, Number(1), Op("[]", (A, Text("k"))))]),
         ("x()", [Statement("do", 1, call("x"))]),
-        ("'doc'\na\n1 + 2\npass\ndel a", []),
+        ("'doc'\na\n1 + 2\npass", []),
+        ("del a", [Statement("set", 1, Opaque("a"), A)]),
         ("for a in xs:\n  x()", [Statement("each", 1, XS, A), Statement("do", 2, call("x", 2), depth=1)]),
         ("while x():\n  a()", [Statement("do", 1, call("x")), Statement("do", 2, call("a", 2), depth=1)]),
         ("with a as b:\n  x()", [Statement("let", 1, A, B), Statement("do", 2, call("x", 2))]),

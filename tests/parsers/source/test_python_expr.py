@@ -3,6 +3,7 @@
 import pytest
 from ecm_parsers.source.expr import (
     Call,
+    Comprehension,
     Constant,
     Expr,
     Items,
@@ -108,7 +109,7 @@ def test_number_or_constant_is_read_in_every_python_form(source: str, expected: 
         ("'%s' % (a, b)", Op("%", (Text("%s"), Items((A, B))))),
         ("a + 'x' + b", Op("+", (Op("+", (A, Text("x"))), B))),
         ("x(a, 'b', c=1)", Call(X, (A, Text("b")), (("c", Number(1)),), line=1, keyword_lines=(1,))),
-        ("x(*a, **b)", Call(X, (A,), (("**", B),), line=1, keyword_lines=(1,))),
+        ("x(*a, **b)", Call(X, (Op("*", (A,)),), (("**", B),), line=1, keyword_lines=(1,))),
         ("a\\\n.b(\n1)", Call(Member(A, "b"), (Number(1),), line=2)),
         ("x(a)(b)", Call(call("x", A), (B,), line=1)),
         ("b if a else c", Op("?:", (A, B, C))),
@@ -126,7 +127,7 @@ def test_number_or_constant_is_read_in_every_python_form(source: str, expected: 
         ("[]", Items(())),
         ("{'k': a, **b}", Table(((Text("k"), A), (NULL, B)))),
         ("(a)", A),
-        ("[*a]", Items((A,))),
+        ("[*a]", Items((Op("*", (A,)),))),
         ("await a()", call("a")),
         ("yield a", A),
         ("not a", Op("!", (A,))),
@@ -137,7 +138,7 @@ def test_number_or_constant_is_read_in_every_python_form(source: str, expected: 
         ("a < b <= c", Op("< <=", (A, B, C))),
         ("~a", Op("~", (A,))),
         ("`a`", Opaque("`a`")),
-        ("lambda a, *b: c", Lambda(("", ""))),
+        ("lambda a, *b: c", Lambda(("", ""), ("a", "*b"), C)),
     ],
 )
 def test_expression_is_written_in_the_common_vocabulary(source: str, expected: Expr) -> None:
@@ -150,26 +151,29 @@ def test_expression_is_written_in_the_common_vocabulary(source: str, expected: E
     [
         (
             "v = lambda a: x(a)",
-            (Statement("do", 1, call("x", A), deferred=True), Statement("set", 1, Lambda(("",)), Name("v"))),
+            (
+                Statement("do", 1, call("x", A), deferred=True),
+                Statement("set", 1, Lambda(("",), ("a",), call("x", A)), Name("v")),
+            ),
         ),
         (
             "v = [x(a) for a in xs if b(a)]",
             (
                 Statement("each", 1, XS, A),
                 Statement("do", 1, call("b", A)),
-                Statement("set", 1, Op("for", (call("x", A),)), Name("v")),
+                Statement("set", 1, Comprehension(call("x", A), (0,), (call("b", A),)), Name("v")),
             ),
         ),
         (
             "v = {a: b for a, b in xs}",
             (
                 Statement("each", 1, XS, Items((A, B))),
-                Statement("set", 1, Op("for", (Table(((A, B),)),)), Name("v")),
+                Statement("set", 1, Comprehension(Table(((A, B),)), (0,)), Name("v")),
             ),
         ),
         (
             "x(a for a in xs)",
-            (Statement("each", 1, XS, A), Statement("do", 1, call("x", Op("for", (A,))))),
+            (Statement("each", 1, XS, A), Statement("do", 1, call("x", Comprehension(A, (0,))))),
         ),
         (
             "if (a := x()): pass",

@@ -1,0 +1,215 @@
+"""Which variables a statement changes beside the one that it binds: calls on them, and calls that get them."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Iterator, Set
+from dataclasses import dataclass
+from functools import cache
+from importlib import resources
+from typing import TYPE_CHECKING, Literal, Protocol
+
+from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member, Name, Number, Op, Table, Template, Text
+from ecm_parsers.source.facts import Statement
+
+from ecm_extract.infer.places import key_of, root_of
+
+if TYPE_CHECKING:
+    from ecm_extract.link.units import Func
+
+Kind = Literal["changed", "lost", "out", "handed"]
+
+
+@dataclass(frozen=True, slots=True)
+class Calls:
+    """What calls of the standard library of a language do; see calls.toml."""
+
+    changing: Set[str]
+    reading: Set[str]
+    iterators: Set[str]
+    waiting: Set[str]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Effect:
+    """A variable, by its key, that a call changes or may change; `name`: the parameter that it is there, of `out`."""
+
+    kind: Kind
+    key: str
+    call: Call
+    name: str = ""
+
+
+class Targets(Protocol):
+    """Who knows which function of the tree a call means."""
+
+    def target(self, call: Call, func: Func, at: int) -> Func | None:
+        """Return the function with a body that a call in a statement of a function means."""
+
+    def keeps(self, name: str) -> bool:
+        """Tell whether a call of that name is one of a client library, which leaves what it gets as it is."""
+
+    def changes(self, func: Func, name: str) -> bool:
+        """Tell whether a function may change what its parameter consists of."""
+
+    def is_outside(self, name: str, func: Func) -> bool:
+        """Tell whether a name in a method of C++ means a variable of a namespace."""
+
+
+@cache
+def calls_of(language: str) -> Calls:
+    """Return the table of a language."""
+    table = tomllib.loads((resources.files("ecm_extract.infer") / "calls.toml").read_text("utf-8"))
+    own = table[language]
+    listed = (own["changing"], own["reading"], own.get("iterators", ()), table["waiting"]["names"])
+    return Calls(*[frozenset(names) for names in listed])
+
+
+class Effects:
+    """The effects of the statements of one function.
+
+    Args:
+        func: the function. own: its names. targets: who resolves calls.
+    """
+
+    def __init__(self, func: Func, own: Set[str], targets: Targets) -> None:
+        self.func = func
+        self.own = own
+        self.targets = targets
+        self.python = func.file.language == "python"
+        self.member = func.cls is not None and not self.python
+        self.calls = calls_of(func.file.language)
+        self._known: dict[int, tuple[Effect, ...]] = {}
+        self._members: dict[str, bool] = {}
+
+    def key(self, expr: Expr | None) -> str:
+        """Return the key of the variable that an expression is, empty for none."""
+        return key_of(expr, self.own, self.is_member)
+
+    def root(self, expr: Expr | None) -> str:
+        """Return the key of the variable that an expression reaches into, empty for none."""
+        return root_of(expr, self.own, self.is_member)
+
+    def is_member(self, name: str) -> bool:
+        """Tell whether a name that the function does not declare is a member of its object."""
+        if not self.member:
+            return False
+        known = self._members.get(name)
+        if known is None:
+            known = self._members[name] = not self.targets.is_outside(name, self.func)
+        return known
+
+    def of(self, at: int) -> tuple[Effect, ...]:
+        """Return what the calls of a statement change, inner calls first."""
+        known = self._known.get(at)
+        if known is None:
+            self._known[at] = ()  # who asks in a circle
+            statement = self.func.fact.body[at]
+            found = [effect for call in self.func.calls[at] for effect in self._of_call(call, at, statement)]
+            known = self._known[at] = tuple(found)
+        return known
+
+    def _of_call(self, call: Call, at: int, statement: Statement) -> Iterator[Effect]:
+        callee = call.callee
+        if isinstance(callee, Member):
+            yield from self._on_receiver(call, callee, statement)
+        last = (
+            callee.name
+            if isinstance(callee, Member)
+            else callee.id.rsplit("::", 1)[-1]
+            if isinstance(callee, Name)
+            else ""
+        )
+        passed = [(index, arg) for index, arg in enumerate(call.args) if self._passes(arg)]
+        named = [(name, arg) for name, arg in call.keywords if self._passes(arg)]
+        changing = isinstance(callee, Member) and last in self.calls.changing
+        if not (passed or named) or last in self.calls.reading or changing:
+            return
+        target = self.targets.target(call, self.func, at)
+        own = isinstance(callee, Name) and callee.id in self.own  # a variable that holds a function is no library's
+        if target is None and not own and self.targets.keeps(last):
+            return
+        params = target.fact.params if target is not None else ()
+        for index, arg in passed:
+            param = params[index] if index < len(params) else None
+            yield from self._given(call, arg, target, param.name if param is not None else "", last)
+        for name, arg in named:
+            yield from self._given(call, arg, target, name, last)
+
+    def _on_receiver(self, call: Call, callee: Member, statement: Statement) -> Iterator[Effect]:
+        if callee.name not in self.calls.changing:
+            return
+        key = self.key(callee.base)
+        reset = callee.name == "str" and not call.args
+        if key and not reset:
+            yield Effect("changed", key, call)
+        elif not key and (root := self.root(callee.base)):
+            yield Effect("lost", root, call)
+
+    def _passes(self, arg: Expr) -> bool:
+        """Whether an argument is a variable, or leads into one."""
+        if isinstance(arg, Name | Member):
+            return arg != Name("this")
+        if isinstance(arg, Op) and arg.op in {"&", "[]"}:
+            return bool(self.root(arg.operands[0]))
+        return self._iterates(arg)
+
+    def _iterates(self, arg: Expr) -> bool:
+        return isinstance(arg, Call) and isinstance(arg.callee, Member) and arg.callee.name in self.calls.iterators
+
+    def _given(self, call: Call, arg: Expr, target: Func | None, name: str, last: str) -> Iterator[Effect]:
+        key = self.key(arg)
+        root = key or self.root(arg)
+        if not root:
+            return
+        if target is None:
+            made = isinstance(call.callee, Name) and last[:1].isupper()
+            outside = made or (self.python and root.startswith("."))
+            if self._iterates(arg) or (isinstance(arg, Op) and arg.op == "&"):
+                yield Effect("lost", root, call)
+            elif self.python or not (outside or self._is_constant(root)):
+                yield Effect("handed", root, call)
+        elif self.python:
+            if self.targets.changes(target, name):
+                yield Effect("out" if key else "lost", root, call, name)
+        else:
+            yield from self._by_reference(call, arg, target, name, root)
+
+    def _is_constant(self, key: str) -> bool:
+        """Whether a variable of C++ is declared so that nobody can change it."""
+        written = self.func.written_types.get(key, "")
+        return "const" in written.split() or written.split()[:1] == ["constexpr"]
+
+    def _by_reference(self, call: Call, arg: Expr, target: Func, name: str, root: str) -> Iterator[Effect]:
+        written = next((entry.type for entry in target.fact.params if entry.name == name), "")
+        if self._iterates(arg):
+            yield Effect("lost", root, call)
+        elif written.rstrip().endswith(("&", "*")) and "const" not in written.split():
+            pointed = written.rstrip().endswith("*") and not (isinstance(arg, Op) and arg.op == "&")
+            if not pointed:
+                yield Effect("out" if self.key(arg) and not written.endswith("&&") else "lost", root, call, name)
+
+
+def bare_names(expr: Expr | None) -> Iterator[Expr]:
+    """Yield the variables that an expression is, or that it puts into a list or table as they are."""
+    if isinstance(expr, Name | Member):
+        yield expr
+    elif isinstance(expr, Items):
+        for item in expr.items:
+            yield from bare_names(item)
+    elif isinstance(expr, Table):
+        for _, value in expr.entries:
+            yield from bare_names(value)
+    elif isinstance(expr, Op) and expr.op in {"?:", "||", "&&"}:
+        for operand in expr.operands:
+            yield from bare_names(operand)
+    elif isinstance(expr, Call):
+        for arg in (*expr.args, *(value for _, value in expr.keywords)):
+            yield from bare_names(arg)
+
+
+def is_plain(expr: Expr | None) -> bool:
+    """Tell whether an expression is a value that nobody can change in place: a text, a number, a function."""
+    if isinstance(expr, Text | Number | Constant | Template | Lambda):
+        return True
+    return isinstance(expr, Op) and expr.op in {"%", "-", "*", "/", "//", "==", "!=", "<", ">", "!", "format"}

@@ -1,0 +1,181 @@
+"""What a variable holds at a place, and the state that all of them are in there."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, Literal
+
+from ecm_parsers.source.expr import Expr
+
+if TYPE_CHECKING:
+    from ecm_extract.link.env import Env
+
+MAX_WAYS = 8
+"""Different things that a variable may hold before it counts as unknown."""
+
+MAX_LAYER = 16
+"""Changes beyond which a state is written out in full."""
+
+How = Literal[
+    "value", "each", "made", "given", "shared", "lost", "read", "changed", "stored", "out", "handed", "looped"
+]
+
+
+@dataclass(slots=True, eq=False, repr=False)
+class Held:
+    """One thing that a variable can hold.
+
+    Attributes:
+        how: `value` of an expression; `each` element of one; `made` without a value (a declaration); `given` from
+            around the function or by its caller; `shared` with functions that may have given it anything they give it;
+            `lost`: nobody knows; `read` from a ROS parameter (`expr` its name, `more` its
+            default); `changed` by a method (`expr` the call); `stored`: an element (`expr` the place, `more` the
+            value); `out`: written by a function that got it (`expr` the call, `name` its parameter there); `handed` to
+            somebody who may have changed what it consists of; `looped`: what it held before a loop or after a round
+            of it (`before`).
+        name: the variable, for messages and patterns; of `out` the parameter.
+        env: where the expressions are evaluated.
+        at: statement that made it so; -1 for none.
+        before: what it held before.
+        settled: what was found when it was evaluated, by the kind of question.
+    """
+
+    how: How
+    name: str
+    expr: Expr | None = None
+    env: Env | None = None
+    at: int = -1
+    more: Expr | None = None
+    before: tuple[Held, ...] = ()
+    settled: dict[str, object] = field(default_factory=dict)
+
+    @property
+    def is_likely(self) -> bool:
+        """Whether it is made so as long as nobody sets a parameter, or whether nothing tells that."""
+        return self.env is None or self.env.state is None or self.env.state.likely
+
+    @property
+    def length(self) -> int:
+        """How many changes lead to it, along the first way."""
+        count, held = 0, self
+        while held.before and held.how != "value" and "values" not in held.settled and count < 64:
+            count, held = count + 1, held.before[0]
+        return count
+
+
+class Layers(Mapping[str, tuple[Held, ...]]):
+    """What variables hold: few changes over many, so that a state costs no more than what it changes."""
+
+    __slots__ = ("_base", "_over")
+
+    def __init__(
+        self, base: Mapping[str, tuple[Held, ...]] | None = None, over: Mapping[str, tuple[Held, ...]] | None = None
+    ) -> None:
+        self._base = base if base is not None else {}
+        self._over = over if over is not None else {}
+
+    def having(self, changes: Mapping[str, tuple[Held, ...]]) -> Layers:
+        """Return the same with other things in some variables."""
+        over = {**self._over, **changes}
+        return Layers(self._base, over) if len(over) <= MAX_LAYER else Layers({**self._base, **over})
+
+    def __getitem__(self, name: str) -> tuple[Held, ...]:
+        found = self._over.get(name)
+        return found if found is not None else self._base[name]
+
+    def get(self, name: str, default: Any = None) -> Any:
+        """Return what a variable holds."""
+        found = self._over.get(name)
+        return found if found is not None else self._base.get(name, default)
+
+    def __iter__(self) -> Iterator[str]:
+        yield from self._base
+        for name in self._over:
+            if name not in self._base:
+                yield name
+
+    def __len__(self) -> int:
+        return sum(1 for _ in self)
+
+
+@dataclass(slots=True, eq=False, repr=False)
+class State:
+    """What variables hold at one place on one way through a function.
+
+    Attributes:
+        holds: variable -> the things that it may hold, of which one is true.
+        path: the undecided branches on the way, one number each.
+        live: whether the way is one that a run can take; the others tell what code that is never reached would do.
+        called: whether functions of the tree were called on it, which may have given members anything they give them.
+        likely: whether it comes about as long as nobody sets a parameter, or whether nothing tells that.
+    """
+
+    holds: Layers = field(default_factory=Layers)
+    path: tuple[int, ...] = ()
+    live: bool = True
+    called: bool = False
+    likely: bool = True
+
+    def having(self, changes: Mapping[str, tuple[Held, ...]]) -> State:
+        """The same state with other things in some variables."""
+        if not changes:
+            return self
+        return State(self.holds.having(changes), self.path, self.live, self.called, self.likely)
+
+    def on(self, branch: int, likely: bool = True) -> State:
+        """The same state beyond a branch that nobody can decide."""
+        return State(self.holds, (*self.path, branch), self.live, self.called, self.likely and likely)
+
+    def along(self, path: tuple[int, ...]) -> State:
+        """The same state on another path."""
+        return State(self.holds, path, self.live, self.called, self.likely)
+
+
+def joined_states(states: Iterable[State | None]) -> State | None:
+    """What holds where several ways meet; None when no way gets there."""
+    alive = [state for state in states if state is not None]
+    if not alive:
+        return None
+    first, *others = alive
+    for other in others:
+        first = _joined(first, other)
+    return first
+
+
+def _joined(one: State, other: State) -> State:
+    path = _common(one.path, other.path)
+    live, called, likely = one.live or other.live, one.called or other.called, one.likely or other.likely
+    if one.holds is other.holds:
+        return State(one.holds, path, live, called, likely)
+    met: dict[tuple[int, int], tuple[Held, ...]] = {}
+    holds: dict[str, tuple[Held, ...]] = {}
+    for name in dict.fromkeys((*one.holds, *other.holds)):
+        left, right = one.holds.get(name) or (_given(name, one),), other.holds.get(name) or (_given(name, other),)
+        if left is right:
+            holds[name] = left
+            continue
+        key = (id(left), id(right))  # what two names share before, they share after
+        if key not in met:
+            met[key] = _ways(name, left, right)
+        holds[name] = met[key]
+    return State(Layers(holds), path, live, called, likely)
+
+
+def _given(name: str, state: State) -> Held:
+    return Held("shared" if state.called and name.startswith(".") else "given", name)
+
+
+def _ways(name: str, left: tuple[Held, ...], right: tuple[Held, ...]) -> tuple[Held, ...]:
+    own = any(held.how == "given" for held in left)
+    more = [held for held in right if held not in left and not (own and held.how == "given")]
+    ways = (*left, *more)
+    return ways if len(ways) <= MAX_WAYS else (Held("lost", name, before=ways[:MAX_WAYS]),)
+
+
+def _common(one: tuple[int, ...], other: tuple[int, ...]) -> tuple[int, ...]:
+    """The branches that both ways went through alike."""
+    count = 0
+    while count < min(len(one), len(other)) and one[count] == other[count]:
+        count += 1
+    return one[:count]

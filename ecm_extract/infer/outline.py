@@ -1,0 +1,144 @@
+"""What is known of a function before it runs: which variables its statements change, and which of them surely run."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence, Set
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from ecm_parsers.source.expr import Call, Expr, Items, Name, Op, Text
+from ecm_parsers.source.flow import Block, Later, Leave, Step, blocks
+
+from ecm_extract.infer.effects import Effect, Effects, Targets
+from ecm_extract.infer.places import own_names
+from ecm_extract.link.walk import children
+
+if TYPE_CHECKING:
+    from ecm_extract.link.units import Func
+
+Reads = Mapping[int, Sequence[tuple[Expr, Expr, Expr | None]]]
+"""Statement -> (variable, name, default) of the parameters that are read into variables."""
+
+
+class Outline:
+    """The variables of one function, by key (see `places`).
+
+    Args:
+        func: the function.
+        reads: what it reads of parameters.
+        inner: the functions that are declared in it.
+        targets: who resolves calls.
+    """
+
+    def __init__(self, func: Func, reads: Reads, inner: Sequence[Func], targets: Targets) -> None:
+        self.func = func
+        self.reads = reads
+        self.inner = inner
+        self.python = func.file.language == "python"
+        self.effects = Effects(func, own_names(func.fact, self.python), targets)
+
+    @cached_property
+    def block(self) -> Block:
+        """Its steps."""
+        return self.func.fact.flow or tuple(range(len(self.func.fact.body)))
+
+    @cached_property
+    def changes(self) -> Mapping[str, int]:
+        """Variable -> how many times the body changes it."""
+        counts = Counter(key for at in range(len(self.func.fact.body)) for key in self.changed_by(at))
+        return counts + Counter(self.escaped)
+
+    @cached_property
+    def escaped(self) -> Set[str]:
+        """The variables that functions which are declared within it change: any time from then on."""
+        return frozenset(key for func in self.inner for key in self._changed_inside(func))
+
+    @cached_property
+    def exposed(self) -> Set[str]:
+        """The variables of C++ that are given away, by address or to somebody unknown, and so decide no branch."""
+        if self.python:
+            return frozenset()
+        found = {effect.key for at in range(len(self.func.fact.body)) for effect in self.effects.of(at)}
+        for statement in self.func.fact.body:
+            for start in (statement.target, statement.value):
+                found |= {self.effects.key(name) for name in _given_away(start)}
+        return frozenset((found | self.escaped) & self.effects.own)
+
+    @cached_property
+    def certain(self) -> Set[int]:
+        """The statements that every run of the function takes, once each."""
+        found: set[int] = set()
+        for step in self.block:
+            if isinstance(step, int):
+                found.add(step)
+            elif self._may_end(step):
+                break
+        return found
+
+    def _may_end(self, step: Step) -> bool:
+        """Whether the function may be left within a step."""
+        if isinstance(step, int):
+            return self.func.fact.body[step].kind == "return"
+        if isinstance(step, Leave):
+            return step.how in {"return", "throw"}
+        inner = () if isinstance(step, Later) else blocks(step)
+        return any(self._may_end(entry) for block in inner for entry in block)
+
+    def changed_by(self, at: int) -> set[str]:
+        """Return the variables that a statement changes."""
+        statement = self.func.fact.body[at]
+        found = {effect.key for effect in self.effects.of(at)}
+        found |= {self.effects.key(target) or self.effects.root(target) for target, _, _ in self.reads.get(at, ())}
+        if statement.kind != "do":
+            found |= set(self.bound_keys(statement.target))
+        return found - {""}
+
+    def bound_keys(self, target: Expr | None) -> Iterator[str]:
+        """Yield the variables that an assignment to a target changes."""
+        if isinstance(target, Items):
+            for item in target.items:
+                yield from self.bound_keys(item)
+        else:
+            yield self.effects.key(target) or self.effects.root(target)
+
+    def _changed_inside(self, func: Func) -> Iterator[str]:
+        own = own_names(func.fact, self.python)
+        inner = Effects(func, own, self.effects.targets)
+        for at, statement in enumerate(func.fact.body):
+            targets = [statement.target] if statement.kind in {"set", "each"} else []
+            keys = [inner.key(target) or inner.root(target) for target in targets]
+            keys += [effect.key for effect in inner.of(at) if not self._is_text(effect)]
+            for key in keys:
+                if key.split(".")[0] not in own:
+                    own_or_dotted = key in self.effects.own or "." in key
+                    yield key if own_or_dotted or not self.effects.is_member(key) else f".{key}"
+
+    def _is_text(self, effect: Effect) -> bool:
+        """Whether somebody only gets a variable that is declared as a literal text, which nobody can change."""
+        body = self.func.fact.body
+        lets = [entry for entry in body if entry.kind == "let" and entry.target == Name(effect.key)]
+        fixed = all(isinstance(entry.value, Text) and ("*" in entry.type or entry.type == "auto") for entry in lets)
+        return effect.kind == "handed" and bool(lets) and fixed
+
+
+def _given_away(expr: Expr | None) -> Iterator[Expr]:
+    """Yield the names in braces, the names whose address is taken, and the arguments of what makes an object."""
+    if expr is None:
+        return
+    if isinstance(expr, Items):
+        yield from (item for item in expr.items if isinstance(item, Name))
+    elif isinstance(expr, Op) and expr.op == "&" and len(expr.operands) == 1:
+        yield expr.operands[0]
+    elif isinstance(expr, Call) and isinstance(expr.callee, Name) and _makes_or_ties(expr.callee.id):
+        yield from (arg for arg in expr.args if isinstance(arg, Name))
+    prints = isinstance(expr, Op) and expr.op == "%"  # what a format is filled with stands in a list of its own
+    for part in children(expr):
+        for inner in children(part) if prints and isinstance(part, Items) else (part,):
+            yield from _given_away(inner)
+
+
+def _makes_or_ties(name: str) -> bool:
+    """Whether a call makes an object, by the way that classes are written, or refers to what it gets."""
+    last = name.rpartition("::")[2]
+    return last[:1].isupper() or last in {"tie", "ref"}

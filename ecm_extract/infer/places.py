@@ -1,0 +1,66 @@
+"""Which variable an expression means, by a key: locals by their name, members as `.name`, fields as `object.field`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Set
+
+from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op
+from ecm_parsers.source.facts import Function
+
+_THIS = Name("this")
+
+
+def own_names(function: Function, python: bool) -> frozenset[str]:
+    """Return the names that belong to a function: parameters and what it declares, in Python also what it assigns."""
+    names = {parameter.name.lstrip("*") for parameter in function.params}
+    for statement in function.body:
+        if statement.kind in {"let", "each"} or (python and statement.kind == "set"):
+            names.update(_bound(statement.target))
+    return frozenset(names - set(function.shared))
+
+
+def _bound(target: Expr | None) -> Iterator[str]:
+    if isinstance(target, Name):
+        yield target.id
+    elif isinstance(target, Items):
+        for item in target.items:
+            yield from _bound(item)
+
+
+def key_of(expr: Expr | None, own: Set[str], member: Callable[[str], bool]) -> str:
+    """Return the key of a variable, empty for what is none.
+
+    Args:
+        expr: the expression.
+        own: names of the function itself.
+        member: tells whether a name that is not the function's own is a member of `this`.
+    """
+    if isinstance(expr, Name):
+        if expr.id in own or "::" in expr.id or expr.id.startswith("#") or not member(expr.id):
+            return expr.id if expr != _THIS else ""
+        return "" if expr == _THIS else f".{expr.id}"
+    if isinstance(expr, Member):
+        if expr.base == _THIS:
+            return f".{expr.name}"
+        base = key_of(expr.base, own, member)
+        return f"{base}.{expr.name}" if base else ""
+    if isinstance(expr, Op) and expr.op in {"&", "*"} and len(expr.operands) == 1:
+        return key_of(expr.operands[0], own, member)
+    return ""
+
+
+def root_of(expr: Expr | None, own: Set[str], member: Callable[[str], bool]) -> str:
+    """Return the key of the variable that an expression reaches into: `table` of `table["a"].back()`."""
+    while expr is not None:
+        key = key_of(expr, own, member)
+        if key:
+            return key
+        if isinstance(expr, Member):
+            expr = expr.base
+        elif isinstance(expr, Op) and expr.op in {"[]", "&"}:
+            expr = expr.operands[0]
+        elif isinstance(expr, Call) and isinstance(expr.callee, Member):
+            expr = expr.callee.base
+        else:
+            return ""
+    return ""

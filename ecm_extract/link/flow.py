@@ -1,0 +1,398 @@
+"""Runs of functions, each once for what it is called with, and what their variables hold at a place."""
+
+from __future__ import annotations
+
+import sys
+from collections import defaultdict
+from collections.abc import Callable, Collection, Hashable, Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Member, Name, Number, Op, Opaque, Text
+
+from ecm_extract.infer.compute import UNKNOWN, operate, truth
+from ecm_extract.infer.effects import Effects
+from ecm_extract.infer.held import Held, State, joined_states
+from ecm_extract.infer.interpreter import Interpreter, Run
+from ecm_extract.infer.outline import Outline
+from ecm_extract.link.env import MAX_DEPTH, Bound, Env, Instance, invocation_of
+from ecm_extract.link.objects import is_super
+from ecm_extract.link.units import Cls, File, Func
+from ecm_extract.link.values import Value, data_in, is_known, is_proved
+from ecm_extract.link.walk import children
+
+if TYPE_CHECKING:
+    from ecm_extract.link.fold import Folder
+
+MAX_WITHIN = 100
+"""Runs that one run leads to, directly or through others."""
+MAX_RECURSION = 2
+"""Runs of a function within runs of itself."""
+_THIS = Name("this")
+MAX_RUNS = 5_000
+"""Runs with arguments that are remembered."""
+MAX_FRAMES = 6_000
+"""Calls within calls: our own bounds (MAX_DEPTH, MAX_RUNNING, MAX_NESTING) end before that, the default does not."""
+MAX_RUNNING = 8
+"""Runs within runs: what a function is called with may be what another function does."""
+MAX_KEY = 4
+"""Callers of callers that tell one run from another; beyond, each is a run of its own."""
+
+
+class Flow:
+    """Runs functions; implements `infer.interpreter.Judge` with a folder."""
+
+    def __init__(self, folder: Folder) -> None:
+        self.folder = folder
+        sys.setrecursionlimit(max(sys.getrecursionlimit(), MAX_FRAMES))
+        self._runs: dict[Hashable, tuple[Env, Run]] = {}
+        self._running: dict[Hashable, Func] = {}
+        self._meanwhile: dict[Hashable, tuple[Env, Run]] = {}
+        self._around: dict[Func, Func | None] = {}
+        self._within = 0
+        self._outlines: dict[Func, Outline] = {}
+        self._changes: dict[tuple[int, str], bool] = {}
+        self._inner: dict[int, Mapping[str, list[Func]]] = {}
+
+    @property
+    def running(self) -> Collection[Func]:
+        """The functions that are run right now."""
+        return self._running.values()
+
+    def forget(self) -> None:
+        """Drop runs, since more is known of parameters now."""
+        self._runs.clear()
+
+    # --- runs --------------------------------------------------------------------------------------------
+
+    def run(self, env: Env, whole: bool = True) -> Run | None:
+        """Return the run of the function at a place; None while it is running: who asks then asks in a circle.
+
+        Args:
+            env: the place.
+            whole: whether its conditions are decided and its loops unrolled.
+        """
+        key = (_key(env), whole)
+        known = self._runs.get(key) or self._meanwhile.get(key)
+        if known is not None:
+            return known[1]
+        if not self._may_run(key, env):
+            self.folder.cuts += 1
+            return None
+        if len(self._runs) > MAX_RUNS:
+            self._runs = {asked: known for asked, known in self._runs.items() if not known[0].args}
+        cuts = self.folder.cuts
+        run = self._fresh(key, env, whole)
+        whole = cuts == self.folder.cuts or not self._running
+        (self._runs if whole else self._meanwhile)[key] = (env, run)
+        if not self._running:
+            self._meanwhile.clear()
+            self._within = 0
+        return run
+
+    def _fresh(self, key: Hashable, env: Env, whole: bool) -> Run:
+        self._running[key] = env.func
+        entry = Env(env.func, 0, env.args, env.types, env.this, env.made, env.depth + 1, State(), env.outer)
+        try:
+            with self.folder.steps.apart():
+                return Interpreter(entry, self, whole).result()
+        finally:
+            del self._running[key]
+
+    def _may_run(self, key: Hashable, env: Env) -> bool:
+        """Whether a run is neither asked for by itself, nor deeper than is followed."""
+        if key in self._running or env.depth > MAX_DEPTH or len(self._running) > MAX_RUNNING:
+            return False
+        self._within += 1
+        if self._within > MAX_WITHIN:
+            return False
+        return sum(func is env.func for func in self._running.values()) < MAX_RECURSION
+
+    def states(self, env: Env) -> list[State]:
+        """Return the states in which a place is reached; none where nothing is known of it."""
+        if env.state is not None:
+            return [env.state]
+        run = self.run(env)
+        if run is None:
+            return []
+        if env.at < len(env.func.fact.body):
+            return run.at(env.at)
+        return [run.end] if run.end is not None else [state for found in run.states.values() for state in found[-1:]]
+
+    def places(self, env: Env) -> list[Env]:
+        """Return a place once for each state in which a run reaches it; itself where that is not known."""
+        if self._is_certain(env):
+            return [env]
+        return [env.within(state, env.at) for state in self.states(env)] or [env]
+
+    def naming(self, env: Env, given: Mapping[str, Bound]) -> Env:
+        """Return a place at which more names are bound."""
+        state = joined_states(self.states(env)) or State()
+        held = {name: (Held("value", name, bound.expr, bound.env),) for name, bound in given.items()}
+        return env.within(state.having(held), env.at)
+
+    def is_reached(self, env: Env) -> bool:
+        """Tell whether a run with these arguments can get to a place."""
+        if self._is_certain(env):
+            return True
+        states = self.states(env)
+        return not states or any(state.live for state in states)
+
+    def _is_certain(self, env: Env) -> bool:
+        return env.state is None and env.at in self.outline(env.func).certain
+
+    def ways(self, expr: Expr, env: Env) -> list[tuple[Held, ...]]:
+        """Return what a variable may hold at a place, for each state; nothing where the function leaves it alone."""
+        effects = self.effects(env.func)
+        key = effects.key(expr)
+        if not key or (env.state is None and key not in self.outline(env.func).changes):
+            return []
+        states = self.states(env)
+        found = [state.holds.get(key, ()) for state in states]
+        if not any(found):
+            return []
+        shared = key.startswith(".") and key.count(".") == 1 and any(state.called for state in states)
+        return [ways or (Held("shared" if shared else "given", key),) for ways in found]
+
+    def outline(self, func: Func) -> Outline:
+        """Return what is known of a function before it runs."""
+        known = self._outlines.get(func)
+        if known is None:
+            known = self._outlines[func] = Outline(func, self.reads(func), self.inner(func), self)
+        return known
+
+    def effects(self, func: Func) -> Effects:
+        """Return who knows the effects of a function's statements."""
+        return self.outline(func).effects
+
+    def is_bound_once(self, func: Func, key: str) -> bool:
+        """Tell whether a function gives a variable one value and never changes it."""
+        return self.outline(func).changes.get(key, 0) <= 1
+
+    # --- what a run asks ---------------------------------------------------------------------------------
+
+    def truth(self, test: Expr, env: Env) -> bool | None:
+        """Tell whether a condition holds; None when that is not decided."""
+        return self._holds(test, env, is_proved)
+
+    def likely(self, test: Expr, env: Env) -> bool | None:
+        """Tell whether a condition holds as long as nobody sets a parameter; None when that is not known.
+
+        A name that somebody else gives is taken for one that is not empty.
+        """
+        holds = self._holds(test, env, is_known)
+        return self._if_given(test, env) if holds is None else holds
+
+    def _if_given(self, test: Expr, env: Env) -> bool | None:
+        if isinstance(test, Op) and test.op == "!":
+            inner = self._if_given(test.operands[0], env)
+            return None if inner is None else not inner
+        if isinstance(test, Op) and test.op in {"==", "!="} and Text("") in test.operands:
+            named = next((operand for operand in test.operands if operand != Text("")), None)
+            return test.op == "!=" if named is not None and self._is_given(named, env) else None
+        if isinstance(test, Call) and isinstance(test.callee, Member) and test.callee.name == "empty":
+            return False if self._is_given(test.callee.base, env) else None
+        return None
+
+    def _is_given(self, expr: Expr, env: Env) -> bool:
+        values = self.folder.fold(expr, env)
+        return all(value.open("param") or value.open("made") or value.open("node") for value in values)
+
+    def _holds(self, test: Expr, env: Env, counts: Callable[[Value], bool]) -> bool | None:
+        if isinstance(test, Opaque):
+            return None
+        if isinstance(test, Op) and test.op == "!":
+            inner = self._holds(test.operands[0], env, counts)
+            return None if inner is None else not inner
+        if isinstance(test, Op) and test.op in {"&&", "||"}:
+            return self._all_of(test, env, counts)
+        python = env.func.file.language == "python"
+        if self._is_exposed(test, env.func):
+            return None
+        values = self.folder.fold(test, env)
+        found = {truth(data_in(value), python) if counts(value) else None for value in values}
+        if found == {None} and python:
+            items = self.folder.lists.items(test, env)
+            return None if items is None else bool(items)
+        return found.pop() if len(found) == 1 else None
+
+    def _is_exposed(self, test: Expr, func: Func) -> bool:
+        """Whether a condition asks for a variable that somebody may write in a way that is not followed."""
+        outline = self.outline(func)
+        if outline.effects.key(test) in outline.exposed:
+            return True
+        return any(self._is_exposed(part, func) for part in children(test))
+
+    def _all_of(self, test: Op, env: Env, counts: Callable[[Value], bool]) -> bool | None:
+        ends = test.op == "||"
+        undecided = False
+        for operand in test.operands:
+            holds = self._holds(operand, env, counts)
+            if holds is ends:
+                return None if undecided else ends
+            undecided = undecided or holds is None
+        return None if undecided else not ends
+
+    def alike(self, one: Expr, other: Expr, env: Env) -> bool | None:
+        """Tell whether two expressions have the same value; None when that is not decided."""
+        python = env.func.file.language == "python"
+        pairs = [(a, b) for a in self.folder.fold(one, env) for b in self.folder.fold(other, env)]
+        found = {_same(a, b, python) for a, b in pairs}
+        return found.pop() if len(found) == 1 else None
+
+    def rounds(self, over: Expr, env: Env) -> list[Bound] | None:
+        """Return what a loop is over, each element once; None when not all of it is known."""
+        return self.folder.lists.items(over, env)
+
+    def target(self, call: Call, func: Func, at: int) -> Func | None:
+        """Return the function with a body that a call in a statement of a function means."""
+        env = Env(func, at, this=func.cls)
+        return self.folder.objects.callee(invocation_of(call, env), env)
+
+    def keeps(self, name: str) -> bool:
+        """Tell whether a call of that name is one of a client library, which leaves what it gets as it is."""
+        return self.folder.reads.knows(name)
+
+    def changes(self, func: Func, name: str) -> bool:
+        """Tell whether a function may change what its parameter consists of."""
+        key = (id(func), name)
+        known = self._changes.get(key)
+        if known is None:
+            self._changes[key] = True  # who asks in a circle is told that it may
+            known = self._changes[key] = self._may_change(func, name)
+        return known
+
+    def _may_change(self, func: Func, name: str) -> bool:
+        effects = self.effects(func)
+        for at, statement in enumerate(func.fact.body):
+            if any(effect.key == name for effect in effects.of(at)):
+                return True
+            within = effects.root(statement.target) == name and effects.key(statement.target) != name
+            grown = effects.key(statement.target) == name and statement.type.endswith("=")
+            kept = statement.kind in {"set", "return"} and effects.key(statement.value) == name
+            if within or grown or kept:
+                return True
+        return False
+
+    def is_outside(self, name: str, func: Func) -> bool:
+        """Tell whether a name in a method of C++ means a variable of a namespace."""
+        program = self.folder.program
+        if func.cls is None or name.rpartition("::")[2] not in program.constants:
+            return False
+        if any(name in entry.fields for entry in program.ancestry(func.cls)):
+            return False
+        return self.folder.scope.constant(name, Env(func)) is not None
+
+    def is_own(self, call: Call, env: Env) -> bool:
+        """Tell whether a call may run a function of the tree."""
+        last = invocation_of(call, env).last
+        return bool(last) and bool(self.folder.program.seen_functions(last, env.func.file))
+
+    def reaches_object(self, call: Call, env: Env) -> bool:
+        """Tell whether a call of a function of the tree may run a method of the object at hand."""
+        found = invocation_of(call, env)
+        if found.receiver == _THIS or is_super(found.receiver):
+            return True
+        handed = (*call.args, *(value for _, value in call.keywords))
+        return any(_hands_on(arg) for arg in handed) or (found.receiver is None and self._is_method(found.last, env))
+
+    def _is_method(self, name: str, env: Env) -> bool:
+        cls = env.this or env.func.cls
+        if cls is None or env.func.file.language == "python":
+            return False
+        program = self.folder.program
+        lineage = (*program.ancestry(cls), *program.derived(cls))
+        return any(method.fact.name == name for entry in lineage for method in entry.methods)
+
+    def reads(self, func: Func) -> Mapping[int, Sequence[tuple[Expr, Expr, Expr | None]]]:
+        """Return statement -> (variable, name, default) of the parameters that a function reads into variables."""
+        found: dict[int, list[tuple[Expr, Expr, Expr | None]]] = defaultdict(list)
+        for target, entries in self.folder.reads.all_written(func).items():
+            for at, name, default in entries:
+                if not target.startswith("."):
+                    found[at].append((Name(target), name, default))
+        return found
+
+    def inner(self, func: Func) -> Sequence[Func]:
+        """Return the functions that are declared within a function."""
+        by_scope = self._inside(func.file)
+        if func.fact.name == "<module>":
+            return [entry for group in by_scope.values() for entry in group if entry.fact.shared]
+        scope = f"{func.fact.scope}::{func.fact.name}" if func.fact.scope else func.fact.name
+        return by_scope.get(scope, ())
+
+    def enclosing(self, func: Func) -> Func | None:
+        """Return the function that one is declared in."""
+        if func not in self._around:
+            head, _, last = func.fact.scope.rpartition("::")
+            named = (other for other in self.folder.program.functions_in(func.file) if other.fact.name == last)
+            self._around[func] = next((other for other in named if other.fact.scope == head and other.fact.body), None)
+        return self._around[func]
+
+    def object_of(self, func: Func) -> Cls | None:
+        """Return the class of the object at hand: that of a method, of a lambda that of the function around it."""
+        while func.cls is None and "lambda" in func.fact.traits:
+            outer = self.enclosing(func)
+            if outer is None or outer is func:
+                return None
+            func = outer
+        return func.cls
+
+    def _inside(self, file: File) -> Mapping[str, list[Func]]:
+        known = self._inner.get(id(file))
+        if known is None:
+            known = self._inner[id(file)] = defaultdict(list)
+            for func in self.folder.program.functions_in(file):
+                known[func.fact.scope].append(func)
+        return known
+
+    def settle(self, held: Held) -> None:
+        """Evaluate now, so that a long chain of changes needs no deep recursion later."""
+        if held.env is not None:
+            self.folder.held.values(held, held.env)
+            self.folder.held.items(held, held.env)
+
+
+def _key(env: Env, depth: int = 0) -> Hashable:
+    """What a run depends on: the function, what its parameters are, its object, who is around it."""
+    if env.asked is None or depth:
+        this = env.this or env.func.cls
+        around = _key(env.outer, depth + 1) if env.outer is not None else None
+        asked = env.func, _bound_keys(env.args, depth), this, _made_key(env.made, depth), around
+        if depth:
+            return asked
+        env.asked = asked
+    return env.asked
+
+
+def _bound_keys(args: Mapping[str, Bound], depth: int) -> tuple[Hashable, ...]:
+    return tuple([(name, _bound_key(bound, depth)) for name, bound in args.items()])
+
+
+def _bound_key(bound: Bound, depth: int) -> Hashable:
+    """An argument by what it is and where it stands: one that is written out means the same everywhere."""
+    env, expr = bound.env, bound.expr
+    if isinstance(expr, Text | Number | Constant):
+        return expr
+    if env.state is not None:  # a state belongs to one run, and so to what that run depends on
+        return expr, env.func, env.at, env.state, env.this, _made_key(env.made, depth)
+    return (expr, env.at, _key(env, depth + 1)) if depth < MAX_KEY else bound
+
+
+def _made_key(made: Instance | None, depth: int) -> Hashable:
+    if made is None or not (made.args or made.types or made.maker):
+        return None
+    if depth >= MAX_KEY:
+        return made
+    return made.cls, made.maker, _bound_keys(made.args, depth + 1), tuple(made.types.items())
+
+
+def _hands_on(arg: Expr) -> bool:
+    """Whether an argument gives the object at hand, or a function that may use it."""
+    return arg == _THIS or isinstance(arg, Lambda) or any(_hands_on(part) for part in children(arg))
+
+
+def _same(one: Value, other: Value, python: bool) -> bool | None:
+    if not (is_proved(one) and is_proved(other)):
+        return None
+    found = operate("==", data_in(one), data_in(other), python)
+    return None if found is UNKNOWN else bool(found)

@@ -1,0 +1,302 @@
+"""What variables hold, as values: by the statements that made it so, in the order in which they ran."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from typing import TYPE_CHECKING
+
+from ecm_parsers.source.expr import Call, Expr, Member, Name
+from ecm_parsers.source.facts import Statement
+
+from ecm_extract.infer.compute import UNKNOWN, changed
+from ecm_extract.infer.held import Held, How
+from ecm_extract.link.env import MAX_DEPTH, Bound, Env, bind, invocation_of
+from ecm_extract.link.numbers import NUMBERS, as_number
+from ecm_extract.link.spelling import last_name, plain
+from ecm_extract.link.units import Func
+from ecm_extract.link.values import (
+    Value,
+    alternatives,
+    constant,
+    demoted,
+    is_setting,
+    literal,
+    lowered,
+    node_name,
+    unknown,
+)
+
+if TYPE_CHECKING:
+    from ecm_extract.link.fold import Folder
+
+_NODES = frozenset({"Node", "LifecycleNode"})
+_TEXTS = frozenset({"string", "stringstream", "ostringstream", "QString"})
+_CONTAINERS = frozenset({"vector", "map", "unordered_map", "set", "deque", "list", "unordered_set"})
+
+
+class HeldFolder:
+    """Evaluates what variables hold."""
+
+    def __init__(self, folder: Folder) -> None:
+        self.folder = folder
+        self._asked: set[Held] = set()
+        self._work: Mapping[How, Callable[[Held, Env], tuple[Value, ...]]] = {
+            "each": self._element,
+            "read": self._read,
+            "made": self._made,
+            "changed": self._changed,
+            "stored": self._stored,
+            "out": self._written,
+        }
+
+    def of(self, ways: Iterable[tuple[Held, ...]], env: Env) -> tuple[Value, ...]:
+        """Return the values of a variable: `ways` has what it may hold in each state of the place."""
+        states = list(dict.fromkeys(ways))
+        found: list[Value] = []
+        for helds in states:
+            values = [value for held in helds for value in self.values(held, env)]
+            found += alternatives(values) if len(helds) > 1 else values
+        return alternatives(found) if len(states) > 1 else tuple(found)
+
+    def values(self, held: Held, env: Env) -> tuple[Value, ...]:
+        """Return the values of one thing that a variable may hold; `env` is who asks."""
+        known = held.settled.get("values")
+        if isinstance(known, tuple):
+            return known
+        folder = self.folder
+        marks = folder.marks
+        values = folder.guarded(("held", held), _label(held.name), lambda: self._values(held, env))
+        if marks == folder.marks:
+            held.settled["values"] = values
+        return values
+
+    def _values(self, held: Held, env: Env) -> tuple[Value, ...]:
+        inner = held.env.deeper(env.depth + 1) if held.env is not None else env.deeper(env.depth + 1)
+        work = self._work.get(held.how)
+        if work is not None:
+            return work(held, inner)
+        if held.how in {"given", "shared"}:
+            return self.given(held.name, env, first=held.how == "given")
+        if held.how == "looped":
+            return self.of([held.before], env)
+        if held.how == "handed":
+            return self._handed(held, env, inner.func.file.language == "python")
+        return self._assigned(held, env, inner) if held.how == "value" else (unknown(_label(held.name)),)
+
+    def _assigned(self, held: Held, env: Env, inner: Env) -> tuple[Value, ...]:
+        statement = _statement(held)
+        if statement is not None and is_name_of_node(inner.func, statement):
+            return (node_name(),)
+        values = _as_declared(demoted(self.folder.fold(held.expr, inner)), statement)
+        return self._by_default(held, env) or values if all(map(is_setting, values)) else values
+
+    def _element(self, held: Held, env: Env) -> tuple[Value, ...]:
+        return self.folder.lists.elements(held.expr, env)
+
+    def _by_default(self, held: Held, env: Env) -> tuple[Value, ...]:
+        """What a member holds that somebody sets through a parameter, as long as nobody does."""
+        if not held.name.startswith(".") or held.name.count(".") > 1:
+            return ()
+        return tuple([value for value in self.given(held.name, env, first=False) if value.confidence != "pattern"])
+
+    def given(self, key: str, env: Env, first: bool = True) -> tuple[Value, ...]:
+        """Return what a variable is that the function did not give anything, `first`: yet."""
+        entry = Env(env.func, 0, env.args, env.types, env.this, env.made, env.depth + 1, None, env.outer)
+        name = key.rpartition(".")[2]
+        if "." not in key:
+            return self.folder.names.around(name, entry) or (unknown(name),)
+        owner = entry.this or entry.func.cls
+        if (
+            first
+            and entry.func.is_constructor
+            and key.startswith(".")
+            and key.count(".") == 1
+            and entry.func.cls is not None
+        ):
+            return self.at_first(name, entry) or (unknown(name),)
+        if key.startswith(".") and key.count(".") == 1 and owner is not None:
+            found = self.folder.members.member_value(name, owner, entry)
+            return found or self.folder.names.around(name, entry) or (unknown(name),)
+        return (unknown(name),)
+
+    def at_first(self, name: str, env: Env) -> tuple[Value, ...]:
+        """Return what a member holds when a constructor starts: what its bases made of it, or its default."""
+        cls = env.func.cls
+        if cls is None or not env.func.is_constructor:
+            return ()
+        for base in self.folder.program.bases(cls):
+            if self.folder.scope.member_type(name, base) or self.folder.members.sources(name, base, env):
+                return self.folder.members.member_value(name, base, env)
+        values = self.folder.members.initial(name, env.this or cls, env)
+        last = plain(self.folder.scope.member_type(name, cls)).rsplit("::", 1)[-1]
+        return values or ((literal("")._replace(confidence="folded"),) if last in _TEXTS else ())
+
+    def _before(self, held: Held, env: Env) -> tuple[Value, ...]:
+        return self.of([held.before or (Held("given", held.name),)], env)
+
+    def _read(self, held: Held, env: Env) -> tuple[Value, ...]:
+        """A parameter that is read into a variable: where it is not set, the variable keeps what it held."""
+        if held.expr is None:
+            return (unknown(_label(held.name)),)
+        values = self.folder.calls.parameter_value(held.expr, held.more, env)
+        kept = self._before(held, env) if held.before and held.more is None else ()
+        kept = tuple([value for value in kept if value.text and value.confidence != "pattern"])
+        if any(value.confidence == "pattern" for value in values) and kept:
+            return self.folder.calls.kept_value(held.expr, kept, env)
+        return values
+
+    def _made(self, held: Held, _: Env) -> tuple[Value, ...]:
+        """A variable that is declared without a value."""
+        statement = _statement(held)
+        last = plain(statement.type).rsplit("::", 1)[-1] if statement is not None else ""
+        return (literal("")._replace(confidence="folded"),) if last in _TEXTS else (unknown(_label(held.name)),)
+
+    def _changed(self, held: Held, env: Env) -> tuple[Value, ...]:
+        """A text of C++ after a method that changes it; texts of Python never change."""
+        call = held.expr
+        if not isinstance(call, Call) or not isinstance(call.callee, Member) or env.func.file.language == "python":
+            return (unknown(_label(held.name)),)
+        options = [self._before(held, env), *(self.folder.fold(arg, env) for arg in call.args)]
+        name = call.callee.name
+        return self.folder.combined(options, lambda data: changed(name, data[0], data[1:]), _label(held.name))
+
+    def _stored(self, held: Held, env: Env) -> tuple[Value, ...]:
+        """`text[0] = 'x'` in C++."""
+        if env.func.file.language == "python" or held.expr is None:
+            return (unknown(_label(held.name)),)
+        options = [self._before(held, env), self.folder.fold(held.expr, env), self.folder.fold(held.more, env)]
+        return self.folder.combined(options, _with_character, _label(held.name))
+
+    def _handed(self, held: Held, env: Env, python: bool) -> tuple[Value, ...]:
+        """Whoever gets a text in Python cannot change it; in C++ somebody outside the tree may, or may fill it."""
+        values = self._before(held, env)
+        if python:
+            return values
+        made = any(before.how == "made" for before in held.before)
+        return (unknown(_label(held.name)),) if made else lowered(values, "one_of")
+
+    # --- functions that write to what they get ---------------------------------------------------------------
+
+    def out(self, held: Held, env: Env) -> tuple[tuple[Held, ...], Env] | None:
+        """Return what a parameter of a called function holds when it returns, with the place to evaluate it at."""
+        call = held.expr
+        if not isinstance(call, Call):
+            return None
+        invocation = invocation_of(call, env)
+        callee = self.folder.calls.meant(invocation, env)
+        if callee is None:
+            return None
+        inner = self.folder.calls.entered(callee, invocation, bind(callee, invocation, env), env)
+        run = self.folder.flow.run(inner)
+        if run is None or run.end is None:
+            return None
+        return run.end.holds.get(held.name) or (Held("given", held.name),), inner
+
+    def _written(self, held: Held, env: Env) -> tuple[Value, ...]:
+        found = self.out(held, env)
+        if found is None:
+            return (unknown(_label(held.name)),)
+        ways, inner = found
+        return self.of([ways], inner.deeper(env.depth + 1))
+
+    # --- lists -------------------------------------------------------------------------------------------------
+
+    def items(self, held: Held, env: Env) -> list[Bound] | None:
+        """Return the elements of a list that a variable may hold; None when they are not all known."""
+        if "items" in held.settled:
+            return held.settled["items"]  # type: ignore[return-value]
+        if env.depth > MAX_DEPTH or held in self._asked:
+            self.folder.cuts += 1
+            return None
+        marks = self.folder.marks
+        self._asked.add(held)
+        found = self._items(held, env.deeper(env.depth + 1))
+        self._asked.discard(held)
+        if marks == self.folder.marks:
+            held.settled["items"] = found
+        return found
+
+    def _items(self, held: Held, env: Env) -> list[Bound] | None:
+        inner = held.env.deeper(env.depth + 1) if held.env is not None else env.deeper(env.depth + 1)
+        if held.how == "value":
+            return self.folder.lists.items(held.expr, inner)
+        if held.how == "made":
+            statement = _statement(held)
+            last = plain(statement.type).rsplit("::", 1)[-1] if statement is not None else ""
+            return [] if last in _CONTAINERS else None
+        if held.how in {"given", "shared"}:
+            return self.folder.lists.given(held.name, env, held.how == "given")
+        if held.how == "out":
+            found = self.out(held, inner)
+            return self.items_of([found[0]], found[1].deeper(env.depth + 1)) if found is not None else None
+        before = self.items_of([held.before], env) if held.before else None
+        if before is None:
+            return None
+        if held.how == "changed" and isinstance(held.expr, Call):
+            return self.folder.lists.changed(before, held.expr, inner)
+        return self.folder.lists.stored(before, held, inner) if held.how == "stored" else None
+
+    def items_of(self, ways: Iterable[tuple[Held, ...]], env: Env) -> list[Bound] | None:
+        """Return the elements of a list that a variable surely holds; None for one of several lists."""
+        states = list(dict.fromkeys(ways))
+        if len(states) != 1 or len(states[0]) != 1:
+            return None
+        return self.items(states[0][0], env)
+
+    def any_items(self, ways: Iterable[tuple[Held, ...]], env: Env) -> tuple[list[Bound], bool]:
+        """Return the elements of all lists that a variable may hold, and whether that is all of them."""
+        found: list[Bound] = []
+        known = True
+        for held in dict.fromkeys(held for helds in ways for held in helds):
+            items = self.items(held, env)
+            known = known and items is not None
+            found += items or []
+        return found, known
+
+
+def is_name_of_node(func: Func, statement: Statement) -> bool:
+    """Tell whether a constructor gives a member what it gives its node as a name: `Node(name), name_(name)`."""
+    if statement.kind != "init" or statement.value is None:
+        return False
+    calls = (entry.value for entry in func.fact.body if entry.kind == "init" and _is_node(entry.target))
+    return any(isinstance(call, Call) and call.args[:1] == (_only(statement.value),) for call in calls)
+
+
+def _is_node(target: Expr | None) -> bool:
+    return isinstance(target, Name) and last_name(target.id) in _NODES
+
+
+def _only(value: Expr) -> Expr:
+    """What an initialiser `x_(value)` holds."""
+    return value.args[0] if isinstance(value, Call) and len(value.args) == 1 else value
+
+
+def _label(key: str) -> str:
+    return key.rpartition(".")[2] or "value"
+
+
+def _statement(held: Held) -> Statement | None:
+    body = held.env.func.fact.body if held.env is not None else ()
+    return body[held.at] if 0 <= held.at < len(body) else None
+
+
+def _as_declared(values: tuple[Value, ...], statement: Statement | None) -> tuple[Value, ...]:
+    """Numbers as the declared type of a variable holds them: `double x = 1` is 1.0."""
+    name = plain(statement.type).rsplit("::", 1)[-1] if statement is not None and statement.kind == "let" else ""
+    if name not in NUMBERS:
+        return values
+    return tuple([_cast(value, name) for value in values])
+
+
+def _cast(value: Value, name: str) -> Value:
+    data = as_number(value.data, name)
+    return (
+        value if data is value.data else constant(data)._replace(confidence=value.confidence, template=value.template)
+    )
+
+
+def _with_character(data: list[object]) -> object:
+    text, index, char = data
+    if not isinstance(text, str) or not isinstance(index, int) or not isinstance(char, str):
+        return UNKNOWN
+    return text[:index] + char + text[index + 1 :] if len(char) == 1 and 0 <= index < len(text) else UNKNOWN

@@ -1,0 +1,54 @@
+"""Which modules have what a site declares: those that have its unit and run the functions that it comes through."""
+
+from __future__ import annotations
+
+from ecm_extract.link.client_libraries import is_client_library
+from ecm_extract.link.modules import Module, Modules
+from ecm_extract.link.reach import Reach
+from ecm_extract.link.references import Unit
+from ecm_extract.link.site import Site
+from ecm_extract.link.sites import Sites, overrides
+from ecm_extract.link.units import Cls, Func
+
+
+class Ownership:
+    """Gives sites to modules."""
+
+    def __init__(self, sites: Sites, modules: Modules) -> None:
+        self.sites = sites
+        self.program = sites.program
+        self.modules = modules
+        self.reach = Reach(self.program)
+
+    def owners(self, unit: Unit, site: Site) -> tuple[Module, ...]:
+        """Return the modules that have what a site declares in a unit; the library's is what none of them runs."""
+        if self._is_only_offered(site):
+            return self._library(unit)
+        owners = self.modules.owners(unit)
+        through = self._through(unit, site)
+        running = tuple([each for each in owners if self.reach.reaches(each, through)])
+        if owners and (not running or running[0].kind == "library"):
+            return self._library(unit)
+        return running
+
+    def _library(self, unit: Unit) -> tuple[Module, ...]:
+        """The library that has what no module runs; what a client library declares is told of whoever calls it."""
+        return () if is_client_library(unit.file.package) else (self.modules.library(unit),)
+
+    def _through(self, unit: Unit, site: Site) -> list[Func]:
+        """The functions that a site comes through, from the first that the unit runs inwards."""
+        calls = [call for call in (*site.chain, site.call) if not self.sites.is_held(call)]
+        line = [call.func for call in calls]
+        family = self.program.ancestry(unit) if isinstance(unit, Cls) else ()
+        first = next((at for at, func in enumerate(line) if func is unit or func.cls in family), -1)
+        return line[first:]
+
+    def _is_only_offered(self, site: Site) -> bool:
+        """A helper that nobody calls declares nothing in the modules that could call it."""
+        if site.root.is_constructor or overrides(site.root) or site.form.fixed or site.form.items:
+            return False
+        values = self.sites.names(site)
+        given = {parameter.name for parameter in site.root.fact.params}
+        return any(
+            value.open("param") & given and all(not isinstance(part, str) for part in value.parts) for value in values
+        )

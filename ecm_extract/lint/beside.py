@@ -1,0 +1,38 @@
+"""What runs of packages that are known by their documents, beside the packages under lint.
+
+Their lines are of another tree: they are marked, so that none is taken for a line of the tree under lint.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Final
+
+import msgspec
+from ecm_checker.finding import Finding
+from ecm_checker.hub.package import Package
+from ecm_checker.hub.running import Running, RunningModule
+
+_MARK: Final = "document:"
+
+
+def running_beside(documents: Iterable[Package]) -> Mapping[str, Running]:
+    """Return what runs of each package whose document tells it, with marked lines."""
+    return {each.name: _marked(each.running, f"{_MARK}{each.name}/") for each in documents if each.running}
+
+
+def of_tree(findings: Iterable[Finding]) -> Iterator[Finding]:
+    """Yield findings that the tree under lint causes, with its lines alone."""
+    for each in findings:
+        own = tuple(at for at in each.evidence if not at.path.startswith(_MARK))
+        if own[:1] == each.evidence[:1]:
+            yield each if own == each.evidence else msgspec.structs.replace(each, evidence=own)
+
+
+def _marked(running: Running, mark: str) -> Running:
+    return msgspec.structs.replace(running, modules=tuple(_module(each, mark) for each in running.modules), texts={})
+
+
+def _module(module: RunningModule, mark: str) -> RunningModule:
+    endpoints = (msgspec.structs.replace(each, path=f"{mark}{each.path}") for each in module.endpoints)
+    return msgspec.structs.replace(module, path=f"{mark}{module.path}", endpoints=tuple(endpoints))

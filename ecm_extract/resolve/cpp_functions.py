@@ -1,0 +1,75 @@
+"""Which functions outside of classes a C++ name means: its overloads, declared and defined."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterator, Sequence
+
+from ecm_extract.link.spelling import plain
+from ecm_extract.link.units import File, Func
+from ecm_extract.resolve.aliases import Aliases
+from ecm_extract.resolve.cpp_scopes import Scopes, joined
+from ecm_extract.resolve.views import View, Views
+
+MAX_USINGS = 4
+"""How many using-declarations are followed from one to the next."""
+
+
+class CppFunctions:
+    """Looks up functions over what a translation unit sees, and their definitions in what is linked with it.
+
+    Args:
+        scopes: spells out names.
+        views: what files see.
+        aliases: of the tree, using-declarations among them.
+    """
+
+    def __init__(self, scopes: Scopes, views: Views, aliases: Aliases) -> None:
+        self._scopes = scopes
+        self._views = views
+        self._aliases = aliases
+        self._by_name: dict[str, list[Func]] = defaultdict(list)
+
+    def add(self, func: Func) -> None:
+        """Make a function known."""
+        self._by_name[joined(func.fact.scope, func.fact.name)].append(func)
+
+    def find(self, name: str, file: File, scope: str, depth: int = 0) -> tuple[Func, ...]:
+        """Return the functions that a name means in a scope of a file, in the order of files; empty for none."""
+        for view in dict.fromkeys((self._views.of(file), self._views.wide(file))):
+            for level in self._scopes.levels(name, scope, view):
+                found = self._declared(level, view)
+                if found:
+                    return (*found, *self._defined(level, found, file))
+                used = self._used(level, view, depth)
+                if used:
+                    return used
+        return ()
+
+    def _declared(self, level: Sequence[str], view: View) -> list[Func]:
+        return [func for each in level for func in self._by_name.get(each, ()) if func.file in view]
+
+    def _used(self, level: Sequence[str], view: View, depth: int) -> tuple[Func, ...]:
+        """What `using a::f` brings into a scope."""
+        entries = [entry for each in level for entry in self._aliases.by_name.get(each, ()) if entry.file in view]
+        if depth >= MAX_USINGS:
+            return ()
+        found = (self.find(plain(entry.alias.target), entry.file, entry.scope, depth + 1) for entry in entries)
+        return tuple(dict.fromkeys(func for funcs in found for func in funcs))
+
+    def _defined(self, level: Sequence[str], found: Sequence[Func], file: File) -> Iterator[Func]:
+        """The definitions elsewhere of what is declared; of several for the same arguments those of the target."""
+        packages = {func.file.package for func in found}
+        by_types: dict[tuple[str, ...], list[Func]] = defaultdict(list)
+        for func in (func for each in level for func in self._by_name.get(each, ())):
+            if func not in found and func.file.package in packages and _is_linked(func):
+                by_types[tuple(plain(entry.type) for entry in func.fact.params)].append(func)
+        for funcs in by_types.values():
+            same = [func for func in funcs if set(func.file.targets) & set(file.targets)]
+            left = same or funcs
+            yield from left if len({func.file for func in left}) == 1 else ()
+
+
+def _is_linked(func: Func) -> bool:
+    """Tell whether other files can call a function that they declare."""
+    return "declaration" not in func.fact.traits and not {"static", "anonymous"} & set(func.fact.traits)

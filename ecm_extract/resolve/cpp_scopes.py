@@ -1,0 +1,87 @@
+"""The qualified names that a written C++ name can have, innermost scope first.
+
+Source: C++, [basic.lookup.unqual] and [basic.lookup.qual]: enclosing scopes outwards, bases of classes among them,
+namespaces of using-directives, aliases of namespaces and classes in front of `::`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+
+from ecm_extract.link.spelling import plain
+from ecm_extract.link.units import Cls
+from ecm_extract.resolve.aliases import Aliases
+from ecm_extract.resolve.views import View
+
+MAX_RENAMES = 4
+"""How many aliases in front of `::` are followed: code that compiles needs two or three."""
+
+
+def enclosing_scopes(scope: str) -> list[str]:
+    """`a::b` -> [`a::b`, `a`, ``]."""
+    parts = scope.split("::") if scope else []
+    return ["::".join(parts[:count]) for count in range(len(parts), -1, -1)]
+
+
+def joined(scope: str, name: str) -> str:
+    """Return a name in a scope."""
+    return f"{scope}::{name}" if scope else name
+
+
+class Scopes:
+    """Spells out where a name is looked for.
+
+    Args:
+        aliases: of the tree.
+        classes: by their qualified names.
+        bases: gives the bases of a class, at any distance.
+    """
+
+    def __init__(
+        self, aliases: Aliases, classes: Mapping[str, Sequence[Cls]], bases: Callable[[Cls], Sequence[Cls]]
+    ) -> None:
+        self._aliases = aliases
+        self._classes = classes
+        self._bases = bases
+
+    def levels(self, name: str, scope: str, view: View, depth: int = 0) -> Iterator[Sequence[str]]:
+        """Yield the qualified names of a name as written in a scope, those of one scope together.
+
+        Args:
+            name: possibly qualified, without template arguments.
+            scope: in which it is written.
+            view: the files that are seen.
+            depth: how many aliases led to the name.
+        """
+        bare = name.removeprefix("::")
+        for prefix in enclosing_scopes(scope.removeprefix("::")) if bare is name else ("",):
+            found = [joined(prefix, bare), *_through_usings(prefix, bare, view)]
+            yield list(dict.fromkeys(each for one in found for each in self._meanings(one, view, depth)))
+
+    def _meanings(self, qualified: str, view: View, depth: int) -> Iterator[str]:
+        """A qualified name, and what it is by the bases and aliases of what stands in front of it."""
+        yield qualified
+        owner, _, last = qualified.rpartition("::")
+        for cls in self._classes.get(owner, ()) if owner else ():
+            if cls.file in view:
+                yield from (joined(base.qualified, last) for base in self._bases(cls))
+        if owner and depth < MAX_RENAMES:
+            yield from self._renamed(qualified, view, depth)
+
+    def _renamed(self, qualified: str, view: View, depth: int) -> Iterator[str]:
+        parts = qualified.split("::")
+        for count in range(1, len(parts)):
+            if parts[count - 1] not in self._aliases.last_names:
+                continue
+            for entry in self._aliases.by_name.get("::".join(parts[:count]), ()):
+                target = plain(entry.alias.target)
+                if entry.file in view and target and target != parts[count - 1]:
+                    full = "::".join([target, *parts[count:]])
+                    for level in self.levels(full, entry.scope, view, depth + 1):
+                        yield from level
+
+
+def _through_usings(scope: str, name: str, view: View) -> Iterator[str]:
+    """A name by the using-directives of a scope, whose namespaces are looked up from there."""
+    for namespace in view.usings.get(scope, ()):
+        yield from (joined(joined(prefix, namespace), name) for prefix in enclosing_scopes(scope))

@@ -1,0 +1,53 @@
+"""Which message a C++ name means that leaves out the namespace of its package, as code inside of it may.
+
+`msg::Temperature` inside `namespace robot` is `robot::msg::Temperature`, where `robot` has such a message: the tree
+has its definition, or the file sees the header that is generated from it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import Final
+
+from ecm_checker.match.generated import snake
+
+from ecm_extract.link.units import File
+from ecm_extract.resolve.cpp_scopes import enclosing_scopes
+from ecm_extract.resolve.layout import PackageLayout
+
+KINDS: Final = frozenset({"msg", "srv", "action"})
+
+
+class Messages:
+    """Looks up messages.
+
+    Args:
+        layouts: of packages, with the messages that they define.
+        included: gives the headers that a file sees.
+    """
+
+    def __init__(self, layouts: Mapping[str, PackageLayout], included: Callable[[File], Iterable[File]]) -> None:
+        self._layouts = layouts
+        self._included = included
+
+    def find(self, name: str, file: File, scope: str) -> str | None:
+        """Return the whole name of `msg::Name` in a scope of a file; None where no enclosing namespace has it."""
+        kind, _, last = name.partition("::")
+        if kind not in KINDS or not last or "::" in last:
+            return None
+        for package in (*enclosing_scopes(scope.removeprefix("::")), *self._used(file)):
+            if package and self._has(package, kind, last, file):
+                return f"{package}::{name}"
+        return None
+
+    def _used(self, file: File) -> Iterator[str]:
+        for each in (file, *self._included(file)):
+            yield from (using.namespace for using in each.facts.usings)
+
+    def _has(self, package: str, kind: str, name: str, file: File) -> bool:
+        layout = self._layouts.get(package)
+        if layout is not None and f"{kind}/{name}" in layout.messages:
+            return True
+        header = f"{package}/{kind}/{snake(name)}."
+        files = (file, *self._included(file))
+        return any(entry.module.startswith(header) for each in files for entry in each.facts.imports)
