@@ -18,6 +18,7 @@ from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Later, Leave, 
 from ecm_extract.infer.effects import Effect, Targets, bare_names, is_plain
 from ecm_extract.infer.held import MAX_WAYS, Held, How, State, joined_states
 from ecm_extract.infer.outline import Outline
+from ecm_extract.infer.sharing import Sharing
 from ecm_extract.link.walk import children
 
 if TYPE_CHECKING:
@@ -107,7 +108,7 @@ class Interpreter:
         self.effects = self.outline.effects
         self.run = Run()
         self._escaped: set[str] = set(self.outline.escaped)
-        self._derived: dict[str, str] = {}
+        self.sharing = Sharing(self.outline)
         self._breaks: list[list[State]] = []
         self._continues: list[list[State]] = []
         self._raised: list[list[State]] = []
@@ -305,7 +306,7 @@ class Interpreter:
         if items is None or len(items) > MAX_ROUNDS:
             return self._blur(loop, state)
         self._record(loop.each, state)
-        self._derive(each)
+        self.sharing.enter(each)
         self._enter()
         current: State | None = state
         for item in items:
@@ -368,7 +369,7 @@ class Interpreter:
         inside = start.on(self._new())
         if loop.each >= 0:
             self._record(loop.each, state)
-            self._derive(self.body[loop.each])
+            self.sharing.enter(self.body[loop.each])
             inside = self._element(self.body[loop.each], loop.each, inside)
         self._blurred += 1
         after = joined_states([self._block(loop.body, inside), *self._continues[-1]])
@@ -397,7 +398,7 @@ class Interpreter:
         found = self.outline.changed_by(at)
         if self.body[at].kind == "each":  # a loop binds its variable, and changes nothing of what it is over
             return found
-        return found | {self._derived[key] for key in found if key in self._derived}
+        return found | self.sharing.roots(found)
 
     def _lost(self, state: State, keys: Iterable[str]) -> State:
         """The state in which nobody knows what some variables hold; what they were made as is kept."""
@@ -543,27 +544,15 @@ class Interpreter:
         before = self._known(key, state, None)
         if all(held.how == "value" and is_plain(held.expr) for held in before):
             return state
-        alike = self._all_alike(key, state)
-        others = (alike | self._holding(alike, state) | {self._derived.get(key, "")}) - {key, ""}
-        handed = {
-            name: (Held("handed", name, before=state.holds[name]),) for name in others - {key} if name in state.holds
-        }
+        alike = self.sharing.alike(key, state)
+        others = (alike | self.sharing.holding(alike, state) | self.sharing.roots({key})) - {key}
+        handed = {name: (Held("handed", name, before=state.holds[name]),) for name in others if name in state.holds}
         return state.having(handed)
 
     def _refer(self, target: Expr | None, value: Expr | None, at: int, env: Env, state: State) -> State:
         """`auto & x = y;` is another name of what it refers to: neither is followed once one of them changes."""
-        key, root = self.effects.key(target), self.effects.root(value)
-        if key and root:
-            self._derived[key] = root
+        self.sharing.refer(self.effects.key(target), self.effects.root(value))
         return self._bind(target, Held("value", "", value, env, at), state)
-
-    def _derive(self, each: Statement) -> None:
-        """An element of a loop is a part of what the loop is over."""
-        root = self.effects.root(each.value)
-        writes = each.type.endswith("&") and "const" not in each.type.split()
-        if root and (self.python or writes):
-            for key in self.outline.bound_keys(each.target):
-                self._derived[key] = root
 
     def _bind(self, target: Expr | None, held: Held, state: State) -> State:
         """Give a variable, a field, an element or several variables what a statement gives them."""
@@ -588,8 +577,7 @@ class Interpreter:
         """In C++ a reference that is assigned writes through, and references to what is assigned see it."""
         if self.python:
             return state
-        touched = {self._derived[key]} if key in self._derived else set()
-        touched |= {other for other, root in self._derived.items() if root == key and other in state.holds}
+        touched = self.sharing.roots({key}) | {name for name in self.sharing.parts(key) if name in state.holds}
         return self._lost(state, touched) if touched else state
 
     def _parts_lost(self, key: str, state: State) -> State:
@@ -673,12 +661,11 @@ class Interpreter:
         """Change what a variable consists of, for all names of the same thing."""
         alike, others = {key}, set()
         if self.python:
-            alike = self._all_alike(key, state)
-            others = self._holding(alike, state) - alike
-        elif key in self._derived or key in self._derived.values():
-            others = {self._derived.get(key, "")} | {name for name, root in self._derived.items() if root == key}
-        if key in self._derived:
-            others |= {self._derived[key]}
+            alike = self.sharing.alike(key, state)
+            others = self.sharing.holding(alike, state) - alike
+        else:
+            others = set(self.sharing.parts(key))
+        others |= self.sharing.roots({key})
         others = {name for name in others - alike if name in state.holds}
         if self._escaped & alike:
             held = self._seen_by_others(key, held)
@@ -686,43 +673,6 @@ class Interpreter:
             self.judge.settle(held)
         ways = (held,)
         return self._lost(state, others).having(dict.fromkeys(alike, ways))
-
-    def _all_alike(self, key: str, state: State) -> set[str]:
-        """All names of the object that a name is bound to."""
-        alike: set[str] = set()
-        more = {key}
-        while more - alike:
-            alike |= more
-            ways = [state.holds[name] for name in alike if name in state.holds]
-            more = {name for name, found in state.holds.items() if any(found is entry for entry in ways)}
-            more |= {name for one in alike for name in self._named_alike(one, state)}
-        return alike
-
-    def _named_alike(self, key: str, state: State) -> set[str]:
-        """Names that are surely bound to the same object: `b = a`, and neither was bound anew."""
-        found: set[str] = set()
-        for one, other in ((key, None), *((name, key) for name in state.holds)):
-            ways = state.holds.get(one, ())
-            if len(ways) != 1 or ways[0].how != "value" or not isinstance(ways[0].expr, Name | Member):
-                continue
-            meant = self.effects.key(ways[0].expr)
-            then = ways[0].env.state if ways[0].env is not None else None
-            same = then is not None and then.holds.get(meant) is state.holds.get(meant)
-            if meant and same and (other is None or meant == other):
-                found.add(meant if other is None else one)
-        return found
-
-    def _holding(self, keys: set[str], state: State) -> set[str]:
-        """Variables that may be, or consist of, what some names mean."""
-        found: set[str] = set()
-        for name, ways in state.holds.items():
-            for held in ways:
-                meant = {self.effects.key(expr) for expr in (*bare_names(held.expr), *bare_names(held.more))}
-                if meant & keys:
-                    found.add(name)
-                if name in keys:
-                    found |= {key for key in meant if key in state.holds}
-        return found
 
     def _waits(self, call: Call) -> bool:
         callee = call.callee

@@ -92,7 +92,7 @@ def _period(expr: Call, env: Env, folder: Folder, depth: int) -> float | None:
     callee = expr.callee
     if not isinstance(callee, Member) or callee.name != "period" or not isinstance(callee.base, Name | Member):
         return None
-    for definition, inner in folder.lists.definitions(callee.base, env):
+    for definition, inner in folder.assignments.definitions(callee.base, env):
         made = definition.statement.value
         hertz = seconds_of(made.args[-1], inner, folder, depth + 1) if isinstance(made, Call) and made.args else None
         if hertz:
@@ -101,7 +101,7 @@ def _period(expr: Call, env: Env, folder: Folder, depth: int) -> float | None:
 
 
 def _variable(expr: Name | Member, env: Env, folder: Folder, depth: int) -> float | None:
-    for definition, inner in folder.lists.definitions(expr, env):
+    for definition, inner in folder.assignments.definitions(expr, env):
         if definition.statement.kind == "each":
             return None
         found = seconds_of(definition.statement.value, inner, folder, depth + 1)

@@ -69,7 +69,7 @@ class EndpointTypes:
             return None
         if isinstance(described, Call):
             return _descriptor_type(described)
-        made = (entry.statement.value for entry, _ in self.folder.lists.definitions(described, site.env))
+        made = (entry.statement.value for entry, _ in self.folder.assignments.definitions(described, site.env))
         return next((_descriptor_type(value) for value in made if isinstance(value, Call)), None)
 
     def _bound_stated(self, default: Expr | None, env: Env) -> str | None:

@@ -62,6 +62,6 @@ def _held_before(out: Name | Member, env: Env, folder: Folder) -> Expr | None:
         return None
     if isinstance(out, Name) and folder.scope.locals_of(env.func).get(out.id):
         return out if folder.scope.is_certain(out.id, env) else None
-    given = [definition for definition, _ in folder.lists.definitions(out, env)]
+    given = [definition for definition, _ in folder.assignments.definitions(out, env)]
     made = all(definition.statement.kind == "init" or definition.func is env.func for definition in given)
     return out if made else None

@@ -7,15 +7,16 @@ from collections import defaultdict
 from collections.abc import Callable, Collection, Hashable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Member, Name, Number, Op, Opaque, Text
+from ecm_parsers.source.expr import Call, Expr, Lambda, Member, Name, Op, Opaque, Text
 
 from ecm_extract.infer.compute import UNKNOWN, operate, truth
 from ecm_extract.infer.effects import Effects
 from ecm_extract.infer.held import Held, State, joined_states
 from ecm_extract.infer.interpreter import Interpreter, Run
 from ecm_extract.infer.outline import Outline
-from ecm_extract.link.env import MAX_DEPTH, Bound, Env, Instance, invocation_of
+from ecm_extract.link.env import MAX_DEPTH, Bound, Env, invocation_of
 from ecm_extract.link.objects import is_super
+from ecm_extract.link.run_keys import run_key
 from ecm_extract.link.units import Cls, File, Func
 from ecm_extract.link.values import Value, data_in, is_known, is_proved
 from ecm_extract.link.walk import children
@@ -34,8 +35,6 @@ MAX_FRAMES = 6_000
 """Calls within calls: our own bounds (MAX_DEPTH, MAX_RUNNING, MAX_NESTING) end before that, the default does not."""
 MAX_RUNNING = 8
 """Runs within runs: what a function is called with may be what another function does."""
-MAX_KEY = 4
-"""Callers of callers that tell one run from another; beyond, each is a run of its own."""
 
 
 class Flow:
@@ -71,7 +70,7 @@ class Flow:
             env: the place.
             whole: whether its conditions are decided and its loops unrolled.
         """
-        key = (_key(env), whole)
+        key = (run_key(env), whole)
         known = self._runs.get(key) or self._meanwhile.get(key)
         if known is not None:
             return known[1]
@@ -350,40 +349,6 @@ class Flow:
         if held.env is not None:
             self.folder.held.values(held, held.env)
             self.folder.held.items(held, held.env)
-
-
-def _key(env: Env, depth: int = 0) -> Hashable:
-    """What a run depends on: the function, what its parameters are, its object, who is around it."""
-    if env.asked is None or depth:
-        this = env.this or env.func.cls
-        around = _key(env.outer, depth + 1) if env.outer is not None else None
-        asked = env.func, _bound_keys(env.args, depth), this, _made_key(env.made, depth), around
-        if depth:
-            return asked
-        env.asked = asked
-    return env.asked
-
-
-def _bound_keys(args: Mapping[str, Bound], depth: int) -> tuple[Hashable, ...]:
-    return tuple([(name, _bound_key(bound, depth)) for name, bound in args.items()])
-
-
-def _bound_key(bound: Bound, depth: int) -> Hashable:
-    """An argument by what it is and where it stands: one that is written out means the same everywhere."""
-    env, expr = bound.env, bound.expr
-    if isinstance(expr, Text | Number | Constant):
-        return expr
-    if env.state is not None:  # a state belongs to one run, and so to what that run depends on
-        return expr, env.func, env.at, env.state, env.this, _made_key(env.made, depth)
-    return (expr, env.at, _key(env, depth + 1)) if depth < MAX_KEY else bound
-
-
-def _made_key(made: Instance | None, depth: int) -> Hashable:
-    if made is None or not (made.args or made.types or made.maker):
-        return None
-    if depth >= MAX_KEY:
-        return made
-    return made.cls, made.maker, _bound_keys(made.args, depth + 1), tuple(made.types.items())
 
 
 def _hands_on(arg: Expr) -> bool:

@@ -26,6 +26,7 @@ from ecm_parsers.source.expr import (
 
 from ecm_extract.infer.compute import NULL, UNKNOWN, formatted, operate, shown, streamed
 from ecm_extract.link import formats
+from ecm_extract.link.assignments import Assignments
 from ecm_extract.link.env import MAX_DEPTH, Env
 from ecm_extract.link.flow import Flow
 from ecm_extract.link.fold_calls import CallFolder
@@ -34,6 +35,7 @@ from ecm_extract.link.fold_held import HeldFolder
 from ecm_extract.link.fold_lists import ListFolder
 from ecm_extract.link.fold_members import MemberFolder
 from ecm_extract.link.fold_names import NameFolder
+from ecm_extract.link.fold_tables import TableFolder
 from ecm_extract.link.objects import Objects
 from ecm_extract.link.parameter_reads import ParameterReads
 from ecm_extract.link.program import Program
@@ -74,7 +76,9 @@ class Folder:
         self.members = MemberFolder(self)
         self.fields = FieldFolder(self)
         self.calls = CallFolder(self)
+        self.assignments = Assignments(self)
         self.lists = ListFolder(self)
+        self.tables = TableFolder(self)
         self.held = HeldFolder(self)
         self.flow = Flow(self)
         scope.ways = self.flow.ways

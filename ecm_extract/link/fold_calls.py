@@ -226,10 +226,10 @@ class CallFolder:
             return demoted(self.folder.lists.fold(items[0 if call.last == "front" else -1], env)) if items else None
         if call.last == "at" and len(call.args) == 1:
             return self.folder.lists.elements(receiver, env, call.args[0])
-        entries = self.folder.lists.entries(receiver, env) if call.last == "get" and 1 <= len(call.args) <= 2 else None
+        entries = self.folder.tables.entries(receiver, env) if call.last == "get" and 1 <= len(call.args) <= 2 else None
         if entries is None:
             return None
-        return self.folder.lists.entry_or(entries, call.args[0], call.args[1:], env)
+        return self.folder.tables.entry_or(entries, call.args[0], call.args[1:], env)
 
     def _closure(self, expr: Call, call: Invocation, env: Env) -> tuple[Value, ...] | None:
         """A call of a variable that holds a Python lambda."""
@@ -275,7 +275,7 @@ class CallFolder:
         """A method of a text; None where what it is called on is no text."""
         if call.last in {"size", "length", "empty", "back", "front", "at", "count", "index", "find"}:
             listed = self.folder.lists.items(call.receiver, env) is not None
-            if listed or (call.receiver is not None and self.folder.lists.entries(call.receiver, env) is not None):
+            if listed or (call.receiver is not None and self.folder.tables.entries(call.receiver, env) is not None):
                 return None
         subject = self.folder.fold(call.receiver, env)
         if any(value.data is not None for value in subject):
@@ -289,7 +289,7 @@ class CallFolder:
 
     def _topic(self, receiver: Expr, env: Env) -> tuple[Value, ...]:
         """The name that a publisher, subscription, service or client was made with."""
-        for definition, inner in self.folder.lists.definitions(receiver, env):
+        for definition, inner in self.folder.assignments.definitions(receiver, env):
             made = definition.statement.value
             if isinstance(made, Call):
                 call = invocation_of(made, inner)
@@ -301,7 +301,7 @@ class CallFolder:
 
     def _property(self, receiver: Expr, env: Env) -> tuple[Value, ...]:
         """An rviz property `new XProperty("Topic", "/default", ...)` is read like a parameter with that default."""
-        for definition, inner in self.folder.lists.definitions(receiver, env):
+        for definition, inner in self.folder.assignments.definitions(receiver, env):
             made = definition.statement.value
             if isinstance(made, Call) and isinstance(made.callee, Name) and made.callee.id.endswith("Property"):
                 return lowered(self.folder.fold(made.args[1], inner), "default") if len(made.args) > 1 else ()

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, Final, NamedTuple
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any
 
 from ecm_parsers.source.expr import (
     Call,
     Comprehension,
-    Constant,
     Expr,
     Items,
     Member,
@@ -18,20 +16,18 @@ from ecm_parsers.source.expr import (
     Number,
     Op,
     Table,
-    Text,
 )
 
-from ecm_extract.infer.compute import NULL, UNKNOWN, method
+from ecm_extract.infer.compute import NULL, UNKNOWN
 from ecm_extract.infer.held import Held, State
 from ecm_extract.link.calls import Invocation
-from ecm_extract.link.env import MAX_DEPTH, Bound, Env, Instance, invocation_of
-from ecm_extract.link.scope import Definition
-from ecm_extract.link.spelling import last_name, plain
-from ecm_extract.link.units import Cls
+from ecm_extract.link.env import MAX_DEPTH, Bound, Env, invocation_of
+from ecm_extract.link.fold_tables import is_plain_table
+from ecm_extract.link.python_lists import LIST_CALLS, MAX_ITEMS
+from ecm_extract.link.spelling import plain
 from ecm_extract.link.values import (
     Value,
     alternatives,
-    constant,
     data_in,
     demoted,
     is_proved,
@@ -50,17 +46,14 @@ _CONTAINER = re.compile(r"(?:vector|deque|array|list|map|set)$")
 _APPENDS = frozenset({"push_back", "emplace_back", "append"})
 _TABLES = frozenset({"map", "unordered_map"})
 _ENDS = frozenset({"begin", "end", "rbegin", "rend", "cbegin", "cend"})
-MAX_ITEMS = 256
-"""Elements of a list that are looked at one by one."""
 
 
 class ListFolder:
-    """Takes lists and tables apart."""
+    """Takes lists apart."""
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
         self._searching: set[tuple[int, str]] = set()
-        self._asked: set[Held] = set()
 
     def elements(self, expr: Expr | None, env: Env, index: Expr | None = None) -> tuple[Value, ...]:
         """Return the values that the elements of a list, or the one at an index or key, can have."""
@@ -95,9 +88,9 @@ class ListFolder:
             return self._sliced_text(expr, index, env)
         keys = self.folder.fold(index, env)
         known = len(keys) == 1 and is_proved(keys[0])
-        entries = self.entries(expr, env)
+        entries = self.folder.tables.entries(expr, env)
         if entries is not None:
-            return self._entry(entries, index, env)
+            return self.folder.tables.entry(entries, index, env)
         items = self.items(expr, env)
         data = data_in(keys[0]) if known else UNKNOWN
         if items is not None and isinstance(data, int) and -len(items) <= data < len(items):
@@ -111,29 +104,6 @@ class ListFolder:
         some, _ = self._some(expr, env) if items is None else ([], True)
         rest = self._of_parameter(expr, env)
         return alternatives((*self._folded(some, env), *rest)) if some else rest
-
-    def _entry(self, entries: list[Entry], key: Expr, env: Env) -> tuple[Value, ...]:
-        """The value of a key: of the last entry that has it, of any that may have it."""
-        found: list[Value] = []
-        for entry in reversed(entries):
-            alike = self.folder.flow.alike(key, Name("#key"), self.folder.flow.naming(env, {"#key": entry.key}))
-            if alike is not False:
-                found += self.fold(entry.value, env)
-            if alike:
-                return alternatives(demoted(found))
-        return alternatives((*demoted(found), unknown("item")))
-
-    def entry_or(self, entries: list[Entry], key: Expr, rest: Sequence[Expr], env: Env) -> tuple[Value, ...]:
-        """Return `table.get(key, default)`."""
-        found: list[Value] = []
-        for entry in reversed(entries):
-            alike = self.folder.flow.alike(key, Name("#key"), self.folder.flow.naming(env, {"#key": entry.key}))
-            if alike is not False:
-                found += self.fold(entry.value, env)
-            if alike:
-                return alternatives(demoted(found))
-        default = self.folder.fold(rest[0], env) if rest else (constant(NULL),)
-        return alternatives(demoted((*found, *default)))
 
     def _sliced_text(self, expr: Expr | None, index: Op, env: Env) -> tuple[Value, ...]:
         bounds = [self.folder.fold(bound, env) for bound in index.operands]
@@ -162,9 +132,9 @@ class ListFolder:
         if isinstance(expr, Items):
             return self._spread(expr, env)
         if isinstance(expr, Table):
-            return [Bound(key, env) for key, _ in expr.entries] if _is_plain_table(expr) else None
+            return [Bound(key, env) for key, _ in expr.entries] if is_plain_table(expr) else None
         if isinstance(expr, Comprehension):
-            return self._comprehended(expr, inner)
+            return self.comprehended(expr, inner)
         if isinstance(expr, Call):
             return self._called(expr, inner)
         if isinstance(expr, Op):
@@ -288,7 +258,7 @@ class ListFolder:
 
     # --- calls that give lists ---------------------------------------------------------------------------------
 
-    def _comprehended(self, expr: Comprehension, env: Env) -> list[Bound] | None:
+    def comprehended(self, expr: Comprehension, env: Env) -> list[Bound] | None:
         """`[f(x) for x in xs if g(x)]` element by element."""
         places = [env]
         for loop in expr.loops:
@@ -328,7 +298,7 @@ class ListFolder:
         call = invocation_of(expr, env)
         last = call.last
         if env.func.file.language == "python":
-            work = _PYTHON.get(last if call.receiver is not None else call.path)
+            work = LIST_CALLS.get(last if call.receiver is not None else call.path)
             if work is not None:
                 return work(self, call, env)
         elif call.receiver is None and _CONTAINER.search(call.path):
@@ -436,166 +406,6 @@ class ListFolder:
             return None
         return [item for _, item in sorted(zip(data, items, strict=True), key=lambda pair: pair[0])]
 
-    # --- tables ------------------------------------------------------------------------------------------------
-
-    def entries(self, expr: Expr | None, env: Env) -> list[Entry] | None:
-        """Return the entries of a table in the order in which they were given; None when they are not all known."""
-        if env.depth > MAX_DEPTH or expr is None or not self.folder.steps.take(env):
-            self.folder.cuts += 1
-            return None
-        with self.folder.steps:
-            return self._entries(expr, env.before(env.at))
-
-    def _entries(self, expr: Expr, env: Env) -> list[Entry] | None:
-        if isinstance(expr, Table):
-            return [Entry(Bound(k, env), Bound(v, env)) for k, v in expr.entries] if _is_plain_table(expr) else None
-        if isinstance(expr, Comprehension) and isinstance(expr.element, Table):
-            rows = self._comprehended(expr, env)
-            return None if rows is None else [entry for row in rows for entry in self._entries(row.expr, row.env) or ()]
-        if isinstance(expr, Call):
-            return self._entries_of_call(expr, env)
-        if not isinstance(expr, Name | Member):
-            return None
-        ways = self.folder.flow.ways(expr, env)
-        if ways:
-            states = list(dict.fromkeys(ways))
-            return self.held_entries(states[0][0], env) if len(states) == 1 and len(states[0]) == 1 else None
-        if isinstance(expr, Name) and expr.id in env.args:
-            given = env.args[expr.id]
-            return self.entries(given.expr, given.env.deeper(env.depth + 1))
-        found = self.sources(expr, env)
-        if found:
-            return self.held_entries(*found[0]) if len(found) == 1 else None
-        return self._declared_entries(expr, env)
-
-    def _declared_entries(self, expr: Name | Member, env: Env) -> list[Entry] | None:
-        if isinstance(expr, Name) and env.func.file.language == "python":
-            return self.folder.names.module_entries(expr.id, env)
-        found = self.folder.scope.constant(expr.id, env) if isinstance(expr, Name) else None
-        if found is not None and found[0].value is not None and "map" in found[0].type:
-            fixed = not self.folder.names.may_change(found[0].name, found[0], env)
-            return self._pairs(found[0].value, Env(env.func, 0, depth=env.depth + 1)) if fixed else None
-        return None
-
-    def _entries_of_call(self, expr: Call, env: Env) -> list[Entry] | None:
-        call = invocation_of(expr, env)
-        if env.func.file.language == "python":
-            if call.path == "dict" and not call.args:
-                return [Entry(Bound(Text(key), env), Bound(value, env)) for key, value in call.keywords]
-            copies = call.path == "dict" or (call.last == "copy" and call.receiver is not None)
-            base = call.args[0] if call.path == "dict" else call.receiver
-            return self.entries(base, env) if copies and len(call.args) <= 1 else self._returned_entries(call, env)
-        if call.receiver is None and last_name(call.path) in _TABLES:
-            listed = call.args[0] if len(call.args) == 1 and _is_nested(call.args[0]) else Items(call.args)
-            return self._pairs(listed, env)
-        return self._returned_entries(call, env)
-
-    def _returned_entries(self, call: Invocation, env: Env) -> list[Entry] | None:
-        callee = self.folder.calls.meant(call, env)
-        found = self.folder.calls.returned(callee, call, env) if callee is not None else []
-        return self.entries(*found[0]) if len(found) == 1 else None
-
-    def _pairs(self, expr: Expr, env: Env) -> list[Entry] | None:
-        items = expr.items if isinstance(expr, Items) else ()
-        if not isinstance(expr, Items) or not all(isinstance(item, Items) and len(item.items) == 2 for item in items):
-            return None
-        return [Entry(*[Bound(part, env) for part in item.items]) for item in items if isinstance(item, Items)]
-
-    def held_entries(self, held: Held, env: Env) -> list[Entry] | None:
-        """Return the entries of a table that a variable holds; None when they are not all known."""
-        if env.depth > MAX_DEPTH or held in self._asked:
-            self.folder.cuts += 1
-            return None
-        self._asked.add(held)
-        try:
-            return self._kept_entries(held, env.deeper(env.depth + 1))
-        finally:
-            self._asked.discard(held)
-
-    def _kept_entries(self, held: Held, env: Env) -> list[Entry] | None:
-        inner = held.env.deeper(env.depth + 1) if held.env is not None else env.deeper(env.depth + 1)
-        if held.how == "value":
-            declared = self._declared(held)
-            return (
-                self._pairs(held.expr, inner)
-                if declared and isinstance(held.expr, Items)
-                else self.entries(held.expr, inner)
-            )
-        if held.how == "made":
-            return [] if self._declared(held) else None
-        if held.how == "given":
-            return self._given_entries(held.name, env)
-        if held.how == "shared":
-            found_ = self.sources(Member(Name("this"), held.name.rpartition(".")[2]), env)
-            return self.held_entries(*found_[0]) if len(found_) == 1 else None
-        if held.how == "out":
-            found = self.folder.held.out(held, inner)
-            single = found is not None and len(found[0]) == 1
-            return self.held_entries(found[0][0], found[1].deeper(env.depth + 1)) if found and single else None
-        before = self.held_entries(held.before[0], env) if len(held.before) == 1 else None
-        if before is None:
-            return None
-        if held.how == "stored" and held.expr is not None and held.more is not None:
-            return [*before, Entry(Bound(held.expr, inner), Bound(held.more, inner))]
-        return self._changed_entries(before, held, inner) if held.how == "changed" else None
-
-    def _declared(self, held: Held) -> bool:
-        """Whether a variable of C++ is declared as a table."""
-        body = held.env.func.fact.body if held.env is not None else ()
-        written = body[held.at].type if 0 <= held.at < len(body) else ""
-        return last_name(plain(written)) in _TABLES
-
-    def _given_entries(self, key: str, env: Env) -> list[Entry] | None:
-        """A member at the start of a constructor is empty, or what it is declared with."""
-        name, cls = key.rpartition(".")[2], env.func.cls
-        if "." not in key:
-            entry = Env(env.func, 0, env.args, env.types, env.this, env.made, env.depth + 1, State(), env.outer)
-            return self._entries(Name(name), entry)
-        if not key.startswith(".") or not env.func.is_constructor or cls is None:
-            return None
-        if any(self.folder.members.sources(name, base, env) for base in self.folder.program.bases(cls)):
-            return None
-        field = cls.fields.get(name)
-        if field is None:
-            return None
-        if field.default is None:
-            return [] if last_name(plain(field.type)) in _TABLES else None
-        place = Env(env.func, 0, depth=env.depth + 1, this=cls)
-        return (
-            self._pairs(field.default, place)
-            if isinstance(field.default, Items)
-            else self.entries(field.default, place)
-        )
-
-    def _changed_entries(self, entries: list[Entry], held: Held, env: Env) -> list[Entry] | None:
-        """`update`, `setdefault`, `insert`, `emplace`: those of C++ keep what a key has."""
-        call = held.expr
-        if not isinstance(call, Call) or not isinstance(call.callee, Member):
-            return None
-        name, args = call.callee.name, call.args
-        if name == "clear" and not args:
-            return []
-        if name == "update" and len(args) == 1 and not call.keywords:
-            more = self.entries(args[0], env)
-            return None if more is None else [*entries, *more]
-        if name in {"insert_or_assign"} and len(args) == 2:
-            return [*entries, Entry(Bound(args[0], env), Bound(args[1], env))]
-        pair = args[0].items if name == "insert" and len(args) == 1 and isinstance(args[0], Items) else args
-        if name in {"insert", "emplace", "setdefault", "try_emplace"} and len(pair) == 2:
-            return [Entry(Bound(pair[0], env), Bound(pair[1], env)), *entries]
-        return None
-
-    def distinct(self, entries: list[Entry], env: Env) -> list[Entry] | None:
-        """Return the entries that a table has in the end: each key once, in the place where it came first."""
-        found: dict[Any, Entry] = {}
-        for entry in entries:
-            keys = self.fold(entry.key, env)
-            if len(keys) != 1 or not is_proved(keys[0]):
-                return None
-            first = found.get(data_in(keys[0]))
-            found[data_in(keys[0])] = Entry(first.key if first is not None else entry.key, entry.value)
-        return list(found.values())
-
     # --- sequences ---------------------------------------------------------------------------------------------
 
     def flat(self, expr: Expr, env: Env) -> list[Bound]:
@@ -611,72 +421,6 @@ class ListFolder:
             return self.flat(given.expr, given.env.before(given.env.at))
         return [Bound(expr, env)]
 
-    def definitions(self, expr: Expr, env: Env) -> list[tuple[Definition, Env]]:
-        """Return the assignments of a variable or of a member of `this`, with where each is evaluated."""
-        name = (
-            expr.id
-            if isinstance(expr, Name)
-            else expr.name
-            if isinstance(expr, Member) and expr.base == Name("this")
-            else ""
-        )
-        if not name:
-            return []
-        local = self.folder.scope.local(expr, env) if isinstance(expr, Name) else []
-        if local:
-            return [(definition, env.before(definition.at)) for definition in local]
-        found = self._member_definitions(name, env.this or env.func.cls, env)
-        if found or not isinstance(expr, Name):
-            return found
-        outside = self.folder.objects.file_scope.definitions(name, env)
-        return [(entry, Env(entry.func, entry.at, this=entry.func.cls, depth=env.depth + 1)) for entry in outside]
-
-    def reaching(self, expr: Name | Member, env: Env) -> list[tuple[Definition, Env]]:
-        """Return the assignments of which one gave a variable what it holds at a place; of a member the first known."""
-        local = self.folder.scope.reaching(expr, env) if isinstance(expr, Name) else []
-        if local:
-            return [(definition, env.before(definition.at)) for definition in local]
-        return self.definitions(expr, env)[:1]
-
-    def _member_definitions(self, name: str, cls: Cls | None, env: Env) -> list[tuple[Definition, Env]]:
-        found: list[tuple[Definition, Env]] = []
-        if cls is None:
-            return found
-        for entry in self.folder.program.ancestry(cls):
-            for definition in self.folder.scope.members(name, entry):
-                if not self.folder.objects.runs(definition.func, env.made):
-                    continue
-                made = env.made if env.made is not None and env.made.cls is cls else Instance(cls, {}, {})
-                inner = Env(definition.func, definition.at, this=cls, made=made, depth=env.depth + 1)
-                found.append((definition, inner))
-        return found
-
-
-class Entry(NamedTuple):
-    """An entry of a table."""
-
-    key: Bound
-    value: Bound
-
-
-def _row(*parts: Bound) -> Bound:
-    """A tuple of elements that are evaluated in different places."""
-    names = [f"#{index}" for index in range(len(parts))]
-    place = parts[0].env
-    state = State().having(
-        {name: (Held("value", name, part.expr, part.env),) for name, part in zip(names, parts, strict=True)}
-    )
-    return Bound(Items(tuple([Name(name) for name in names])), place.within(state, place.at))
-
-
-def _is_plain_table(expr: Table) -> bool:
-    return all(key != Constant("null") for key, _ in expr.entries)
-
-
-def _is_nested(expr: Expr) -> bool:
-    """Whether braces hold braces: the list of a table, not one of its entries."""
-    return isinstance(expr, Items) and all(isinstance(item, Items) for item in expr.items) and bool(expr.items)
-
 
 def _slice(found: Any, bounds: Sequence[Any], kind: type) -> Any:
     if not isinstance(found, kind) or any(bound is UNKNOWN for bound in bounds):
@@ -689,94 +433,3 @@ def _slice(found: Any, bounds: Sequence[Any], kind: type) -> Any:
 
 def _character(text: Any, at: Any) -> Any:
     return text[at] if isinstance(text, str) and -len(text) <= at < len(text) else UNKNOWN
-
-
-def _range(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
-    values = [lists.folder.fold(arg, env) for arg in call.args]
-    known = [found[0].data for found in values if len(found) == 1 and is_proved(found[0])]
-    data = [entry for entry in known if isinstance(entry, int)]
-    if not 1 <= len(data) <= 3 or len(data) != len(values) or 0 in data[2:]:
-        return None
-    numbers = range(*data)
-    return [Bound(Number(number), env) for number in numbers] if len(numbers) <= MAX_ITEMS else None
-
-
-def _copied(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
-    if not call.args:
-        return []
-    return lists.items(call.args[0], env) if len(call.args) == 1 and not call.keywords else None
-
-
-def _sorted(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
-    items = _copied(lists, call, env)
-    return None if items is None else lists.ordered(items, env)
-
-
-def _reversed(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
-    items = _copied(lists, call, env)
-    return None if items is None else items[::-1]
-
-
-def _enumerated(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
-    start = next(
-        (value for name, value in call.keywords if name == "start"), call.args[1] if len(call.args) > 1 else Number(0)
-    )
-    items = lists.items(call.args[0], env) if call.args else None
-    if items is None or not isinstance(start, Number) or not isinstance(start.value, int):
-        return None
-    return [_row(Bound(Number(start.value + index), env), item) for index, item in enumerate(items)]
-
-
-def _zipped(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
-    columns = [lists.items(arg, env) for arg in call.args]
-    known = [column for column in columns if column is not None]
-    if len(known) != len(columns) or not columns or call.keywords:
-        return None
-    return [_row(*row) for row in zip(*known, strict=False)]
-
-
-def _table_part(which: str) -> _Giver:
-    def work(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
-        entries = lists.entries(call.receiver, env)
-        distinct = lists.distinct(entries, env) if entries is not None else None
-        if distinct is None:
-            return None
-        if which == "items":
-            return [_row(entry.key, entry.value) for entry in distinct]
-        return [entry.key if which == "keys" else entry.value for entry in distinct]
-
-    return work
-
-
-def _split(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
-    if call.receiver is None:
-        return None
-    groups = [lists.folder.fold(part, env) for part in (call.receiver, *call.args)]
-    if any(len(group) != 1 or not is_proved(group[0]) for group in groups):
-        return None
-    data = [data_in(group[0]) for group in groups]
-    found = method(call.last, data[0], data[1:], True) if isinstance(data[0], str) and UNKNOWN not in data else UNKNOWN
-    return [Bound(Text(part), env) for part in found] if isinstance(found, list | tuple) else None
-
-
-_Giver = Callable[[ListFolder, Invocation, Env], list[Bound] | None]
-_PYTHON: Final[Mapping[str, _Giver]] = MappingProxyType(
-    {
-        "range": _range,
-        "list": _copied,
-        "tuple": _copied,
-        "copy": lambda lists, call, env: lists.items(call.receiver, env) if not call.args else None,
-        "sorted": _sorted,
-        "reversed": _reversed,
-        "enumerate": _enumerated,
-        "zip": _zipped,
-        "keys": _table_part("keys"),
-        "values": _table_part("values"),
-        "items": _table_part("items"),
-        "split": _split,
-        "rsplit": _split,
-        "partition": _split,
-        "rpartition": _split,
-    }
-)
-"""Calls of Python that give lists, as functions or as methods."""

@@ -33,7 +33,7 @@ from ecm_extract.link.values import (
 if TYPE_CHECKING:
     from ecm_extract.infer.held import Held
     from ecm_extract.link.fold import Folder
-    from ecm_extract.link.fold_lists import Entry
+    from ecm_extract.link.fold_tables import Entry
 
 
 @cache
@@ -177,7 +177,7 @@ class NameFolder:
         place, ways = self._left(name, env)
         if place is None or len(set(ways)) != 1 or len(ways[0]) != 1:
             return None
-        return self.folder.lists.held_entries(ways[0][0], place)
+        return self.folder.tables.held_entries(ways[0][0], place)
 
     def _left(self, name: str, env: Env) -> tuple[Env | None, list[tuple[Held, ...]]]:
         file = env.func.file

@@ -67,7 +67,7 @@ class Handles:
         return self.of(bound.expr, bound.env, depth + 1) if bound is not None else None
 
     def _variable(self, expr: Name | Member, env: Env, depth: int) -> Handle:
-        for definition, inner in self.folder.lists.definitions(expr, env):
+        for definition, inner in self.folder.assignments.definitions(expr, env):
             value, kind = definition.statement.value, definition.statement.kind
             if value is None or kind == "each":
                 continue

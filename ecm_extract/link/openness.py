@@ -83,7 +83,7 @@ class Openness:
 
     def _initialiser(self, name: str, env: Env) -> tuple[Expr | None, Env]:
         """What the constructor at hand makes of a member, and what a handle of a body is below."""
-        for definition, inner in self.folder.lists.definitions(Name(name), env):
+        for definition, inner in self.folder.assignments.definitions(Name(name), env):
             outer = _below(definition.statement)
             if outer is not None:
                 return outer, inner

@@ -239,7 +239,7 @@ class QosReader:
             return self._words(bound.expr, bound.env, level + 1)
         found = {
             word
-            for definition, inner in self.folder.lists.definitions(value, env)
+            for definition, inner in self.folder.assignments.definitions(value, env)
             if definition.statement.value is not None
             for word in self._words(definition.statement.value, inner, level + 1)
         }
@@ -252,7 +252,9 @@ class QosReader:
             given = self._policies(bound.expr, bound.env, level + 1) if bound is not None else {}
             if given:
                 return given  # `if qos is None: qos = ...` has not happened then
-        found = [self._defined(entry, name, inner, level) for entry, inner in self.folder.lists.reaching(expr, env)]
+        found = [
+            self._defined(entry, name, inner, level) for entry, inner in self.folder.assignments.reaching(expr, env)
+        ]
         known = [policies for policies in found if policies is not None]
         if known:
             return agreed(known)

@@ -1,0 +1,81 @@
+"""Which variables are names, or parts, of the same thing, so that changing one changes the others."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Set
+
+from ecm_parsers.source.expr import Member, Name
+from ecm_parsers.source.facts import Statement
+
+from ecm_extract.infer.effects import bare_names
+from ecm_extract.infer.held import Held, State
+from ecm_extract.infer.outline import Outline
+
+
+class Sharing:
+    """The variables of one function that share what they hold, by key (see `places`)."""
+
+    def __init__(self, outline: Outline) -> None:
+        self.outline = outline
+        self.effects = outline.effects
+        self._roots: dict[str, str] = {}
+
+    def refer(self, key: str, root: str) -> None:
+        """Note that a variable is a reference to another, or into it."""
+        if key and root:
+            self._roots[key] = root
+
+    def enter(self, each: Statement) -> None:
+        """Note that the variable of a loop is a part of what the loop is over."""
+        root = self.effects.root(each.value)
+        writes = each.type.endswith("&") and "const" not in each.type.split()
+        for key in self.outline.bound_keys(each.target) if self.outline.python or writes else ():
+            self.refer(key, root)
+
+    def roots(self, keys: Iterable[str]) -> set[str]:
+        """Return what variables are references to, or parts of."""
+        return {self._roots[key] for key in keys if key in self._roots}
+
+    def parts(self, key: str) -> set[str]:
+        """Return the references to a variable, and its parts."""
+        return {name for name, root in self._roots.items() if root == key}
+
+    def alike(self, key: str, state: State) -> set[str]:
+        """Return all names of the object that a name of Python is bound to."""
+        alike: set[str] = set()
+        more = {key}
+        while more - alike:
+            alike |= more
+            ways = [state.holds[name] for name in alike if name in state.holds]
+            more = {name for name, found in state.holds.items() if any(found is entry for entry in ways)}
+            more |= {name for one in alike for name in self._named_alike(one, state)}
+        return alike
+
+    def _named_alike(self, key: str, state: State) -> set[str]:
+        """Names that are surely bound to the same object: `b = a`, and neither was bound anew."""
+        own = self._bound_as(key, state)
+        return {name for name in state.holds if self._bound_as(name, state) == key} | ({own} if own else set())
+
+    def _bound_as(self, key: str, state: State) -> str:
+        """The name that a variable was bound as, if that still holds the same; empty for none."""
+        ways = state.holds.get(key, ())
+        if len(ways) != 1 or ways[0].how != "value" or not isinstance(ways[0].expr, Name | Member):
+            return ""
+        meant = self.effects.key(ways[0].expr)
+        then = ways[0].env.state if ways[0].env is not None else None
+        return meant if then is not None and then.holds.get(meant) is state.holds.get(meant) else ""
+
+    def holding(self, keys: Set[str], state: State) -> set[str]:
+        """Return variables that may be, or consist of, what some names mean."""
+        found: set[str] = set()
+        for name, ways in state.holds.items():
+            for held in ways:
+                meant = self._meant(held)
+                if meant & keys:
+                    found.add(name)
+                if name in keys:
+                    found |= {key for key in meant if key in state.holds}
+        return found
+
+    def _meant(self, held: Held) -> set[str]:
+        return {self.effects.key(expr) for expr in (*bare_names(held.expr), *bare_names(held.more))}
