@@ -14,14 +14,14 @@ MAX_KEY = 4
 
 def run_key(env: Env, depth: int = 0) -> Hashable:
     """Return what a run depends on: the function, what its parameters are, its object, who is around it."""
-    if env.asked is None or depth:
-        this = env.this or env.func.cls
-        around = run_key(env.outer, depth + 1) if env.outer is not None else None
-        asked = env.func, _bound_keys(env.args, depth), this, _made_key(env.made, depth), around
-        if depth:
-            return asked
+    if env.asked is not None:
+        return env.asked
+    this = env.this or env.func.cls
+    around = run_key(env.outer, depth + 1) if env.outer is not None else None
+    asked = env.func, _bound_keys(env.args, depth), this, _made_key(env.made, depth), around
+    if not depth:
         env.asked = asked
-    return env.asked
+    return asked
 
 
 def _bound_keys(args: Mapping[str, Bound], depth: int) -> tuple[Hashable, ...]:
