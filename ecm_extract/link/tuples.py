@@ -119,7 +119,7 @@ def _appended(statement: Statement, member: Member) -> Iterator[Expr]:
 
 def _is_filled_otherwise(statement: Statement, member: Member) -> bool:
     """Whether a statement binds the member to something that is not empty, or lets somebody else change it."""
-    if statement.target == member and not _is_empty(statement.value):
+    if statement.target == member and statement.type != "del" and not _is_empty(statement.value):
         return True
     return any(_changes(call, member) for call in calls_in(statement.value))
 

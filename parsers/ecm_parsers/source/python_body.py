@@ -153,7 +153,7 @@ def _deleted(scan: Scan, node: Node) -> None:
     for child in parts(node):
         for target in parts(child) if child.type == "expression_list" else (child,):
             changed = target.child_by_field_name("value") if target.type == "subscript" else target
-            scan.emit("set", node, scan.opaque(target), scan.expr(changed or target))
+            scan.emit("set", node, scan.opaque(target), scan.expr(changed or target), "del")
             scan.do(target)
 
 
