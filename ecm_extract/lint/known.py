@@ -11,6 +11,7 @@ from functools import cached_property
 from typing import Final
 
 import msgspec
+from ecm_checker.contract import Evidence
 from ecm_checker.hub.package import Package
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.match.engine import Match
@@ -22,6 +23,7 @@ from ecm_extract.system.launch_files import is_aside, is_launch_file
 USES: Final = frozenset(
     {
         "depends",
+        "describes_class",
         "exports_headers",
         "exports_library",
         "gives_field",
@@ -107,6 +109,11 @@ class Known:
             for row in package.provides:
                 if row.kind == kind and not _is_buried(row.evidence[0].path):
                     yield row.name
+
+    def places(self, package: str, kind: str) -> list[Evidence]:
+        """Return the first line of each name of a kind that a package provides."""
+        rows = self.packages.by_name[package].provides if package in self.packages.by_name else ()
+        return [row.evidence[0] for row in rows if row.kind == kind]
 
     def may_have(self, package: str, kind: str, name: str) -> bool:
         """Whether a package provides a name of a kind, or its build may make one."""

@@ -11,6 +11,7 @@ from ecm_checker.hub.provision import Provision
 from ecm_checker.hub.requirement import Requirement
 from ecm_parsers.source.python import parse_python
 
+from ecm_extract.entities.inner import InnerNames
 from ecm_extract.entities.interfaces import interface_entities
 from ecm_extract.entities.nodes import launched_nodes, node_entities
 from ecm_extract.entities.packaging import program_entities
@@ -23,6 +24,7 @@ from ecm_extract.requires.dependencies import dependency_requirements
 from ecm_extract.requires.diagnostics import diagnostic_requirements
 from ecm_extract.requires.interface_types import interface_requirements
 from ecm_extract.requires.launch_files import requirements_of_file
+from ecm_extract.requires.plugin_descriptions import plugin_description_requirements
 from ecm_extract.requires.python_sources import import_requirements
 from ecm_extract.requires.service_fields import service_field_requirements
 from ecm_extract.requires.share_files import share_file_requirements
@@ -35,7 +37,8 @@ def own_packages(workspace: Workspace) -> list[Package]:
     """Return the packages of a workspace with what `known.USES` asks for, and the kinds of names that these mean."""
     around = surroundings(workspace.tree, workspace.packages)
     of_program = _of_program(workspace)
-    return [_package(facts, workspace, around, of_program[facts.name]) for facts in workspace.packages]
+    inner = InnerNames(workspace.packages)
+    return [_package(facts, workspace, around, inner, of_program[facts.name]) for facts in workspace.packages]
 
 
 def _of_program(workspace: Workspace) -> Mapping[str, list[Requirement]]:
@@ -49,9 +52,13 @@ def _of_program(workspace: Workspace) -> Mapping[str, list[Requirement]]:
 
 
 def _package(
-    facts: PackageFacts, workspace: Workspace, around: Surroundings, of_program: Sequence[Requirement]
+    facts: PackageFacts,
+    workspace: Workspace,
+    around: Surroundings,
+    inner: InnerNames,
+    of_program: Sequence[Requirement],
 ) -> Package:
-    entities = [*program_entities(facts), *interface_entities(facts), *_nodes(facts, workspace)]
+    entities = [*program_entities(facts), *interface_entities(facts), *_nodes(facts, workspace), *inner.of(facts)]
     return Package(
         name=facts.name,
         version=None,
@@ -77,6 +84,7 @@ def _required(facts: PackageFacts, workspace: Workspace) -> Iterator[Requirement
     yield from dependency_requirements(facts)
     yield from interface_requirements(facts)
     yield from diagnostic_requirements(facts)
+    yield from plugin_description_requirements(facts)
     yield from build_file_requirements(workspace.commands, facts)
     yield from share_file_requirements(workspace.tree.read_many, facts)
     for path, file in workspace.launches.items():

@@ -37,6 +37,7 @@ from ecm_extract.requires.kept import kept_for
 from ecm_extract.requires.launch_files import launch_requirements
 from ecm_extract.requires.parameter_files import parameter_file_requirements
 from ecm_extract.requires.parameter_reads import parameter_read_requirements
+from ecm_extract.requires.plugin_descriptions import plugin_description_requirements
 from ecm_extract.requires.policies import policy_requirements
 from ecm_extract.requires.python_fields import field_requirements
 from ecm_extract.requires.python_sources import python_requirements
@@ -95,6 +96,7 @@ def _of_package(
     yield from behavior_tree_requirements(facts)
     yield from policy_requirements(facts)
     yield from diagnostic_requirements(facts)
+    yield from plugin_description_requirements(facts)
     yield from dependency_requirements(facts)
     yield from interface_requirements(facts)
     yield from rviz_requirements(tree, facts)

@@ -1,0 +1,21 @@
+"""Names that meet what packages require and that no release is compared by: rows whose kind says `compared = false`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from ecm_checker.hub.provision import Provision
+
+from ecm_extract.entities.exported_classes import aliases_of, exported_classes
+from ecm_extract.read.facts import PackageFacts
+
+
+class InnerNames:
+    """What packages of one tree have so, each asked for when it is wanted."""
+
+    def __init__(self, packages: Sequence[PackageFacts]) -> None:
+        self._aliases = aliases_of(packages)
+
+    def of(self, facts: PackageFacts) -> Iterator[Provision]:
+        """Yield those of one package."""
+        yield from exported_classes(facts, self._aliases)
