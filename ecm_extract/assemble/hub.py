@@ -45,7 +45,7 @@ def hubs(workspace: Workspace, composition: Composition, jobs: int | None) -> Ma
         provisions[entity.package].append(entity)
     inner = InnerNames(workspace.packages)
     for facts in workspace.packages:
-        provisions[facts.name] += inner.of(facts)
+        provisions[facts.name] += inner.of(facts, launch_files(workspace.texts, facts))
     kept = _kept(workspace, composition)
     found = required()
     return {

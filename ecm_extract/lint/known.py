@@ -27,6 +27,7 @@ USES: Final = frozenset(
         "exports_headers",
         "exports_library",
         "gives_field",
+        "hands_argument",
         "has_field",
         "has_field_of",
         "imports",
@@ -38,6 +39,7 @@ USES: Final = frozenset(
         "shows_mesh",
         "starts",
         "strips_prefix",
+        "substitutes_argument",
     }
 )
 """What rules of lint ask for: what is read off sources for them."""
@@ -114,6 +116,11 @@ class Known:
         """Return the first line of each name of a kind that a package provides."""
         rows = self.packages.by_name[package].provides if package in self.packages.by_name else ()
         return [row.evidence[0] for row in rows if row.kind == kind]
+
+    def path_of(self, package: str, path: str) -> str:
+        """Return a path below the folder of a package as one of its tree."""
+        folder = self.packages.by_name[package].path
+        return f"{folder}/{path}" if folder not in {"", "."} else path
 
     def may_have(self, package: str, kind: str, name: str) -> bool:
         """Whether a package provides a name of a kind, or its build may make one."""

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Literal, cast
 from ecm_checker.hub.package import Package, provided
 from ecm_checker.hub.provision import Provision
 from ecm_checker.hub.requirement import Requirement
+from ecm_parsers.launch.model import LaunchFile
 from ecm_parsers.source.python import parse_python
 
 from ecm_extract.entities.inner import InnerNames
@@ -24,6 +25,7 @@ from ecm_extract.requires.dependencies import dependency_requirements
 from ecm_extract.requires.diagnostics import diagnostic_requirements
 from ecm_extract.requires.interface_types import interface_requirements
 from ecm_extract.requires.launch_files import requirements_of_file
+from ecm_extract.requires.launch_values import loaded_value_requirements
 from ecm_extract.requires.plugin_descriptions import plugin_description_requirements
 from ecm_extract.requires.python_sources import import_requirements
 from ecm_extract.requires.service_fields import service_field_requirements
@@ -58,7 +60,13 @@ def _package(
     inner: InnerNames,
     of_program: Sequence[Requirement],
 ) -> Package:
-    entities = [*program_entities(facts), *interface_entities(facts), *_nodes(facts, workspace), *inner.of(facts)]
+    hidden = inner.of(facts, _launches(facts, workspace))
+    entities = [
+        *program_entities(facts),
+        *interface_entities(facts),
+        *_nodes(facts, workspace),
+        *hidden,
+    ]
     return Package(
         name=facts.name,
         version=None,
@@ -75,9 +83,14 @@ def _package(
 def _nodes(facts: PackageFacts, workspace: Workspace) -> Iterator[Provision]:
     """The nodes of a package, by the names of their programs and by those that its launch files give."""
     yield from node_entities(facts, [entry for entry in workspace.linked if entry.module.package == facts.name])
-    for path, file in workspace.launches.items():
-        if workspace.package_of(path) == facts.name:
-            yield from launched_nodes(facts, path, path.rpartition("/")[2], file.actions)
+    for path, file in _launches(facts, workspace):
+        yield from launched_nodes(facts, path, path.rpartition("/")[2], file.actions)
+
+
+def _launches(facts: PackageFacts, workspace: Workspace) -> Iterator[tuple[str, LaunchFile]]:
+    """The launch files of a package by path."""
+    found = workspace.launches.items()
+    return ((path, file) for path, file in found if workspace.package_of(path) == facts.name)
 
 
 def _required(facts: PackageFacts, workspace: Workspace) -> Iterator[Requirement]:
@@ -87,9 +100,9 @@ def _required(facts: PackageFacts, workspace: Workspace) -> Iterator[Requirement
     yield from plugin_description_requirements(facts)
     yield from build_file_requirements(workspace.commands, facts)
     yield from share_file_requirements(workspace.tree.read_many, facts)
-    for path, file in workspace.launches.items():
-        if workspace.package_of(path) == facts.name:
-            yield from requirements_of_file(path, file, workspace.files.lines(path))
+    yield from loaded_value_requirements(workspace.tree.read_many, facts)
+    for path, file in _launches(facts, workspace):
+        yield from requirements_of_file(facts, path, file, workspace.files.lines(path))
     for source in _python_files(facts, workspace):
         yield from import_requirements(source)
 

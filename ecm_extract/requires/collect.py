@@ -35,6 +35,7 @@ from ecm_extract.requires.ignored import comments_of, with_answers
 from ecm_extract.requires.interface_types import interface_requirements
 from ecm_extract.requires.kept import kept_for
 from ecm_extract.requires.launch_files import launch_requirements
+from ecm_extract.requires.launch_values import loaded_value_requirements
 from ecm_extract.requires.parameter_files import parameter_file_requirements
 from ecm_extract.requires.parameter_reads import parameter_read_requirements
 from ecm_extract.requires.plugin_descriptions import plugin_description_requirements
@@ -92,6 +93,7 @@ def _of_package(
     yield from endpoint_requirements(modules)
     yield from parameter_file_requirements(tree, facts)
     yield from launch_requirements(texts, facts)
+    yield from loaded_value_requirements(texts.read_many, facts)
     yield from description_requirements(texts, facts)
     yield from behavior_tree_requirements(facts)
     yield from policy_requirements(facts)
