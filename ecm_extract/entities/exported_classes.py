@@ -35,17 +35,13 @@ def aliases_of(packages: Sequence[PackageFacts]) -> frozenset[str]:
 
 
 def exported_classes(facts: PackageFacts, aliases: frozenset[str]) -> Iterator[Provision]:
-    """Yield the classes that macros of a package export, each by the first line that names it."""
-    found: dict[str, Provision] = {}
+    """Yield the classes that macros of a package export, each for each base by the first line that names it."""
+    found: dict[tuple[str, str | None], Provision] = {}
     for path, source in facts.sources.items():
         for macro in source.macros:
             for name, base in _of_macro(macro, aliases):
-                row = Provision(
-                    kind=KIND, package=facts.name, owner="", name=name, type=base, path=path, line=macro.line
-                )
-                known = found.setdefault(name, row)
-                if known.type is None and base is not None:
-                    found[name] = row
+                row = Provision(kind=KIND, package=facts.name, owner="", name=name, path=path, line=macro.line)
+                found.setdefault((name, base), msgspec.structs.replace(row, type=base, facet=base or ""))
     yield from found.values()
 
 

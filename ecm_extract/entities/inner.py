@@ -9,6 +9,7 @@ from ecm_parsers.launch.model import LaunchFile
 
 from ecm_extract.entities.exported_classes import aliases_of, exported_classes
 from ecm_extract.entities.launch_values import launch_values
+from ecm_extract.entities.python_names import python_names
 from ecm_extract.read.facts import PackageFacts
 
 
@@ -22,3 +23,4 @@ class InnerNames:
         """Yield those of one package; `launches` are its launch files by path."""
         yield from exported_classes(facts, self._aliases)
         yield from launch_values(facts, launches)
+        yield from python_names(facts)

@@ -11,6 +11,7 @@ from ecm_parsers.launch.model import Action, Argument, LaunchFile, SetConfigurat
 from ecm_parsers.launch.templates import all_actions, plain_text
 
 from ecm_extract.entities.launch_reads import is_partly_read, reads
+from ecm_extract.entities.public_files import inside
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.system.launch_files import is_aside
 
@@ -30,17 +31,12 @@ def is_judged(path: str) -> bool:
     return not is_aside(path) and not any(part in f"/{path}" for part in _TEMPLATES)
 
 
-def inside(facts: PackageFacts, path: str) -> str:
-    """Return a path from the folder of a package."""
-    return path.removeprefix(f"{facts.root.path}/") if facts.root.path else path
-
-
 def launch_values(facts: PackageFacts, launches: Iterable[tuple[str, LaunchFile]]) -> Iterator[Provision]:
     """Yield each launch file of a package by its path from there, and the values that it has."""
     for path, file in launches:
         if is_judged(path):
-            base = Provision(kind=VALUE, package=facts.name, owner="", name=inside(facts, path), path=path, line=1)
-            base = msgspec.structs.replace(base, ros=file.ros)
+            name = inside(path, facts.root.path)
+            base = Provision(kind=VALUE, package=facts.name, owner="", name=name, path=path, line=1, ros=file.ros)
             yield msgspec.structs.replace(base, kind=FILE, open=file.ros == 2 and is_partly_read(file))
             yield from _values(file, msgspec.structs.replace(base, owner=base.name))
 

@@ -31,6 +31,7 @@ USES: Final = frozenset(
         "has_field",
         "has_field_of",
         "imports",
+        "imports_module",
         "includes_launch",
         "installs_file",
         "names_file",
@@ -40,6 +41,7 @@ USES: Final = frozenset(
         "starts",
         "strips_prefix",
         "substitutes_argument",
+        "takes_name",
     }
 )
 """What rules of lint ask for: what is read off sources for them."""
@@ -111,6 +113,10 @@ class Known:
             for row in package.provides:
                 if row.kind == kind and not _is_buried(row.evidence[0].path):
                     yield row.name
+
+    def names(self, package: str, kind: str) -> Sequence[str]:
+        """Return the names of a kind that a package provides, or that its build may make."""
+        return self._names.get((package, kind), ())
 
     def places(self, package: str, kind: str) -> list[Evidence]:
         """Return the first line of each name of a kind that a package provides."""

@@ -27,6 +27,7 @@ from ecm_extract.requires.interface_types import interface_requirements
 from ecm_extract.requires.launch_files import requirements_of_file
 from ecm_extract.requires.launch_values import loaded_value_requirements
 from ecm_extract.requires.plugin_descriptions import plugin_description_requirements
+from ecm_extract.requires.python_modules import module_requirements, reachable
 from ecm_extract.requires.python_sources import import_requirements
 from ecm_extract.requires.service_fields import service_field_requirements
 from ecm_extract.requires.share_files import share_file_requirements
@@ -103,8 +104,10 @@ def _required(facts: PackageFacts, workspace: Workspace) -> Iterator[Requirement
     yield from loaded_value_requirements(workspace.tree.read_many, facts)
     for path, file in _launches(facts, workspace):
         yield from requirements_of_file(facts, path, file, workspace.files.lines(path))
+    packages = reachable(facts, workspace.packages)
     for source in _python_files(facts, workspace):
         yield from import_requirements(source)
+        yield from module_requirements(source, packages)
 
 
 def _python_files(facts: PackageFacts, workspace: Workspace) -> Iterator[File]:

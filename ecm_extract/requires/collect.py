@@ -41,12 +41,12 @@ from ecm_extract.requires.parameter_reads import parameter_read_requirements
 from ecm_extract.requires.plugin_descriptions import plugin_description_requirements
 from ecm_extract.requires.policies import policy_requirements
 from ecm_extract.requires.python_fields import field_requirements
+from ecm_extract.requires.python_modules import module_requirements, reachable
 from ecm_extract.requires.python_sources import python_requirements
 from ecm_extract.requires.rviz_files import rviz_requirements
 from ecm_extract.requires.service_fields import service_field_requirements
 from ecm_extract.requires.share_files import share_file_requirements
 from ecm_extract.system.launch_files import is_launch_file
-from ecm_extract.tree import Tree
 
 
 def consumers(workspace: Workspace) -> list[Consumer]:
@@ -69,7 +69,7 @@ def requirements(workspace: Workspace) -> Mapping[str, Sequence[Requirement]]:
         modules[module.module.package].append(module)
     found: dict[str, list[Requirement]] = {facts.name: [] for facts in workspace.packages}
     for facts in workspace.packages:
-        found[facts.name] += _of_package(workspace.tree, workspace.texts, facts, modules[facts.name])
+        found[facts.name] += _of_package(workspace, facts, modules[facts.name])
     for package, requirement in _of_program(workspace):
         found[package].append(requirement)
     paths = {each.evidence[0].path for entries in found.values() for each in entries}
@@ -87,9 +87,8 @@ def _kept(entry: Requirement, kept: Mapping[str, str]) -> Requirement:
     return msgspec.structs.replace(entry, kept_for=distribution) if distribution else entry
 
 
-def _of_package(
-    tree: Tree, texts: SideTexts, facts: PackageFacts, modules: Sequence[LinkedModule]
-) -> Iterator[Requirement]:
+def _of_package(workspace: Workspace, facts: PackageFacts, modules: Sequence[LinkedModule]) -> Iterator[Requirement]:
+    tree, texts = workspace.tree, workspace.texts
     yield from endpoint_requirements(modules)
     yield from parameter_file_requirements(tree, facts)
     yield from launch_requirements(texts, facts)
@@ -104,8 +103,10 @@ def _of_package(
     yield from rviz_requirements(tree, facts)
     yield from build_file_requirements(texts.commands, facts)
     yield from share_file_requirements(texts.read_many, facts)
+    packages = reachable(facts, workspace.packages)
     for file in _python_launch_files(texts, facts):
         yield from python_requirements(file)
+        yield from module_requirements(file, packages)
 
 
 def _of_program(workspace: Workspace) -> Iterator[tuple[str, Requirement]]:
@@ -114,6 +115,10 @@ def _of_program(workspace: Workspace) -> Iterator[tuple[str, Requirement]]:
         for reader in readers:
             for found in reader(file):
                 yield file.package, found
+    known = {facts.name: reachable(facts, workspace.packages) for facts in workspace.packages}
+    for file in workspace.program.files:
+        if file.language == "python":
+            yield from ((file.package, found) for found in module_requirements(file, known.get(file.package, ())))
     yield from service_field_requirements(workspace.program.files, workspace.linked, workspace.packages)
     yield from parameter_read_requirements(workspace.program)
     yield from override_requirements(workspace.program)

@@ -33,7 +33,7 @@ from ecm_parsers.launch.templates import holed, plain_text, written
 
 from ecm_extract.entities.launch import launch_files
 from ecm_extract.entities.launch_conditions import conditions_of, together
-from ecm_extract.entities.launch_values import inside
+from ecm_extract.entities.public_files import inside
 from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.launch_values import value_requirements
@@ -94,7 +94,7 @@ def requirements_of_file(
 ) -> Iterator[Requirement]:
     """Yield what one launch file requires; `lines` are its content, by which the line of a program's name is told."""
     yield from value_requirements(facts, path, file)
-    for found in _of_actions(file.actions, _Scope(path, facts.name, inside(facts, path), file.ros)):
+    for found in _of_actions(file.actions, _Scope(path, facts.name, inside(path, facts.root.path), file.ros)):
         if found.use == _STARTS:
             at = found.evidence[0]
             evidence = (Evidence(path, line_of_name(lines, at.line, found.name)),)

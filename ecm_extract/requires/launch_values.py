@@ -13,7 +13,8 @@ from ecm_parsers.launch.templates import plain_text, substitutions
 from ecm_parsers.parameter_yaml import parse_parameter_yaml
 
 from ecm_extract.discover import is_test_path
-from ecm_extract.entities.launch_values import inside, is_judged
+from ecm_extract.entities.launch_values import is_judged
+from ecm_extract.entities.public_files import inside
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.place import Place, Reader, required
 
@@ -38,7 +39,9 @@ def value_requirements(facts: PackageFacts, path: str, file: LaunchFile) -> Iter
         here: Certainty = "proved" if name in sure else "likely"
         certainty = here if file.ros == _ROS_1 else "unknown"
         place = Place(path, line, f"launch_file {path.rpartition('/')[2]}")
-        yield required(_USE, name, place, certainty, package=facts.name, owner=inside(facts, path), ros=file.ros)
+        yield required(
+            _USE, name, place, certainty, package=facts.name, owner=inside(path, facts.root.path), ros=file.ros
+        )
 
 
 def loaded_value_requirements(read: Reader, facts: PackageFacts) -> Iterator[Requirement]:
