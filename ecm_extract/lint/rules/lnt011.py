@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator
+from pathlib import PurePosixPath
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
@@ -14,6 +15,7 @@ from ecm_extract.lint.known import Asked, Known
 from ecm_extract.lint.near import nearest
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
+from ecm_extract.read.facts import PackageFacts
 
 RULE = LintRule(
     id="LNT011",
@@ -34,13 +36,22 @@ Users = dict[str, list[Asked]]
 def check(workspace: Workspace) -> Iterator[Finding]:
     """Report names that a file uses and binds nowhere: a slip inside of one file."""
     for file in workspace.linker.program.files:
-        if file.language != "python" or file.package not in workspace.by_name or file.path.endswith("conf.py"):
+        facts = workspace.by_name.get(file.package)
+        if file.language != "python" or facts is None or file.path.endswith("conf.py"):
             continue  # Sphinx gives its conf.py names
+        if _is_generated(PurePosixPath(file.path), facts):
+            continue
         for name, line in workspace.files.parsed(file.path, loose_names) or ():
             text = f"{file.path} uses {name}, which nothing in it defines or imports"
             entity = Entity("function", name)
             place = [Evidence(file.path, line)]
             yield RULE.finding(text, entity, file.package, place, certainty="likely", consequence=_NO_NAME)
+
+
+def _is_generated(path: PurePosixPath, facts: PackageFacts) -> bool:
+    """Tell whether genpy has made a file of an interface of its package: `msg/_State.py` of `msg/State.msg`."""
+    name = f"{path.parent.name}/{path.stem.removeprefix('_')}.{path.parent.name}"
+    return path.stem.startswith("_") and any(f"/{each}".endswith(f"/{name}") for each in facts.interfaces)
 
 
 def tell(known: Known) -> Iterator[Finding]:
