@@ -22,6 +22,8 @@ from ecm_extract.system.launch_files import is_aside, is_launch_file
 
 USES: Final = frozenset(
     {
+        "calls_action",
+        "calls_service",
         "depends",
         "describes_class",
         "exports_headers",
@@ -40,6 +42,7 @@ USES: Final = frozenset(
         "shows_mesh",
         "starts",
         "strips_prefix",
+        "subscribes",
         "substitutes_argument",
         "takes_name",
     }
@@ -113,6 +116,11 @@ class Known:
             for row in package.provides:
                 if row.kind == kind and not _is_buried(row.evidence[0].path):
                     yield row.name
+
+    def needed_by(self, package: str) -> frozenset[str]:
+        """Return the packages that one says to depend on."""
+        found = self.packages.by_name.get(package)
+        return frozenset(each.name for each in found.requires if each.use == "depends") if found else frozenset()
 
     def names(self, package: str, kind: str) -> Sequence[str]:
         """Return the names of a kind that a package provides, or that its build may make."""

@@ -40,8 +40,7 @@ def tell(known: Known) -> Iterator[Finding]:
 def _is_borrowed(asked: Asked, known: Known) -> bool:
     """Tell whether a description is of a library named after a dependency outside of what is known."""
     library = asked.requirement.target
-    needed = {each.name for each in asked.consumer.requires if each.use == "depends"}
-    return library not in known.packages.by_name and library in needed
+    return library not in known.packages.by_name and library in known.needed_by(asked.consumer.name)
 
 
 def _of_other_base(asked: Asked) -> Finding:
