@@ -103,3 +103,45 @@ def test_a_library_that_was_not_read_may_export_the_class(workspace: Workspace) 
     named = other.replace('path="arm"', 'path="more"')
     workspace.package({**files, "plugins.xml": named, "CMakeLists.txt": build.format("add_library(more test/b.cpp)\n")})
     assert told(workspace, "LNT009") == 0
+
+
+OLD_ELSE = """project(pkg)
+set(WITH_GPU false)
+if(WITH_GPU)
+  add_executable(render gpu.cpp)
+else(WITH_GPU)
+  add_executable({0} cpu.cpp)
+endif(WITH_GPU)
+catkin_package()
+"""
+STARTS = '<launch><node pkg="pkg" type="render" name="render"/></launch>'
+
+
+def test_an_else_may_repeat_the_condition(workspace: Workspace) -> None:
+    """LNT003: what CMake builds below `else(CONDITION)` is built where the condition does not hold."""
+    files = {"launch/a.launch": STARTS, "gpu.cpp": "", "cpu.cpp": ""}
+    workspace.package({**files, "CMakeLists.txt": OLD_ELSE.format("render")}, ros=1)
+    assert told(workspace, "LNT003") == 0
+    workspace.package({**files, "CMakeLists.txt": OLD_ELSE.format("renderer")}, ros=1)
+    assert told(workspace, "LNT003") == 1
+
+
+PARAMETER = '<launch><node pkg="pkg" type="arm" name="arm"><param name="{0}" value="1"/></node></launch>'
+READS = """#include <ros/ros.h>
+int main(int c, char** v) {
+  ros::init(c, v, "arm");
+  ros::NodeHandle n("~");
+  int rate = 0;
+  n.getParam("update_rate", rate);
+  ros::spin();
+}
+"""
+
+
+def test_roslaunch_strips_names_of_parameters(workspace: Workspace) -> None:
+    """LNT005: white space around a name is not part of it."""
+    build = "project(pkg)\nadd_executable(arm arm.cpp)\ncatkin_package()\n"
+    for name, expected in (("update_rate ", 0), ("update_rates", 1)):
+        files = {"launch/a.launch": PARAMETER.format(name), "arm.cpp": READS, "CMakeLists.txt": build}
+        workspace.package(files, ros=1)
+        assert told(workspace, "LNT005") == expected, name
