@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-import re
+import tomllib
 from collections.abc import Iterator
+from functools import cache
+from importlib import resources
 from typing import Final
 
 import msgspec
@@ -19,8 +21,6 @@ MODULE: Final = "python_module"
 NAME: Final = "python_name"
 _TOP: Final = "<module>"
 _WRITES: Final = frozenset({"globals", "setattr"})
-_BUILDERS: Final = re.compile(r"pybind|python_add_module|swig|sip_|boost_python|generate_parameter", re.IGNORECASE)
-"""Commands that make what Python imports, and libraries that do (pybind11, FindSWIG, SIP, Boost.Python)."""
 
 
 def python_names(facts: PackageFacts) -> Iterator[Provision]:
@@ -56,7 +56,14 @@ def makes_modules(facts: PackageFacts) -> bool:
 
 
 def _is_of_modules(command: Command) -> bool:
-    return "MODULE" in command.args or any(_BUILDERS.search(word) for word in (command.name, *command.args))
+    words = [word.lower() for word in (command.name, *command.args)]
+    return "MODULE" in command.args or any(part in word for word in words for part in _builders())
+
+
+@cache
+def _builders() -> tuple[str, ...]:
+    text = resources.files("ecm_extract.entities").joinpath("module_builders.toml").read_text("utf-8")
+    return tuple(tomllib.loads(text)["parts"])
 
 
 def _built(facts: PackageFacts, dotted: str) -> Iterator[tuple[str, int]]:

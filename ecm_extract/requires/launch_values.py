@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from typing import Final
 
 from ecm_checker.finding import Certainty
 from ecm_checker.hub.requirement import Requirement
 from ecm_parsers.launch.model import LaunchFile
+from ecm_parsers.launch.substitution import parse_template
 from ecm_parsers.launch.templates import plain_text, substitutions
 from ecm_parsers.parameter_yaml import parse_parameter_yaml
 
@@ -21,8 +21,6 @@ from ecm_extract.requires.place import Place, Reader, required
 _USE: Final = "substitutes_argument"
 _ROS_1: Final = 1
 _YAML: Final = (".yaml", ".yml")
-_VARIABLE: Final = re.compile(r"\$\(var ([^\s()]+)\)")
-"""A substitution in a value of YAML, which launch_ros fills in when it loads the file."""
 
 
 def value_requirements(facts: PackageFacts, path: str, file: LaunchFile) -> Iterator[Requirement]:
@@ -51,5 +49,13 @@ def loaded_value_requirements(read: Reader, facts: PackageFacts) -> Iterator[Req
         if b"$(var " not in data:
             continue
         for entry in parse_parameter_yaml(data).facts.sets:
-            for name in _VARIABLE.findall(f"{entry.name} {entry.value}"):
+            for name in _variables(f"{entry.name} {entry.value}"):
                 yield required(_USE, name, Place(path, entry.line, f"file {path}"), "unknown", package=facts.name)
+
+
+def _variables(text: str) -> Iterator[str]:
+    """What launch_ros fills in when it loads the file: `$(var x)`."""
+    for found in substitutions(parse_template(text)) if "$(" in text else ():
+        name = plain_text(found.substitution.args[0]) if found.substitution.kind == "arg" else None
+        if name is not None:
+            yield name
