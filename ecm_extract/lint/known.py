@@ -6,7 +6,7 @@ A rule that asks so reads no source: it gives the same findings from documents t
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import Final
 
@@ -132,9 +132,13 @@ class Known:
         return [row.evidence[0] for row in rows if row.kind == kind]
 
     def path_of(self, package: str, path: str) -> str:
-        """Return a path below the folder of a package as one of its tree."""
-        folder = self.packages.by_name[package].path
+        """Return a path below the folder of a package as one of the tree; of one that is not in it, below its name."""
+        folder = self.packages.by_name[package].path if package in self.own else package
         return f"{folder}/{path}" if folder not in {"", "."} else path
+
+    def lines_of(self, package: str, lines: Iterable[Evidence]) -> list[Evidence]:
+        """Return lines of a package that can be shown: those of one that a document tells are of another tree."""
+        return list(dict.fromkeys(lines)) if package in self.own else []
 
     def may_have(self, package: str, kind: str, name: str) -> bool:
         """Whether a package provides a name of a kind, or its build may make one."""

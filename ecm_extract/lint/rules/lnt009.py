@@ -30,7 +30,7 @@ def tell(known: Known) -> Iterator[Finding]:
             pair = (asked.path, asked.requirement.type, asked.match.found[0].type)
             if pair not in told:
                 told.add(pair)
-                yield _of_other_base(asked)
+                yield _of_other_base(asked, known)
         elif asked.match.state == "dangling" and not _is_borrowed(asked, known):
             exports = known.places(asked.consumer.name, _KIND)
             if exports:
@@ -43,11 +43,12 @@ def _is_borrowed(asked: Asked, known: Known) -> bool:
     return library not in known.packages.by_name and library in known.needed_by(asked.consumer.name)
 
 
-def _of_other_base(asked: Asked) -> Finding:
+def _of_other_base(asked: Asked, known: Known) -> Finding:
     """The macro exports the class for another base class than the description says."""
     wanted, exported = asked.requirement, asked.match.found[0]
     text = f"{asked.path} describes {wanted.name} as a {wanted.type}, it is exported as a {exported.type}"
-    evidence = [*wanted.evidence, Evidence(exported.path, exported.line)]
+    line = Evidence(exported.path, exported.line)
+    evidence = [*wanted.evidence, *known.lines_of(exported.package, [line])]
     return RULE.finding(text, Entity("plugin", wanted.said, wanted.type or ""), asked.consumer.name, evidence)
 
 

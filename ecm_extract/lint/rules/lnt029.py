@@ -41,7 +41,8 @@ def tell(known: Known) -> Iterator[Finding]:
             providers = offered.get(asked[0].requirement.type or "", ())
             for each, near in _moved(asked, providers):
                 if _is_related(each.consumer.name, near.package, known):
-                    yield _finding(each, near, level)
+                    lines = known.lines_of(near.package, [Evidence(near.path, near.line)])
+                    yield _finding(each, near, lines, level)
 
 
 def _lines(known: Known, use: str) -> Mapping[Evidence, Sequence[Asked]]:
@@ -145,9 +146,9 @@ def _is_related(user: str, provider: str, known: Known) -> bool:
     return user == provider or provider in known.needed_by(user) or user in known.needed_by(provider)
 
 
-def _finding(asked: Asked, near: Provision, level: Severity) -> Finding:
+def _finding(asked: Asked, near: Provision, lines: list[Evidence], level: Severity) -> Finding:
     wanted, name = asked.requirement, _full(near)
     text = f"{wanted.name} is used and nothing here offers it; {name} has the same type"
     entity = Entity("topic", name, wanted.name)
-    places = [*wanted.evidence, Evidence(near.path, near.line)]
+    places = [*wanted.evidence, *lines]
     return RULE.finding(text, entity, asked.consumer.name, places, certainty="likely", severity=level)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Final
 
+import msgspec
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Certainty, Entity, Finding
 
@@ -32,10 +33,9 @@ def tell(known: Known) -> Iterator[Finding]:
     yield from _undeclared(known, launches)
     yield from _handed(known, launches)
     for version, include in launches.of_one_version():
-        if version != _ROS_1:
-            yield from _not_handed(include, launches)
-        elif not include.given.forwarded:
-            yield from _unset(include, launches)
+        missing = _unset(include, launches) if version == _ROS_1 else _not_handed(include, launches)
+        path = known.path_of(*include.target)
+        yield from (_missing(each, path, include, known.lines_of(include.target[0], each.lines)) for each in missing)
 
 
 def _undeclared(known: Known, launches: LaunchArguments) -> Iterator[Finding]:
@@ -71,23 +71,31 @@ def _handed(known: Known, launches: LaunchArguments) -> Iterator[Finding]:
             yield _unread(f"{path} is given {wanted.name}, which nothing reads{has}", asked, near)
 
 
-def _unset(include: Handing, launches: LaunchArguments) -> Iterator[Finding]:
+class _Lacking(msgspec.Struct, frozen=True):
+    """An argument that an include leaves without a value; `text` tells of the included file what it does with it."""
+
+    name: str
+    text: str
+    lines: tuple[Evidence, ...]
+    certainty: Certainty = "proved"
+
+
+def _unset(include: Handing, launches: LaunchArguments) -> Iterator[_Lacking]:
     """An argument without a value stops roslaunch where it is substituted; one that is only declared never does."""
-    substituted = launches.substituted[include.target]
+    substituted = launches.substituted[include.target] if not include.given.forwarded else {}
     for name, declared in _left_out(include, launches):
         if name in substituted:
             used = substituted[name]
-            text = f"{declared.path} substitutes $(arg {name}) and this include gives {name} no value"
-            yield _missing(text, name, include, [declared, *used.evidence], used.certainty)
+            text = f"substitutes $(arg {name}) and this include gives {name} no value"
+            yield _Lacking(name, text, (declared, *used.evidence), used.certainty)
 
 
-def _not_handed(include: Handing, launches: LaunchArguments) -> Iterator[Finding]:
+def _not_handed(include: Handing, launches: LaunchArguments) -> Iterator[_Lacking]:
     """Launch looks at what the include itself hands over; what is set elsewhere, even by a person, does not help."""
     below = {name for each in launches.includes if each.user == include.target for name in each.given.names}
     for name, declared in _left_out(include, launches):
         if name not in below:
-            text = f"{declared.path} declares {name} without a default and this include does not give it"
-            yield _missing(text, name, include, [declared], "proved")
+            yield _Lacking(name, f"declares {name} without a default and this include does not give it", (declared,))
 
 
 def _left_out(include: Handing, launches: LaunchArguments) -> Iterator[tuple[str, Evidence]]:
@@ -116,14 +124,14 @@ def _unread(text: str, asked: Asked, near: str | None) -> Finding:
     )
 
 
-def _missing(text: str, name: str, include: Handing, lines: list[Evidence], certainty: Certainty) -> Finding:
+def _missing(lacking: _Lacking, path: str, include: Handing, lines: list[Evidence]) -> Finding:
     return RULE.finding(
-        text,
-        Entity(_KIND, name, ""),
+        f"{path} {lacking.text}",
+        Entity(_KIND, lacking.name, ""),
         include.user[0],
-        [include.place, *dict.fromkeys(lines)],
-        certainty=certainty,
-        resolution=f"give {name} in the include, or a default where it is declared",
+        [include.place, *lines],
+        certainty=lacking.certainty,
+        resolution=f"give {lacking.name} in the include, or a default where it is declared",
     )
 
 
