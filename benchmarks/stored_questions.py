@@ -144,14 +144,13 @@ def _beside(folder: Path, sides: Sides) -> Iterator[tuple[Path, Path | None]]:
 
 
 def _below(folder: str) -> Callable[[Any], Any]:
-    """Findings whose first line is in a folder, their paths from there."""
+    """Findings whose first line is in a folder, the paths in them from there."""
 
     def shown(answer: Any) -> Any:
         told = [each for each in answer["findings"] if each["evidence"]]
         found = [each for each in told if each["evidence"][0]["path"].startswith(folder)]
-        for place in (at for each in found for at in each["evidence"]):
-            place["path"] = place["path"].removeprefix(folder)
-        return sorted(found, key=msgspec.json.encode)
+        texts = [msgspec.json.encode(each).decode() for each in found]
+        return [msgspec.json.decode(text) for text in sorted(text.replace(folder, "") for text in texts)]
 
     return shown
 

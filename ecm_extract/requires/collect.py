@@ -14,7 +14,7 @@ from ecm_parsers.source.python import parse_python
 from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.entities.workspace import Workspace
 from ecm_extract.link.linker import LinkedModule
-from ecm_extract.link.program import imported_names
+from ecm_extract.link.program import Program, imported_names
 from ecm_extract.link.units import File
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.behavior_trees import behavior_tree_requirements
@@ -104,12 +104,20 @@ def _of_package(
         yield from python_requirements(file)
 
 
+def _of_python(file: File) -> Iterator[Requirement]:
+    yield from python_requirements(file)
+    yield from field_requirements(file)
+
+
+def _of_cpp(file: File, program: Program) -> Iterator[Requirement]:
+    yield from header_requirements(file)
+    yield from name_requirements(file, program)
+
+
 def _of_program(workspace: Workspace) -> Iterator[tuple[str, Requirement]]:
     for file in workspace.program.files:
-        readers = (python_requirements, field_requirements) if file.language == "python" else _CPP
-        for reader in readers:
-            for found in reader(file):
-                yield file.package, found
+        for found in _of_python(file) if file.language == "python" else _of_cpp(file, workspace.program):
+            yield file.package, found
     yield from service_field_requirements(workspace.program.files, workspace.linked, workspace.packages)
     yield from parameter_read_requirements(workspace.program)
     yield from override_requirements(workspace.program)
@@ -119,9 +127,6 @@ def _of_program(workspace: Workspace) -> Iterator[tuple[str, Requirement]]:
         for read in (member_requirements, reached_requirements):
             for found in read(body):
                 yield body.func.file.package, found
-
-
-_CPP = (header_requirements, name_requirements)
 
 
 def _python_launch_files(texts: SideTexts, facts: PackageFacts) -> Iterator[File]:
