@@ -18,9 +18,9 @@ from typing import Any, Final, TypeVar
 import msgspec
 from stored_draw import Drawn
 
-LAUNCHES: Final = 3
+LAUNCHES: Final = 2
 """Launch files of a release whose systems are asked for."""
-FOLDERS: Final = 2
+FOLDERS: Final = 1
 """Packages of a release that are linted with the others as documents."""
 _Each = TypeVar("_Each")
 _JSON: Final = ("--format", "json")

@@ -99,7 +99,7 @@ def _breaks(requirement: Requirement, consumer: Consumer, broken: BrokenNames) -
         old = located.pair.old
         if old is None or (row.built and old.package == consumer.package):
             continue
-        certainty = breach(requirement, consumer, located, broken.after)
+        certainty = breach(requirement, consumer, located, broken)
         if certainty is not None:
             yield _told(requirement, located, old, certainty)
     if "duty" in row.breaches:
