@@ -14,7 +14,7 @@ from ecm_parsers.source.python import parse_python
 from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.entities.workspace import Workspace
 from ecm_extract.link.linker import LinkedModule
-from ecm_extract.link.program import imported_names
+from ecm_extract.link.program import Program, imported_names
 from ecm_extract.link.units import File
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.behavior_trees import behavior_tree_requirements
@@ -109,12 +109,20 @@ def _of_package(workspace: Workspace, facts: PackageFacts, modules: Sequence[Lin
         yield from module_requirements(file, packages)
 
 
+def _of_python(file: File) -> Iterator[Requirement]:
+    yield from python_requirements(file)
+    yield from field_requirements(file)
+
+
+def _of_cpp(file: File, program: Program) -> Iterator[Requirement]:
+    yield from header_requirements(file)
+    yield from name_requirements(file, program)
+
+
 def _of_program(workspace: Workspace) -> Iterator[tuple[str, Requirement]]:
     for file in workspace.program.files:
-        readers = (python_requirements, field_requirements) if file.language == "python" else _CPP
-        for reader in readers:
-            for found in reader(file):
-                yield file.package, found
+        for found in _of_python(file) if file.language == "python" else _of_cpp(file, workspace.program):
+            yield file.package, found
     known = {facts.name: reachable(facts, workspace.packages) for facts in workspace.packages}
     for file in workspace.program.files:
         if file.language == "python":
@@ -128,9 +136,6 @@ def _of_program(workspace: Workspace) -> Iterator[tuple[str, Requirement]]:
         for read in (member_requirements, reached_requirements):
             for found in read(body):
                 yield body.func.file.package, found
-
-
-_CPP = (header_requirements, name_requirements)
 
 
 def _python_launch_files(texts: SideTexts, facts: PackageFacts) -> Iterator[File]:
