@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator, Set
+from collections.abc import Container, Iterator
 from typing import NamedTuple
 
 from ecm_parsers.source.expr import (
@@ -21,7 +21,7 @@ from ecm_extract.link.spelling import (
     pointee,
     template_arguments,
 )
-from ecm_extract.link.units import Cls, Func
+from ecm_extract.link.units import Func
 
 _INTERFACE_NAMES = (
     "interface",
@@ -80,7 +80,7 @@ def invocations(func: Func, wanted: Container[str] | None = None) -> Iterator[In
             if wanted is None or _last_of(call, func) in wanted:
                 yield invocation(func, statement, call)
         if statement.value is None and statement.kind == "let" and by_value(statement.type):
-            yield _construction(func, statement, statement.type, (), statement.line)
+            yield construction(func, statement, statement.type, (), statement.line)
         implied = _implied(func, statement)
         if implied is not None:
             yield implied
@@ -99,31 +99,6 @@ def _last_of(call: Call, func: Func) -> str:
     return last_name(plain(owner))
 
 
-def held_objects(cls: Cls) -> Iterator[Invocation]:
-    """Yield a construction for each member that is an object, not a pointer, of a class with a method to hold it."""
-    if not cls.methods or cls.file.language != "cpp":
-        return
-    holder = next((method for method in cls.methods if method.file is cls.file), cls.methods[0])
-    given = _initialised(cls)
-    for field in cls.fact.fields:
-        if by_value(field.type) and field.name not in given:
-            statement = Statement("let", field.line, None, Name(field.name), field.type)
-            yield _construction(holder, statement, field.type, (), field.line)
-
-
-def _initialised(cls: Cls) -> Set[str]:
-    """The members that every constructor makes in its initialiser list, which is their one construction."""
-    makers = [method for method in cls.methods if method.is_constructor and "declaration" not in method.fact.traits]
-    inits = [frozenset(_inits(maker)) for maker in makers]
-    return frozenset.intersection(*inits) if inits else frozenset()
-
-
-def _inits(maker: Func) -> Iterator[str]:
-    for statement in maker.fact.body:
-        if statement.kind == "init" and isinstance(statement.target, Name):
-            yield statement.target.id
-
-
 def invocation(func: Func, statement: Statement, call: Call) -> Invocation:
     """Return a call as the forms see it."""
     if func.file.language == "python":
@@ -135,7 +110,7 @@ def invocation(func: Func, statement: Statement, call: Call) -> Invocation:
     path = callee.id if isinstance(callee, Name) else ""
     last = path.rsplit("::", 1)[-1]
     if last in _MAKERS and call.types:
-        return _construction(func, statement, call.types[0], args, call.line)
+        return construction(func, statement, call.types[0], args, call.line)
     if last == "make_shared" and "::" in path and path not in {"std::make_shared", "boost::make_shared"}:
         return Invocation(func, statement, path.rsplit("::", 1)[0], None, args, (), call.types, call.line, True)
     made = statement.kind == "let" and statement.value is call and plain(statement.type) == path
@@ -165,7 +140,8 @@ def _is_interface(func: Func, expr: Expr) -> bool:
     return any(not isinstance(value, Name) and _is_interface(func, value) for value in values)
 
 
-def _construction(func: Func, statement: Statement, written: str, args: tuple[Expr, ...], line: int) -> Invocation:
+def construction(func: Func, statement: Statement, written: str, args: tuple[Expr, ...], line: int) -> Invocation:
+    """Return the construction of an object of a type as written."""
     return Invocation(func, statement, plain(written), None, args, (), template_arguments(written), line, True)
 
 
@@ -202,4 +178,4 @@ def _implied(func: Func, statement: Statement) -> Invocation | None:
     value = statement.value
     same = isinstance(value, Call) and value.callee == statement.target
     args = value.args if same and isinstance(value, Call) else (value,) if value is not None else ()
-    return _construction(func, statement, pointee(field.type), one_node(func, args), statement.line)
+    return construction(func, statement, pointee(field.type), one_node(func, args), statement.line)

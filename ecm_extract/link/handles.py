@@ -11,6 +11,7 @@ from ecm_extract.link.calls import Invocation
 from ecm_extract.link.env import Env, invocation_of
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.spelling import last_name, plain, pointee
+from ecm_extract.link.texts import is_text
 from ecm_extract.link.values import Value, joined, literal
 
 MAX_DEPTH = 12
@@ -89,8 +90,8 @@ class Handles:
         """`nh_("~x")` and `nh_(parent)` in an initialiser list carry one argument without a constructor call."""
         name = expr.id if isinstance(expr, Name) else expr.name
         written = self.folder.scope.member_type(name, env.this or env.func.cls)
-        if isinstance(value, Text) and "NodeHandle" in written:
-            return Handle(literal(value.value))
+        if "NodeHandle" in written and is_text(value, env.func):
+            return Handle(self.folder.fold(value, env)[0])
         return self.of(value, env, depth + 1)
 
     def _call(self, call: Invocation, env: Env, depth: int) -> Handle:

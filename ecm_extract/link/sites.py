@@ -97,8 +97,8 @@ class Sites:
         return known.get(id(call.statement), len(known))
 
     def is_held(self, call: Invocation) -> bool:
-        """Tell whether a call makes a member of a class, where the class says it has one, and not in a body."""
-        return call.made and self.position(call) == len(call.func.fact.body)
+        """Tell whether a call begins a member of a class, where the class says it has one, and not in a body."""
+        return self.position(call) == len(call.func.fact.body)
 
     # --- wrappers --------------------------------------------------------------------------------------
 
