@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ecm_parsers.source.expr import Call, Expr, Items, Name
 from ecm_parsers.source.facts import Field, Statement
 
-from ecm_extract.link.calls import Invocation, construction, invocation, one_node
+from ecm_extract.link.calls import Invocation, Step, construction, invocation, one_node
 from ecm_extract.link.spelling import by_value, plain
 from ecm_extract.link.units import Cls, Func
 from ecm_extract.link.walk import calls_in
@@ -29,11 +29,12 @@ def beginnings(cls: Cls) -> Iterator[Invocation]:
 
 def _of(field: Field, holder: Func) -> Iterator[Invocation]:
     statement = Statement("let", field.line, field.default, Name(field.name), field.type)
+    step = Step(holder, len(holder.fact.body), statement)
     for call in calls_in(field.default):
-        yield invocation(holder, statement, call)
+        yield invocation(step, call)
     if by_value(field.type) and not _makes_itself(field):
         args = one_node(holder, _arguments(field.default))
-        yield construction(holder, statement, field.type, args, field.line)
+        yield construction(step, field.type, args, field.line)
 
 
 def _makes_itself(field: Field) -> bool:
