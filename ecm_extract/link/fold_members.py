@@ -81,7 +81,8 @@ class MemberFolder:
         if cls is None:
             return ()
         values = self.member_value(expr.name, cls, Env(env.func, env.at, depth=env.depth + 1, this=cls))
-        given = self.folder.structures.given(expr.base, env) if _is_plain(cls) else None
+        asked = _is_plain(cls) or any(value.confidence == "pattern" for value in values)
+        given = self.folder.structures.given(expr.base, env) if asked else None
         return (given,) if given is not None and values else values
 
     def _library_parameter(self, expr: Member, env: Env) -> tuple[Value, ...] | None:

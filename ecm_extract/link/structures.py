@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Name
+from ecm_parsers.source.facts import Statement
 
-from ecm_extract.link.env import MAX_DEPTH, Bound, Env
-from ecm_extract.link.values import Value, demoted, parameter, unknown
+from ecm_extract.link.calls import Step, construction
+from ecm_extract.link.env import MAX_DEPTH, Bound, Env, Instance, bind
+from ecm_extract.link.overloads import NO, score
+from ecm_extract.link.units import Cls, Func
+from ecm_extract.link.values import Value, alternatives, demoted, parameter, unknown
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
@@ -25,18 +30,50 @@ class StructureFolder:
 
     def field(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """Return the values of a field; empty when it is not known what the object is made from."""
+        parts = self._parts(expr.base, env)
+        cls = self.folder.objects.class_of(expr.base, env) if parts is not None else None
+        if parts and cls is not None and _makers(cls):
+            return self._constructed(expr.name, cls, parts)
         bound = self._part(expr, env)
         if bound is None:
             return ()
         return demoted(self.folder.fold(bound.expr, bound.env.deeper(env.depth + 1)))
 
+    def _constructed(self, name: str, cls: Cls, parts: Sequence[Bound]) -> tuple[Value, ...]:
+        """What the constructor that takes the parts best gives a member of the object."""
+        env = parts[0].env
+        step = Step(env.func, env.at, Statement("do", cls.fact.line, None))
+        call = construction(step, cls.fact.name, tuple([part.expr for part in parts]), cls.fact.line)
+        scores = {maker: score(call, maker) for maker in _makers(cls)}
+        best = max(scores.values())
+        fitting = [maker for maker, points in scores.items() if points == best != NO]
+        values = [
+            value for maker in fitting for value in self._left(name, Instance(cls, bind(maker, call, env), {}, maker))
+        ]
+        return alternatives(values) if values else ()
+
+    def _left(self, name: str, made: Instance) -> tuple[Value, ...]:
+        place = Env(made.maker, this=made.cls, made=made) if made.maker is not None else None
+        return self.folder.members.member_value(name, made.cls, place) if place is not None else ()
+
     def given(self, expr: Expr, env: Env) -> Value | None:
         """Return what is known of the fields of an object that may not be as its class declares it; None if it is."""
         if env.depth > MAX_DEPTH or not isinstance(expr, Name | Member):
             return None
+        listed = self._listed(expr, env)
+        if listed is not None:
+            return self.given(listed.expr, listed.env.deeper(env.depth + 1)) or unknown(_name(expr))
         if self._is_changed(expr, env):
-            return unknown(expr.id if isinstance(expr, Name) else expr.name)
+            return unknown(_name(expr))
         return self.given(expr.base, env) if isinstance(expr, Member) else self._passed(expr.id, env)
+
+    def _listed(self, expr: Name | Member, env: Env) -> Bound | None:
+        """Return the list that an object is one of, of which not all is known."""
+        helds = {held for way in self.folder.flow.ways(expr, env) for held in way}
+        held = helds.pop() if len(helds) == 1 else None
+        if held is None or held.how != "each" or held.env is None or not isinstance(held.expr, Name | Member):
+            return None
+        return Bound(held.expr, held.env)
 
     def _is_changed(self, expr: Name | Member, env: Env) -> bool:
         """Tell whether an object was given a value that does not show what it is made from."""
@@ -90,3 +127,11 @@ class StructureFolder:
         if helds or held.how != "value" or held.env is None or held.expr is None:
             return None
         return Bound(held.expr, held.env)
+
+
+def _makers(cls: Cls) -> list[Func]:
+    return [func for func in cls.methods if func.is_constructor and "deleted" not in func.fact.traits]
+
+
+def _name(expr: Name | Member) -> str:
+    return expr.id if isinstance(expr, Name) else expr.name
