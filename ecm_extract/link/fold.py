@@ -41,6 +41,7 @@ from ecm_extract.link.parameter_reads import ParameterReads
 from ecm_extract.link.program import Program
 from ecm_extract.link.scope import Scope
 from ecm_extract.link.steps import Steps
+from ecm_extract.link.structures import StructureFolder
 from ecm_extract.link.values import (
     MAX_ALTERNATIVES,
     TOO_MANY,
@@ -78,6 +79,7 @@ class Folder:
         self.calls = CallFolder(self)
         self.assignments = Assignments(self)
         self.lists = ListFolder(self)
+        self.structures = StructureFolder(self)
         self.tables = TableFolder(self)
         self.held = HeldFolder(self)
         self.flow = Flow(self)
