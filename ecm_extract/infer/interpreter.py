@@ -13,10 +13,10 @@ from typing import TYPE_CHECKING, Protocol
 
 from ecm_parsers.source.expr import Call, Comprehension, Constant, Expr, Items, Member, Name, Number, Op, Opaque, Text
 from ecm_parsers.source.facts import Statement
-from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Later, Leave, Loop, Step, Switch, statements
+from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Later, Leave, Loop, Step, Switch, blocks, statements
 
 from ecm_extract.infer.effects import Effect, Targets, bare_names, is_plain
-from ecm_extract.infer.held import MAX_WAYS, Held, How, State, joined_states
+from ecm_extract.infer.held import MAX_WAYS, Held, How, State, Turn, joined_states
 from ecm_extract.infer.outline import Outline
 from ecm_extract.infer.sharing import Sharing
 from ecm_extract.link.walk import children
@@ -117,7 +117,6 @@ class Interpreter:
         self._at = 0
         self._blurred = 0
         self._later = 0
-        self._branches = 0
         self._steps = 0
         self._nesting = 0
 
@@ -161,11 +160,11 @@ class Interpreter:
         if isinstance(step, int):
             return self._statement(step, state)
         if isinstance(step, Branch):
-            return self._branch(step, state)
+            return _behind(step, state, self._branch(step, state))
         if isinstance(step, Loop):
             return self._loop(step, state)
         if isinstance(step, Switch):
-            return self._switch(step, state)
+            return _behind(step, state, self._switch(step, state))
         if isinstance(step, Attempt):
             return self._attempt(step, state)
         if isinstance(step, Later):
@@ -188,9 +187,8 @@ class Interpreter:
     def _truth(self, test: Expr, state: State) -> bool | None:
         return self.judge.truth(test, self._env(state)) if self.whole else None
 
-    def _new(self) -> int:
-        self._branches += 1
-        return self._branches
+    def _side(self, test: Expr | None, holds: bool, state: State) -> Turn:
+        return Turn(test, holds, self._env(state))
 
     # --- branches ----------------------------------------------------------------------------------------
 
@@ -199,10 +197,9 @@ class Interpreter:
         if holds is not None:
             self._shadow(step.other if holds else step.then, state)
             return self._block(step.then if holds else step.other, state)
-        number = self._new()
         likely = self.judge.likely(step.test, self._env(state)) if self.whole else None
-        then = self._block(step.then, state.on(number, likely is not False))
-        other = self._block(step.other, state.on(-number, likely is not True))
+        then = self._block(step.then, state.on(self._side(step.test, True, state), likely is not False))
+        other = self._block(step.other, state.on(self._side(step.test, False, state), likely is not True))
         return joined_states([other, then] if likely is False else [then, other])
 
     def _switch(self, step: Switch, state: State) -> State | None:
@@ -220,9 +217,9 @@ class Interpreter:
                 outs.append(self._block(case.body, rest))
                 rest = None
             else:
-                number = self._new()
-                outs.append(self._block(case.body, rest.on(number)))
-                rest = rest.on(-number)
+                asked = _question(step.subject, case)
+                outs.append(self._block(case.body, rest.on(self._side(asked, True, rest))))
+                rest = rest.on(self._side(asked, False, rest))
         return joined_states([*outs, rest])
 
     def _applies(self, subject: Expr, case: Case, state: State) -> bool | None:
@@ -240,7 +237,8 @@ class Interpreter:
         self._breaks.append([])
         current: State | None = None
         for case, entry in zip(step.cases, entries, strict=True):
-            given = state if entry else state.on(self._new()) if entry is None else None
+            asked = _question(step.subject, case)
+            given = state if entry else state.on(self._side(asked, True, state)) if entry is None else None
             current = joined_states([current, given])
             if current is None:
                 self._shadow(case.body, state)
@@ -270,10 +268,10 @@ class Interpreter:
         elif step.handlers:
             caught = joined_states([state, *raised])
             start = caught if caught is not None else state
-            outs += [self._block(handler, start.on(self._new())) for handler in step.handlers]
+            outs += [self._block(handler, start.on(Turn())) for handler in step.handlers]
         met = joined_states(outs)
         if met is None:
-            self._block(step.final, (joined_states([state, *raised]) or state).on(self._new()))
+            self._block(step.final, (joined_states([state, *raised]) or state).on(Turn()))
             return None
         return self._block(step.final, met)
 
@@ -330,7 +328,7 @@ class Interpreter:
         self._continues[-1].clear()
         after = self._block(loop.step, after) if after is not None else None
         left = len(self._breaks[-1]) > broken or self._left or self.run.returns
-        return after.on(self._new()) if after is not None and left else after
+        return after.on(Turn()) if after is not None and left else after
 
     def _exit(self, loop: Loop, state: State | None) -> State | None:
         self._continues.pop()
@@ -366,7 +364,7 @@ class Interpreter:
         start = self._lost(state, changed)
         heads = {key: start.holds[key][0] for key in changed}
         self._enter()
-        inside = start.on(self._new())
+        inside = start.on(Turn())
         if loop.each >= 0:
             self._record(loop.each, state)
             self.sharing.enter(self.body[loop.each])
@@ -422,7 +420,7 @@ class Interpreter:
         again = {key for key in state.holds if self.outline.changes.get(key, 0) > 1}
         shared = {key: (Held("shared", key),) for key in again | inside if self._is_open(key)}
         start = self._lost(state, inside | again | own).having(shared)
-        self._block(step.body, start.on(self._new()))
+        self._block(step.body, start.on(Turn()))
         self._later -= 1
         self._breaks, self._continues, self._raised = keep
         return self._lost(state, inside).having({key: ways for key, ways in shared.items() if key in inside})
@@ -475,7 +473,7 @@ class Interpreter:
                 known.append(state)
             else:
                 met = joined_states([known[-1], state])
-                known[-1] = met.along((*met.path, self._new())) if met is not None else state
+                known[-1] = met.along((*met.path, Turn())) if met is not None else state
                 self.run.cut = True
 
     def _with_loops(self, statement: Statement, at: int, state: State) -> list[State]:
@@ -511,7 +509,7 @@ class Interpreter:
         found = [self._truth(test, state) for test in entry.tests]
         if False in found:
             return None
-        return state.on(self._new()) if None in found else state
+        return state.on(Turn()) if None in found else state
 
     # --- binding -----------------------------------------------------------------------------------------
 
@@ -691,6 +689,24 @@ class Interpreter:
         """What a variable holds, which a function may have not given anything yet."""
         how: How = "shared" if state.called and key.startswith(".") and key.count(".") == 1 else "given"
         return state.holds.get(key) or (Held(how, key, env=env),)
+
+
+def _behind(step: Branch | Switch, before: State, after: State | None) -> State | None:
+    """The state behind a branch: the sides that it still came through are those that others left."""
+    count = len(before.path)
+    if after is None or len(after.path) <= count:
+        return after
+    thrown = any(isinstance(entry, Leave) and entry.how == "throw" for block in blocks(step) for entry in block[-1:])
+    past = [turn.past("throw" if thrown else "return") for turn in after.path[count:]]
+    return after.along((*before.path, *past))
+
+
+def _question(subject: Expr, case: Case) -> Expr | None:
+    """What a case of a switch asks, as a condition of its own; None for the default, which asks nothing."""
+    if subject == Constant("true"):
+        return case.tests[0]
+    asked = [Op("==", (subject, test)) for test in case.tests]
+    return asked[0] if len(asked) == 1 else Op("||", tuple(asked)) if asked else None
 
 
 def comprehensions(expr: Expr | None) -> Iterator[Comprehension]:

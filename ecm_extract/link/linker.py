@@ -15,6 +15,7 @@ from ecm_extract.link.built import files_of
 from ecm_extract.link.claims import Claim, claims_of
 from ecm_extract.link.data import UNKNOWN, stated_type
 from ecm_extract.link.diagnoses import SUMMARIES, Diagnosis, diagnoses
+from ecm_extract.link.endpoint_conditions import EndpointConditions
 from ecm_extract.link.endpoint_types import EndpointTypes
 from ecm_extract.link.fallbacks import fallback
 from ecm_extract.link.fold import Folder
@@ -105,6 +106,7 @@ class Linker:
         self.references = References(self.sites)
         self.modules = Modules(self.program, self.references, registry)
         self.ownership = Ownership(self.sites, self.modules)
+        self.conditions = EndpointConditions(self.sites, self.modules)
         self._observed: dict[int, list[Observation]] = defaultdict(list)
         self._stamped: dict[int, list[Stamp]] = defaultdict(list)
         self._diagnosed: dict[int, list[Diagnosis]] = defaultdict(list)
@@ -177,7 +179,7 @@ class Linker:
         local = self._local.get(id(module), {})
         claims = claims_of(module.cls, self.folder) if module.cls is not None else None
         seen = tuple(dict.fromkeys(self._observed.get(id(module), ())))
-        lines = tuple(found.get(id(module), ()))
+        lines = self.conditions.named(module, found.get(id(module), ()))
         interfaces = merged(lines)
         managed = module.cls is not None and is_managed(module.cls, self.program)
         stamped = tuple(dict.fromkeys(self._stamped.get(id(module), ())))
@@ -203,6 +205,7 @@ class Linker:
         origin = None if unit is module.cls or unit is module.main or module.kind == "library" else unit.fact.name
         for interface, local in self._interfaces(site, node, origin):
             found.append(interface)
+            self.conditions.note(module, site, interface)
             names = self._local[id(module)].setdefault((interface.role, interface.name, interface.type), [])
             names += [local] * (local not in names)
 
@@ -210,6 +213,7 @@ class Linker:
         ros = site.root.file.ros
         handle = self._handle(site)
         evidence = tuple(Evidence(path, line) for path, line in dict.fromkeys(site.lines()))
+        when = self.conditions.of(site)
         for named, default in self._named(site):
             value = of_node(named, node, ros)
             local = local_name(settled(named), handle)
@@ -234,6 +238,7 @@ class Linker:
                 evidence=evidence,
                 default=None if data is UNKNOWN else data,
                 inherited_from=origin,
+                when=when,
             )
             yield interface, name.resolved if _is_absolute(site) else local
 

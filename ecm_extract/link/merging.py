@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 import msgspec
 from ecm_checker.contract import Evidence, Interface
+from ecm_checker.hub.condition import Condition, text_of
 
 
 def merged(interfaces: Iterable[Interface]) -> tuple[Interface, ...]:
@@ -81,4 +82,16 @@ def _joined(first: Interface, second: Interface, evidence: tuple[Evidence, ...])
         evidence=evidence,
         default=second.default if first.default is None else first.default,
         inherited_from=first.inherited_from if second.inherited_from else None,
+        when=_either(first.when, second.when),
     )
+
+
+def _either(one: tuple[Condition, ...], other: tuple[Condition, ...]) -> tuple[Condition, ...]:
+    """What holds where one of two groups of conditions does: what both ask, and what somebody outside decides."""
+    both = tuple(each for each in one if each in other)
+    rests = [tuple(each for each in group if each not in both) for group in (one, other)]
+    opposite = len(rests[0]) == 1 and rests[1] == (rests[0][0].opposite,)
+    written = any(each.tests == "expression" for rest in rests for each in rest)
+    if not all(rests) or opposite or written:
+        return both
+    return (*both, Condition("expression", " or ".join(text_of(rest) for rest in rests)))
