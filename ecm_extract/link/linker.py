@@ -291,14 +291,16 @@ class Linker:
         return found or [(unknown("parameters"), None)]
 
     def _qos(self, site: Site, ros: int | None) -> Qos | None:
-        if site.form.role not in {"publisher", "subscriber"} and (ros == 1 or not site.form.profile):
+        form = site.form
+        if form.role not in {"publisher", "subscriber"} and (ros == 1 or not form.profile):
             return None
-        given = [expr for expr in positions(site.form.qos, site.call) if not is_callback(expr)]
-        expr = given[0] if given else Name(site.form.profile) if site.form.profile else None
-        if ros != 1:
-            return self.qos.read(expr, site.env)
-        flags = [flag for flag in positions(site.form.latch, site.call) if not is_callback(flag)]
-        return self.qos.depth(expr, flags[0] if flags else None, site.env)
+        given = next((expr for expr in positions(form.qos, site.call) if not is_callback(expr)), None)
+        if ros == 1:
+            flags = [flag for flag in positions(form.latch, site.call) if not is_callback(flag)]
+            return self.qos.depth(given, flags[0] if flags else None, site.env)
+        if given is not None or not form.profile:
+            return self.qos.read(given, site.env)
+        return self.qos.implied(form.profile, bool(form.qos), site.env)
 
     def _frame(self, site: Site) -> str | None:
         if not site.form.frame:

@@ -13,6 +13,7 @@ from importlib import resources
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
+import msgspec
 from ecm_checker.contract import Qos
 from ecm_checker.match.generated import snake
 from ecm_parsers.numbers import real, truncated
@@ -50,6 +51,7 @@ _SETTERS = frozenset({*_FLAGS, *_POLICIES, *_TIMES, "keep_last", "avoid_ros_name
     "value",
     "get",
 }
+_WITHOUT_DEPTH = frozenset({"keep_all", "system_default"})
 MAX_DEPTH = 12
 MAX_STEPS = 40
 
@@ -85,11 +87,20 @@ class QosReader:
         known = policies or {}
         default = presets()["default"][1]
         filled = {key: known.get(key, default[key]) for key in _BASIC}
-        if filled["history"] == "keep_all" and "depth" not in known:
+        if filled["history"] in _WITHOUT_DEPTH and "depth" not in known:
             filled["depth"] = None
         missing = tuple(key for key in _BASIC if key not in known)
         rest = {key: value for key, value in known.items() if key not in _BASIC}
         return Qos(**filled, **rest, defaulted=missing)
+
+    def implied(self, profile: str, could: bool, env: Env) -> Qos:
+        """Return the profile of an endpoint whose call gives none, by the preset that its row implies.
+
+        Args:
+            profile: the preset. could: whether the call could have given another one. env: its place.
+        """
+        found = self.read(Name(profile), env)
+        return msgspec.structs.replace(found, defaulted=_BASIC) if could else found
 
     def depth(self, expr: Expr | None, latch: Expr | None, env: Env) -> Qos | None:
         """Return the profile of a ROS 1 endpoint: its queue size and, of a publisher, whether it is latched.
@@ -147,6 +158,8 @@ class QosReader:
         return {**_UNSEEN}
 
     def _preset(self, expr: Expr) -> dict[str, Any] | None:
+        if isinstance(expr, Member) and expr.name == "value":  # of an enumeration: `QoSPresetProfiles.SENSOR_DATA.value`
+            return self._preset(expr.base)
         text = expr.id if isinstance(expr, Name) else expr.name if isinstance(expr, Member) else ""
         found = presets().get(last_name(text)) if text else None
         return {**found[1], "profile": found[0]} if found is not None else None

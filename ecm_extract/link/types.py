@@ -12,6 +12,7 @@ from ecm_parsers.source.expr import Call, Expr, Lambda, Member, Name, Op, Text
 from ecm_extract.link.calls import Invocation, dotted_name
 from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
+from ecm_extract.link.sent_as import sent_as
 from ecm_extract.link.spelling import plain, pointee, template_arguments
 from ecm_extract.link.units import Func
 
@@ -142,6 +143,9 @@ class Types:
         head, _, tail = bare.partition("::")
         if head in template:
             return TypeFound(None, frozenset({head}))
+        sent = sent_as(bare, text, env.func.file.ros)
+        if sent:
+            return TypeFound(sent) if "/" in sent else self.written(sent, env, role, depth + 1)
         outer = (self.program.alias(head, env.func.file, self._scope(env)) or self._macro(head, env)) if tail else None
         if outer is not None and plain(outer) != head:
             return self.written(f"{_bare(outer)}::{tail}", env, role, depth + 1)
