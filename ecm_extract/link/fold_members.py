@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Hashable
+from collections.abc import Collection, Hashable, Sequence
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import (
     Expr,
     Member,
     Name,
+    Op,
 )
 
 from ecm_extract.infer.held import Held
 from ecm_extract.link.calls import dotted_name
-from ecm_extract.link.env import Env, Instance
+from ecm_extract.link.env import Bound, Env, Instance
 from ecm_extract.link.fold_names import is_fresh
 from ecm_extract.link.formats import VALUE_READS
 from ecm_extract.link.units import Cls, Func
@@ -56,22 +57,29 @@ class MemberFolder:
             cls = env.this or env.func.cls
             found = self.member_value(expr.name, cls, env) if cls is not None else ()
             return found or (unknown(expr.name),)
-        if expr.name in VALUE_READS:
+        part = self._part(expr, env)
+        if not part and expr.name in VALUE_READS:
             return self.folder.fold(expr.base, env.before(env.at))
         dotted = dotted_name(expr)
         found = self.folder.names.imported(dotted, env) if dotted and env.func.file.language == "python" else ()
-        part = self._part(expr, env) if not found else ()
         return found or part or self._field(expr, env) or self._option(expr, env) or (unknown(expr.name),)
 
     def _part(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """A field of a structure that is made from a list of its values: `Row{"a", 1}` and `row.name`."""
         items = self.folder.lists.structure(expr.base, env)
-        cls = self.folder.objects.class_of(expr.base, env) if items is not None else None
+        bound = self._value_of(expr, items, env) if items is not None else None
+        return () if bound is None else demoted(self.folder.fold(bound.expr, bound.env.deeper(env.depth + 1)))
+
+    def _value_of(self, expr: Member, items: Sequence[Bound], env: Env) -> Bound | None:
+        """The value that a structure is given for a field, by its name or its place."""
+        named = {item.expr.operands[0]: item for item in items if isinstance(item.expr, Op) and item.expr.op == ".="}
+        if named:
+            found = named.get(Name(expr.name))
+            return Bound(found.expr.operands[1], found.env) if found is not None else None  # type: ignore[union-attr]
+        cls = self.folder.objects.class_of(expr.base, env)
         names = [field.name for field in cls.fact.fields] if cls is not None else []
-        if items is None or expr.name not in names or names.index(expr.name) >= len(items):
-            return ()
-        bound = items[names.index(expr.name)]
-        return demoted(self.folder.fold(bound.expr, bound.env.deeper(env.depth + 1)))
+        at = names.index(expr.name) if expr.name in names else len(items)
+        return items[at] if at < len(items) else None
 
     def _option(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """`args.name` of argparse: the option's default."""

@@ -158,7 +158,9 @@ class QosReader:
         return {**_UNSEEN}
 
     def _preset(self, expr: Expr) -> dict[str, Any] | None:
-        if isinstance(expr, Member) and expr.name == "value":  # of an enumeration: `QoSPresetProfiles.SENSOR_DATA.value`
+        if (
+            isinstance(expr, Member) and expr.name == "value"
+        ):  # of an enumeration: `QoSPresetProfiles.SENSOR_DATA.value`
             return self._preset(expr.base)
         text = expr.id if isinstance(expr, Name) else expr.name if isinstance(expr, Member) else ""
         found = presets().get(last_name(text)) if text else None

@@ -103,7 +103,9 @@ class Types:
         head, *rest = dotted.split(".")
         imported = env.func.file.imported.get(head)
         if imported is not None:
-            return TypeFound(self._full("::".join([*imported.split("."), *rest]), role))
+            full = self._full("::".join([*imported.split("."), *rest]), role)
+            outside = self.program.outside(dotted, env.func.file) if full is None else ""
+            return TypeFound(full or self._full(outside.replace(".", "::"), role))
         bound = env.args.get(head) if not rest else None
         if bound is not None:
             return self.expression(bound.expr, bound.env, role)
