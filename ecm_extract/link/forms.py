@@ -45,6 +45,7 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         min_args: fewer positional arguments are another function.
         frame: positions of frames, for transforms.
         latch: position of the flag that keeps the last message for who comes later (ROS 1).
+        undeclared: the row holds only where the node takes parameters that it does not declare.
     """
 
     callee: str
@@ -68,6 +69,7 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     min_args: int = 0
     frame: str = ""
     latch: str = ""
+    undeclared: bool = False
 
     def __post_init__(self) -> None:
         """Refuse positions that mean nothing, so that a misspelt one is an error and not a form without effect."""

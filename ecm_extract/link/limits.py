@@ -29,7 +29,8 @@ def limit(path: str, types: Sequence[str]) -> int | float | None:
     """Return what `std::numeric_limits<T>::max()` gives; None for other calls and for what is no finite number.
 
     Args:
-        path: what is called, without template arguments. types: the template arguments.
+        path: what is called, without template arguments.
+        types: the template arguments.
     """
     head, _, which = path.rpartition("::")
     if head not in {"std::numeric_limits", "numeric_limits"} or len(types) != 1:

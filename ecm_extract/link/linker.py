@@ -298,9 +298,7 @@ class Linker:
         if ros == 1:
             flags = [flag for flag in positions(form.latch, site.call) if not is_callback(flag)]
             return self.qos.depth(given, flags[0] if flags else None, site.env)
-        if given is not None or not form.profile:
-            return self.qos.read(given, site.env)
-        return self.qos.implied(form.profile, bool(form.qos), site.env)
+        return self.qos.read(given or (Name(form.profile) if form.profile else None), site.env)
 
     def _frame(self, site: Site) -> str | None:
         if not site.form.frame:

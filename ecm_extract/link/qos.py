@@ -13,7 +13,6 @@ from importlib import resources
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
-import msgspec
 from ecm_checker.contract import Qos
 from ecm_checker.match.generated import snake
 from ecm_parsers.numbers import real, truncated
@@ -92,15 +91,6 @@ class QosReader:
         missing = tuple(key for key in _BASIC if key not in known)
         rest = {key: value for key, value in known.items() if key not in _BASIC}
         return Qos(**filled, **rest, defaulted=missing)
-
-    def implied(self, profile: str, could: bool, env: Env) -> Qos:
-        """Return the profile of an endpoint whose call gives none, by the preset that its row implies.
-
-        Args:
-            profile: the preset. could: whether the call could have given another one. env: its place.
-        """
-        found = self.read(Name(profile), env)
-        return msgspec.structs.replace(found, defaulted=_BASIC) if could else found
 
     def depth(self, expr: Expr | None, latch: Expr | None, env: Env) -> Qos | None:
         """Return the profile of a ROS 1 endpoint: its queue size and, of a publisher, whether it is latched.

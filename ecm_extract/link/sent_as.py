@@ -30,7 +30,9 @@ def sent_as(bare: str, written: str, ros: int | None) -> str:
     """Return the message that a type is sent as: `package/msg/Name`, or a type as written; empty for others.
 
     Args:
-        bare: qualified name of the type. written: the type with its template arguments. ros: whose rules hold.
+        bare: qualified name of the type.
+        written: the type with its template arguments.
+        ros: whose rules hold.
     """
     row = _rows().get(bare)
     if row is None or ros not in {row.ros, None}:

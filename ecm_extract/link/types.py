@@ -142,12 +142,17 @@ class Types:
         )
         if alias is not None and _bare(alias) != bare:
             return self.written(alias, env, role, depth + 1)
-        head, _, tail = bare.partition("::")
-        if head in template:
-            return TypeFound(None, frozenset({head}))
         sent = sent_as(bare, text, env.func.file.ros)
         if sent:
             return TypeFound(sent) if "/" in sent else self.written(sent, env, role, depth + 1)
+        return self._qualified(text, env, role, depth)
+
+    def _qualified(self, text: str, env: Env, role: Role, depth: int) -> TypeFound:
+        """A type that is no alias as a whole, and whose first part may be one."""
+        bare, template = _bare(text), self._template_names(env)
+        head, _, tail = bare.partition("::")
+        if head in template:
+            return TypeFound(None, frozenset({head}))
         outer = (self.program.alias(head, env.func.file, self._scope(env)) or self._macro(head, env)) if tail else None
         if outer is not None and plain(outer) != head:
             return self.written(f"{_bare(outer)}::{tail}", env, role, depth + 1)
