@@ -54,7 +54,7 @@ class EndpointConditions:
         return known
 
     def _before(self, call: Invocation) -> tuple[Told, ...]:
-        env = self.sites.root_env(call.func, self.sites.position(call))
+        env = self.sites.root_env(call.func, call.at)
         return (*self.around(call.func), *self.conditions.of(env))
 
     def _entries(self, func: Func) -> Iterable[Invocation]:
