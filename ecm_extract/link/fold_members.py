@@ -56,11 +56,11 @@ class MemberFolder:
             cls = env.this or env.func.cls
             found = self.member_value(expr.name, cls, env) if cls is not None else ()
             return found or (unknown(expr.name),)
-        if expr.name in VALUE_READS:
+        part = self.folder.structures.field(expr, env)
+        if not part and expr.name in VALUE_READS:
             return self.folder.fold(expr.base, env.before(env.at))
         dotted = dotted_name(expr)
         found = self.folder.names.imported(dotted, env) if dotted and env.func.file.language == "python" else ()
-        part = self.folder.structures.field(expr, env) if not found else ()
         return found or part or self._field(expr, env) or self._option(expr, env) or (unknown(expr.name),)
 
     def _option(self, expr: Member, env: Env) -> tuple[Value, ...]:
