@@ -14,7 +14,8 @@ from ecm_parsers.source.python import parse_python
 from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.entities.workspace import Workspace
 from ecm_extract.link.linker import LinkedModule
-from ecm_extract.link.program import imported_names
+from ecm_extract.link.objects import Objects
+from ecm_extract.link.program import Program, imported_names
 from ecm_extract.link.units import File
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.behavior_trees import behavior_tree_requirements
@@ -46,6 +47,9 @@ from ecm_extract.requires.share_files import share_file_requirements
 from ecm_extract.system.launch_files import is_launch_file
 from ecm_extract.tree import Tree
 
+Required = Mapping[str, Sequence[Requirement]]
+"""What is required, by package."""
+
 
 def consumers(workspace: Workspace) -> list[Consumer]:
     """Return the packages of a linked tree as consumers."""
@@ -60,15 +64,35 @@ def requiring_packages(workspace: Workspace) -> tuple[Package, ...]:
     )
 
 
-def requirements(workspace: Workspace) -> Mapping[str, Sequence[Requirement]]:
+def requirements(workspace: Workspace) -> Required:
     """Return what each package of a linked tree requires, in the order of files and lines."""
+    return all_requirements(workspace, source_requirements(workspace.program, workspace.objects))
+
+
+def source_requirements(program: Program, objects: Objects) -> Required:
+    """Return what sources require by what stands in them, by package; no module must be known for it."""
+    found: dict[str, list[Requirement]] = defaultdict(list)
+    for package, requirement in _of_program(program, objects):
+        found[package].append(requirement)
+    return found
+
+
+def all_requirements(workspace: Workspace, of_sources: Required) -> Required:
+    """Return what each package of a linked tree requires, in the order of files and lines.
+
+    Args:
+        workspace: the linked tree.
+        of_sources: what its sources require.
+    """
     modules: dict[str, list[LinkedModule]] = defaultdict(list)
     for module in workspace.linked:
         modules[module.module.package].append(module)
     found: dict[str, list[Requirement]] = {facts.name: [] for facts in workspace.packages}
     for facts in workspace.packages:
         found[facts.name] += _of_package(workspace.tree, workspace.texts, facts, modules[facts.name])
-    for package, requirement in _of_program(workspace):
+        found[facts.name] += of_sources.get(facts.name, ())
+    files = workspace.program.files
+    for package, requirement in service_field_requirements(files, workspace.linked, workspace.packages):
         found[package].append(requirement)
     paths = {each.evidence[0].path for entries in found.values() for each in entries}
     present = frozenset(entry.path for entry in workspace.tree.files())
@@ -104,18 +128,17 @@ def _of_package(
         yield from python_requirements(file)
 
 
-def _of_program(workspace: Workspace) -> Iterator[tuple[str, Requirement]]:
-    for file in workspace.program.files:
+def _of_program(program: Program, objects: Objects) -> Iterator[tuple[str, Requirement]]:
+    for file in program.files:
         readers = (python_requirements, field_requirements) if file.language == "python" else _CPP
         for reader in readers:
             for found in reader(file):
                 yield file.package, found
-    yield from service_field_requirements(workspace.program.files, workspace.linked, workspace.packages)
-    yield from parameter_read_requirements(workspace.program)
-    yield from override_requirements(workspace.program)
-    yield from result_requirements(workspace.program)
-    yield from switch_requirements(workspace.program)
-    for body in bodies(workspace.objects):
+    yield from parameter_read_requirements(program)
+    yield from override_requirements(program)
+    yield from result_requirements(program)
+    yield from switch_requirements(program)
+    for body in bodies(objects):
         for read in (member_requirements, reached_requirements):
             for found in read(body):
                 yield body.func.file.package, found
