@@ -27,7 +27,7 @@ class DiffTiming(msgspec.Struct, frozen=True):
 
 
 def newest_tags(root: Path) -> tuple[str, str] | None:
-    """Return the two newest versions among the tags that HEAD can reach, the older one first; None of a tree without."""
+    """Return the two newest versions among the tags that HEAD can reach, older one first; None without."""
     line = ["git", "-C", str(root), "tag", "--merged", "HEAD", "--sort=-version:refname"]
     tags = subprocess.run(line, capture_output=True, text=True, check=False).stdout.split()
     versions = [tag for tag in tags if tag.lstrip("v")[:1].isdigit()]
