@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Set
 
+from msgspec.structs import replace
+
 from ecm_extract.link.calls import Invocation, held_objects, invocations
 from ecm_extract.link.program import Program
 from ecm_extract.link.spelling import last_name, plain, template_arguments
@@ -45,6 +47,6 @@ def _add_meant(call: Invocation, program: Program, index: dict[str, list[Invocat
     types = call.types or template_arguments(target)
     cls = program.class_named(call.path, call.func.file, scope)
     if cls is not None:
-        index[cls.fact.name].append(call._replace(types=types))
+        index[cls.fact.name].append(replace(call, types=types))
     elif last_name(plain(target)) in wanted:
-        index[last_name(plain(target))].append(call._replace(path=plain(target), types=types))
+        index[last_name(plain(target))].append(replace(call, path=plain(target), types=types))

@@ -28,11 +28,11 @@ class MentionedTypes:
 
     def units(self, marks: tuple[str, ...], files: Sequence[File]) -> list[Unit]:
         """Return the units of a package that name a type with one of some marks in it; `>` ends each type."""
-        found: dict[int, Unit] = {}
+        found: dict[Unit, None] = {}
         for unit, text in self._typed_units(files):
             if any(mark in text for mark in marks):
-                found[id(unit)] = unit
-        return list(found.values())
+                found[unit] = None
+        return list(found)
 
     def _typed_units(self, files: Sequence[File]) -> list[tuple[Unit, str]]:
         """Return the classes and functions of a package, each with the types that it names as one text."""
