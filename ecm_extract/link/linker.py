@@ -117,16 +117,24 @@ class Linker:
 
     def link(self) -> list[LinkedModule]:
         """Return all modules with their endpoints, in a stable order."""
+        self.declare()
+        return self.attributed()
+
+    def declare(self) -> None:
+        """Find the parameters that are declared; what values are is known from then on."""
         self.generated.declare(self.parameters)
         self._declare_ports()
-        declared = self.parameter_sites = self.sites.find(parameters=True)
-        self._declare_defaults(declared)
+        self.parameter_sites = self.sites.find(parameters=True)
+        self._declare_defaults(self.parameter_sites)
         self.folder.forget()
+
+    def attributed(self) -> list[LinkedModule]:
+        """Return what `link` does, once parameters are declared."""
         nodes = self._class_nodes()
         self.modules.find({unit: name.text for unit, name in nodes.items()})
         found: dict[Module, list[Interface]] = defaultdict(list)
         others = self.sites.find(parameters=False)
-        for site in [*others, *declared]:
+        for site in [*others, *self.parameter_sites]:
             self._attribute(site, found, nodes)
         self._generate(found)
         activation = Activation(self.sites, self.registry.programs)
