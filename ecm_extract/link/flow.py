@@ -91,7 +91,7 @@ class Flow:
 
     def _fresh(self, key: Hashable, env: Env, whole: bool) -> Run:
         self._running[key] = env.func
-        entry = Env(env.func, 0, env.args, env.types, env.this, env.made, env.depth + 1, State(), env.outer)
+        entry = env.entry(State())
         try:
             with self.folder.steps.apart():
                 return Interpreter(entry, self, whole).result()
@@ -144,14 +144,21 @@ class Flow:
         """Return what a variable may hold at a place, for each state; nothing where the function leaves it alone."""
         effects = self.effects(env.func)
         key = effects.key(expr)
-        if not key or (env.state is None and key not in self.outline(env.func).changes):
+        if not key:
             return []
+        if env.state is None and key not in self.outline(env.func).changes:
+            return self._entered(key, env)
         states = self.states(env)
         found = [state.holds.get(key, ()) for state in states]
         if not any(found):
-            return []
+            return [] if any(state.called for state in states) else self._entered(key, env)
         shared = key.startswith(".") and key.count(".") == 1 and any(state.called for state in states)
         return [ways or (Held("shared" if shared else "given", key),) for ways in found]
+
+    def _entered(self, key: str, env: Env) -> list[tuple[Held, ...]]:
+        """What a member holds that the function has left as its callers did, where they are known."""
+        held = self.folder.states.entered(key, env)
+        return [(held,)] if held is not None else []
 
     def outline(self, func: Func) -> Outline:
         """Return what is known of a function before it runs."""
@@ -302,6 +309,14 @@ class Flow:
         program = self.folder.program
         lineage = (*program.ancestry(cls), *program.derived(cls))
         return any(method.fact.name == name for entry in lineage for method in entry.methods)
+
+    def called_on(self, call: Call, env: Env) -> str | None:
+        """Return the variable of the object that a method is called on: empty for that at hand, None for others."""
+        return "" if self.reaches_object(call, env) else self.folder.methods.holder(invocation_of(call, env), env)
+
+    def members_changed(self, call: Call, env: Env) -> Mapping[str, str] | None:
+        """Return the members that a call of a method may change; None where that is not known."""
+        return self.folder.methods.changed(call, env)
 
     def reads(self, func: Func) -> Mapping[int, Sequence[tuple[Expr, Expr, Expr | None]]]:
         """Return statement -> (variable, name, default) of the parameters that a function reads into variables."""
