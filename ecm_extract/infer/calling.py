@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Call, Member, Name, Text
+from ecm_parsers.source.expr import Call, Text
 
 from ecm_extract.infer.effects import Effect, is_plain
 from ecm_extract.infer.held import Held, State
@@ -29,7 +29,7 @@ class Calling:
         for effect in self.frame.effects.of(at):
             state = self._apply(effect, at, env, state)
         calls = self.frame.env.func.calls[at]
-        waits = any(self._waits(call) for call in calls)
+        waits = any(self.frame.effects.calls.waits(call) for call in calls)
         own = [call for call in calls if self.frame.judge.is_own(call, env)]
         state = self._methods(at, [] if waits else own, env, state)
         if waits:
@@ -97,8 +97,3 @@ class Calling:
             return False
         written = self.frame.body[held.at].type if 0 <= held.at < len(self.frame.body) else ""
         return self.frame.python or (isinstance(held.expr, Text) and (written == "auto" or "*" in written))
-
-    def _waits(self, call: Call) -> bool:
-        callee = call.callee
-        last = callee.name if isinstance(callee, Member) else callee.id if isinstance(callee, Name) else ""
-        return last.rsplit("::", 1)[-1] in self.frame.effects.calls.waiting

@@ -19,8 +19,9 @@ from ecm_extract.infer.compute import UNKNOWN, is_number, method, shown, truth
 from ecm_extract.link import formats
 from ecm_extract.link.calls import Invocation
 from ecm_extract.link.env import Bound, Env, bind, invocation_of
+from ecm_extract.link.handing_on import THIS
 from ecm_extract.link.numbers import NUMBERS, as_number
-from ecm_extract.link.object_states import THIS, is_own
+from ecm_extract.link.object_states import is_own
 from ecm_extract.link.overloads import score
 from ecm_extract.link.placing import CAMERA_INFO, placed
 from ecm_extract.link.spelling import plain

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping, Set
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Call, Expr, Lambda
+from ecm_parsers.source.expr import Call
 
 from ecm_extract.infer.effects import calls_of
 from ecm_extract.link.calls import Invocation
 from ecm_extract.link.env import Env, Instance, bind, invocation_of
-from ecm_extract.link.object_states import THIS, is_own
+from ecm_extract.link.handing_on import THIS
+from ecm_extract.link.object_states import is_own
 from ecm_extract.link.units import Cls, Func
-from ecm_extract.link.walk import children
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
@@ -24,6 +24,7 @@ class MethodEffects:
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
         self._known: dict[tuple[Func, Cls | None], Set[str] | None] = {}
+        self._calling: dict[Func, bool] = {}
 
     def changed(self, call: Call, env: Env) -> Mapping[str, str] | None:
         """Return the members that a call of a method may change; None where that is not known.
@@ -36,13 +37,13 @@ class MethodEffects:
             The member as a variable of the function that calls -> as one of the method.
         """
         found = invocation_of(call, env)
-        if self._is_outside(found, env):
+        if self._is_outside(found, env) and not self.folder.flow.hands_on(call, env):
             return {}
         prefix = "" if is_own(found.receiver) else self.holder(found, env)
         if prefix is None:
             return None
         place = self.entry(found, env)
-        if place is None or _hands_on_any(call):
+        if place is None or self.folder.flow.hands_on(call, env):
             return None
         members = self._members(place.func, place.this)
         return None if members is None else {prefix + key: key for key in sorted(members)}
@@ -50,7 +51,7 @@ class MethodEffects:
     def _is_outside(self, call: Invocation, env: Env) -> bool:
         """Whether a call on the object at hand means a method of a base outside of the tree."""
         cls = env.func.cls
-        if call.receiver is None or cls is None or _hands_on_any(call):
+        if call.receiver is None or cls is None:
             return False
         lineage = self.folder.program.ancestry(cls) if call.receiver == THIS else self.folder.program.ancestry(cls)[1:]
         derived = self.folder.program.derived(env.this or cls) if call.receiver == THIS else ()
@@ -61,6 +62,16 @@ class MethodEffects:
         """Return the variable of an object that the function made and that nobody else has; None for other calls."""
         made = call.receiver is not None and self.folder.states.instance(call.receiver, env) is not None
         return self.folder.flow.effects(env.func).key(call.receiver) if made else None
+
+    def calls_own(self, func: Func) -> bool:
+        """Tell whether a function may call methods of the object at hand."""
+        known = self._calling.get(func)
+        if known is None:
+            flow = self.folder.flow
+            asked = ((call, Env(func, at)) for at, calls in enumerate(func.calls) for call in calls)
+            known = any(flow.is_own(call, place) and flow.reaches_object(call, place) for call, place in asked)
+            self._calling[func] = known
+        return known
 
     def entry(self, call: Invocation, env: Env) -> Env | None:
         """Return the beginning of the one method that a call runs; None where several fit."""
@@ -91,28 +102,27 @@ class MethodEffects:
 
     def _called(self, func: Func, this: Cls | None) -> set[Func] | None:
         """The methods that a method calls on its object; None where somebody else may change that meanwhile."""
-        waiting = calls_of(func.file.language).waiting
+        table = calls_of(func.file.language)
         made = Instance(this, {}, {}) if this is not None else None
         found: set[Func] = set()
         for at, calls in enumerate(func.calls):
             place = Env(func, at, this=this, made=made)
             for call in calls:
-                if invocation_of(call, place).last in waiting:
+                if table.waits(call):
                     return None
                 if self.folder.flow.is_own(call, place) and self.folder.flow.reaches_object(call, place):
-                    if self._is_outside(invocation_of(call, place), place):
-                        continue
-                    entry = None if _hands_on_any(call) else self.entry(invocation_of(call, place), place)
-                    if entry is None:
+                    known = self._runs(call, place)
+                    if known is None:
                         return None
-                    found.add(entry.func)
+                    found |= known
         return found
 
-
-def _hands_on_any(call: Call | Invocation) -> bool:
-    """Whether a call hands on the object at hand, or a function that may use it."""
-    return any(_hands_on(arg) for arg in (*call.args, *(value for _, value in call.keywords)))
-
-
-def _hands_on(arg: Expr) -> bool:
-    return arg == THIS or isinstance(arg, Lambda) or any(_hands_on(part) for part in children(arg))
+    def _runs(self, call: Call, place: Env) -> set[Func] | None:
+        """The method that a call on the object at hand runs, none for one outside of the tree; None: nobody knows."""
+        if self.folder.flow.hands_on(call, place):
+            return None
+        found = invocation_of(call, place)
+        if self._is_outside(found, place):
+            return set()
+        entry = self.entry(found, place)
+        return {entry.func} if entry is not None else None

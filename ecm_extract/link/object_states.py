@@ -5,18 +5,17 @@ from __future__ import annotations
 from collections.abc import Hashable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Call, Expr, Name
+from ecm_parsers.source.expr import Call, Expr
 
 from ecm_extract.infer.held import MAX_WAYS, Held, State
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, Instance, bind, invocation_of
+from ecm_extract.link.handing_on import THIS
 from ecm_extract.link.known_callers import KnownCallers
 from ecm_extract.link.objects import is_super
 from ecm_extract.link.run_keys import run_key
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
-
-THIS = Name("this")
 
 
 class ObjectStates:
