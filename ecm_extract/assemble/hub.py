@@ -15,6 +15,7 @@ from ecm_checker.json_data import json_data
 from ecm_extract.entities.collect import public_entities
 from ecm_extract.entities.inner import InnerNames
 from ecm_extract.entities.interfaces import interface_name
+from ecm_extract.entities.launch import launch_files
 from ecm_extract.entities.listed import listed, shared_files
 from ecm_extract.entities.notes import read_notes
 from ecm_extract.entities.python import bound_names, quoted_names

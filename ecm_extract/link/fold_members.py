@@ -159,7 +159,7 @@ class MemberFolder:
         if default is None:
             return ()
         values = demoted(self.folder.fold(default, Env(env.func, depth=env.depth + 1, this=cls)))
-        assigned = cls.file.language == "python" and self.folder.scope.is_assigned_outside(name)
+        assigned = cls.file.language == "python" and self.folder.scope.is_assigned_outside(name, "python")
         return alternatives((*values, unknown(name))) if assigned else values
 
     def sources(self, name: str, cls: Cls, env: Env) -> list[tuple[Held, Env]]:

@@ -60,7 +60,7 @@ class Sites:
         wanted = {*matcher.forms, *program.functions, *program.classes, *_ALSO, *also}
         self.calls = call_index(program, wanted, self._aliases)
         self._calls_of = CallTargets(self.folder, self.calls, self._place)
-        self.folder.names.variables.know(self.callers, self._place)
+        self.folder.states.callers.find = self._calling
 
     def find(self, parameters: bool) -> list[Site]:
         """Return the sites of parameters, or of everything else."""
@@ -182,6 +182,9 @@ class Sites:
         if own or not self._is_loaded(func):
             return False
         return any(value.confidence == "pattern" and not value.open("param") for value in self.names(site))
+
+    def _calling(self, func: Func) -> Iterator[tuple[Invocation, Env]]:
+        return ((call, self._place(call)) for call in self.callers(func))
 
     def callers(self, func: Func) -> Sequence[Invocation]:
         """Return the calls of a function by others."""
