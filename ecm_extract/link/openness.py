@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from ecm_parsers.source.expr import Call, Expr, Member, Name
 from ecm_parsers.source.facts import Statement
@@ -64,35 +64,44 @@ class Openness:
 
         Whoever passes it knows the namespace, or the QoS.
         """
-        none: frozenset[str] = frozenset()
-        env = site.env
-        if isinstance(expr, Member) and expr.base == Name("this"):
-            expr = Name(expr.name)
+        params: frozenset[str] = frozenset()
+        made: frozenset[str] = frozenset()
+        pending = [(expr, site.env)]
         for _ in range(MAX_CHAIN):
-            if not isinstance(expr, Name):
-                break
-            bound = env.args.get(expr.id)
-            if bound is not None:
-                expr, env = bound.expr, bound.env
-            elif accepts(expr.id, env.func):
-                found = frozenset({expr.id})
-                return (found, none) if env.func is site.root else (none, found if env.func.is_constructor else none)
-            else:
-                expr, env = self._initialiser(expr.id, env)
-        return none, none
+            following: list[tuple[Expr | None, Env]] = []
+            for each, env in pending:
+                name = _variable(each)
+                bound = env.args.get(name)
+                if bound is not None:
+                    following.append((bound.expr, bound.env))
+                elif not name or not accepts(name, env.func):
+                    following += self._initialisers(name, env) if name else ()
+                elif env.func is site.root:
+                    params |= {name}
+                elif env.func.is_constructor:
+                    made |= {name}
+            pending = following
+        return params, made
 
-    def _initialiser(self, name: str, env: Env) -> tuple[Expr | None, Env]:
-        """What the constructor at hand makes of a member, and what a handle of a body is below."""
+    def _initialisers(self, name: str, env: Env) -> Iterator[tuple[Expr | None, Env]]:
+        """Yield what each constructor at hand makes of a member, and what a handle of a body is below."""
         for definition, inner in self.folder.assignments.definitions(Name(name), env):
             outer = _below(definition.statement)
             if outer is not None:
-                return outer, inner
+                yield outer, inner
+                continue
             kinds = {"init", "set"} if definition.func.file.language == "python" else {"init"}
             if definition.statement.kind in kinds and definition.func.is_constructor:
                 value = definition.statement.value
                 made = isinstance(value, Call) and len(value.args) == 1
-                return (value.args[0] if made and isinstance(value, Call) else value), inner
-        return None, env
+                yield (value.args[0] if made and isinstance(value, Call) else value), inner
+
+
+def _variable(expr: Expr | None) -> str:
+    """The name of a variable, or of a member of the object at hand."""
+    if isinstance(expr, Member) and expr.base == Name("this"):
+        return expr.name
+    return expr.id if isinstance(expr, Name) else ""
 
 
 def _qos(site: Site) -> Expr | None:
