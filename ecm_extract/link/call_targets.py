@@ -10,7 +10,7 @@ from ecm_extract.link.closures import is_returned, uses
 from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.overloads import NO, score
-from ecm_extract.link.spelling import plain
+from ecm_extract.link.spelling import plain, pointee
 from ecm_extract.link.units import Cls, Func
 
 
@@ -108,7 +108,7 @@ class CallTargets:
         owner = self.folder.objects.class_of(call.receiver, env)
         if owner is not None:
             return self.folder.program.ancestry(owner)
-        written = plain(self.folder.objects.type_of(call.receiver, env))
+        written = plain(pointee(self.folder.objects.type_of(call.receiver, env)))
         return _Any() if not written or written == "auto" or written in _templates(call.func) else ()
 
 

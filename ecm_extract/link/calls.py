@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator
+from collections.abc import Container, Iterator, Set
 from typing import NamedTuple
 
 import msgspec
@@ -115,10 +115,24 @@ def held_objects(cls: Cls) -> Iterator[Invocation]:
     if not cls.methods or cls.file.language != "cpp":
         return
     holder = next((method for method in cls.methods if method.file is cls.file), cls.methods[0])
+    given = _initialised(cls)
     for field in cls.fact.fields:
-        if by_value(field.type):
+        if by_value(field.type) and field.name not in given:
             statement = Statement("let", field.line, None, Name(field.name), field.type)
             yield _construction(Step(holder, len(holder.fact.body), statement), field.type, (), field.line)
+
+
+def _initialised(cls: Cls) -> Set[str]:
+    """The members that every constructor makes in its initialiser list, which is their one construction."""
+    makers = [method for method in cls.methods if method.is_constructor and "declaration" not in method.fact.traits]
+    inits = [frozenset(_inits(maker)) for maker in makers]
+    return frozenset.intersection(*inits) if inits else frozenset()
+
+
+def _inits(maker: Func) -> Iterator[str]:
+    for statement in maker.fact.body:
+        if statement.kind == "init" and isinstance(statement.target, Name):
+            yield statement.target.id
 
 
 def invocation(step: Step, call: Call) -> Invocation:

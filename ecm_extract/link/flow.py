@@ -12,8 +12,9 @@ from ecm_parsers.source.expr import Call, Expr, Lambda, Member, Name, Op, Opaque
 from ecm_extract.infer.compute import UNKNOWN, operate, truth
 from ecm_extract.infer.effects import Effects
 from ecm_extract.infer.held import Held, State, joined_states
-from ecm_extract.infer.interpreter import Interpreter, Run
+from ecm_extract.infer.interpreter import Interpreter
 from ecm_extract.infer.outline import Outline
+from ecm_extract.infer.run import Run
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, invocation_of
 from ecm_extract.link.objects import is_super
 from ecm_extract.link.run_keys import run_key
@@ -38,7 +39,7 @@ MAX_RUNNING = 8
 
 
 class Flow:
-    """Runs functions; implements `infer.interpreter.Judge` with a folder."""
+    """Runs functions; implements `infer.judge.Judge` with a folder."""
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder

@@ -180,6 +180,7 @@ class Folder:
     def forget(self) -> None:
         """Drop remembered members, since more of the parameters is known now."""
         self.members.forget()
+        self.names.variables.forget()
         self.reads.forget()
         self.flow.forget()
 

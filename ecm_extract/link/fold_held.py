@@ -75,6 +75,8 @@ class HeldFolder:
         work = self._work.get(held.how)
         if work is not None:
             return work(held, inner)
+        if held.how == "shared" and held.before:
+            return self.folder.names.variables.given(held.name, env.func.file, self.of([held.before], env))
         if held.how in {"given", "shared"}:
             return self.given(held.name, env, first=held.how == "given")
         if held.how == "looped":
@@ -224,6 +226,8 @@ class HeldFolder:
             statement = _statement(held)
             last = plain(statement.type).rsplit("::", 1)[-1] if statement is not None else ""
             return [] if last in _CONTAINERS else None
+        if held.how == "shared" and held.before:
+            return None
         if held.how in {"given", "shared"}:
             return self.folder.lists.given(held.name, env, held.how == "given")
         if held.how == "out":

@@ -16,6 +16,7 @@ from ecm_parsers.source.expr import (
 from ecm_parsers.source.facts import Constant
 
 from ecm_extract.link.env import Bound, Env
+from ecm_extract.link.module_variables import ModuleVariables
 from ecm_extract.link.spelling import last_name
 from ecm_extract.link.units import File
 from ecm_extract.link.values import (
@@ -48,6 +49,7 @@ class NameFolder:
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
+        self.variables = ModuleVariables(folder)
 
     def name(self, expr: Name, env: Env) -> tuple[Value, ...]:
         """A variable, a parameter, a member of `this`, or a constant."""
@@ -146,26 +148,12 @@ class NameFolder:
         if place is None or not ways:
             return ()
         values = demoted(self.folder.held.of(ways, place))
-        return alternatives((*values, unknown(name))) if self._is_shared(name, file) else values
+        return self.variables.given(name, file, values)
 
     def _module(self, file: File, env: Env) -> Env | None:
         """The end of the body of a Python module; None in that body itself."""
         module = next((f for f in self.folder.program.functions_in(file) if f.fact.name == "<module>"), None)
         return Env(module, depth=env.depth + 1) if module is not None and module is not env.func else None
-
-    def _is_shared(self, name: str, file: File) -> bool:
-        """Tell whether functions of a module may change a variable of it: they assign it, or call a method of it."""
-        flow = self.folder.flow
-        for func in self.folder.program.functions_in(file):
-            if name in func.fact.shared:
-                return True
-            if (
-                func.fact.name != "<module>"
-                and name not in flow.effects(func).own
-                and name in flow.outline(func).changes
-            ):
-                return True
-        return False
 
     def module_items(self, name: str, env: Env) -> list[Bound] | None:
         """Return the elements of a list that the body of a module leaves a name with."""
@@ -182,7 +170,7 @@ class NameFolder:
     def _left(self, name: str, env: Env) -> tuple[Env | None, list[tuple[Held, ...]]]:
         file = env.func.file
         place = self._module(file, env)
-        if place is None or self._is_shared(name, file):
+        if place is None or self.variables.changers(name, file):
             return None, []
         return place, self.folder.flow.ways(Name(name), place)
 

@@ -43,6 +43,7 @@ from ecm_extract.link.parameters import Home, Parameters
 from ecm_extract.link.placing import placed
 from ecm_extract.link.program import Program
 from ecm_extract.link.qos import QosReader
+from ecm_extract.link.reconfigured import SERVICE, Placed, beside
 from ecm_extract.link.references import References, Unit
 from ecm_extract.link.registry import build_registry, plugins_of
 from ecm_extract.link.scope import Scope
@@ -110,6 +111,7 @@ class Linker:
         self._observed: dict[Module, list[Observation]] = defaultdict(list)
         self._stamped: dict[Module, list[Stamp]] = defaultdict(list)
         self._diagnosed: dict[Module, list[Diagnosis]] = defaultdict(list)
+        self._servers: dict[tuple[Module, Unit], list[Placed]] = defaultdict(list)
         self._local: dict[Module, dict[tuple[str, str, str | None], list[str]]] = defaultdict(dict)
 
     def link(self) -> list[LinkedModule]:
@@ -125,14 +127,21 @@ class Linker:
         others = self.sites.find(parameters=False)
         for site in [*others, *declared]:
             self._attribute(site, found, nodes)
-        for unit, interfaces in self.generated.interfaces():
-            for module in self.modules.owners(unit):
-                found[module].extend(interfaces)
+        self._generate(found)
         activation = Activation(self.sites, self.registry.programs)
         self._given_out(observations(self.sites, activation), self._observed)
         self._given_out(stamps(self.sites), self._stamped)
         self._given_out(diagnoses(self.sites), self._diagnosed)
         return [self._linked(module, found, nodes) for module in _ordered(self.modules.all())]
+
+    def _generate(self, found: dict[Module, list[Interface]]) -> None:
+        """Give what build files generate to the modules whose units use it."""
+        for unit, interfaces in self.generated.interfaces():
+            for module in self.modules.owners(unit):
+                servers = self._servers.get((module, unit), ())
+                placed = [entry for each in interfaces for entry in beside(each, servers)]
+                found[module] += [entry.interface for entry in placed]
+                self._local[module] |= {_key(entry.interface): [entry.local] for entry in placed if servers}
 
     def tell(self, tree: Tree) -> None:
         """Report the places whose values were not computed to the end to the tree that they stand in."""
@@ -205,8 +214,11 @@ class Linker:
         origin = None if unit is module.cls or unit is module.main or module.kind == "library" else unit.fact.name
         for interface, local in self._interfaces(site, node, origin):
             found.append(interface)
-            names = self._local[module].setdefault((interface.role, interface.name, interface.type), [])
+            names = self._local[module].setdefault(_key(interface), [])
             names += [local] * (local not in names)
+            if interface.type == SERVICE:
+                for maker in {unit, site.call.func.holder or site.call.func}:
+                    self._servers[module, maker].append(Placed(interface, local))
 
     def _interfaces(self, site: Site, node: str | None, origin: str | None) -> Iterator[tuple[Interface, str]]:
         ros = site.root.file.ros
@@ -225,8 +237,8 @@ class Linker:
                 confidence = weaker(confidence, "one_of")
             if is_below_handle(value) and not is_proved(handle.prefix):
                 confidence = weaker(confidence, handle.prefix.confidence)
-            if value.text == "" and site.form.role != "parameter":
-                confidence = "pattern"
+            if (value.text == "" and site.form.role != "parameter") or "{" in name.resolved:
+                confidence = "pattern"  # a name that has no text, or a handle of which not all is known
             interface = Interface(
                 role=_role(site.form.role, kind),
                 name=name.resolved,
@@ -309,6 +321,11 @@ class Linker:
 def _is_absolute(site: Site) -> bool:
     """Tell whether a row implies the whole name, which no handle and no node changes."""
     return site.form.fixed.startswith("/")
+
+
+def _key(interface: Interface) -> tuple[str, str, str | None]:
+    """What an endpoint is found by in `LinkedModule.local`."""
+    return interface.role, interface.name, interface.type
 
 
 def _role(role: Role, kind: str | None) -> Role:

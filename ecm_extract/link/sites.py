@@ -59,6 +59,7 @@ class Sites:
         wanted = {*matcher.forms, *program.functions, *program.classes, *_ALSO, *also}
         self.calls = call_index(program, wanted, self._aliases)
         self._calls_of = CallTargets(self.folder, self.calls, self._place)
+        self.folder.names.variables.know(self.callers, self._place)
 
     def find(self, parameters: bool) -> list[Site]:
         """Return the sites of parameters, or of everything else."""

@@ -162,6 +162,19 @@ def test_handles_are_followed_to_where_they_are_made(workspace: Any, text: str, 
     assert (entry.name, entry.type) == (name, "std_msgs/msg/String")
 
 
+def test_below_a_handle_that_is_not_known_every_name_is_a_pattern(workspace: Any) -> None:
+    """A name is as sure as the namespace that it stands in: what is told of it is not said to be read."""
+    text = (
+        "int main(int c, char ** v) {"
+        ' ros::init(c, v, "n"); ros::NodeHandle nh(outside::space());'
+        ' auto a = nh.advertise<std_msgs::String>("out", 1); }'
+    )
+    entry = workspace.package({"src/m.cpp": text}, ros=1).only("publisher")
+    assert entry.confidence == "pattern"
+    assert entry.name.endswith("/out")
+    assert "{" in entry.name
+
+
 UNKNOWN = [
     ('nh->subscribe("in", 1, &A::seen, this)', "std_msgs/msg/String"),
     ('pnh->advertise<std_msgs::Bool>("in", 1)', "std_msgs/msg/Bool"),

@@ -1,0 +1,119 @@
+"""What statements give to variables, fields, elements: `x = y`, `a, b = pair`, `x[0] = y`, `auto & x = y`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ecm_parsers.source.expr import Expr, Items, Number, Op, Opaque
+from ecm_parsers.source.facts import Statement
+
+from ecm_extract.infer.effects import bare_names, is_plain
+from ecm_extract.infer.held import Held, State
+from ecm_extract.infer.memory import Memory
+from ecm_extract.infer.run import Frame
+
+if TYPE_CHECKING:
+    from ecm_extract.link.env import Env
+
+
+class Assigning:
+    """Binds what statements assign."""
+
+    def __init__(self, frame: Frame, memory: Memory) -> None:
+        self.frame = frame
+        self.memory = memory
+
+    def assign(self, statement: Statement, at: int, env: Env, state: State) -> State:
+        """Return the state after a statement has given its target a value."""
+        target, value = statement.target, statement.value
+        if statement.kind == "let" and value is None:
+            return self.bind(target, Held("made", "", None, env, at), state)
+        if statement.kind == "let" and statement.type.endswith("&"):
+            return self._refer(target, value, at, env, state)
+        if isinstance(value, Opaque):
+            return self.bind(target, Held("lost", "", None, env, at), state)
+        state = self._placed(value, state)
+        return self.bind(target, Held("value", "", value, env, at), state)
+
+    def _placed(self, value: Expr | None, state: State) -> State:
+        """A text of C++ that has no value yet, in the braces of an object: whoever makes that may write it."""
+        if self.frame.python or not isinstance(value, Items):
+            return state
+        keys = {self.frame.effects.key(expr) for expr in bare_names(value)}
+        empty = {
+            key for key in keys if all(held.how == "made" for held in state.holds.get(key, ())) and key in state.holds
+        }
+        return self.memory.lost(state, empty)
+
+    def shared_change(self, statement: Statement, state: State) -> State:
+        """`b += [x]` in Python changes a list for all who have it, and makes a new text."""
+        key = self.frame.effects.key(statement.target)
+        if not (self.frame.python and key and statement.type.endswith("=")):
+            return state
+        before = self.memory.known(key, state, None)
+        if all(held.how == "value" and is_plain(held.expr) for held in before):
+            return state
+        alike = self.memory.sharing.alike(key, state)
+        others = (alike | self.memory.sharing.holding(alike, state) | self.memory.sharing.roots({key})) - {key}
+        handed = {name: (Held("handed", name, before=state.holds[name]),) for name in others if name in state.holds}
+        return state.having(handed)
+
+    def _refer(self, target: Expr | None, value: Expr | None, at: int, env: Env, state: State) -> State:
+        """`auto & x = y;` is another name of what it refers to: neither is followed once one of them changes."""
+        self.memory.sharing.refer(self.frame.effects.key(target), self.frame.effects.root(value))
+        return self.bind(target, Held("value", "", value, env, at), state)
+
+    def bind(self, target: Expr | None, held: Held, state: State) -> State:
+        """Give a variable, a field, an element or several variables what a statement gives them."""
+        if isinstance(target, Items):
+            return self._unpack(target, held, state)
+        key = self.frame.effects.key(target)
+        if key:
+            held.name = key
+            state = self.memory.hold(key, held, self.memory.parts_lost(key, state))
+            return self._after_rebinding(key, state)
+        root = self.frame.effects.root(target)
+        if not root:
+            return state
+        if isinstance(target, Op) and target.op == "[]" and self.frame.effects.key(target.operands[0]) == root:
+            before = self.memory.known(root, state, held.env)
+            stored = Held("stored", root, target.operands[1], held.env, held.at, held.expr, before)
+            new = stored if held.how == "value" else Held("lost", root, before=before)
+            return self.memory.in_place(root, new, state)
+        return self.memory.in_place(root, Held("lost", root, before=state.holds.get(root, ())), state)
+
+    def _after_rebinding(self, key: str, state: State) -> State:
+        """In C++ a reference that is assigned writes through, and references to what is assigned see it."""
+        if self.frame.python:
+            return state
+        touched = self.memory.sharing.roots({key}) | {
+            name for name in self.memory.sharing.parts(key) if name in state.holds
+        }
+        return self.memory.lost(state, touched) if touched else state
+
+    def _unpack(self, target: Items, held: Held, state: State) -> State:
+        """`a, b = value`: each gets its part, all of them at once."""
+        value = held.expr
+        env = held.env
+        for index, item in enumerate(target.items):
+            if held.how == "value" and isinstance(value, Items) and len(value.items) == len(target.items):
+                part = Held("value", "", value.items[index], env, held.at)
+            elif held.how == "value" and value is not None:
+                part = Held("value", "", Op("[]", (value, Number(index))), env, held.at)
+            else:
+                part = Held("lost", "", None, env, held.at)
+            state = self.bind(item, part, state)
+        return state
+
+    def escape(self, value: Expr | None) -> set[str]:
+        """`p = &x`: from here on `x` may change through `p`."""
+        address = not self.frame.python and isinstance(value, Op) and value.op == "&" and len(value.operands) == 1
+        key = self.frame.effects.key(value.operands[0]) if address and isinstance(value, Op) else ""
+        if key not in self.frame.effects.own:
+            return set()
+        self.memory.escaped.add(key)
+        return {key}
+
+    def element(self, each: Statement, at: int, state: State) -> State:
+        """Return the state in which a loop has bound its variable to any element."""
+        return self.bind(each.target, Held("each", "", each.value, self.frame.place(state), at), state)

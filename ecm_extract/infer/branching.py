@@ -1,0 +1,130 @@
+"""Steps of which one way is taken: branches, switches, attempts with handlers."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from ecm_parsers.source.expr import Call, Comprehension, Constant, Expr, Op, Opaque
+from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Switch
+
+from ecm_extract.infer.exits import Exits
+from ecm_extract.infer.held import State, joined_states
+from ecm_extract.infer.run import Frame
+from ecm_extract.link.walk import children
+
+
+class Blocks(Protocol):
+    """Who runs blocks."""
+
+    def run(self, block: Block, state: State | None) -> State | None:
+        """Run steps in order; None when no way leads out of their end."""
+
+    def unreached(self, block: Block, state: State | None) -> None:
+        """Follow code that no run reaches, so that what it would do is known too."""
+
+
+class Branching:
+    """Runs the ways that are possible, and joins the states in which they end."""
+
+    def __init__(self, frame: Frame, exits: Exits, blocks: Blocks) -> None:
+        self.frame = frame
+        self.exits = exits
+        self.blocks = blocks
+
+    def branch(self, step: Branch, state: State) -> State | None:
+        """Run the side of a branch that is taken, or both."""
+        holds = self.frame.truth(step.test, state)
+        if holds is not None:
+            self.blocks.unreached(step.other if holds else step.then, state)
+            return self.blocks.run(step.then if holds else step.other, state)
+        number = self.frame.branch()
+        likely = self.frame.judge.likely(step.test, self.frame.place(state)) if self.frame.whole else None
+        then = self.blocks.run(step.then, state.on(number, likely is not False))
+        other = self.blocks.run(step.other, state.on(-number, likely is not True))
+        return joined_states([other, then] if likely is False else [then, other])
+
+    def switch(self, step: Switch, state: State) -> State | None:
+        """Run the cases that may apply."""
+        return self._falling(step, state) if step.falls else self._chosen(step, state)
+
+    def _chosen(self, step: Switch, state: State) -> State | None:
+        """The first case that applies runs."""
+        rest: State | None = state
+        outs: list[State | None] = []
+        for case in step.cases:
+            holds = self._applies(step.subject, case, state) if rest is not None else False
+            if holds is False or rest is None:
+                self.blocks.unreached(case.body, state)
+            elif holds:
+                outs.append(self.blocks.run(case.body, rest))
+                rest = None
+            else:
+                number = self.frame.branch()
+                outs.append(self.blocks.run(case.body, rest.on(number)))
+                rest = rest.on(-number)
+        return joined_states([*outs, rest])
+
+    def _applies(self, subject: Expr, case: Case, state: State) -> bool | None:
+        if not case.tests or not self.frame.whole:
+            return None if case.tests else True
+        env = self.frame.place(state)
+        if subject == Constant("true"):
+            return self.frame.judge.truth(case.tests[0], env)
+        found = [self.frame.judge.alike(subject, test, env) for test in case.tests]
+        return True if True in found else None if None in found else False
+
+    def _falling(self, step: Switch, state: State) -> State | None:
+        """From the case that applies on until something leaves."""
+        entries = self._entries(step, state)
+        self.exits.enter_switch()
+        current: State | None = None
+        for case, entry in zip(step.cases, entries, strict=True):
+            given = state if entry else state.on(self.frame.branch()) if entry is None else None
+            current = joined_states([current, given])
+            if current is None:
+                self.blocks.unreached(case.body, state)
+            else:
+                current = self.blocks.run(case.body, current)
+        passed = state if not any(entries) and all(case.tests for case in step.cases) else None
+        return joined_states([*self.exits.end_switch(), current, passed])
+
+    def _entries(self, step: Switch, state: State) -> list[bool | None]:
+        """Whether a run enters each case: the first that surely applies, those before it that may, else the default."""
+        found: list[bool | None] = []
+        for case in step.cases:
+            settled = True in found
+            found.append(False if settled or not case.tests else self._applies(step.subject, case, state))
+        default = False if True in found else None if None in found else True
+        return [default if not case.tests else entry for case, entry in zip(step.cases, found, strict=True)]
+
+    def attempt(self, step: Attempt, state: State) -> State | None:
+        """Run a block, its handlers where something in it may raise, and what runs in the end."""
+        self.exits.enter_attempt()
+        done = self.blocks.run(step.body, state)
+        raised = self.exits.end_attempt()
+        done = self.blocks.run(step.other, done) if done is not None else None
+        outs: list[State | None] = [done]
+        if step.handlers and not self._may_raise(step.body):
+            for handler in step.handlers:
+                self.blocks.unreached(handler, state)
+        elif step.handlers:
+            caught = joined_states([state, *raised])
+            start = caught if caught is not None else state
+            outs += [self.blocks.run(handler, start.on(self.frame.branch())) for handler in step.handlers]
+        met = joined_states(outs)
+        if met is None:
+            self.blocks.run(step.final, (joined_states([state, *raised]) or state).on(self.frame.branch()))
+            return None
+        return self.blocks.run(step.final, met)
+
+    def _may_raise(self, block: Block) -> bool:
+        return any(not isinstance(step, int) or _raises(self.frame.body[step].value) for step in block)
+
+
+def _raises(expr: Expr | None) -> bool:
+    """Tell whether evaluating an expression may raise: calls, subscripts, divisions."""
+    if expr is None:
+        return False
+    if isinstance(expr, Call | Comprehension | Opaque) or (isinstance(expr, Op) and expr.op in {"[]", "/", "//", "%"}):
+        return True
+    return any(_raises(part) for part in children(expr))

@@ -1,0 +1,43 @@
+"""What a run asks of who evaluates expressions."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Protocol
+
+from ecm_parsers.source.expr import Call, Expr
+
+from ecm_extract.infer.effects import Targets
+from ecm_extract.infer.held import Held
+from ecm_extract.infer.outline import Outline
+
+if TYPE_CHECKING:
+    from ecm_extract.link.env import Bound, Env
+    from ecm_extract.link.units import Func
+
+
+class Judge(Targets, Protocol):
+    """Who evaluates expressions for a run."""
+
+    def truth(self, test: Expr, env: Env) -> bool | None:
+        """Tell whether a condition holds; None when that is not decided."""
+
+    def likely(self, test: Expr, env: Env) -> bool | None:
+        """Tell whether a condition holds as long as nobody sets a parameter; None when that is not known."""
+
+    def alike(self, one: Expr, other: Expr, env: Env) -> bool | None:
+        """Tell whether two expressions have the same value; None when that is not decided."""
+
+    def rounds(self, over: Expr, env: Env) -> list[Bound] | None:
+        """Return what a loop is over, each element once; None when not all of it is known."""
+
+    def is_own(self, call: Call, env: Env) -> bool:
+        """Tell whether a call may run a function of the tree."""
+
+    def reaches_object(self, call: Call, env: Env) -> bool:
+        """Tell whether a call of a function of the tree may run a method of the object at hand."""
+
+    def outline(self, func: Func) -> Outline:
+        """Return what is known of a function before it runs."""
+
+    def settle(self, held: Held) -> None:
+        """Evaluate now, so that a long chain of changes needs no deep recursion later."""

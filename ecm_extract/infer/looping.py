@@ -1,0 +1,112 @@
+"""Loops: over what is known round by round, others once with what their body changes unknown."""
+
+from __future__ import annotations
+
+from ecm_parsers.source.flow import Loop
+
+from ecm_extract.infer.assigning import Assigning
+from ecm_extract.infer.branching import Blocks
+from ecm_extract.infer.exits import Exits
+from ecm_extract.infer.held import MAX_WAYS, Held, State, joined_states
+from ecm_extract.infer.memory import Memory
+from ecm_extract.infer.run import MAX_STEPS, Frame
+
+MAX_ROUNDS = 64
+"""Rounds of a loop that are run one by one."""
+
+
+class Looping:
+    """Runs loops."""
+
+    def __init__(self, frame: Frame, exits: Exits, memory: Memory, assigning: Assigning, blocks: Blocks) -> None:
+        self.frame = frame
+        self.exits = exits
+        self.memory = memory
+        self.assigning = assigning
+        self.blocks = blocks
+
+    def run(self, loop: Loop, state: State) -> State | None:
+        """Run a loop; None when no way leads out of it."""
+        if not self.frame.unrolls:
+            return self._blur(loop, state)
+        if loop.each >= 0:
+            return self._over(loop, state)
+        return self._while(loop, state) if loop.test is not None else self._blur(loop, state)
+
+    def _over(self, loop: Loop, state: State) -> State | None:
+        each = self.frame.body[loop.each]
+        items = self.frame.judge.rounds(each.value, self.frame.place(state)) if each.value is not None else None
+        if items is None or len(items) > MAX_ROUNDS:
+            return self._blur(loop, state)
+        self.frame.record(loop.each, [state])
+        self.memory.sharing.enter(each)
+        self.exits.enter_loop()
+        current: State | None = state
+        for item in items:
+            if current is None:
+                break
+            current = self.assigning.bind(each.target, Held("value", "", item.expr, item.env, loop.each), current)
+            current = self._round(loop, current)
+        if not items:
+            self.blocks.unreached(loop.body, self.assigning.element(each, loop.each, state))
+        return self._exit(loop, current)
+
+    def _round(self, loop: Loop, state: State) -> State | None:
+        """Run the body once; what comes after a way out that may have been taken is not certain any more."""
+        broken = self.exits.broken()
+        after = self.blocks.run(loop.body, state)
+        after = joined_states([after, *self.exits.next_round()])
+        after = self.blocks.run(loop.step, after) if after is not None else None
+        left = self.exits.broken() > broken or self.exits.has_left
+        return self.frame.undecided(after) if after is not None and left else after
+
+    def _exit(self, loop: Loop, state: State | None) -> State | None:
+        broken = self.exits.end_loop()
+        state = self.blocks.run(loop.other, state) if state is not None else None
+        return joined_states([*broken, state])
+
+    def _while(self, loop: Loop, state: State) -> State | None:
+        """Run rounds while the condition is decided."""
+        assert loop.test is not None
+        self.exits.enter_loop()
+        current = state
+        for count in range(MAX_ROUNDS + 1):
+            holds = True if loop.first and not count else self.frame.judge.truth(loop.test, self.frame.place(current))
+            if holds is False:
+                if not count:
+                    self.blocks.unreached(loop.body, current)
+                return self._exit(loop, current)
+            if holds is None or count == MAX_ROUNDS or self.frame.steps > MAX_STEPS:
+                return self._exit(loop, self._blur(loop, current))
+            after = self._round(loop, current)
+            if after is None:
+                return self._exit(loop, None)
+            current = after
+        return self._exit(loop, current)
+
+    def _blur(self, loop: Loop, state: State) -> State | None:
+        """Run the body once with what it changes unknown, which stands for any number of rounds."""
+        changed = {key for block in (loop.body, loop.step) for key in self.memory.changed_in(block)}
+        start = self.memory.lost(state, changed)
+        heads = {key: start.holds[key][0] for key in changed}
+        self.exits.enter_loop()
+        inside = self.frame.undecided(start)
+        if loop.each >= 0:
+            self.frame.record(loop.each, [state])
+            self.memory.sharing.enter(self.frame.body[loop.each])
+            inside = self.assigning.element(self.frame.body[loop.each], loop.each, inside)
+        self.frame.blurred += 1
+        after = joined_states([self.blocks.run(loop.body, inside), *self.exits.next_round()])
+        if after is not None:
+            after = self.blocks.run(loop.step, after)
+        self.frame.blurred -= 1
+        for key, head in heads.items():
+            self._close(head, self.memory.known(key, state, None), after.holds[key] if after is not None else ())
+        return self._exit(loop, joined_states([start, after]))
+
+    def _close(self, head: Held, before: tuple[Held, ...], after: tuple[Held, ...]) -> None:
+        """What a variable holds when a round begins: what it held before the loop, or what a round left."""
+        ways = tuple(dict.fromkeys([*before, *(held for held in after if held is not head)]))
+        if len(ways) <= MAX_WAYS and head.name not in self.memory.escaped:
+            head.how, head.before = "looped", ways
+            head.settled.clear()

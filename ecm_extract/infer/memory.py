@@ -1,0 +1,115 @@
+"""What the variables of one run hold: how that changes, and who shares it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from ecm_parsers.source.flow import Block, statements
+
+from ecm_extract.infer.held import Held, How, State
+from ecm_extract.infer.run import Frame
+from ecm_extract.infer.sharing import Sharing
+
+if TYPE_CHECKING:
+    from ecm_extract.link.env import Env
+
+
+class Memory:
+    """Changes what variables hold, by key (see `places`), for all names of the same thing.
+
+    Attributes:
+        escaped: variables that others than the statements of the function may change any time.
+        sharing: which of them share what they hold.
+    """
+
+    def __init__(self, frame: Frame) -> None:
+        self.frame = frame
+        self.escaped: set[str] = set(frame.outline.escaped)
+        self.sharing = Sharing(frame.outline)
+        for key in self.escaped:
+            if self.is_open(key):
+                frame.run.shown[key].append(Held("lost", key))
+
+    def is_open(self, key: str) -> bool:
+        """Whether others than the function have a variable: a member, or one outside of functions."""
+        return key.startswith(".") or key.split(".")[0] not in self.frame.effects.own
+
+    def known(self, key: str, state: State, env: Env | None) -> tuple[Held, ...]:
+        """What a variable holds, which a function may have not given anything yet."""
+        how: How = "shared" if state.called and key.startswith(".") and key.count(".") == 1 else "given"
+        return state.holds.get(key) or (Held(how, key, env=env),)
+
+    def hold(self, key: str, held: Held, state: State) -> State:
+        """Give a variable something to hold."""
+        if key in self.escaped:
+            held = self._seen_by_others(key, held)
+        if held.length >= 8:
+            self.frame.judge.settle(held)
+        return state.having({key: (held,)})
+
+    def _seen_by_others(self, key: str, held: Held) -> Held:
+        """What a variable holds that a lambda or a pointer may change any time."""
+        if not self.is_open(key):
+            return Held("shared" if self.frame.outline.is_module else "lost", key, before=(held,))
+        self.frame.run.shown[key].append(held)
+        return Held("shared", key)
+
+    def lost(self, state: State, keys: Iterable[str]) -> State:
+        """The state in which nobody knows what some variables hold; what they were made as is kept."""
+        lost = {key: (Held("lost", key, before=state.holds.get(key, ())),) for key in keys if key}
+        for key in tuple(lost):
+            for part in state.holds:
+                if part.startswith(f"{key}."):
+                    lost[part] = (Held("lost", part),)
+        return state.having(lost)
+
+    def parts_lost(self, key: str, state: State) -> State:
+        """Return the state in which nobody knows the fields of a variable."""
+        dotted = f"{key}."
+        parts = {part: (Held("lost", part),) for part in state.holds if part.startswith(dotted)}
+        return state.having(parts)
+
+    def in_place(self, key: str, held: Held, state: State) -> State:
+        """Change what a variable consists of, for all names of the same thing."""
+        alike, others = {key}, set()
+        if self.frame.python:
+            alike = self.sharing.alike(key, state)
+            others = self.sharing.holding(alike, state) - alike
+        else:
+            others = set(self.sharing.parts(key))
+        others |= self.sharing.roots({key})
+        others = {name for name in others - alike if name in state.holds}
+        if self.escaped & alike:
+            held = self._seen_by_others(key, held)
+        if held.length >= 8:
+            self.frame.judge.settle(held)
+        ways = (held,)
+        return self.lost(state, others).having(dict.fromkeys(alike, ways))
+
+    def given_again(self, keys: Iterable[str], state: State) -> State:
+        """A function of the tree may assign members and variables outside of functions."""
+        again = tuple(keys)
+        for key in again:
+            known = self.frame.run.shown[key]
+            known += [held for held in state.holds[key] if held.how not in {"given", "shared"} and held not in known]
+        return state.having({key: (Held("shared", key),) for key in again})
+
+    def changed_in(self, block: Block) -> set[str]:
+        """The variables that steps change."""
+        found: set[str] = set()
+        for at in statements(block):
+            found |= self._changed_by(at)
+        return found
+
+    def _changed_by(self, at: int) -> set[str]:
+        found = self.frame.outline.changed_by(at)
+        if self.frame.body[at].kind == "each":  # a loop binds its variable, and changes nothing of what it is over
+            return found
+        return found | self.sharing.roots(found)
+
+    def declared_in(self, block: Block) -> set[str]:
+        """The variables that steps declare for themselves."""
+        declaring = (self.frame.body[at] for at in statements(block))
+        lets = [entry for entry in declaring if entry.kind == "let" or (entry.kind == "each" and not self.frame.python)]
+        return {key for entry in lets for key in self.frame.outline.bound_keys(entry.target)} - {""}

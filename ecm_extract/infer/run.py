@@ -1,0 +1,111 @@
+"""What a run of a function leaves behind, and the function while it is run."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from ecm_parsers.source.expr import Expr
+from ecm_parsers.source.facts import Statement
+
+from ecm_extract.infer.effects import Effects
+from ecm_extract.infer.held import Held, State, joined_states
+from ecm_extract.infer.judge import Judge
+from ecm_extract.infer.outline import Outline
+
+if TYPE_CHECKING:
+    from ecm_extract.link.env import Env
+
+MAX_STATES = 64
+"""States of one statement that are kept apart; beyond, they are joined."""
+MAX_STEPS = 4_000
+"""Statements that one run may take; beyond, loops are no longer unrolled."""
+
+
+@dataclass(slots=True, eq=False)
+class Run:
+    """What a function does for one binding of its parameters.
+
+    Attributes:
+        states: statement -> the states in which it is reached, live ones first if there are any.
+        returns: the reached `return` statements with their states.
+        end: the state in which the function is left; None when it never is.
+        shown: member or variable outside of functions -> what it holds while other functions may run.
+        cut: whether a bound was hit.
+    """
+
+    states: dict[int, list[State]] = field(default_factory=lambda: defaultdict(list))
+    returns: list[tuple[int, State]] = field(default_factory=list)
+    end: State | None = None
+    shown: dict[str, list[Held]] = field(default_factory=lambda: defaultdict(list))
+    cut: bool = False
+
+    def at(self, at: int) -> list[State]:
+        """Return the states of a statement: live ones, else what it would do if it were reached."""
+        found = self.states.get(at, [])
+        live = [state for state in found if state.live]
+        return live or found
+
+
+class Frame:
+    """One function while it is run: what is known of it, where the run is, and how closely it is followed.
+
+    Args:
+        env: the place of evaluation at the entry: function, arguments, object.
+        judge: who evaluates expressions.
+        whole: whether conditions are decided and loops unrolled; else every way is taken for possible, which is quick.
+
+    Attributes:
+        at: the statement at hand. steps: statements taken so far.
+        blurred: loops around, of which one round stands for all. later: functions around, which run any time later.
+    """
+
+    def __init__(self, env: Env, judge: Judge, whole: bool) -> None:
+        self.env = env
+        self.judge = judge
+        self.whole = whole
+        self.outline: Outline = judge.outline(env.func)
+        self.effects: Effects = self.outline.effects
+        self.python = env.func.file.language == "python"
+        self.body: Sequence[Statement] = env.func.fact.body
+        self.run = Run()
+        self.at = 0
+        self.steps = 0
+        self.blurred = 0
+        self.later = 0
+        self._branches = 0
+
+    @property
+    def unrolls(self) -> bool:
+        """Whether loops are run round by round."""
+        return self.whole and not self.blurred and self.steps <= MAX_STEPS
+
+    def place(self, state: State) -> Env:
+        """Return the place of the statement at hand, in a state."""
+        return self.env.within(state, self.at)
+
+    def truth(self, test: Expr, state: State) -> bool | None:
+        """Tell whether a condition holds in a state; None when that is not decided."""
+        return self.judge.truth(test, self.place(state)) if self.whole else None
+
+    def branch(self) -> int:
+        """Return the number of a branch that nobody can decide."""
+        self._branches += 1
+        return self._branches
+
+    def undecided(self, state: State) -> State:
+        """Return a state beyond a branch that nobody can decide."""
+        return state.on(self.branch())
+
+    def record(self, at: int, states: Iterable[State]) -> None:
+        """Note the states in which a statement is reached."""
+        known = self.run.states[at]
+        for state in states:
+            if len(known) < MAX_STATES:
+                known.append(state)
+            else:
+                met = joined_states([known[-1], state])
+                known[-1] = met.along((*met.path, self.branch())) if met is not None else state
+                self.run.cut = True
