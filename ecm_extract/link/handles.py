@@ -66,12 +66,17 @@ class Handles:
         if depth > MAX_DEPTH:
             return None
         if isinstance(expr, Call):
-            return self._call(invocation_of(expr, env), env, depth)
+            return self._call(invocation_of(expr, env), env, depth) or self._of_other(expr, env)
         if isinstance(expr, Op) and expr.op == "&":
             return self._known(expr.operands[0], env, depth + 1)
         if isinstance(expr, Name):
             return self._name(expr, env, depth)
         return self._member(expr, env, depth) if isinstance(expr, Member) else OWN
+
+    def _of_other(self, expr: Call, env: Env) -> Handle | None:
+        """What makes something else than a handle, as a duration that stands in its place, has no namespace."""
+        written = self.folder.objects.type_of(expr, env)
+        return OWN if written and plain(written) != "auto" and not self._is_handle(written, env) else None
 
     def _name(self, expr: Name, env: Env, depth: int) -> Handle | None:
         bound = env.args.get(expr.id) or self._given_to_constructor(expr.id, env)
