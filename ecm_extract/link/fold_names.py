@@ -146,7 +146,11 @@ class NameFolder:
         if place is None or not ways:
             return ()
         values = demoted(self.folder.held.of(ways, place))
-        return alternatives((*values, unknown(name))) if self._is_shared(name, file) else values
+        fixed = all(
+            value.confidence != "pattern" for value in values
+        )  # whoever gets a text or a number cannot change it
+        shared = self._is_given(name, file) if fixed else self._is_shared(name, file)
+        return alternatives((*values, unknown(name))) if shared else values
 
     def _module(self, file: File, env: Env) -> Env | None:
         """The end of the body of a Python module; None in that body itself."""
@@ -166,6 +170,15 @@ class NameFolder:
             ):
                 return True
         return False
+
+    def _is_given(self, name: str, file: File) -> bool:
+        """Tell whether functions of a module may give a variable of it something else."""
+        flow = self.folder.flow
+        return any(
+            name not in flow.effects(func).own and name in flow.outline(func).given
+            for func in self.folder.program.functions_in(file)
+            if func.fact.name != "<module>"
+        )
 
     def module_items(self, name: str, env: Env) -> list[Bound] | None:
         """Return the elements of a list that the body of a module leaves a name with."""
