@@ -53,7 +53,7 @@ class Outline:
 
     @cached_property
     def given(self) -> Set[str]:
-        """The variables that the body itself gives something else, by a statement, a method or a function of the tree."""
+        """The variables that the body gives something else, by a statement, a method or a function of the tree."""
         found = {key for statement in self.func.fact.body for key in self._assigned(statement)}
         effects = (effect for at in range(len(self.func.fact.body)) for effect in self.effects.of(at))
         return frozenset(found | {effect.key for effect in effects if effect.kind != "handed"} | self.escaped)
@@ -64,23 +64,28 @@ class Outline:
     @cached_property
     def escaped(self) -> Set[str]:
         """The variables that functions which are declared within it change: any time from then on."""
-        called = {func.fact.name for func in self.captured}
-        return frozenset(
-            key for func in self.inner if func.fact.name not in called for key in self._changed_inside(func)
-        )
+        handed = (func for func in self.inner if func not in self.captured)
+        return frozenset(key for func in handed for key in self._changed_inside(func))
 
     @cached_property
     def captured(self) -> Mapping[Func, Set[str]]:
         """The functions within it that it does nothing with but call, with the variables that they change."""
         found = {func: frozenset(self._changed_inside(func)) for func in only_called(self.func, self.inner)}
-        return {func: keys for func, keys in found.items() if not any(key.startswith(".") for key in keys)}
+        return {func: keys for func, keys in found.items() if self._are_followed(func, keys)}
+
+    def _are_followed(self, func: Func, keys: Set[str]) -> bool:
+        """Whether what a function within it changes are variables that nobody hands to it as well, by reference."""
+        calls = (call for group in self.func.calls for call in group if call.callee == Name(func.fact.name))
+        handed = {self.effects.root(arg) for call in calls for arg in call.args} if not self.python else set()
+        return not (keys & handed) and not any(key.startswith(".") for key in keys)
 
     @cached_property
     def exposed(self) -> Set[str]:
         """The variables of C++ that are given away, by address or to somebody unknown, and so decide no branch."""
         if self.python:
             return frozenset()
-        found = {effect.key for at in range(len(self.func.fact.body)) for effect in self.effects.of(at)}
+        effects = (effect for at in range(len(self.func.fact.body)) for effect in self.effects.of(at))
+        found = {effect.key for effect in effects if effect.kind in {"handed", "lost"}}
         for statement in self.func.fact.body:
             for start in (statement.target, statement.value):
                 found |= {self.effects.key(name) for name in _given_away(start)}
