@@ -21,6 +21,7 @@ class Shifting:
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
         self._members: dict[tuple[Cls, str], bool] = {}
+        self._passed: dict[tuple[Cls, str], bool] = {}
         self._named: dict[Func, Set[str]] = {}
 
     def member(self, name: str, cls: Cls) -> bool:
@@ -30,13 +31,25 @@ class Shifting:
             known = self._members[cls, name] = self._shifts(name, cls)
         return known
 
+    def is_passed(self, name: str, cls: Cls) -> bool:
+        """Tell whether a member does not shift, but is made of what the constructor gets."""
+        known = self._passed.get((cls, name))
+        if known is None:
+            changes = self._changed(name, cls)
+            known = not self.member(name, cls) and any(_names_parameter(method, at) for method, at in changes)
+            self._passed[cls, name] = known
+        return known
+
     def _shifts(self, name: str, cls: Cls) -> bool:
+        changes = self._changed(name, cls)
+        return len(changes) > 1 or any(not self._is_first(f".{name}", method, at) for method, at in changes)
+
+    def _changed(self, name: str, cls: Cls) -> list[tuple[Func, int]]:
+        """The statements that change a member, each with its method."""
         program = self.folder.program
         lineage = (*program.ancestry(cls), *program.derived(cls))
         changing = [method for entry in lineage for method in self.folder.scope.changing(name, entry)]
-        key = f".{name}"
-        changes = [(method, at) for method in changing for at in self._changes(key, method)]
-        return len(changes) > 1 or any(not self._is_first(key, method, at) for method, at in changes)
+        return [(method, at) for method in changing for at in self._changes(f".{name}", method)]
 
     def _changes(self, key: str, method: Func) -> Iterator[int]:
         """The statements of a method that change a member; what runs any time later counts as one of its own."""
@@ -70,3 +83,9 @@ class Shifting:
             ]
             known = self._named[func] = frozenset(named)
         return known
+
+
+def _names_parameter(method: Func, at: int) -> bool:
+    """Whether a statement makes use of a parameter of its function."""
+    given = {parameter.name for parameter in method.fact.params}
+    return any(isinstance(expr, Name) and expr.id in given for expr, _ in expressions(method.fact.body[at]))
