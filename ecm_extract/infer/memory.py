@@ -54,7 +54,7 @@ class Memory:
     def _seen_by_others(self, key: str, held: Held) -> Held:
         """What a variable holds that a lambda or a pointer may change any time."""
         if not self.is_open(key):
-            return Held("lost", key, before=(held,))
+            return Held("shared" if self.frame.outline.is_module else "lost", key, before=(held,))
         self.frame.run.shown[key].append(held)
         return Held("shared", key)
 

@@ -38,6 +38,7 @@ class Outline:
         self.reads = reads
         self.inner = inner
         self.python = func.file.language == "python"
+        self.is_module = self.python and func.fact.name == "<module>"
         self.effects = Effects(func, own_names(func.fact, self.python), targets)
 
     @cached_property

@@ -20,36 +20,36 @@ class Activation:
 
     Args:
         sites: know who calls whom.
-        programs: identities of the main functions of programs.
+        programs: the main functions of programs.
     """
 
-    def __init__(self, sites: Sites, programs: Collection[int]) -> None:
+    def __init__(self, sites: Sites, programs: Collection[Func]) -> None:
         self._sites = sites
         self._programs = programs
-        self._known: dict[int, bool] = {}
+        self._known: dict[Func, bool] = {}
 
     def runs(self, call: Invocation) -> bool:
         """Tell whether a call is reached from a beginning by calls alone; a callback is called later, if ever."""
         if call.statement.deferred:
             return False
-        known = self._known.get(id(call.func))
+        known = self._known.get(call.func)
         if known is None:
-            known = self._known[id(call.func)] = self._is_reached(call.func)
+            known = self._known[call.func] = self._is_reached(call.func)
         return known
 
     def _is_reached(self, func: Func) -> bool:
-        seen, pending = {id(func)}, [func]
+        seen, pending = {func}, [func]
         while pending and len(seen) < MAX_CALLERS:
             current = pending.pop()
             if self._begins(current):
                 return True
             callers = [call.func for call in self._sites.callers(current) if not call.statement.deferred]
-            pending += [caller for caller in callers if id(caller) not in seen]
-            seen |= {id(caller) for caller in callers}
+            pending += [caller for caller in callers if caller not in seen]
+            seen.update(callers)
         return False
 
     def _begins(self, func: Func) -> bool:
-        if func.is_constructor or id(func) in self._programs:
+        if func.is_constructor or func in self._programs:
             return True
         if func.cls is None:
             return func.fact.name in _BEGINNINGS

@@ -5,7 +5,10 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Set
 
-from ecm_extract.link.calls import Invocation, held_objects, invocations
+from msgspec.structs import replace
+
+from ecm_extract.link.beginnings import beginnings
+from ecm_extract.link.calls import Invocation, invocations
 from ecm_extract.link.program import Program
 from ecm_extract.link.spelling import last_name, plain, template_arguments
 
@@ -26,7 +29,7 @@ def call_index(program: Program, wanted: Set[str], aliases: Set[str]) -> dict[st
                 index[call.last].append(call)
     for group in program.classes.values():
         for cls in group:
-            for call in held_objects(cls):
+            for call in beginnings(cls):
                 index[call.last].append(call)
     for name in sorted(aliases):
         for call in index.get(name, ()):
@@ -45,6 +48,6 @@ def _add_meant(call: Invocation, program: Program, index: dict[str, list[Invocat
     types = call.types or template_arguments(target)
     cls = program.class_named(call.path, call.func.file, scope)
     if cls is not None:
-        index[cls.fact.name].append(call._replace(types=types))
+        index[cls.fact.name].append(replace(call, types=types))
     elif last_name(plain(target)) in wanted:
-        index[last_name(plain(target))].append(call._replace(path=plain(target), types=types))
+        index[last_name(plain(target))].append(replace(call, path=plain(target), types=types))

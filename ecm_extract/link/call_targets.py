@@ -10,7 +10,7 @@ from ecm_extract.link.closures import is_returned, uses
 from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.overloads import NO, score
-from ecm_extract.link.spelling import plain
+from ecm_extract.link.spelling import plain, pointee
 from ecm_extract.link.units import Cls, Func
 
 
@@ -32,10 +32,10 @@ class CallTargets:
         self.folder = folder
         self.calls = calls
         self.place = place
-        self._targets: dict[int, tuple[Func, ...]] = {}
-        self._receivers: dict[int, Container[Cls]] = {}
+        self._targets: dict[Invocation, tuple[Func, ...]] = {}
+        self._receivers: dict[Invocation, Container[Cls]] = {}
         self._asked: set[tuple[str, str]] = set()
-        self._callers_of: dict[int, list[Invocation]] = defaultdict(list)
+        self._callers_of: dict[Func, list[Invocation]] = defaultdict(list)
 
     def callers(self, func: Func) -> Sequence[Invocation]:
         """Return the calls of a function by others: those that mean it by name, arguments and receiver."""
@@ -48,18 +48,18 @@ class CallTargets:
             for call in self.calls.get(func.fact.name, ()):
                 if self.folder.program.sees(call.func.file, func.file):
                     self._note(call)
-        return self._callers_of.get(id(func), ())
+        return self._callers_of.get(func, ())
 
     def _note(self, call: Invocation) -> None:
         """Remember a call with each function that it means, once."""
-        if id(call) not in self._targets:
+        if call not in self._targets:
             for target in self.targets(call):
                 if target is not call.func:
-                    self._callers_of[id(target)].append(call)
+                    self._callers_of[target].append(call)
 
     def targets(self, call: Invocation) -> tuple[Func, ...]:
         """Return the functions of the tree that a call can mean, the best fitting overloads only."""
-        known = self._targets.get(id(call))
+        known = self._targets.get(call)
         if known is None:
             seen = self.folder.program.seen_functions(call.last, call.func.file)
             scored = [(score(call, func), func) for func in seen]
@@ -67,7 +67,7 @@ class CallTargets:
             if call.simple and any(func.cls is not None for _, func in fitting):
                 fitting = [(fit, func) for fit, func in fitting if func.cls is not None]  # members hide functions
             best = max((fit for fit, _ in fitting), default=0)
-            known = self._targets[id(call)] = _own_first(call, [func for fit, func in fitting if fit == best])
+            known = self._targets[call] = _own_first(call, [func for fit, func in fitting if fit == best])
         return known
 
     def _visible(self, call: Invocation, func: Func) -> bool:
@@ -87,9 +87,9 @@ class CallTargets:
     def _method_means(self, call: Invocation, cls: Cls) -> bool:
         if call.receiver is None and not call.simple:
             return cls in self._named_classes(call)
-        known = self._receivers.get(id(call))
+        known = self._receivers.get(call)
         if known is None:
-            known = self._receivers[id(call)] = self._classes(call)
+            known = self._receivers[call] = self._classes(call)
         return cls in known
 
     def _named_classes(self, call: Invocation) -> Container[Cls]:
@@ -108,7 +108,7 @@ class CallTargets:
         owner = self.folder.objects.class_of(call.receiver, env)
         if owner is not None:
             return self.folder.program.ancestry(owner)
-        written = plain(self.folder.objects.type_of(call.receiver, env))
+        written = plain(pointee(self.folder.objects.type_of(call.receiver, env)))
         return _Any() if not written or written == "auto" or written in _templates(call.func) else ()
 
 

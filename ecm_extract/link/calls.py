@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Container, Iterator
 from typing import NamedTuple
 
+import msgspec
 from ecm_parsers.source.expr import (
     Call,
     Expr,
@@ -21,7 +22,7 @@ from ecm_extract.link.spelling import (
     pointee,
     template_arguments,
 )
-from ecm_extract.link.units import Cls, Func
+from ecm_extract.link.units import Func
 
 _INTERFACE_NAMES = (
     "interface",
@@ -37,10 +38,19 @@ _INTERFACE_NAMES = (
 _MAKERS = frozenset({"make_shared", "make_unique", "allocate_shared"})
 
 
-class Invocation(NamedTuple):
-    """One call in one function.
+class Step(NamedTuple):
+    """One statement of a function, and where in its body it stands: at its end what no body has."""
+
+    func: Func
+    at: int
+    statement: Statement
+
+
+class Invocation(msgspec.Struct, frozen=True, eq=False):
+    """One call in one function; two that are written alike are two.
 
     Attributes:
+        at: index of its statement in the body of the function; the length of the body for what stands in none.
         path: what is called, as written and with Python imports resolved; the class for a construction.
         receiver: the object whose method is called; None for functions, constructions and implicit `this`.
         types: template arguments, as written.
@@ -48,6 +58,7 @@ class Invocation(NamedTuple):
     """
 
     func: Func
+    at: int
     statement: Statement
     path: str
     receiver: Expr | None
@@ -75,13 +86,13 @@ def invocations(func: Func, wanted: Container[str] | None = None) -> Iterator[In
         func: the function.
         wanted: only calls whose last name is in it; None for all.
     """
-    for statement, calls in zip(func.fact.body, func.calls, strict=True):
+    for at, (statement, calls) in enumerate(zip(func.fact.body, func.calls, strict=True)):
         for call in calls:
             if wanted is None or _last_of(call, func) in wanted:
-                yield invocation(func, statement, call)
+                yield invocation(Step(func, at, statement), call)
         if statement.value is None and statement.kind == "let" and by_value(statement.type):
-            yield _construction(func, statement, statement.type, (), statement.line)
-        implied = _implied(func, statement)
+            yield construction(Step(func, at, statement), statement.type, (), statement.line)
+        implied = _implied(Step(func, at, statement)) if statement.kind == "init" else None
         if implied is not None:
             yield implied
 
@@ -99,33 +110,23 @@ def _last_of(call: Call, func: Func) -> str:
     return last_name(plain(owner))
 
 
-def held_objects(cls: Cls) -> Iterator[Invocation]:
-    """Yield a construction for each member that is an object, not a pointer, of a class with a method to hold it."""
-    if not cls.methods or cls.file.language != "cpp":
-        return
-    holder = next((method for method in cls.methods if method.file is cls.file), cls.methods[0])
-    for field in cls.fact.fields:
-        if by_value(field.type):
-            statement = Statement("let", field.line, None, Name(field.name), field.type)
-            yield _construction(holder, statement, field.type, (), field.line)
-
-
-def invocation(func: Func, statement: Statement, call: Call) -> Invocation:
+def invocation(step: Step, call: Call) -> Invocation:
     """Return a call as the forms see it."""
+    func, _, statement = step
     if func.file.language == "python":
-        return _python(func, statement, call)
+        return _python(step, call)
     callee = call.callee
     args = one_node(func, call.args)
     if isinstance(callee, Member):
-        return Invocation(func, statement, callee.name, callee.base, args, call.keywords, call.types, call.line)
+        return Invocation(*step, callee.name, callee.base, args, call.keywords, call.types, call.line)
     path = callee.id if isinstance(callee, Name) else ""
     last = path.rsplit("::", 1)[-1]
     if last in _MAKERS and call.types:
-        return _construction(func, statement, call.types[0], args, call.line)
+        return construction(step, call.types[0], args, call.line)
     if last == "make_shared" and "::" in path and path not in {"std::make_shared", "boost::make_shared"}:
-        return Invocation(func, statement, path.rsplit("::", 1)[0], None, args, (), call.types, call.line, True)
+        return Invocation(*step, path.rsplit("::", 1)[0], None, args, (), call.types, call.line, True)
     made = statement.kind == "let" and statement.value is call and plain(statement.type) == path
-    return Invocation(func, statement, path, None, args, call.keywords, call.types, call.line, made)
+    return Invocation(*step, path, None, args, call.keywords, call.types, call.line, made)
 
 
 def one_node(func: Func, args: tuple[Expr, ...]) -> tuple[Expr, ...]:
@@ -151,21 +152,22 @@ def _is_interface(func: Func, expr: Expr) -> bool:
     return any(not isinstance(value, Name) and _is_interface(func, value) for value in values)
 
 
-def _construction(func: Func, statement: Statement, written: str, args: tuple[Expr, ...], line: int) -> Invocation:
-    return Invocation(func, statement, plain(written), None, args, (), template_arguments(written), line, True)
+def construction(step: Step, written: str, args: tuple[Expr, ...], line: int) -> Invocation:
+    """Return the construction of an object of a type as written."""
+    return Invocation(*step, plain(written), None, args, (), template_arguments(written), line, True)
 
 
-def _python(func: Func, statement: Statement, call: Call) -> Invocation:
+def _python(step: Step, call: Call) -> Invocation:
     dotted = dotted_name(call.callee)
     if dotted:
         head, *rest = dotted.split(".")
-        target = func.file.imported.get(head)
+        target = step.func.file.imported.get(head)
         if target is not None or not rest:
             path = ".".join([target or head, *rest])
-            return Invocation(func, statement, path, None, call.args, call.keywords, (), call.line)
+            return Invocation(*step, path, None, call.args, call.keywords, (), call.line)
     if isinstance(call.callee, Member):
-        return Invocation(func, statement, call.callee.name, call.callee.base, call.args, call.keywords, (), call.line)
-    return Invocation(func, statement, "", None, call.args, call.keywords, (), call.line)
+        return Invocation(*step, call.callee.name, call.callee.base, call.args, call.keywords, (), call.line)
+    return Invocation(*step, "", None, call.args, call.keywords, (), call.line)
 
 
 def dotted_name(expr: Expr) -> str:
@@ -178,9 +180,10 @@ def dotted_name(expr: Expr) -> str:
     return ""
 
 
-def _implied(func: Func, statement: Statement) -> Invocation | None:
+def _implied(step: Step) -> Invocation | None:
     """A member initialiser `sub_(nh, "x", 1)` constructs an object of the member's type."""
-    if statement.kind != "init" or func.cls is None or not isinstance(statement.target, Name):
+    func, _, statement = step
+    if func.cls is None or not isinstance(statement.target, Name):
         return None
     field = func.cls.fields.get(statement.target.id)
     if field is None or not by_value(field.type):
@@ -188,4 +191,4 @@ def _implied(func: Func, statement: Statement) -> Invocation | None:
     value = statement.value
     same = isinstance(value, Call) and value.callee == statement.target
     args = value.args if same and isinstance(value, Call) else (value,) if value is not None else ()
-    return _construction(func, statement, pointee(field.type), one_node(func, args), statement.line)
+    return construction(step, pointee(field.type), one_node(func, args), statement.line)

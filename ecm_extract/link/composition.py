@@ -13,7 +13,7 @@ from ecm_parsers.source.expr import Expr, Text
 from ecm_extract.link.calls import Invocation
 from ecm_extract.link.modules import Module, Modules
 from ecm_extract.link.references import References, Unit
-from ecm_extract.link.units import Cls
+from ecm_extract.link.units import Cls, Func
 
 MAX_USERS = 4_000
 _NAMESPACE = "__ns:="
@@ -65,19 +65,18 @@ class _Composer:
     def place(self, module: Module, found: Composition) -> None:
         """Add a module to the programs and modules that make it."""
         assert module.cls is not None
-        named = self.modules.registry.names.get(id(module.cls))
+        named = self.modules.registry.names.get(module.cls)
         if named is not None:
             _add(found.programs[module.package, named], Part(module))
         calls = list(self._making(module.cls))
         nested = _nests(module.cls)
         for unit in self._outermost(module.cls):
-            program = self.modules.registry.programs.get(id(unit))
-            if program is not None:
-                _add(found.programs[unit.file.package, program], Part(module))
-            elif isinstance(unit, Cls):
-                owner = self.modules.by_class[id(unit)]
-                for name in self._names(calls, unit) or [None]:
-                    _add(found.parts[owner], Part(module, name, nested))
+            if isinstance(unit, Func):
+                _add(found.programs[unit.file.package, self.modules.registry.programs[unit]], Part(module))
+                continue
+            owner = self.modules.by_class[unit]
+            for name in self._names(calls, unit) or [None]:
+                _add(found.parts[owner], Part(module, name, nested))
 
     def loaders(self) -> Iterator[tuple[str, Unit]]:
         """Yield (base class, unit) of the loaders that take every class that plugin descriptions declare."""
@@ -85,23 +84,24 @@ class _Composer:
         for call in sites.calls.get("getDeclaredClasses", ()):
             if call.receiver is None:
                 continue
-            written = sites.folder.objects.type_of(call.receiver, sites.root_env(call.func, sites.position(call)))
+            written = sites.folder.objects.type_of(call.receiver, sites.root_env(call.func, call.at))
             match = _LOADER.search(written or "")
             if match is not None:
                 yield match[1].strip(), call.func.holder or call.func
 
     def _outermost(self, cls: Cls) -> Iterator[Unit]:
         """Yield the main functions and module classes in which an object of a class is made."""
-        seen, pending = {id(cls)}, list(self.references.makers(cls))
+        seen: set[Unit] = {cls}
+        pending = list(self.references.makers(cls))
         while pending and len(seen) < MAX_USERS:
             unit = pending.pop()
-            if id(unit) in seen:
+            if unit in seen:
                 continue
-            seen.add(id(unit))
-            is_module = isinstance(unit, Cls) and id(unit) in self.modules.by_class
+            seen.add(unit)
+            is_module = isinstance(unit, Cls) and unit in self.modules.by_class
             if isinstance(unit, Cls) and cls in self.references.program.ancestry(unit):
                 continue  # a base is a part of the object, not an object of its own
-            if is_module or id(unit) in self.modules.registry.programs:
+            if is_module or unit in self.modules.registry.programs:
                 yield unit
             if not is_module:
                 pending.extend(self.references.users(unit))
@@ -117,7 +117,7 @@ class _Composer:
         for call in calls:
             if call.func.cls is not unit or not call.args:
                 continue
-            value = sites.folder.fold(call.args[0], sites.root_env(call.func, sites.position(call)))[0]
+            value = sites.folder.fold(call.args[0], sites.root_env(call.func, call.at))[0]
             if value.confidence != "pattern" and value.text and _plain(value.text):
                 names.setdefault(value.text)
         return list(names)
@@ -134,10 +134,10 @@ def _add(parts: list[Part], part: Part) -> None:
 
 def _nests(cls: Cls) -> bool:
     """Tell whether the sources of a class give its node a namespace by a remap rule."""
-    files = {id(method.file): method.file for method in cls.methods if method.file.language == "cpp"}
+    files = dict.fromkeys(method.file for method in cls.methods if method.file.language == "cpp")
     return any(
         statement.value is not None and _mentions_namespace(statement.value)
-        for file in files.values()
+        for file in files
         for function in file.facts.functions
         for statement in function.body
     )

@@ -38,7 +38,7 @@ def diagnoses(sites: Sites) -> Iterator[tuple[Cls | Func, Diagnosis]]:
     for name in SUMMARIES:
         for call in sites.calls.get(name, ()):
             if len(call.args) >= 2:
-                found = _Told(call.func, sites.position(call), call.args[0], call.args[1], call.line)
+                found = _Told(call.func, call.at, call.args[0], call.args[1], call.line)
                 yield from _diagnosis(found, sites)
     for functions in sites.program.functions.values():
         for func in functions:

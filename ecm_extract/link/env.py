@@ -9,7 +9,7 @@ from ecm_parsers.source.expr import Call, Expr, Items
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.held import State
-from ecm_extract.link.calls import Invocation, invocation
+from ecm_extract.link.calls import Invocation, Step, invocation
 from ecm_extract.link.units import Cls, Func
 
 MAX_DEPTH = 32
@@ -120,5 +120,6 @@ def bind(callee: Func, call: Invocation, env: Env) -> dict[str, Bound]:
 def invocation_of(expr: Call, env: Env) -> Invocation:
     """Return a call expression at a place as the forms see it."""
     body = env.func.fact.body
-    statement = body[min(env.at, len(body) - 1)] if body else Statement("do", env.func.fact.line, expr)
-    return invocation(env.func, statement, expr)
+    at = min(env.at, max(len(body) - 1, 0))
+    statement = body[at] if body else Statement("do", env.func.fact.line, expr)
+    return invocation(Step(env.func, at, statement), expr)

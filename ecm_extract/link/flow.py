@@ -118,6 +118,10 @@ class Flow:
             return run.at(env.at)
         return [run.end] if run.end is not None else [state for found in run.states.values() for state in found[-1:]]
 
+    def reached(self, env: Env) -> list[State]:
+        """Return the states in which a place is reached, none where every run gets there."""
+        return [] if self._is_certain(env) else self.states(env)
+
     def places(self, env: Env) -> list[Env]:
         """Return a place once for each state in which a run reaches it; itself where that is not known."""
         if self._is_certain(env):

@@ -44,6 +44,7 @@ from ecm_extract.link.program import Program
 from ecm_extract.link.scope import Scope
 from ecm_extract.link.shifting import Shifting
 from ecm_extract.link.steps import Steps
+from ecm_extract.link.structures import StructureFolder
 from ecm_extract.link.values import (
     MAX_ALTERNATIVES,
     TOO_MANY,
@@ -81,6 +82,7 @@ class Folder:
         self.calls = CallFolder(self)
         self.assignments = Assignments(self)
         self.lists = ListFolder(self)
+        self.structures = StructureFolder(self)
         self.tables = TableFolder(self)
         self.held = HeldFolder(self)
         self.flow = Flow(self)
@@ -186,6 +188,7 @@ class Folder:
     def forget(self) -> None:
         """Drop remembered members, since more of the parameters is known now."""
         self.members.forget()
+        self.names.variables.forget()
         self.reads.forget()
         self.flow.forget()
         self.states.forget()

@@ -20,6 +20,7 @@ from ecm_extract.link import formats
 from ecm_extract.link.calls import Invocation
 from ecm_extract.link.env import Bound, Env, bind, invocation_of
 from ecm_extract.link.handing_on import THIS
+from ecm_extract.link.limits import limit
 from ecm_extract.link.numbers import NUMBERS, as_number
 from ecm_extract.link.object_states import is_own
 from ecm_extract.link.overloads import score
@@ -210,6 +211,9 @@ class CallFolder:
                 return (constant(size == 0 if call.last == "empty" else size)._replace(confidence="folded"),)
             if python and subject is not None:
                 return self.folder.combined([self.folder.fold(subject, env)], _length, "len")
+        bound = None if python else limit(call.path, call.types)
+        if bound is not None:
+            return (constant(bound),)
         work = _PYTHON_FUNCTIONS.get(call.path) if python and call.receiver is None else None
         if work is not None and not call.keywords:
             return self.folder.combined([self.folder.fold(arg, env) for arg in call.args], work, call.last)

@@ -77,6 +77,8 @@ class HeldFolder:
         work = self._work.get(held.how)
         if work is not None:
             return work(held, inner)
+        if held.how == "shared" and held.before:
+            return self.folder.names.variables.given(held.name, env.func.file, self.of([held.before], env))
         if held.how in {"given", "shared"}:
             entered = self.folder.states.entered(held.name, env) if held.how == "given" else None
             return self.values(entered, env) if entered else self.given(held.name, env, first=held.how == "given")
@@ -250,10 +252,7 @@ class HeldFolder:
             last = plain(statement.type).rsplit("::", 1)[-1] if statement is not None else ""
             return [] if last in _CONTAINERS else None
         if held.how in {"given", "shared"}:
-            entered = self.folder.states.entered(held.name, env) if held.how == "given" else None
-            if entered is not None:
-                return self.items(entered, env)
-            return self.folder.lists.given(held.name, env, held.how == "given")
+            return self._items_at_first(held, env) if not held.before else None
         if held.how == "out":
             found = self.out(held, inner)
             return self.items_of([found[0]], found[1].deeper(env.depth + 1)) if found is not None else None
@@ -268,6 +267,13 @@ class HeldFolder:
         if held.how == "changed" and isinstance(held.expr, Call):
             return self.folder.lists.changed(before, held.expr, inner)
         return self.folder.lists.stored(before, held, inner) if held.how == "stored" else None
+
+    def _items_at_first(self, held: Held, env: Env) -> list[Bound] | None:
+        """The elements of a list that the function did not change."""
+        entered = self.folder.states.entered(held.name, env) if held.how == "given" else None
+        if entered is not None:
+            return self.items(entered, env)
+        return self.folder.lists.given(held.name, env, held.how == "given")
 
     def items_of(self, ways: Iterable[tuple[Held, ...]], env: Env) -> list[Bound] | None:
         """Return the elements of a list that a variable surely holds; None for one of several lists."""

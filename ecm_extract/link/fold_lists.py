@@ -328,24 +328,6 @@ class ListFolder:
         found = self.folder.calls.returned(callee, call, env)
         return self.items(*found[0]) if len(found) == 1 else None
 
-    def structure(self, expr: Expr, env: Env) -> list[Bound] | None:
-        """Return the values that an object of a plain structure is made from, in order."""
-        ways = self.folder.flow.ways(expr, env) if isinstance(expr, Name | Member) else []
-        helds = {held for way in ways for held in way}
-        held = helds.pop() if len(helds) == 1 else None
-        if held is None or held.how != "value" or held.env is None:
-            return None
-        made = held.expr
-        if isinstance(made, Name | Member):
-            return self.structure(made, held.env.deeper(env.depth + 1)) if env.depth < MAX_DEPTH else None
-        if isinstance(made, Items):
-            return [Bound(item, held.env) for item in made.items]
-        if not isinstance(made, Call) or not isinstance(made.callee, Name) or made.keywords:
-            return None
-        cls = self.folder.objects.class_written(made.callee.id, held.env)
-        simple = cls is not None and not any(method.is_constructor for method in cls.methods)
-        return [Bound(item, held.env) for item in made.args] if simple else None
-
     # --- changes -----------------------------------------------------------------------------------------------
 
     def changed(self, items: list[Bound], call: Call, env: Env) -> list[Bound] | None:

@@ -16,6 +16,7 @@ from ecm_parsers.source.expr import (
 from ecm_parsers.source.facts import Constant
 
 from ecm_extract.link.env import Bound, Env
+from ecm_extract.link.module_variables import ModuleVariables
 from ecm_extract.link.spelling import last_name
 from ecm_extract.link.units import File
 from ecm_extract.link.values import (
@@ -37,10 +38,10 @@ if TYPE_CHECKING:
 
 
 @cache
-def outside_constants() -> Mapping[str, str | float]:
-    """Return constants of public headers outside the tree by their own name."""
+def outside_constants(table: str = "constants") -> Mapping[str, str | float]:
+    """Return constants of public headers outside the tree by their own name, `python`: those of modules, in full."""
     text = (resources.files("ecm_extract.link") / "outside_constants.toml").read_text("utf-8")
-    return MappingProxyType(tomllib.loads(text)["constants"])
+    return MappingProxyType(tomllib.loads(text)[table])
 
 
 class NameFolder:
@@ -48,6 +49,7 @@ class NameFolder:
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
+        self.variables = ModuleVariables(folder)
 
     def name(self, expr: Name, env: Env) -> tuple[Value, ...]:
         """A variable, a parameter, a member of `this`, or a constant."""
@@ -146,39 +148,12 @@ class NameFolder:
         if place is None or not ways:
             return ()
         values = demoted(self.folder.held.of(ways, place))
-        fixed = all(
-            value.confidence != "pattern" for value in values
-        )  # whoever gets a text or a number cannot change it
-        shared = self._is_given(name, file) if fixed else self._is_shared(name, file)
-        return alternatives((*values, unknown(name))) if shared else values
+        return self.variables.given(name, file, values)
 
     def _module(self, file: File, env: Env) -> Env | None:
         """The end of the body of a Python module; None in that body itself."""
         module = next((f for f in self.folder.program.functions_in(file) if f.fact.name == "<module>"), None)
         return Env(module, depth=env.depth + 1) if module is not None and module is not env.func else None
-
-    def _is_shared(self, name: str, file: File) -> bool:
-        """Tell whether functions of a module may change a variable of it: they assign it, or call a method of it."""
-        flow = self.folder.flow
-        for func in self.folder.program.functions_in(file):
-            if name in func.fact.shared:
-                return True
-            if (
-                func.fact.name != "<module>"
-                and name not in flow.effects(func).own
-                and name in flow.outline(func).changes
-            ):
-                return True
-        return False
-
-    def _is_given(self, name: str, file: File) -> bool:
-        """Tell whether functions of a module may give a variable of it something else."""
-        flow = self.folder.flow
-        return any(
-            name not in flow.effects(func).own and name in flow.outline(func).given
-            for func in self.folder.program.functions_in(file)
-            if func.fact.name != "<module>"
-        )
 
     def module_items(self, name: str, env: Env) -> list[Bound] | None:
         """Return the elements of a list that the body of a module leaves a name with."""
@@ -195,7 +170,7 @@ class NameFolder:
     def _left(self, name: str, env: Env) -> tuple[Env | None, list[tuple[Held, ...]]]:
         file = env.func.file
         place = self._module(file, env)
-        if place is None or self._is_shared(name, file):
+        if place is None or self.variables.changers(name, file):
             return None, []
         return place, self.folder.flow.ways(Name(name), place)
 
@@ -203,11 +178,16 @@ class NameFolder:
         """A constant of another Python module, by its dotted name."""
         found = self.folder.program.constant_named(dotted, env.func.file)
         if found is None or found.constant.value is None:
-            return ()
+            return _of_outside(self.folder.program.canonical(dotted, env.func.file)) if found is None else ()
         if not found.constant.scope:
             return self._of_module(found.constant.name, found.file, env)
         inner = Env(self._file_env(found.file, env).func, depth=env.depth + 1)
         return demoted(self.folder.fold(found.constant.value, inner))
+
+
+def _of_outside(dotted: str) -> tuple[Value, ...]:
+    known = outside_constants("python").get(dotted)
+    return () if known is None else demoted((literal(known) if isinstance(known, str) else constant(known),))
 
 
 def is_fresh(env: Env) -> bool:

@@ -131,6 +131,14 @@ class TableFolder:
         finally:
             self._asked.discard(held)
 
+    def _entries_at_first(self, held: Held, env: Env) -> list[Entry] | None:
+        """The entries of a table that the function did not change."""
+        if held.how == "given":
+            entered = self.folder.states.entered(held.name, env)
+            return self.held_entries(entered, env) if entered is not None else self._given_entries(held.name, env)
+        found = self.folder.lists.sources(Member(Name("this"), held.name.rpartition(".")[2]), env)
+        return self.held_entries(*found[0]) if len(found) == 1 else None
+
     def _kept_entries(self, held: Held, env: Env) -> list[Entry] | None:
         inner = held.env.deeper(env.depth + 1) if held.env is not None else env.deeper(env.depth + 1)
         if held.how == "value":
@@ -142,14 +150,8 @@ class TableFolder:
             )
         if held.how == "made":
             return [] if self._declared(held) else None
-        if held.how == "given":
-            entered = self.folder.states.entered(held.name, env)
-            if entered is not None:
-                return self.held_entries(entered, env)
-            return self._given_entries(held.name, env)
-        if held.how == "shared":
-            found_ = self.folder.lists.sources(Member(Name("this"), held.name.rpartition(".")[2]), env)
-            return self.held_entries(*found_[0]) if len(found_) == 1 else None
+        if held.how in {"given", "shared"}:
+            return self._entries_at_first(held, env)
         if held.how == "out":
             found = self.folder.held.out(held, inner)
             single = found is not None and len(found[0]) == 1

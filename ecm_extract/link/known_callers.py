@@ -40,6 +40,10 @@ class KnownCallers:
         self._handed: dict[File, Set[str]] = {}
         self._kept: dict[tuple[Func, str], bool] = {}
 
+    def all(self, func: Func) -> Iterator[Calling]:
+        """Yield the calls of a function that the tree has, whoever else may call it."""
+        yield from self.find(func) if self.find is not None else ()
+
     def of(self, func: Func) -> Sequence[Calling] | None:
         """Return all calls of a method with their places; None where somebody else may call it."""
         if self.find is None:

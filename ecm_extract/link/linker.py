@@ -15,6 +15,7 @@ from ecm_extract.link.built import files_of
 from ecm_extract.link.claims import Claim, claims_of
 from ecm_extract.link.data import UNKNOWN, stated_type
 from ecm_extract.link.diagnoses import SUMMARIES, Diagnosis, diagnoses
+from ecm_extract.link.endpoint_conditions import EndpointConditions
 from ecm_extract.link.endpoint_types import EndpointTypes
 from ecm_extract.link.fallbacks import fallback
 from ecm_extract.link.fold import Folder
@@ -42,6 +43,7 @@ from ecm_extract.link.parameters import Home, Parameters
 from ecm_extract.link.placing import placed
 from ecm_extract.link.program import Program
 from ecm_extract.link.qos import QosReader
+from ecm_extract.link.reconfigured import SERVICE, Placed, beside
 from ecm_extract.link.references import References, Unit
 from ecm_extract.link.registry import build_registry, plugins_of
 from ecm_extract.link.scope import Scope
@@ -49,6 +51,7 @@ from ecm_extract.link.site import Site
 from ecm_extract.link.sites import Sites
 from ecm_extract.link.stamps import Stamp, stamps
 from ecm_extract.link.types import Types
+from ecm_extract.link.units import Cls
 from ecm_extract.link.values import Value, literal, settled, unknown, weaker
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.resolve.layout import layouts
@@ -105,51 +108,68 @@ class Linker:
         self.references = References(self.sites)
         self.modules = Modules(self.program, self.references, registry)
         self.ownership = Ownership(self.sites, self.modules)
-        self._observed: dict[int, list[Observation]] = defaultdict(list)
-        self._stamped: dict[int, list[Stamp]] = defaultdict(list)
-        self._diagnosed: dict[int, list[Diagnosis]] = defaultdict(list)
-        self._local: dict[int, dict[tuple[str, str, str | None], list[str]]] = defaultdict(dict)
+        self.conditions = EndpointConditions(self.sites, self.modules)
+        self._observed: dict[Module, list[Observation]] = defaultdict(list)
+        self._stamped: dict[Module, list[Stamp]] = defaultdict(list)
+        self._diagnosed: dict[Module, list[Diagnosis]] = defaultdict(list)
+        self._servers: dict[tuple[Module, Unit], list[Placed]] = defaultdict(list)
+        self._local: dict[Module, dict[tuple[str, str, str | None], list[str]]] = defaultdict(dict)
 
     def link(self) -> list[LinkedModule]:
         """Return all modules with their endpoints, in a stable order."""
+        self.declare()
+        return self.attributed()
+
+    def declare(self) -> None:
+        """Find the parameters that are declared; what values are is known from then on."""
         self.generated.declare(self.parameters)
         self._declare_ports()
-        declared = self.parameter_sites = self.sites.find(parameters=True)
-        self._declare_defaults(declared)
+        self.parameter_sites = self.sites.find(parameters=True)
+        self._declare_defaults(self.parameter_sites)
         self.folder.forget()
+
+    def attributed(self) -> list[LinkedModule]:
+        """Return what `link` does, once parameters are declared."""
         nodes = self._class_nodes()
         self.modules.find({unit: name.text for unit, name in nodes.items()})
-        found: dict[int, list[Interface]] = defaultdict(list)
+        found: dict[Module, list[Interface]] = defaultdict(list)
         others = self.sites.find(parameters=False)
-        for site in [*others, *declared]:
+        for site in [*others, *self.parameter_sites]:
             self._attribute(site, found, nodes)
-        for unit, interfaces in self.generated.interfaces():
-            for module in self.modules.owners(unit):
-                found[id(module)].extend(interfaces)
+        self._generate(found)
         activation = Activation(self.sites, self.registry.programs)
         self._given_out(observations(self.sites, activation), self._observed)
         self._given_out(stamps(self.sites), self._stamped)
         self._given_out(diagnoses(self.sites), self._diagnosed)
         return [self._linked(module, found, nodes) for module in _ordered(self.modules.all())]
 
+    def _generate(self, found: dict[Module, list[Interface]]) -> None:
+        """Give what build files generate to the modules whose units use it."""
+        for unit, interfaces in self.generated.interfaces():
+            for module in self.modules.owners(unit):
+                servers = self._servers.get((module, unit), ())
+                placed = [entry for each in interfaces for entry in beside(each, servers)]
+                found[module] += [entry.interface for entry in placed]
+                self._local[module] |= {_key(entry.interface): [entry.local] for entry in placed if servers}
+
     def tell(self, tree: Tree) -> None:
         """Report the places whose values were not computed to the end to the tree that they stand in."""
         for entry in self.folder.steps.left_out():
             tree.report(entry)
 
-    def _given_out(self, found: Iterable[tuple[Unit, _Found]], by_module: dict[int, list[_Found]]) -> None:
+    def _given_out(self, found: Iterable[tuple[Unit, _Found]], by_module: dict[Module, list[_Found]]) -> None:
         """Give what units do to the modules that have them."""
         for unit, entry in found:
             for module in self.modules.owners(unit):
-                by_module[id(module)].append(entry)
+                by_module[module].append(entry)
 
-    def _class_nodes(self) -> dict[int, NodeName]:
-        nodes: dict[int, NodeName] = {}
+    def _class_nodes(self) -> dict[Cls, NodeName]:
+        nodes: dict[Cls, NodeName] = {}
         for group in self.program.classes.values():
             for cls in group:
                 name = self.names.of_class(cls) if self.modules.is_module(cls) else None
                 if name is not None:
-                    nodes[id(cls)] = name
+                    nodes[cls] = name
         return nodes
 
     def _declare_ports(self) -> None:
@@ -157,7 +177,7 @@ class Linker:
         for name in ("InputPort", "BidirectionalPort"):
             for call in self.sites.calls.get(name, ()):
                 if len(call.args) == 3 and isinstance(call.args[0], Text) and call.func.cls is not None:
-                    env = self.sites.root_env(call.func, self.sites.position(call))
+                    env = self.sites.root_env(call.func, call.at)
                     self.parameters.declare(call.args[0].value, call.func.cls, (call.args[1], env))
 
     def _declare_defaults(self, sites: Iterable[Site]) -> None:
@@ -172,44 +192,49 @@ class Linker:
                         self.parameters.declare(value.text, home, (default, site.env))
 
     def _linked(
-        self, module: Module, found: Mapping[int, list[Interface]], nodes: Mapping[int, NodeName]
+        self, module: Module, found: Mapping[Module, list[Interface]], nodes: Mapping[Cls, NodeName]
     ) -> LinkedModule:
-        local = self._local.get(id(module), {})
+        local = self._local.get(module, {})
         claims = claims_of(module.cls, self.folder) if module.cls is not None else None
-        seen = tuple(dict.fromkeys(self._observed.get(id(module), ())))
-        lines = tuple(found.get(id(module), ()))
+        seen = tuple(dict.fromkeys(self._observed.get(module, ())))
+        lines = self.conditions.named(module, found.get(module, ()))
         interfaces = merged(lines)
         managed = module.cls is not None and is_managed(module.cls, self.program)
-        stamped = tuple(dict.fromkeys(self._stamped.get(id(module), ())))
-        told = tuple(dict.fromkeys(self._diagnosed.get(id(module), ())))
+        stamped = tuple(dict.fromkeys(self._stamped.get(module, ())))
+        told = tuple(dict.fromkeys(self._diagnosed.get(module, ())))
         node = self._node(module, nodes)
         text, at = (node.text, node.at) if node is not None else (None, None)
         return LinkedModule(module, text, interfaces, local, claims, seen, managed, stamped, lines, told, at)
 
-    def _node(self, module: Module, nodes: Mapping[int, NodeName]) -> NodeName | None:
+    def _node(self, module: Module, nodes: Mapping[Cls, NodeName]) -> NodeName | None:
         if module.cls is not None:
-            return nodes.get(id(module.cls))
+            return nodes.get(module.cls)
         return self.names.of_program(module.main) if module.main is not None else None
 
     # --- endpoints ---------------------------------------------------------------------------------------
 
-    def _attribute(self, site: Site, found: dict[int, list[Interface]], nodes: Mapping[int, NodeName]) -> None:
+    def _attribute(self, site: Site, found: dict[Module, list[Interface]], nodes: Mapping[Cls, NodeName]) -> None:
         for unit in units_of(site, self.sites, self.modules):
             for module in self.ownership.owners(unit, site):
                 node = self._node(module, nodes)
-                self._give(site, unit, module, found[id(module)], node.text if node is not None else None)
+                self._give(site, unit, module, found[module], node.text if node is not None else None)
 
     def _give(self, site: Site, unit: Unit, module: Module, found: list[Interface], node: str | None) -> None:
         origin = None if unit is module.cls or unit is module.main or module.kind == "library" else unit.fact.name
         for interface, local in self._interfaces(site, node, origin):
             found.append(interface)
-            names = self._local[id(module)].setdefault((interface.role, interface.name, interface.type), [])
+            self.conditions.note(module, site, interface)
+            names = self._local[module].setdefault(_key(interface), [])
             names += [local] * (local not in names)
+            if interface.type == SERVICE:
+                for maker in {unit, site.call.func.holder or site.call.func}:
+                    self._servers[module, maker].append(Placed(interface, local))
 
     def _interfaces(self, site: Site, node: str | None, origin: str | None) -> Iterator[tuple[Interface, str]]:
         ros = site.root.file.ros
         handle = self._handle(site)
         evidence = tuple(Evidence(path, line) for path, line in dict.fromkeys(site.lines()))
+        when = self.conditions.of(site)
         for named, default in self._named(site):
             value = of_node(named, node, ros)
             local = local_name(settled(named), handle)
@@ -221,8 +246,8 @@ class Linker:
                 confidence = "folded"
             if not site.certain:
                 confidence = weaker(confidence, "one_of")
-            if value.text == "" and site.form.role != "parameter":
-                confidence = "pattern"
+            if (value.text == "" and site.form.role != "parameter") or "{" in name.resolved:
+                confidence = "pattern"  # a name that has no text, or a handle of which not all is known
             interface = Interface(
                 role=_role(site.form.role, kind),
                 name=name.resolved,
@@ -234,6 +259,7 @@ class Linker:
                 evidence=evidence,
                 default=None if data is UNKNOWN else data,
                 inherited_from=origin,
+                when=when,
             )
             yield interface, name.resolved if _is_absolute(site) else local
 
@@ -255,7 +281,7 @@ class Linker:
         if form.items:
             return self._listed(site)
         values = self.sites.names(site)
-        default = default or fallback(site, self.sites.position(site.call), self.folder)
+        default = default or fallback(site, site.call.at, self.folder)
         return [(placed(value, form.place), default) for value in values[:MAX_NAMES]]
 
     def _fixed(self, site: Site) -> Value:
@@ -286,14 +312,14 @@ class Linker:
         return found or [(unknown("parameters"), None)]
 
     def _qos(self, site: Site, ros: int | None) -> Qos | None:
-        if site.form.role not in {"publisher", "subscriber"} and (ros == 1 or not site.form.profile):
+        form = site.form
+        if form.role not in {"publisher", "subscriber"} and (ros == 1 or not form.profile):
             return None
-        given = [expr for expr in positions(site.form.qos, site.call) if not is_callback(expr)]
-        expr = given[0] if given else Name(site.form.profile) if site.form.profile else None
-        if ros != 1:
-            return self.qos.read(expr, site.env)
-        flags = [flag for flag in positions(site.form.latch, site.call) if not is_callback(flag)]
-        return self.qos.depth(expr, flags[0] if flags else None, site.env)
+        given = next((expr for expr in positions(form.qos, site.call) if not is_callback(expr)), None)
+        if ros == 1:
+            flags = [flag for flag in positions(form.latch, site.call) if not is_callback(flag)]
+            return self.qos.depth(given, flags[0] if flags else None, site.env)
+        return self.qos.read(given or (Name(form.profile) if form.profile else None), site.env)
 
     def _frame(self, site: Site) -> str | None:
         if not site.form.frame:
@@ -305,6 +331,11 @@ class Linker:
 def _is_absolute(site: Site) -> bool:
     """Tell whether a row implies the whole name, which no handle and no node changes."""
     return site.form.fixed.startswith("/")
+
+
+def _key(interface: Interface) -> tuple[str, str, str | None]:
+    """What an endpoint is found by in `LinkedModule.local`."""
+    return interface.role, interface.name, interface.type
 
 
 def _role(role: Role, kind: str | None) -> Role:

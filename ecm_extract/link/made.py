@@ -22,7 +22,7 @@ def units_of(site: Site, sites: Sites, modules: Modules) -> tuple[Unit, ...]:
     made = _made(site, sites, modules)
     if made is None or made is outer:
         return (outer,)
-    shared = site.owner is not None and modules.by_class[id(made)].kind not in _NODES
+    shared = site.owner is not None and modules.by_class[made].kind not in _NODES
     return (made, outer) if shared else (made,)
 
 
@@ -31,7 +31,7 @@ def _made(site: Site, sites: Sites, modules: Modules) -> Cls | None:
     followed = (*site.chain[1:], site.call)
     for call, inner in reversed(list(zip(site.chain, followed, strict=False))):
         cls = inner.func.cls
-        if cls is not None and id(cls) in modules.by_class and _is_home(call, cls) and sites.makes(call, cls):
+        if cls is not None and cls in modules.by_class and _is_home(call, cls) and sites.makes(call, cls):
             return cls
     return None
 

@@ -54,9 +54,9 @@ class Registry:
         libraries: source path -> library name.
     """
 
-    classes: dict[int, str] = field(default_factory=dict)
-    names: dict[int, str] = field(default_factory=dict)
-    programs: dict[int, str] = field(default_factory=dict)
+    classes: dict[Cls, str] = field(default_factory=dict)
+    names: dict[Cls, str] = field(default_factory=dict)
+    programs: dict[Func, str] = field(default_factory=dict)
     libraries: dict[str, str] = field(default_factory=dict)
 
 
@@ -67,12 +67,12 @@ class Modules:
         self.program = program
         self.references = references
         self.registry = registry
-        self.by_class: dict[int, Module] = {}
-        self.by_main: dict[int, Module] = {}
+        self.by_class: dict[Cls, Module] = {}
+        self.by_main: dict[Func, Module] = {}
         self.libraries: dict[tuple[str, str], Module] = {}
-        self._owners: dict[int, tuple[Module, ...]] = {}
+        self._owners: dict[Unit, tuple[Module, ...]] = {}
 
-    def find(self, node_name: Mapping[int, str]) -> None:
+    def find(self, node_name: Mapping[Cls, str]) -> None:
         """Make the modules of all classes that are modules, and of programs.
 
         Args:
@@ -82,10 +82,8 @@ class Modules:
             for cls in group:
                 kind = self._kind(cls)
                 if kind is not None:
-                    name = node_name.get(id(cls)) or self.registry.names.get(id(cls)) or snake(cls.fact.name)
-                    self.by_class[id(cls)] = Module(
-                        cls.file.package, name, kind, cls, None, cls.file.path, cls.fact.line
-                    )
+                    name = node_name.get(cls) or self.registry.names.get(cls) or snake(cls.fact.name)
+                    self.by_class[cls] = Module(cls.file.package, name, kind, cls, None, cls.file.path, cls.fact.line)
 
     def is_module(self, cls: Cls) -> bool:
         """Tell whether a class has a contract of its own."""
@@ -94,7 +92,7 @@ class Modules:
     def _kind(self, cls: Cls) -> str | None:
         if not cls.file.is_built:
             return None
-        registered = self.registry.classes.get(id(cls))
+        registered = self.registry.classes.get(cls)
         kind = class_kind(cls, self.program)
         if registered is not None:
             return kind if kind not in {None, "node"} else "component" if kind == "node" else registered
@@ -114,32 +112,33 @@ class Modules:
 
     def owners(self, unit: Unit) -> tuple[Module, ...]:
         """Return the modules that have the endpoints of a unit: itself, those that use it, or the library."""
-        known = self._owners.get(id(unit))
+        known = self._owners.get(unit)
         if known is None:
-            known = self._owners[id(unit)] = self._find_owners(unit)
+            known = self._owners[unit] = self._find_owners(unit)
         return known
 
     def _find_owners(self, unit: Unit) -> tuple[Module, ...]:
         if not unit.file.is_built:
             return ()
-        found: dict[int, Module] = {}
-        seen, pending = {id(unit)}, [unit]
+        found: dict[Module, None] = {}
+        seen: set[Unit] = {unit}
+        pending = [unit]
         while pending and len(seen) < MAX_USERS:
             current = pending.pop()
             module = self._own(current)
             if module is not None:
-                found[id(module)] = module
-                if not (isinstance(current, Cls) and current is unit):
+                found[module] = None
+                if not isinstance(current, Cls):
                     continue
             for user in self._users(current, module):
-                if id(user) not in seen:
-                    seen.add(id(user))
+                if user not in seen:
+                    seen.add(user)
                     pending.append(user)
         if not found and not isinstance(unit, Cls) and unit.cls is not None:
             return self.owners(unit.cls)
         if not found:
             return (self.library(unit),)
-        return tuple(sorted(found.values(), key=lambda module: (module.package, module.name, module.path)))
+        return tuple(sorted(found, key=lambda module: (module.package, module.name, module.path)))
 
     def _users(self, unit: Unit, module: Module | None) -> Iterable[Unit]:
         """A module class passes its endpoints on only to the classes that derive from it."""
@@ -149,13 +148,13 @@ class Modules:
 
     def _own(self, unit: Unit) -> Module | None:
         if isinstance(unit, Cls):
-            return self.by_class.get(id(unit))
-        name = self.registry.programs.get(id(unit))
+            return self.by_class.get(unit)
+        name = self.registry.programs.get(unit)
         if name is None:
             return None
-        module = self.by_main.get(id(unit))
+        module = self.by_main.get(unit)
         if module is None:
-            module = self.by_main[id(unit)] = self._started(unit, name)
+            module = self.by_main[unit] = self._started(unit, name)
         return module
 
     def _started(self, unit: Func, name: str) -> Module:

@@ -36,7 +36,7 @@ class NodeNames:
     def __init__(self, folder: Folder, sites: Sites) -> None:
         self.folder = folder
         self.sites = sites
-        self._free: dict[int, list[Invocation]] | None = None
+        self._free: dict[File, list[Invocation]] | None = None
 
     def of_class(self, cls: Cls) -> NodeName | None:
         """Return the name that the class passes to its node base, None when it is not fixed."""
@@ -78,7 +78,7 @@ class NodeNames:
                     or "name" not in constructor.fact.params[0].name.lower()
                 ):
                     return None
-                env = self.sites.root_env(call.func, self.sites.position(call))
+                env = self.sites.root_env(call.func, call.at)
                 found.append(_known(self.folder.fold(call.args[0], env), _place(call)))
         texts = {name.text if name is not None else None for name in found}
         return found[0] if len(texts) == 1 else None
@@ -97,8 +97,8 @@ class NodeNames:
             self._free = defaultdict(list)
             for call in (call for name in _NAMING for call in self.sites.calls.get(name, ())):
                 if call.func.cls is None:
-                    self._free[id(call.func.file)].append(call)
-        return self._free.get(id(file), ())
+                    self._free[call.func.file].append(call)
+        return self._free.get(file, ())
 
     def _initialised(self, call: Invocation) -> NodeName | None:
         index = next((at for path, at in _INITS.items() if call.path == path or call.path.endswith("::" + path)), None)
@@ -106,7 +106,7 @@ class NodeNames:
             index = 0
         if index is None or index >= len(call.args):
             return None
-        env = self.sites.root_env(call.func, self.sites.position(call))
+        env = self.sites.root_env(call.func, call.at)
         return _known(self.folder.fold(call.args[index], env), _place(call))
 
 

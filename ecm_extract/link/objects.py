@@ -181,26 +181,23 @@ class Objects:
             call = self._base_call(func, parent, env)
             constructor = self.constructor(parent, len(call.args)) if call is not None else None
             if call is not None and constructor is not None:
-                return Instance(parent, bind(constructor, call, env.before(self._at(func, call))), types, constructor)
+                return Instance(parent, bind(constructor, call, env.before(call.at)), types, constructor)
         return Instance(parent, {}, types)
 
     def _meant(self, written: str, cls: Cls) -> str:
         """What a template argument in the head of a class stands for where the class is."""
         return self.program.alias(written, cls.file, cls.fact.scope) or written
 
-    def _at(self, func: Func, call: Invocation) -> int:
-        return next((at for at, entry in enumerate(func.fact.body) if entry is call.statement), 0)
-
     def _base_call(self, func: Func, parent: Cls, env: Env) -> Invocation | None:
-        for statement in func.fact.body:
+        for at, statement in enumerate(func.fact.body):
             value = statement.value
             target = statement.target
             if statement.kind == "init" and isinstance(target, Name) and last_name(target.id) == parent.fact.name:
                 args = value.args if isinstance(value, Call) and value.callee == target else (value,) if value else ()
-                return Invocation(func, statement, target.id, None, one_node(func, args), (), (), statement.line)
+                return Invocation(func, at, statement, target.id, None, one_node(func, args), (), (), statement.line)
             if isinstance(value, Call) and _calls_super(value, parent):
                 args = value.args[1:] if value.args[:1] == (Name("this"),) else value.args
-                return Invocation(func, statement, "super", None, args, value.keywords, (), statement.line)
+                return Invocation(func, at, statement, "super", None, args, value.keywords, (), statement.line)
         return None
 
     def constructor(self, cls: Cls, count: int) -> Func | None:

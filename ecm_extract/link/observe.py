@@ -71,7 +71,7 @@ def observations(sites: Sites, activation: Activation) -> Iterator[tuple[Cls | F
         for call in sites.calls.get(last, ()):
             row = next((row for row in rows if _is(row, call)), None)
             if row is not None and not _hands_on(row, call):
-                env = sites.root_env(call.func, sites.position(call))
+                env = sites.root_env(call.func, call.at)
                 seen = _observed(row, call, env, sites.folder, activation.runs(call))
                 yield call.func.holder or call.func, seen
 

@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from functools import cache
 from importlib import resources
 from types import MappingProxyType
@@ -14,6 +14,7 @@ from types import MappingProxyType
 import msgspec
 from ecm_parsers.source.expr import Call, Constant, Expr, Member, Name, Text
 from ecm_parsers.source.facts import Statement
+from msgspec.structs import replace
 
 from ecm_extract.link.calls import Invocation
 from ecm_extract.link.spelling import last_name, plain
@@ -53,7 +54,7 @@ def spread(call: Invocation) -> Invocation:
     if not filled.is_struct:
         return call
     args, types = filled.result()
-    return call._replace(args=args, types=types)
+    return replace(call, args=args, types=types)
 
 
 class _Filled:
@@ -66,7 +67,7 @@ class _Filled:
         (given,) = call.args
         self.is_struct = self._take(given)
         if isinstance(given, Name):
-            for statement in _before(call):
+            for statement in call.func.fact.body[: call.at]:
                 self._read(statement, given)
 
     def result(self) -> tuple[tuple[Expr, ...], tuple[str, ...]]:
@@ -110,10 +111,3 @@ def _type_in(value: Expr) -> tuple[str, ...]:
     if isinstance(value, Text):
         return (value.value.replace("/", "::"),)
     return value.types[:1] if isinstance(value, Call) else ()
-
-
-def _before(call: Invocation) -> Iterator[Statement]:
-    for statement in call.func.fact.body:
-        if statement is call.statement:
-            return
-        yield statement

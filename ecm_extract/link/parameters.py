@@ -27,8 +27,8 @@ class Parameters:
     def __init__(self, forms: FormTable) -> None:
         self.forms = forms
         self._names = {name for name, rows in forms.items() if any(row.role == "parameter" for row in rows)}
-        self._written: dict[int, dict[str, list[tuple[int, Expr, Expr | None]]]] = {}
-        self._by_class: dict[int, dict[str, list[tuple[Func, int, Expr, Expr | None]]]] = {}
+        self._written: dict[Func, dict[str, list[tuple[int, Expr, Expr | None]]]] = {}
+        self._by_class: dict[Cls, dict[str, list[tuple[Func, int, Expr, Expr | None]]]] = {}
         self._defaults: dict[tuple[Home, str], tuple[Expr, Env] | str] = {}
         self._several: set[tuple[Home, str]] = set()
         self._declared: set[tuple[str, str]] = set()
@@ -76,9 +76,9 @@ class Parameters:
 
     def all_written(self, func: Func) -> dict[str, list[tuple[int, Expr, Expr | None]]]:
         """Return variable -> (statement, name, default) of the calls of a function that write a parameter."""
-        known = self._written.get(id(func))
+        known = self._written.get(func)
         if known is None:
-            known = self._written[id(func)] = self._index(func)
+            known = self._written[func] = self._index(func)
         return known
 
     def read_into(self, func: Func, name: Expr) -> list[str]:
@@ -88,9 +88,9 @@ class Parameters:
 
     def members(self, cls: Cls, target: str) -> list[tuple[Func, int, Expr, Expr | None]]:
         """Return (method, statement, name, default) of the calls of a class that write a parameter to a member."""
-        known = self._by_class.get(id(cls))
+        known = self._by_class.get(cls)
         if known is None:
-            known = self._by_class[id(cls)] = defaultdict(list)
+            known = self._by_class[cls] = defaultdict(list)
             for method in cls.methods:
                 for name, entries in self.all_written(method).items():
                     known[name].extend((method, *entry) for entry in entries)
@@ -98,12 +98,11 @@ class Parameters:
 
     def _index(self, func: Func) -> dict[str, list[tuple[int, Expr, Expr | None]]]:
         found: dict[str, list[tuple[int, Expr, Expr | None]]] = defaultdict(list)
-        index = {id(statement): at for at, statement in enumerate(func.fact.body)}
         for call in invocations(func, self._relevant()):
             entry = self._out(call)
             if entry is not None:
                 target, name, default = entry
-                found[target].append((index[id(call.statement)], name, default))
+                found[target].append((call.at, name, default))
         return found
 
     def _relevant(self) -> set[str]:

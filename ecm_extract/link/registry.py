@@ -41,7 +41,7 @@ def build_registry(program: Program, packages: Iterable[PackageFacts]) -> Regist
 def plugins_of(program: Program, registry: Registry) -> list[Cls]:
     """Return the classes that a loader makes by the name of a configuration, and that are no nodes."""
     classes = (cls for group in program.classes.values() for cls in group)
-    return [cls for cls in classes if registry.classes.get(id(cls)) == "plugin"]
+    return [cls for cls in classes if registry.classes.get(cls) == "plugin"]
 
 
 def _macros(file: File, program: Program, registry: Registry) -> None:
@@ -57,7 +57,7 @@ def _macros(file: File, program: Program, registry: Registry) -> None:
 
 
 def _register(cls: Cls, kind: str, registry: Registry) -> None:
-    registry.classes.setdefault(id(cls), kind)
+    registry.classes.setdefault(cls, kind)
 
 
 def _plugins(package: PackageFacts, files: list[File], program: Program, registry: Registry) -> None:
@@ -67,7 +67,7 @@ def _plugins(package: PackageFacts, files: list[File], program: Program, registr
             if cls is not None:
                 nodelet = "odelet" in entry.base_class_type
                 _register(cls, "nodelet" if nodelet else "plugin", registry)
-                registry.names.setdefault(id(cls), snake(cls.fact.name))
+                registry.names.setdefault(cls, snake(cls.fact.name))
 
 
 def plugin_class(written: str, files: list[File], program: Program) -> Cls | None:
@@ -84,7 +84,7 @@ def _components(package: PackageFacts, files: list[File], program: Program, regi
             if cls is not None:
                 _register(cls, "component", registry)
                 if entry.executable:
-                    registry.names[id(cls)] = entry.executable
+                    registry.names[cls] = entry.executable
 
 
 def _class_of(written: str, files: list[File], program: Program) -> Cls | None:
@@ -136,7 +136,7 @@ def _programs(package: PackageFacts, files: list[File], program: Program, regist
     for file in files:
         for func in _mains(file, program, entries) if file.is_built else ():
             if (file, func.fact.name) in entries or not started.by_script(func):
-                registry.programs[id(func)] = names.get(file.path) or _program_name(func, entries)
+                registry.programs[func] = names.get(file.path) or _program_name(func, entries)
 
 
 def _program_name(func: Func, entries: Mapping[tuple[File, str], str]) -> str:

@@ -40,24 +40,24 @@ class Scope:
     def __init__(self, program: Program) -> None:
         self.program = program
         self.ways: Callable[[Expr, Env], Sequence[Sequence[Held]]] = _nothing
-        self._locals: dict[int, dict[str, list[int]]] = {}
-        self._options: dict[tuple[int, str], Expr] | None = None
-        self._passed: dict[int, dict[str, list[tuple[int, Call, int]]]] = {}
-        self._members: dict[int, dict[str, list[Definition]]] = {}
-        self._changing: dict[int, dict[str, list[Func]]] = {}
-        self._fields: dict[int, dict[str, list[int]]] = {}
+        self._locals: dict[Func, dict[str, list[int]]] = {}
+        self._options: dict[tuple[File, str], Expr] | None = None
+        self._passed: dict[Func, dict[str, list[tuple[int, Call, int]]]] = {}
+        self._members: dict[Cls, dict[str, list[Definition]]] = {}
+        self._changing: dict[Cls, dict[str, list[Func]]] = {}
+        self._fields: dict[Func, dict[str, list[int]]] = {}
         self._outside: frozenset[tuple[str, str]] | None = None
-        self._class_fields: dict[int, dict[str, list[Definition]]] = {}
+        self._class_fields: dict[Cls, dict[str, list[Definition]]] = {}
 
     def locals_of(self, func: Func) -> dict[str, list[int]]:
         """Return name -> indices of the statements that bind it in a function."""
-        known = self._locals.get(id(func))
+        known = self._locals.get(func)
         if known is None:
             known = defaultdict(list)
             for at, statement in enumerate(func.fact.body):
                 if isinstance(statement.target, Name) and statement.kind != "init":
                     known[statement.target.id].append(at)
-            self._locals[id(func)] = known
+            self._locals[func] = known
         return known
 
     def local(self, expr: Expr, env: Env) -> list[Definition]:
@@ -103,7 +103,7 @@ class Scope:
 
     def passed(self, func: Func, name: str) -> list[tuple[int, Call, int]]:
         """Return (statement, call, argument index) of the calls that a local is handed to."""
-        known = self._passed.get(id(func))
+        known = self._passed.get(func)
         if known is None:
             known = defaultdict(list)
             for at, calls in enumerate(func.calls):
@@ -111,7 +111,7 @@ class Scope:
                     for index, arg in enumerate(call.args):
                         if isinstance(arg, Name):
                             known[arg.id].append((at, call, index))
-            self._passed[id(func)] = known
+            self._passed[func] = known
         return known.get(name, [])
 
     def declared_type(self, name: str, env: Env) -> str:
@@ -135,7 +135,7 @@ class Scope:
 
     def members(self, name: str, cls: Cls) -> list[Definition]:
         """Return the assignments of a data member in all methods of a class (bases are separate classes)."""
-        known = self._members.get(id(cls))
+        known = self._members.get(cls)
         if known is None:
             known = defaultdict(list)
             for method in cls.methods:
@@ -144,14 +144,14 @@ class Scope:
                     target = _member_target(statement, own)
                     if target and statement.value is not None:
                         known[target].append(Definition(method, at))
-            self._members[id(cls)] = known
+            self._members[cls] = known
         return known.get(name, [])
 
     def changing(self, name: str, cls: Cls) -> list[Func]:
         """Return the methods of a class that may give a data member something else, by an assignment or a call."""
-        known = self._changing.get(id(cls))
+        known = self._changing.get(cls)
         if known is None:
-            known = self._changing[id(cls)] = defaultdict(list)
+            known = self._changing[cls] = defaultdict(list)
             for method in cls.methods:
                 for target in _touched(method):
                     known[target].append(method)
@@ -159,9 +159,9 @@ class Scope:
 
     def fields(self, func: Func) -> dict[str, list[int]]:
         """Return field -> indices of the statements of a function that assign it on an object other than its own."""
-        known = self._fields.get(id(func))
+        known = self._fields.get(func)
         if known is None:
-            known = self._fields[id(func)] = defaultdict(list)
+            known = self._fields[func] = defaultdict(list)
             for at, statement in enumerate(func.fact.body):
                 target = statement.target
                 if isinstance(target, Member) and target.base != Name("this") and statement.kind == "set":
@@ -177,9 +177,9 @@ class Scope:
 
     def class_fields(self, cls: Cls) -> dict[str, list[Definition]]:
         """Return field -> the assignments of it on other objects in all methods of a class."""
-        known = self._class_fields.get(id(cls))
+        known = self._class_fields.get(cls)
         if known is None:
-            known = self._class_fields[id(cls)] = defaultdict(list)
+            known = self._class_fields[cls] = defaultdict(list)
             for method in cls.methods:
                 for name, indices in self.fields(method).items():
                     known[name] += [Definition(method, at) for at in indices]
@@ -201,8 +201,8 @@ class Scope:
             for functions in self.program.functions.values():
                 for func in functions:
                     if func.file.language == "python":
-                        self._options |= {(id(func.file), key): value for key, value in _options(func)}
-        return self._options.get((id(file), name))
+                        self._options |= {(func.file, key): value for key, value in _options(func)}
+        return self._options.get((file, name))
 
 
 def _member_target(statement: Statement, params: set[str]) -> str:

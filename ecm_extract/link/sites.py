@@ -22,6 +22,7 @@ from ecm_extract.link.match import Matcher, name_argument, positions
 from ecm_extract.link.openness import MAX_CHAIN, Openness
 from ecm_extract.link.option_structs import spread
 from ecm_extract.link.parameters import Parameters
+from ecm_extract.link.prefixes import prefixed
 from ecm_extract.link.program import Program
 from ecm_extract.link.site import Site
 from ecm_extract.link.types import Types
@@ -52,9 +53,8 @@ class Sites:
         self.types = types
         self.folder: Folder = matcher.folder
         self.parameters = parameters
-        self._positions: dict[int, dict[int, int]] = {}
-        self._remembered: set[int] = set()
-        self._names: dict[int, tuple[Site, tuple[Value, ...]]] = {}
+        self._remembered: set[Func] = set()
+        self._names: dict[Site, tuple[Value, ...]] = {}
         self.openness = Openness(self.folder, types, program.derived)
         self._aliases = program.aliases.meaning(program.classes, matcher.forms)
         wanted = {*matcher.forms, *program.functions, *program.classes, *_ALSO, *also}
@@ -74,11 +74,11 @@ class Sites:
 
     def _direct(self, call: Invocation, parameters: bool) -> Iterator[Site]:
         func = call.func
-        env = self.root_env(func, self.position(call))
+        env = self.root_env(func, call.at)
         call = spread(call)
         for form in self.matcher.fitting(call, env):
             if (form.role == "parameter") is parameters:
-                yield Site(form, call, env, (), func.holder, func)
+                yield Site(form, prefixed(call, form), env, (), func.holder, func)
 
     def root_env(self, func: Func, at: int) -> Env:
         """Return the place of a statement of a function about whose callers nothing is assumed."""
@@ -87,19 +87,11 @@ class Sites:
         return Env(func, at, this=own, made=made)
 
     def _place(self, call: Invocation) -> Env:
-        return self.root_env(call.func, self.position(call))
-
-    def position(self, call: Invocation) -> int:
-        """Return the index of a call's statement."""
-        known = self._positions.get(id(call.func))
-        if known is None:
-            known = {id(statement): at for at, statement in enumerate(call.func.fact.body)}
-            self._positions[id(call.func)] = known
-        return known.get(id(call.statement), len(known))
+        return self.root_env(call.func, call.at)
 
     def is_held(self, call: Invocation) -> bool:
-        """Tell whether a call makes a member of a class, where the class says it has one, and not in a body."""
-        return call.made and self.position(call) == len(call.func.fact.body)
+        """Tell whether a call begins a member of a class, where the class says it has one, and not in a body."""
+        return call.at == len(call.func.fact.body)
 
     # --- wrappers --------------------------------------------------------------------------------------
 
@@ -134,8 +126,8 @@ class Sites:
         params, made = self.openness.of(site, self.names(site))
         given = {parameter.name for parameter in site.root.fact.params}
         if params & (given | set(site.root.fact.template)):
-            if site.form.role == "parameter" and id(site.root) not in self._remembered:
-                self._remembered.add(id(site.root))
+            if site.form.role == "parameter" and site.root not in self._remembered:
+                self._remembered.add(site.root)
                 self._remember_wrapper(site)
             callers = list(self._callers(site))
             yield from callers
@@ -146,12 +138,12 @@ class Sites:
 
     def names(self, site: Site) -> tuple[Value, ...]:
         """Return the possible names that a site is given, folded once."""
-        known = self._names.get(id(site))
+        known = self._names.get(site)
         if known is None:
             name = name_argument(site.form, site.call)
             values = self.folder.fold(name, site.env) if name is not None else ()
-            known = self._names[id(site)] = (site, values)
-        return known[1]
+            known = self._names[site] = values
+        return known
 
     def _remember_wrapper(self, site: Site) -> None:
         """A function that declares the parameter it is asked for also gives its value."""
@@ -170,11 +162,11 @@ class Sites:
         if root.is_constructor:
             yield from self._makers(site, site.owner) if site.owner is not None else ()
             return
-        passed = {id(link) for link in site.chain}
+        passed = set(site.chain)
         for call in self.callers(root):
-            if id(call) in passed:
+            if call in passed:
                 continue
-            for outer, certain in self._places(self.root_env(call.func, self.position(call))):
+            for outer, certain in self._places(self.root_env(call.func, call.at)):
                 wider = self._through(replace(site, certain=site.certain and certain), call, outer)
                 if not self._names_an_instance(wider, root):
                     yield wider
@@ -201,21 +193,26 @@ class Sites:
     def _through(self, site: Site, call: Invocation, outer: Env) -> Site:
         """Rebuild the chain of environments from a new outermost call."""
         env = self._enter(call, self._first(site), outer)
-        chain = (call, *site.chain)
-        return Site(site.form, site.call, self._inside(site, env), chain, call.func.holder, call.func, site.certain)
+        return self._widened(site, call, outer, env)
+
+    def _widened(self, site: Site, call: Invocation, outer: Env, root: Env) -> Site:
+        """The same site, seen from one call further out."""
+        *places, env = self._inside(site, root)
+        chain, owner = (call, *site.chain), call.func.holder
+        return Site(site.form, site.call, env, chain, owner, call.func, (outer, *places), site.certain)
 
     def _first(self, site: Site) -> Invocation:
         return site.chain[0] if site.chain else site.call
 
-    def _inside(self, site: Site, root: Env) -> Env:
-        """Walk from the outermost function, whose place is given, to the form itself."""
-        env = root
+    def _inside(self, site: Site, root: Env) -> list[Env]:
+        """Walk from the outermost function, whose place is given, to the form itself: the place of each call."""
+        found = [root]
         for link, following in zip(site.chain, (*site.chain[1:], site.call), strict=False):
-            env = self._enter(link, following, env)
-        return env
+            found.append(self._enter(link, following, found[-1]))
+        return found
 
     def _enter(self, link: Invocation, following: Invocation, env: Env) -> Env:
-        func, at = following.func, self.position(following)
+        func, at = following.func, following.at
         args = bind(func, link, env)
         types = self._template(func, link, env, args)
         if "lambda" in func.fact.traits:
@@ -255,19 +252,20 @@ class Sites:
 
     def _makers(self, site: Site, cls: Cls) -> Iterator[Site]:
         """One site for each class that derives from `cls`, and for each place that makes one."""
-        at = self.position(self._first(site))
+        at = self._first(site).at
         own = site.owner is site.root.cls
         for derived in self.program.derived(cls) if own else ():
             made = Instance(derived, {}, {})
             part = self.folder.objects.part(made, cls)
             types = dict(part.types) if part is not None else {}
             root = Env(site.root, at, {}, types, derived, made)
-            yield Site(site.form, site.call, self._inside(site, root), site.chain, derived, site.root, site.certain)
+            *places, env = self._inside(site, root)
+            yield replace(site, env=env, owner=derived, places=tuple(places))
         for call in self.calls.get(cls.fact.name, ()):
             if call.func.cls is cls or (own and self._is_base_of(call, cls)):
                 continue
-            if self.makes(call, cls) and not any(call is link for link in site.chain):
-                for outer, certain in self._places(self.root_env(call.func, self.position(call))):
+            if self.makes(call, cls) and call not in site.chain:
+                for outer, certain in self._places(self.root_env(call.func, call.at)):
                     yield self._made_at(replace(site, certain=site.certain and certain), cls, call, at, outer)
 
     def _is_base_of(self, call: Invocation, cls: Cls) -> bool:
@@ -281,8 +279,7 @@ class Sites:
         types = self._class_types(cls, call, outer)
         own = args if site.root.is_constructor and site.root.cls is cls else {}
         root = Env(site.root, at, own, types, cls, Instance(cls, args, types, constructor))
-        chain = (call, *site.chain)
-        return Site(site.form, site.call, self._inside(site, root), chain, call.func.holder, call.func, site.certain)
+        return self._widened(site, call, outer, root)
 
     def makes(self, call: Invocation, cls: Cls) -> bool:
         """Tell whether a call makes an object of a class."""

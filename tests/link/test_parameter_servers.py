@@ -45,6 +45,21 @@ NOT_MADE = [
         "Server(DemoConfig, on_set, 'below')",
     ),
 ]
+PLACED = [
+    ("ros::NodeHandle()", "/gain"),
+    ('ros::NodeHandle("~")', "/demo/gain"),
+    ('ros::NodeHandle("/arm/driver")', "/arm/driver/gain"),
+    ('ros::NodeHandle("~/limits")', "/demo/limits/gain"),
+]
+MAIN = """#include <ros/ros.h>
+#include <dynamic_reconfigure/server.h>
+#include <pkg/DemoConfig.h>
+int main(int argc, char ** argv) {{
+  ros::init(argc, argv, "demo");
+  dynamic_reconfigure::Server<pkg::DemoConfig> server({handle});
+  ros::spin();
+}}
+"""
 MEMBERS = [
     ("", "dynamic_reconfigure::Server<pkg::DemoConfig>"),
     ("typedef dynamic_reconfigure::Server<pkg::DemoConfig> Settings;", "Settings"),
@@ -67,6 +82,59 @@ def test_a_server_of_python(workspace: Any, imports: str, made: str) -> None:
     """The first argument is the generated module or class, as it was imported."""
     files = _catkin("scripts/demo.py", PYTHON.format(imports=imports, made=made))
     assert _parameters(workspace, files, 1) == [("~gain", 0.5)]
+
+
+@pytest.mark.parametrize(("handle", "name"), PLACED, ids=[row[0] for row in PLACED])
+def test_parameters_stand_beside_the_service_of_their_server(workspace: Any, handle: str, name: str) -> None:
+    """A server sets the parameters of the handle that it is made with (dynamic_reconfigure/server.h)."""
+    files = _catkin("src/demo.cpp", MAIN.format(handle=handle))
+    files["CMakeLists.txt"] += "add_executable(demo src/demo.cpp)\n"
+    found = workspace.package(files, ros=1).interfaces()
+    assert [entry.name for entry in found if entry.role == "parameter"] == [name]
+
+
+def test_two_servers_of_one_file_give_parameters_twice(workspace: Any) -> None:
+    """Which of two handles is meant is not told: each name is one of two."""
+    two = MAIN.format(handle='ros::NodeHandle("~/a")').replace(
+        "  ros::spin", '  dynamic_reconfigure::Server<pkg::DemoConfig> other(ros::NodeHandle("~/b"));\n  ros::spin'
+    )
+    files = _catkin("src/demo.cpp", two)
+    files["CMakeLists.txt"] += "add_executable(demo src/demo.cpp)\n"
+    found = [entry for entry in workspace.package(files, ros=1).interfaces() if entry.role == "parameter"]
+    assert [entry.name for entry in found] == ["/demo/a/gain", "/demo/b/gain"]
+    assert {entry.confidence for entry in found} == {"one_of"}
+
+
+INITIALISED = [
+    ('Demo() : server_(ros::NodeHandle("~/limits")) {}', {"/demo/limits/gain"}),
+    ("Demo() {}", {"/demo/gain"}),
+    ('Demo() : server_(ros::NodeHandle("~/a")) {} Demo(int x) {}', {"/demo/a/gain", "/demo/gain"}),
+]
+
+
+@pytest.mark.parametrize(("makers", "names"), INITIALISED, ids=[row[0] for row in INITIALISED])
+def test_a_member_that_every_constructor_initialises_is_made_once(workspace: Any, makers: str, names: set[str]) -> None:
+    """The declaration of a member makes it only where an initialiser list does not (C++ class.base.init)."""
+    text = MAIN.format(handle="").replace("  dynamic_reconfigure::Server<pkg::DemoConfig> server();", "  Demo demo;")
+    member = f"class Demo {{ public: {makers} dynamic_reconfigure::Server<pkg::DemoConfig> server_; }};\nint main"
+    files = _catkin("src/demo.cpp", text.replace("int main", member))
+    files["CMakeLists.txt"] += "add_executable(demo src/demo.cpp)\n"
+    found = [entry for entry in workspace.package(files, ros=1).interfaces() if entry.role == "parameter"]
+    assert {entry.name for entry in found} == names
+
+
+NO_SERVER = [
+    'dynamic_reconfigure::Client<pkg::DemoConfig> client("/other");',
+    'auto client = new dynamic_reconfigure::Client<pkg::DemoConfig>("/other");',
+    "pkg::DemoConfig config = pkg::DemoConfig::__getDefault__();",
+]
+
+
+@pytest.mark.parametrize("body", NO_SERVER)
+def test_who_asks_for_a_configuration_does_not_offer_it(workspace: Any, body: str) -> None:
+    """A client of another node, or a record of the settings, is no server of them (dynamic_reconfigure/client.h)."""
+    text = MAIN.format(handle="").replace("dynamic_reconfigure::Server<pkg::DemoConfig> server();", body)
+    assert _parameters(workspace, _catkin("src/demo.cpp", text), 1) == []
 
 
 @pytest.mark.parametrize(("imports", "made"), NOT_MADE, ids=[row[0] + row[1] for row in NOT_MADE])

@@ -274,3 +274,28 @@ class D : public rclcpp::Node { D() : Node("d") {
         "qos_image": ("integer", 1),
         "rate_image": ("double", 2.5),
     }
+
+
+def test_a_receiver_whose_type_a_template_parameter_decides_may_be_any(workspace: Any) -> None:
+    """`typename NodeT::WeakPtr node_` is of whatever the template is filled with: its methods may be forms."""
+    text = """
+class Own : public rclcpp::Node {
+public:
+  using WeakPtr = std::weak_ptr<Own>;
+  Own() : Node("demo") {}
+  template<typename T> T declared(const std::string & name, const T & value) { return declare_parameter(name, value); }
+};
+template<class A, class NodeT = Own> class Server {
+public:
+  explicit Server(const typename NodeT::WeakPtr & parent) : node_(parent) {}
+  void configure() { auto node = node_.lock(); rate_ = node->declared("rate", 2); }
+  typename NodeT::WeakPtr node_;
+  int rate_;
+};
+int main(int c, char ** v) {
+  rclcpp::init(c, v); auto node = std::make_shared<Own>(); Server<int> server(node); server.configure();
+}
+"""
+    files = {"src/d.cpp": text, "CMakeLists.txt": "add_executable(demo src/d.cpp)\n"}
+    entry = workspace.package(files).only("parameter")
+    assert (entry.name, entry.type, entry.default) == ("rate", "integer", 2)

@@ -289,8 +289,7 @@ def _is_set(name: str, scope: Scope) -> bool:
 def choice(holds: Template, first: Value, second: Value) -> Value:
     """Return a value that depends on a condition; lists are joined, since all their items can occur."""
     if isinstance(first, list) and isinstance(second, list):
-        known = {id(item) for item in first}
-        return [*first, *(item for item in second if id(item) not in known)]
+        return [*first, *(item for item in second if not any(item is known for known in first))]
     if isinstance(first, Action) and (second is None or isinstance(second, Action)):
         either = (*guarded((first,), holds, first.line), *guarded(actions_of(second), negated(holds), first.line))
         return Group(line=first.line, actions=either, scoped=False)

@@ -163,7 +163,7 @@ def _shared(scan: Scan, node: Node) -> None:
         name = scan.text(child)
         scan.frame.shared.append(name)
         if node.type == "global_statement":
-            scan.constants.append(Constant(name, "", scan.opaque(child), node.start_point[0] + 1))
+            scan.frame.globals.append(Constant(name, "", scan.opaque(child), node.start_point[0] + 1))
 
 
 def _tested(scan: Scan, node: Node | None) -> Expr:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 from tree_sitter import Node
 
-from ecm_parsers.source.expr import Expr, Member, Name
+from ecm_parsers.source.expr import Expr, Items, Member, Name
 from ecm_parsers.source.facts import Class, Field, Function, Import, Parameter, Statement
 from ecm_parsers.source.python_expr import parts
 from ecm_parsers.source.python_scan import Frame, Scan, StatementHandler
@@ -49,6 +49,8 @@ def _read_function(scan: Scan, node: Node, decorators: tuple[str, ...]) -> None:
     frame = Frame("function", _inside(outer.scope, name), body, names)
     frame.fields = outer.fields if outer.place == "class" and name == "__init__" else None
     _read_body(scan, node, frame)
+    bound = set(_bound_in(scan, frame)) if frame.globals else set()
+    scan.constants += [entry for entry in frame.globals if entry.name in bound]  # `global` alone binds nothing
     scan.functions.append(
         Function(
             name=name,
@@ -64,6 +66,17 @@ def _read_function(scan: Scan, node: Node, decorators: tuple[str, ...]) -> None:
             shared=tuple(frame.shared),
         )
     )
+
+
+def _bound_in(scan: Scan, frame: Frame) -> Iterator[str]:
+    """The names that a function binds: by assignments, loops, imports, and what it declares."""
+    for statement in frame.body:
+        targets = statement.target.items if isinstance(statement.target, Items) else (statement.target,)
+        if statement.type != "del":
+            yield from (target.id for target in targets if isinstance(target, Name))
+    yield from (entry.name for entry in scan.functions if entry.scope == frame.scope)
+    yield from (entry.name for entry in scan.classes if entry.scope == frame.scope)
+    yield from (entry.alias or entry.name or entry.module for entry in scan.imports)
 
 
 def _read_class(scan: Scan, node: Node, decorators: tuple[str, ...]) -> None:

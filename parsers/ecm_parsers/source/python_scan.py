@@ -35,14 +35,14 @@ class Frame:
         place: what it is the body of.
         scope: scope of what is declared in it.
         body: statements; a class body runs as part of the body that declares the class. flow: how they follow.
-        shared: names that are declared `global` or `nonlocal`.
+        shared: names that are declared `global` or `nonlocal`; globals: those of the module.
         names: expressions of names and dotted names seen, by source bytes; maps the receiver to `this`.
         fields: of the class being read, also in its `__init__`; None elsewhere.
         owner: the class as an expression, in a class body.
         depth: how many conditions and loops enclose the current statement. lambdas: how many lambdas do.
     """
 
-    __slots__ = ("body", "depth", "fields", "flow", "lambdas", "names", "owner", "place", "scope", "shared")
+    __slots__ = ("body", "depth", "fields", "flow", "globals", "lambdas", "names", "owner", "place", "scope", "shared")
 
     def __init__(
         self,
@@ -57,6 +57,7 @@ class Frame:
         self.body = body
         self.flow = flow or FlowWriter()
         self.shared: list[str] = []
+        self.globals: list[Constant] = []
         self.names = names
         self.fields: list[Field] | None = None
         self.owner: Expr | None = None

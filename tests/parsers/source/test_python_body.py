@@ -196,6 +196,30 @@ def test_module_global_is_a_constant_too() -> None:
     assert constants == (ConstantFact("A", "", Text("x"), 1), ConstantFact("B", "", Number(2), 2, "int"))
 
 
+@pytest.mark.parametrize(
+    ("body", "bound"),
+    [
+        ("print(a)", False),
+        ("a.x = 1", False),
+        ("del a", False),
+        ("a = 1", True),
+        ("a += 1", True),
+        ("a, b = x()", True),
+        ("for a in xs: x()", True),
+        ("with x() as a: x()", True),
+        ("import a", True),
+        ("import b as a", True),
+        ("from b import a", True),
+        ("def a(): pass", True),
+        ("class a: pass", True),
+    ],
+)
+def test_a_global_of_a_function_is_a_name_of_the_module_when_the_function_binds_it(body: str, bound: bool) -> None:
+    """The statement `global` says whose name is bound, and binds nothing (Python reference 7.12)."""
+    constants = facts(f"def f():\n  global a\n  {body}\n").constants
+    assert [entry.name for entry in constants] == ["a"] * bound
+
+
 def test_shebang_is_kept_as_written() -> None:
     """Scripts without a suffix are told by their shebang."""
     assert facts("#!/usr/bin/env python\r\nx = 1").shebang == "#!/usr/bin/env python"
