@@ -32,6 +32,7 @@ class Calling:
         waits = any(self.frame.effects.calls.waits(call) for call in calls)
         own = [call for call in calls if self.frame.judge.is_own(call, env)]
         state = self._methods(at, [] if waits else own, env, state)
+        state = self._inner(at, calls, env, state)
         if waits:
             state = self._anything(self.memory.lost(state, self._followed(state)))
         if waits or own:
@@ -47,6 +48,15 @@ class Calling:
         ]
         for key in dict.fromkeys(key for _, key in on if key is not None):
             state = self._on_object(key, [call for call, each in on if each == key], at, env, state)
+        return state
+
+    def _inner(self, at: int, calls: Sequence[Call], env: Env, state: State) -> State:
+        """The state after functions that are declared within the one at hand and change its variables."""
+        changing = [(call, keys) for call in calls if (keys := self.frame.outline.changed_by_inner(call))]
+        if len(changing) > 1 or not self.frame.whole:
+            return self.memory.lost(state, {key for _, keys in changing for key in keys})
+        for call, keys in changing:
+            state = state.having({key: (self._after(key, key, call, at, env, state),) for key in keys})
         return state
 
     def _at_hand(self, call: Call, env: Env) -> str | None:

@@ -42,6 +42,7 @@ from ecm_extract.link.objects import Objects
 from ecm_extract.link.parameter_reads import ParameterReads
 from ecm_extract.link.program import Program
 from ecm_extract.link.scope import Scope
+from ecm_extract.link.shifting import Shifting
 from ecm_extract.link.steps import Steps
 from ecm_extract.link.structures import StructureFolder
 from ecm_extract.link.values import (
@@ -86,6 +87,7 @@ class Folder:
         self.held = HeldFolder(self)
         self.flow = Flow(self)
         self.states = ObjectStates(self)
+        self.shifting = Shifting(self)
         self.methods = MethodEffects(self)
         scope.ways = self.flow.ways
         self.cuts = 0

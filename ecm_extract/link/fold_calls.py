@@ -394,12 +394,13 @@ class CallFolder:
         if callee.cls is None and "lambda" not in callee.fact.traits:
             return Env(callee, 0, args, depth=env.depth + 1, outer=outer)
         if is_own(call.receiver):
-            caller = Bound(THIS, env) if callee.cls is not None else None
             this, made = env.this or env.func.cls or callee.cls, env.made
+            caller = Bound(THIS, env) if self.folder.methods.depends(callee, this) else None
         else:
             made = self.folder.states.instance(call.receiver, env) if call.receiver is not None else None
             this = made.cls if made is not None else callee.cls
-            caller = Bound(call.receiver, env) if made is not None and call.receiver is not None else None
+            follows = made is not None and self.folder.methods.depends(callee, this)
+            caller = Bound(call.receiver, env) if follows and call.receiver is not None else None
         return Env(callee, 0, args, this=this, made=made, depth=env.depth + 1, outer=outer, caller=caller)
 
     def kept_value(self, name: Expr, kept: Sequence[Value], env: Env) -> tuple[Value, ...]:

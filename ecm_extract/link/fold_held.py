@@ -149,7 +149,7 @@ class HeldFolder:
         """Return what a called method leaves a member with, and the place to evaluate it at."""
         if not isinstance(held.expr, Call):
             return None
-        inner = self.folder.methods.entry(invocation_of(held.expr, env), env)
+        inner = self.folder.methods.begun(invocation_of(held.expr, env), env)
         run = self.folder.flow.run(inner) if inner is not None else None
         if inner is None or run is None or run.end is None:
             return None

@@ -68,7 +68,7 @@ class KnownCallers:
             return False
         lineage = (*self.folder.program.ancestry(cls), *self.folder.program.derived(cls))
         same = [method for entry in lineage for method in entry.methods if method.fact.name == name]
-        single = all(method is func or (method.cls is cls and not method.fact.body) for method in same)
+        single = all(method is func or (method.cls is cls and "declaration" in method.fact.traits) for method in same)
         if not single or self.folder.flow.keeps(name) or "override" in func.fact.traits:
             return False
         return not self._may_be_called_outside(name, cls) and not self._is_handed(func)

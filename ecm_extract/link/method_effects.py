@@ -24,6 +24,7 @@ class MethodEffects:
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
         self._known: dict[tuple[Func, Cls | None], Set[str] | None] = {}
+        self._depending: dict[tuple[Func, Cls | None], bool] = {}
         self._calling: dict[Func, bool] = {}
 
     def changed(self, call: Call, env: Env) -> Mapping[str, str] | None:
@@ -73,6 +74,13 @@ class MethodEffects:
             self._calling[func] = known
         return known
 
+    def begun(self, call: Invocation, env: Env) -> Env | None:
+        """Return the beginning of the method that a call runs, or of the function that is declared around the call."""
+        callee = self.folder.calls.meant(call, env)
+        if callee is None or callee not in self.folder.flow.outline(env.func).captured:
+            return self.entry(call, env)
+        return self.folder.calls.entered(callee, call, bind(callee, call, env), env)
+
     def entry(self, call: Invocation, env: Env) -> Env | None:
         """Return the beginning of the one method that a call runs; None where several fit."""
         callee = self.folder.calls.meant(call, env)
@@ -85,6 +93,16 @@ class MethodEffects:
         if asked not in self._known:
             self._known[asked] = self._reached(func, this)
         return self._known[asked]
+
+    def depends(self, func: Func, this: Cls | None) -> bool:
+        """Tell whether what a method does depends on when it is called: on members that are given several things."""
+        asked = (func, this)
+        if asked not in self._depending:
+            self._depending[asked] = False  # who asks in a circle
+            called = self._called(func, this) or () if func.cls is not None else ()
+            own = self.folder.shifting.is_read(func, this)
+            self._depending[asked] = own or any(self.depends(each, this) for each in called)
+        return self._depending[asked]
 
     def _reached(self, func: Func, this: Cls | None) -> Set[str] | None:
         """The members that a method changes, or those that it calls on the same object."""

@@ -44,13 +44,17 @@ class ModuleVariables:
         known = self._known.get(asked)
         if known is None:
             marks = self.folder.marks
-            known = self.folder.guarded(asked, name, lambda: self._all(name, file), circular(name))
+            fixed = not any(value.confidence == "pattern" for value in first)  # who gets a text cannot change it
+            known = self.folder.guarded(asked, name, lambda: self._all(name, file, fixed), circular(name))
             if marks == self.folder.marks:
                 self._known[asked] = known
         return alternatives([*first, *(value for value in known if not is_circle(value))]) if known else first
 
-    def _all(self, name: str, file: File) -> tuple[Value, ...]:
-        return tuple([value for func in self.changers(name, file) for value in self._by(func, name)])
+    def _all(self, name: str, file: File, fixed: bool) -> tuple[Value, ...]:
+        giving = (
+            func for func in self.changers(name, file) if not fixed or name in self.folder.flow.outline(func).given
+        )
+        return tuple([value for func in giving for value in self._by(func, name)])
 
     def _by(self, func: Func, name: str) -> Iterator[Value]:
         values = self._left(name, Env(func, len(func.fact.body)))

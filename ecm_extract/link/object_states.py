@@ -13,6 +13,7 @@ from ecm_extract.link.handing_on import THIS
 from ecm_extract.link.known_callers import KnownCallers
 from ecm_extract.link.objects import is_super
 from ecm_extract.link.run_keys import run_key
+from ecm_extract.link.units import Cls
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
@@ -25,6 +26,7 @@ class ObjectStates:
         self.folder = folder
         self.callers = KnownCallers(folder)
         self._known: dict[Hashable, Held | None] = {}
+        self._meanwhile: dict[Hashable, Held | None] = {}
 
     def forget(self) -> None:
         """Drop what was found, since more of the parameters is known now."""
@@ -40,18 +42,28 @@ class ObjectStates:
         func = env.func
         if func.cls is None or func.is_constructor or not key.startswith(".") or key.count(".") > 1:
             return None
+        if not self._may_differ(key[1:], env.this or func.cls, env):
+            return None
         if env.depth > MAX_DEPTH:
             self.folder.cuts += 1
             return None
+        if not self.folder.flow.running:
+            self._meanwhile.clear()
         asked = (key, run_key(env))
-        if asked not in self._known:
-            self._known[asked] = None  # who asks in a circle does not know
+        if asked in self._known:
+            return self._known[asked]
+        if asked not in self._meanwhile:
+            self._meanwhile[asked] = None  # who asks in a circle does not know
             cuts = self.folder.cuts
-            self._known[asked] = found = self._entered(key, env)
-            if cuts != self.folder.cuts:
-                del self._known[asked]
+            found = self._entered(key, env)
+            (self._known if cuts == self.folder.cuts else self._meanwhile)[asked] = found
             return found
-        return self._known[asked]
+        return self._meanwhile[asked]
+
+    def _may_differ(self, name: str, cls: Cls, env: Env) -> bool:
+        """Whether it matters who calls: for a member that shifts, or that is what the object was made with."""
+        made = env.made is not None and env.made.maker is not None
+        return self.folder.shifting.member(name, cls) or (not made and self.folder.shifting.is_passed(name, cls))
 
     def _entered(self, key: str, env: Env) -> Held | None:
         if self.callers.may_be_written_outside(key[1:], env.func):

@@ -81,7 +81,7 @@ class Program:
         file.imported = imported_names(file) if file.language == "python" else {}
 
     def _owner(self, function: Function, file: File) -> Cls | None:
-        if not function.scope:
+        if not function.scope or "lambda" in function.traits:  # `D::D` is a constructor, and names the class as well
             return None
         if file.language == "cpp":
             return self._names.owner(function.scope, file)
