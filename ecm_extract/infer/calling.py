@@ -27,13 +27,11 @@ class Calling:
         """Return the state after the calls of a statement."""
         for effect in self.frame.effects.of(at):
             state = self._apply(effect, at, env, state)
-        calls = self.frame.env.func.calls[at]
-        waits = any(self._waits(call) for call in calls)
-        own = [call for call in calls if self.frame.judge.is_own(call, env)]
-        if waits or any(self.frame.judge.reaches_object(call, env) for call in own):
+        waits = any(self._waits(call) for call in self.frame.env.func.calls[at])
+        if waits or self.frame.judge.reaches_object(env):
             state = self.memory.given_again([key for key in state.holds if key.startswith(".")], state)
             state = replace(state, called=True)
-        if waits or own:
+        if waits or self.frame.effects.own_calls(at):
             outside = [key for key in state.holds if self.memory.is_open(key) and not key.startswith(".")]
             state = self.memory.given_again(outside, state)
         return state

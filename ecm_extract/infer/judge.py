@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Protocol
 
-from ecm_parsers.source.expr import Call, Expr
+from ecm_parsers.source.expr import Expr
 
 from ecm_extract.infer.effects import Targets
 from ecm_extract.infer.held import Held
@@ -30,11 +30,8 @@ class Judge(Targets, Protocol):
     def rounds(self, over: Expr, env: Env) -> list[Bound] | None:
         """Return what a loop is over, each element once; None when not all of it is known."""
 
-    def is_own(self, call: Call, env: Env) -> bool:
-        """Tell whether a call may run a function of the tree."""
-
-    def reaches_object(self, call: Call, env: Env) -> bool:
-        """Tell whether a call of a function of the tree may run a method of the object at hand."""
+    def reaches_object(self, env: Env) -> bool:
+        """Tell whether a statement calls a function of the tree that may run a method of the object at hand."""
 
     def outline(self, func: Func) -> Outline:
         """Return what is known of a function before it runs."""

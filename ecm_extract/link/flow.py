@@ -7,7 +7,7 @@ from collections import defaultdict
 from collections.abc import Callable, Collection, Hashable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Call, Expr, Lambda, Member, Name, Op, Opaque, Text
+from ecm_parsers.source.expr import Call, Expr, Member, Name, Op, Opaque, Text
 
 from ecm_extract.infer.compute import UNKNOWN, operate, truth
 from ecm_extract.infer.effects import Effects
@@ -16,7 +16,7 @@ from ecm_extract.infer.interpreter import Interpreter
 from ecm_extract.infer.outline import Outline
 from ecm_extract.infer.run import Run
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, invocation_of
-from ecm_extract.link.objects import is_super
+from ecm_extract.link.own_calls import OwnCalls
 from ecm_extract.link.run_keys import run_key
 from ecm_extract.link.units import Cls, File, Func
 from ecm_extract.link.values import Value, data_in, is_known, is_proved
@@ -29,7 +29,6 @@ MAX_WITHIN = 100
 """Runs that one run leads to, directly or through others."""
 MAX_RECURSION = 2
 """Runs of a function within runs of itself."""
-_THIS = Name("this")
 MAX_RUNS = 5_000
 """Runs with arguments that are remembered."""
 MAX_FRAMES = 6_000
@@ -51,6 +50,7 @@ class Flow:
         self._within = 0
         self._outlines: dict[Func, Outline] = {}
         self._changes: dict[tuple[int, str], bool] = {}
+        self._own = OwnCalls(folder.program)
         self._inner: dict[int, Mapping[str, list[Func]]] = {}
 
     @property
@@ -282,26 +282,13 @@ class Flow:
             return False
         return self.folder.scope.constant(name, Env(func)) is not None
 
-    def is_own(self, call: Call, env: Env) -> bool:
-        """Tell whether a call may run a function of the tree."""
-        last = invocation_of(call, env).last
-        return bool(last) and bool(self.folder.program.seen_functions(last, env.func.file))
+    def is_own(self, call: Call, func: Func, at: int) -> bool:
+        """Tell whether a call in a statement of a function may run a function of the tree."""
+        return self._own.is_own(call, func, at)
 
-    def reaches_object(self, call: Call, env: Env) -> bool:
-        """Tell whether a call of a function of the tree may run a method of the object at hand."""
-        found = invocation_of(call, env)
-        if found.receiver == _THIS or is_super(found.receiver):
-            return True
-        handed = (*call.args, *(value for _, value in call.keywords))
-        return any(_hands_on(arg) for arg in handed) or (found.receiver is None and self._is_method(found.last, env))
-
-    def _is_method(self, name: str, env: Env) -> bool:
-        cls = env.this or env.func.cls
-        if cls is None or env.func.file.language == "python":
-            return False
-        program = self.folder.program
-        lineage = (*program.ancestry(cls), *program.derived(cls))
-        return any(method.fact.name == name for entry in lineage for method in entry.methods)
+    def reaches_object(self, env: Env) -> bool:
+        """Tell whether a statement calls a function of the tree that may run a method of the object at hand."""
+        return self._own.reaches_object(self.effects(env.func).own_calls(env.at), env)
 
     def reads(self, func: Func) -> Mapping[int, Sequence[tuple[Expr, Expr, Expr | None]]]:
         """Return statement -> (variable, name, default) of the parameters that a function reads into variables."""
@@ -350,11 +337,6 @@ class Flow:
         if held.env is not None:
             self.folder.held.values(held, held.env)
             self.folder.held.items(held, held.env)
-
-
-def _hands_on(arg: Expr) -> bool:
-    """Whether an argument gives the object at hand, or a function that may use it."""
-    return arg == _THIS or isinstance(arg, Lambda) or any(_hands_on(part) for part in children(arg))
 
 
 def _same(one: Value, other: Value, python: bool) -> bool | None:
