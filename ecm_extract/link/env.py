@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import Call, Expr, Items
 from ecm_parsers.source.facts import Statement
@@ -11,6 +12,9 @@ from ecm_parsers.source.facts import Statement
 from ecm_extract.infer.held import State
 from ecm_extract.link.calls import Invocation, Step, invocation
 from ecm_extract.link.units import Cls, Func
+
+if TYPE_CHECKING:
+    from ecm_extract.link.run_keys import RunKey
 
 MAX_DEPTH = 32
 """Nesting of evaluations beyond which a value counts as unknown."""
@@ -69,7 +73,7 @@ class Env:
     state: State | None = None
     outer: Env | None = None
     caller: Bound | None = None
-    asked: Hashable = None
+    asked: RunKey | None = None
 
     def before(self, at: int) -> Env:
         """The same place, at another statement."""

@@ -17,7 +17,7 @@ from ecm_extract.infer.outline import Outline
 from ecm_extract.infer.run import Run
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, invocation_of
 from ecm_extract.link.own_calls import OwnCalls
-from ecm_extract.link.run_keys import run_key
+from ecm_extract.link.run_keys import RunKeys
 from ecm_extract.link.units import Cls, File, Func
 from ecm_extract.link.values import Value, data_in, is_known, is_proved
 from ecm_extract.link.walk import children
@@ -43,6 +43,7 @@ class Flow:
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
         sys.setrecursionlimit(max(sys.getrecursionlimit(), MAX_FRAMES))
+        self.keys = RunKeys()
         self._runs: dict[Hashable, tuple[Env, Run]] = {}
         self._running: dict[Hashable, Func] = {}
         self._meanwhile: dict[Hashable, tuple[Env, Run]] = {}
@@ -61,6 +62,7 @@ class Flow:
     def forget(self) -> None:
         """Drop runs, since more is known of parameters now."""
         self._runs.clear()
+        self.keys.forget()
 
     # --- runs --------------------------------------------------------------------------------------------
 
@@ -71,7 +73,7 @@ class Flow:
             env: the place.
             whole: whether its conditions are decided and its loops unrolled.
         """
-        key = (run_key(env), whole)
+        key = (self.keys.of(env), whole)
         known = self._runs.get(key) or self._meanwhile.get(key)
         if known is not None:
             return known[1]

@@ -12,7 +12,6 @@ from ecm_extract.link.env import MAX_DEPTH, Bound, Env, Instance, bind, invocati
 from ecm_extract.link.handing_on import THIS
 from ecm_extract.link.known_callers import KnownCallers
 from ecm_extract.link.objects import is_super
-from ecm_extract.link.run_keys import run_key
 from ecm_extract.link.units import Cls
 
 if TYPE_CHECKING:
@@ -49,7 +48,7 @@ class ObjectStates:
             return None
         if not self.folder.flow.running:
             self._meanwhile.clear()
-        asked = (key, run_key(env))
+        asked = (key, self.folder.flow.keys.of(env))
         if asked in self._known:
             return self._known[asked]
         if asked not in self._meanwhile:
