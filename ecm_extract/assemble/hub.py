@@ -13,7 +13,9 @@ from ecm_checker.hub.running import Running
 from ecm_checker.json_data import json_data
 
 from ecm_extract.entities.collect import public_entities
+from ecm_extract.entities.inner import InnerNames
 from ecm_extract.entities.interfaces import interface_name
+from ecm_extract.entities.launch import launch_files
 from ecm_extract.entities.listed import listed, shared_files
 from ecm_extract.entities.notes import read_notes
 from ecm_extract.entities.python import bound_names, quoted_names
@@ -37,6 +39,9 @@ def hubs(workspace: Workspace, composition: Composition, of_sources: Callable[[]
     provisions: dict[str, list[Provision]] = defaultdict(list)
     for entity in public_entities(workspace).values():
         provisions[entity.package].append(entity)
+    inner = InnerNames(workspace.packages)
+    for facts in workspace.packages:
+        provisions[facts.name] += inner.of(facts, launch_files(workspace.texts, facts))
     kept = _kept(workspace, composition)
     found = all_requirements(workspace, of_sources())
     return {

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Protocol
 
-from ecm_parsers.source.expr import Expr
+from ecm_parsers.source.expr import Call, Expr
 
 from ecm_extract.infer.effects import Targets
 from ecm_extract.infer.held import Held
@@ -30,8 +31,17 @@ class Judge(Targets, Protocol):
     def rounds(self, over: Expr, env: Env) -> list[Bound] | None:
         """Return what a loop is over, each element once; None when not all of it is known."""
 
-    def reaches_object(self, env: Env) -> bool:
-        """Tell whether a statement calls a function of the tree that may run a method of the object at hand."""
+    def own_calls(self, env: Env) -> Sequence[Call]:
+        """Return the calls of a statement that may run functions of the tree."""
+
+    def reaches_object(self, call: Call, env: Env) -> bool:
+        """Tell whether a call of a function of the tree may run a method of the object at hand."""
+
+    def called_on(self, call: Call, env: Env) -> str | None:
+        """Return the variable of the object that a method is called on: empty for that at hand, None for others."""
+
+    def members_changed(self, call: Call, env: Env) -> Mapping[str, str] | None:
+        """Return the members that a call of a method may change, each with its key there; None if that is unknown."""
 
     def outline(self, func: Func) -> Outline:
         """Return what is known of a function before it runs."""
