@@ -95,6 +95,12 @@ class Layers(Mapping[str, tuple[Held, ...]]):
         over = {**self._over, **changes}
         return Layers(self._base, over) if len(over) <= MAX_LAYER else Layers({**self._base, **over})
 
+    def apart(self, other: Layers) -> Iterable[str]:
+        """Return the variables that may hold something else in another one: what lies beneath both is the same."""
+        if self._base is other._base:
+            return dict.fromkeys((*self._over, *other._over))
+        return dict.fromkeys((*self, *other))
+
     def __getitem__(self, name: str) -> tuple[Held, ...]:
         found = self._over.get(name)
         return found if found is not None else self._base[name]
@@ -186,7 +192,7 @@ def _joined(one: State, other: State) -> State:
         return State(one.holds, path, live, called, likely)
     met: dict[tuple[int, int], tuple[Held, ...]] = {}
     holds: dict[str, tuple[Held, ...]] = {}
-    for name in dict.fromkeys((*one.holds, *other.holds)):
+    for name in one.holds.apart(other.holds):
         left, right = one.holds.get(name) or (_given(name, one),), other.holds.get(name) or (_given(name, other),)
         if left is right:
             holds[name] = left
@@ -195,7 +201,7 @@ def _joined(one: State, other: State) -> State:
         if key not in met:
             met[key] = _ways(name, left, right)
         holds[name] = met[key]
-    return State(Layers(holds), path, live, called, likely)
+    return State(one.holds.having(holds), path, live, called, likely)
 
 
 def _given(name: str, state: State) -> Held:
