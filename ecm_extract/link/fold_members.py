@@ -6,6 +6,7 @@ from collections.abc import Collection, Hashable
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import (
+    Call,
     Expr,
     Member,
     Name,
@@ -92,8 +93,7 @@ class MemberFolder:
         while isinstance(node, Member) and node.base != Name("this"):
             path.insert(0, node.name)
             node = node.base
-        root = node.id if isinstance(node, Name) else node.name if isinstance(node, Member) else ""
-        if "param" not in root.lower() and not self.folder.scope.declared_type(root, env).endswith("Params"):
+        if not self._holds_parameters(node, env):
             return None
         name = ".".join(path)
         package = env.func.file.package
@@ -103,6 +103,15 @@ class MemberFolder:
         asked = ("parameter", package, name)  # a default may be the parameter itself: declare_parameter("a", params_.a)
         values = self.folder.guarded(asked, name, lambda: self.folder.calls.default_value(name, known, None, env))
         return set_by(name, values)
+
+    def _holds_parameters(self, node: Expr, env: Env) -> bool:
+        """Tell whether a variable is the struct of a listener: by its type, or by the call that gave it."""
+        root = node.id if isinstance(node, Name) else node.name if isinstance(node, Member) else ""
+        if self.folder.scope.declared_type(root, env).endswith("Params"):
+            return True
+        given = (definition.statement.value for definition, _ in self.folder.assignments.definitions(node, env))
+        called = (value.callee for value in given if isinstance(value, Call))
+        return any(isinstance(callee, Member) and callee.name == "get_params" for callee in called)
 
     def member_value(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
         """Return the values that the methods of a class and its bases give one of its data members."""

@@ -7,10 +7,11 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Final, NamedTuple
 
 from ecm_parsers.source import expr as expressions
-from ecm_parsers.source.expr import Call, Expr, Member, Name, Op, Text
+from ecm_parsers.source.expr import Call, Expr, Member, Name, Text
 from ecm_parsers.source.facts import Constant, Statement
 
 from ecm_extract.infer.held import Held
+from ecm_extract.infer.places import whole_of
 from ecm_extract.link.env import Env
 from ecm_extract.link.program import Program
 from ecm_extract.link.spelling import plain
@@ -235,14 +236,7 @@ def _reached(expr: Expr | None, own: set[str]) -> str:
             return "" if expr.id in own else expr.id
         if isinstance(expr, Member) and expr.base == Name("this"):
             return expr.name
-        if isinstance(expr, Member):
-            expr = expr.base
-        elif isinstance(expr, Op) and expr.op in {"[]", "&"}:
-            expr = expr.operands[0]
-        elif isinstance(expr, Call) and isinstance(expr.callee, Member):
-            expr = expr.callee.base
-        else:
-            return ""
+        expr = whole_of(expr)
     return ""
 
 
