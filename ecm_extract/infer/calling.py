@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import Call, Text
+from ecm_parsers.source.flow import Block, statements
 
 from ecm_extract.infer.effects import Effect, is_plain
 from ecm_extract.infer.held import Held, State
@@ -42,13 +43,29 @@ class Calling:
 
     def _methods(self, at: int, calls: Sequence[Call], env: Env, state: State) -> State:
         """The state after methods of the object at hand, or of objects that the function made."""
-        on = [
-            (call, self.frame.judge.called_on(call, env) if self.frame.whole else self._at_hand(call, env))
-            for call in calls
-        ]
+        on = [(call, self._object(call, env)) for call in calls]
         for key in dict.fromkeys(key for _, key in on if key is not None):
             state = self._on_object(key, [call for call, each in on if each == key], at, env, state)
         return state
+
+    def before_rounds(self, block: Block, state: State) -> tuple[State, set[str]]:
+        """Return the state before any round of a loop, and what methods that it calls change of objects."""
+        changed: set[str] = set()
+        for at in statements(block):
+            env = self.frame.env.within(state, at)
+            for call in self.frame.env.func.calls[at]:
+                key = self._object(call, env) if self.frame.judge.is_own(call, env) else None
+                members = self.frame.judge.members_changed(call, env) if key is not None and self.frame.whole else None
+                if members is not None:
+                    changed.update(members)
+                elif key:
+                    changed.add(key)
+                elif key is not None:
+                    state = self._anything(state)
+        return state, changed
+
+    def _object(self, call: Call, env: Env) -> str | None:
+        return self.frame.judge.called_on(call, env) if self.frame.whole else self._at_hand(call, env)
 
     def _inner(self, at: int, calls: Sequence[Call], env: Env, state: State) -> State:
         """The state after functions that are declared within the one at hand and change its variables."""

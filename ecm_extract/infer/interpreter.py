@@ -41,7 +41,7 @@ class Interpreter:
         self.calling = Calling(self.frame, self.memory)
         self.comprehending = Comprehending(self.frame, self.assigning)
         self.branching = Branching(self.frame, self.exits, self)
-        self.looping = Looping(self.frame, self.exits, self.memory, self.assigning, self)
+        self.looping = Looping(self.frame, self.exits, self.assigning, self.calling, self)
         self._nesting = 0
 
     def result(self) -> Run:

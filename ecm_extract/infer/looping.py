@@ -6,9 +6,9 @@ from ecm_parsers.source.flow import Loop
 
 from ecm_extract.infer.assigning import Assigning
 from ecm_extract.infer.branching import Blocks
+from ecm_extract.infer.calling import Calling
 from ecm_extract.infer.exits import Exits
 from ecm_extract.infer.held import MAX_WAYS, Held, State, joined_states
-from ecm_extract.infer.memory import Memory
 from ecm_extract.infer.run import MAX_STEPS, Frame
 
 MAX_ROUNDS = 64
@@ -18,11 +18,12 @@ MAX_ROUNDS = 64
 class Looping:
     """Runs loops."""
 
-    def __init__(self, frame: Frame, exits: Exits, memory: Memory, assigning: Assigning, blocks: Blocks) -> None:
+    def __init__(self, frame: Frame, exits: Exits, assigning: Assigning, calling: Calling, blocks: Blocks) -> None:
         self.frame = frame
         self.exits = exits
-        self.memory = memory
+        self.memory = assigning.memory
         self.assigning = assigning
+        self.calling = calling
         self.blocks = blocks
 
     def run(self, loop: Loop, state: State) -> State | None:
@@ -86,8 +87,9 @@ class Looping:
 
     def _blur(self, loop: Loop, state: State) -> State | None:
         """Run the body once with what it changes unknown, which stands for any number of rounds."""
-        changed = {key for block in (loop.body, loop.step) for key in self.memory.changed_in(block)}
-        start = self.memory.lost(state, changed)
+        before, changed = self.calling.before_rounds((*loop.body, *loop.step), state)
+        changed |= {key for block in (loop.body, loop.step) for key in self.memory.changed_in(block)}
+        start = self.memory.lost(before, changed)
         heads = {key: start.holds[key][0] for key in changed}
         self.exits.enter_loop()
         inside = self.frame.undecided(start)
@@ -101,7 +103,7 @@ class Looping:
             after = self.blocks.run(loop.step, after)
         self.frame.blurred -= 1
         for key, head in heads.items():
-            self._close(head, self.memory.known(key, state, None), after.holds[key] if after is not None else ())
+            self._close(head, self.memory.known(key, before, None), after.holds[key] if after is not None else ())
         return self._exit(loop, joined_states([start, after]))
 
     def _close(self, head: Held, before: tuple[Held, ...], after: tuple[Held, ...]) -> None:
