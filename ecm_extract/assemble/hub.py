@@ -13,6 +13,7 @@ from ecm_checker.hub.running import Running
 from ecm_checker.json_data import json_data
 
 from ecm_extract.entities.collect import public_entities
+from ecm_extract.entities.inner import InnerNames
 from ecm_extract.entities.interfaces import interface_name
 from ecm_extract.entities.launch import launch_files
 from ecm_extract.entities.listed import listed, shared_files
@@ -42,6 +43,9 @@ def hubs(workspace: Workspace, composition: Composition, jobs: int | None) -> Ma
     provisions: dict[str, list[Provision]] = defaultdict(list)
     for entity in public_entities(workspace).values():
         provisions[entity.package].append(entity)
+    inner = InnerNames(workspace.packages)
+    for facts in workspace.packages:
+        provisions[facts.name] += inner.of(facts, launch_files(workspace.texts, facts))
     kept = _kept(workspace, composition)
     found = required()
     return {

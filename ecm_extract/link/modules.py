@@ -128,7 +128,7 @@ class Modules:
             module = self._own(current)
             if module is not None:
                 found[module] = None
-                if not (isinstance(current, Cls) and current is unit):
+                if not isinstance(current, Cls):
                     continue
             for user in self._users(current, module):
                 if user not in seen:

@@ -80,6 +80,23 @@ class C : public rclcpp::Node { public: C() : Node("c") {} };"""
     assert modules["ecm.pkg.a"].signature.interfaces[0].inherited_from == "Helper"
 
 
+def test_what_a_base_has_from_a_helper_its_derived_classes_have(workspace: Any) -> None:
+    """A node class that is made itself and derived from: what it calls declares for both (C++ class.derived)."""
+    text = """
+void declare(rclcpp::Node & node) { node.declare_parameter("mode", "off"); }
+class Base : public rclcpp::Node { public: explicit Base(const std::string & name) : Node(name) { declare(*this); } };
+class Derived : public Base { public: Derived() : Base("derived") {} };
+RCLCPP_COMPONENTS_REGISTER_NODE(Derived)
+int main(int c, char ** v) { rclcpp::init(c, v); rclcpp::spin(std::make_shared<Base>("base")); }
+"""
+    files = {"src/base.cpp": text, "CMakeLists.txt": "add_executable(base src/base.cpp)\n"}
+    found = workspace.package(files).modules()
+    having = {
+        name for name, module in found.items() if [entry.name for entry in module.signature.interfaces] == ["mode"]
+    }
+    assert having == {"ecm.pkg.base", "ecm.pkg.derived"}
+
+
 def test_python_entry_points_and_scripts_are_modules(workspace: Any) -> None:
     """A console script and a shebang script without a suffix are programs."""
     node = "import rclpy\nfrom std_msgs.msg import String\ndef main():\n    node = rclpy.create_node('n')\n    node.create_publisher(String, 'a', 1)\n"
