@@ -11,7 +11,7 @@ from unseen_format import SourceNode, SourceRow, resolved
 
 
 def best(row: SourceRow, interfaces: list[Interface], node: SourceNode) -> Interface | None:
-    """By resolved name, all holes alike and or by pattern, the type preferred; without a name by its place."""
+    """By resolved name, all holes alike, or by pattern, the type preferred; without a name by its place."""
     fitting = [one for one in interfaces if one.role == row.role]
     same = [one for one in fitting if resolved(row.name, node.name) == resolved(one.name, node.name)]
     if same:

@@ -187,7 +187,6 @@ class Demo(Node):
 GIVEN_AWAY = [
     'std::vector<Outside> all{{"device", device, "x"}, {"other", 1}};',
     'std::vector<Outside> all = {{"device", device}};',
-    'Outside one{"device", device};',
 ]
 
 
