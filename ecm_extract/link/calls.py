@@ -24,17 +24,6 @@ from ecm_extract.link.spelling import (
 )
 from ecm_extract.link.units import Func
 
-_INTERFACE_NAMES = (
-    "interface",
-    "base",
-    "graph",
-    "logging",
-    "waitables",
-    "topics",
-    "services",
-    "parameters",
-    "params",
-)
 _MAKERS = frozenset({"make_shared", "make_unique", "allocate_shared"})
 
 
@@ -141,13 +130,12 @@ def _is_interface(func: Func, expr: Expr) -> bool:
     if isinstance(expr, Call) and isinstance(expr.callee, Member | Name):
         name = last_name(expr.callee.name if isinstance(expr.callee, Member) else expr.callee.id)
         return name.startswith("get_node_") and name.endswith("_interface")
-    if not isinstance(expr, Name) or not expr.id.strip("_").endswith(_INTERFACE_NAMES):
+    if not isinstance(expr, Name):
         return False
     field = func.cls.fields.get(expr.id) if func.cls is not None else None
-    if field is not None and is_node_interface(field.type):
-        return True
-    if any(parameter.name == expr.id and is_node_interface(parameter.type) for parameter in func.fact.params):
-        return True
+    written = func.written_types.get(expr.id) or (field.type if field is not None else "")
+    if plain(written) != "auto":
+        return is_node_interface(written)
     values = [s.value for s in func.fact.body if s.target == expr and s.kind == "let" and s.value is not None]
     return any(not isinstance(value, Name) and _is_interface(func, value) for value in values)
 

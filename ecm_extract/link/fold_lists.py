@@ -237,7 +237,7 @@ class ListFolder:
     def given(self, key: str, env: Env, first: bool) -> list[Bound] | None:
         """Return the elements of a list that a variable is which the function did not change, `first`: yet."""
         name = key.rpartition(".")[2]
-        entry = Env(env.func, 0, env.args, env.types, env.this, env.made, env.depth + 1, State(), env.outer)
+        entry = env.entry(State())
         cls = env.func.cls
         if not key.startswith("."):
             return self._items(Name(name), entry) if "." not in key else None

@@ -6,6 +6,7 @@ from collections.abc import Collection, Hashable
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import (
+    Call,
     Expr,
     Member,
     Name,
@@ -56,11 +57,11 @@ class MemberFolder:
             cls = env.this or env.func.cls
             found = self.member_value(expr.name, cls, env) if cls is not None else ()
             return found or (unknown(expr.name),)
-        if expr.name in VALUE_READS:
+        part = self.folder.structures.field(expr, env)
+        if not part and expr.name in VALUE_READS:
             return self.folder.fold(expr.base, env.before(env.at))
         dotted = dotted_name(expr)
         found = self.folder.names.imported(dotted, env) if dotted and env.func.file.language == "python" else ()
-        part = self.folder.structures.field(expr, env) if not found else ()
         return found or part or self._field(expr, env) or self._option(expr, env) or (unknown(expr.name),)
 
     def _option(self, expr: Member, env: Env) -> tuple[Value, ...]:
@@ -92,8 +93,7 @@ class MemberFolder:
         while isinstance(node, Member) and node.base != Name("this"):
             path.insert(0, node.name)
             node = node.base
-        root = node.id if isinstance(node, Name) else node.name if isinstance(node, Member) else ""
-        if "param" not in root.lower() and not self.folder.scope.declared_type(root, env).endswith("Params"):
+        if not self._holds_parameters(node, env):
             return None
         name = ".".join(path)
         package = env.func.file.package
@@ -103,6 +103,15 @@ class MemberFolder:
         asked = ("parameter", package, name)  # a default may be the parameter itself: declare_parameter("a", params_.a)
         values = self.folder.guarded(asked, name, lambda: self.folder.calls.default_value(name, known, None, env))
         return set_by(name, values)
+
+    def _holds_parameters(self, node: Expr, env: Env) -> bool:
+        """Tell whether a variable is the struct of a listener: by its type, or by the call that gave it."""
+        root = node.id if isinstance(node, Name) else node.name if isinstance(node, Member) else ""
+        if self.folder.scope.declared_type(root, env).endswith("Params"):
+            return True
+        given = (definition.statement.value for definition, _ in self.folder.assignments.definitions(node, env))
+        called = (value.callee for value in given if isinstance(value, Call))
+        return any(isinstance(callee, Member) and callee.name == "get_params" for callee in called)
 
     def member_value(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
         """Return the values that the methods of a class and its bases give one of its data members."""
@@ -159,7 +168,7 @@ class MemberFolder:
         if default is None:
             return ()
         values = demoted(self.folder.fold(default, Env(env.func, depth=env.depth + 1, this=cls)))
-        assigned = cls.file.language == "python" and self.folder.scope.is_assigned_outside(name)
+        assigned = cls.file.language == "python" and self.folder.scope.is_assigned_outside(name, "python")
         return alternatives((*values, unknown(name))) if assigned else values
 
     def sources(self, name: str, cls: Cls, env: Env) -> list[tuple[Held, Env]]:

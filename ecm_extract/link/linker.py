@@ -15,6 +15,7 @@ from ecm_extract.link.built import files_of
 from ecm_extract.link.claims import Claim, claims_of
 from ecm_extract.link.data import UNKNOWN, stated_type
 from ecm_extract.link.diagnoses import SUMMARIES, Diagnosis, diagnoses
+from ecm_extract.link.endpoint_conditions import EndpointConditions
 from ecm_extract.link.endpoint_types import EndpointTypes
 from ecm_extract.link.fallbacks import fallback
 from ecm_extract.link.fold import Folder
@@ -29,6 +30,7 @@ from ecm_extract.link.modules import Module, Modules
 from ecm_extract.link.names import (
     RosName,
     endpoint_name,
+    is_below_handle,
     is_below_node,
     is_never_made,
     local_name,
@@ -51,7 +53,7 @@ from ecm_extract.link.sites import Sites
 from ecm_extract.link.stamps import Stamp, stamps
 from ecm_extract.link.types import Types
 from ecm_extract.link.units import Cls
-from ecm_extract.link.values import Value, literal, settled, unknown, weaker
+from ecm_extract.link.values import Value, is_proved, literal, settled, unknown, weaker
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.resolve.layout import layouts
 from ecm_extract.resolve.sight import Sight
@@ -107,6 +109,7 @@ class Linker:
         self.references = References(self.sites)
         self.modules = Modules(self.program, self.references, registry)
         self.ownership = Ownership(self.sites, self.modules)
+        self.conditions = EndpointConditions(self.sites, self.modules)
         self._observed: dict[Module, list[Observation]] = defaultdict(list)
         self._stamped: dict[Module, list[Stamp]] = defaultdict(list)
         self._diagnosed: dict[Module, list[Diagnosis]] = defaultdict(list)
@@ -115,16 +118,24 @@ class Linker:
 
     def link(self) -> list[LinkedModule]:
         """Return all modules with their endpoints, in a stable order."""
+        self.declare()
+        return self.attributed()
+
+    def declare(self) -> None:
+        """Find the parameters that are declared; what values are is known from then on."""
         self.generated.declare(self.parameters)
         self._declare_ports()
-        declared = self.parameter_sites = self.sites.find(parameters=True)
-        self._declare_defaults(declared)
+        self.parameter_sites = self.sites.find(parameters=True)
+        self._declare_defaults(self.parameter_sites)
         self.folder.forget()
+
+    def attributed(self) -> list[LinkedModule]:
+        """Return what `link` does, once parameters are declared."""
         nodes = self._class_nodes()
         self.modules.find({unit: name.text for unit, name in nodes.items()})
         found: dict[Module, list[Interface]] = defaultdict(list)
         others = self.sites.find(parameters=False)
-        for site in [*others, *declared]:
+        for site in [*others, *self.parameter_sites]:
             self._attribute(site, found, nodes)
         self._generate(found)
         activation = Activation(self.sites, self.registry.programs)
@@ -187,7 +198,7 @@ class Linker:
         local = self._local.get(module, {})
         claims = claims_of(module.cls, self.folder) if module.cls is not None else None
         seen = tuple(dict.fromkeys(self._observed.get(module, ())))
-        lines = tuple(found.get(module, ()))
+        lines = self.conditions.named(module, found.get(module, ()))
         interfaces = merged(lines)
         managed = module.cls is not None and is_managed(module.cls, self.program)
         stamped = tuple(dict.fromkeys(self._stamped.get(module, ())))
@@ -213,6 +224,7 @@ class Linker:
         origin = None if unit is module.cls or unit is module.main or module.kind == "library" else unit.fact.name
         for interface, local in self._interfaces(site, node, origin):
             found.append(interface)
+            self.conditions.note(module, site, interface)
             names = self._local[module].setdefault(_key(interface), [])
             names += [local] * (local not in names)
             if interface.type == SERVICE:
@@ -223,6 +235,7 @@ class Linker:
         ros = site.root.file.ros
         handle = self._handle(site)
         evidence = tuple(Evidence(path, line) for path, line in dict.fromkeys(site.lines()))
+        when = self.conditions.of(site)
         for named, default in self._named(site):
             value = of_node(named, node, ros)
             local = local_name(settled(named), handle)
@@ -234,6 +247,8 @@ class Linker:
                 confidence = "folded"
             if not site.certain:
                 confidence = weaker(confidence, "one_of")
+            if is_below_handle(value) and not is_proved(handle.prefix):
+                confidence = weaker(confidence, handle.prefix.confidence)
             if (value.text == "" and site.form.role != "parameter") or "{" in name.resolved:
                 confidence = "pattern"  # a name that has no text, or a handle of which not all is known
             interface = Interface(
@@ -247,6 +262,7 @@ class Linker:
                 evidence=evidence,
                 default=None if data is UNKNOWN else data,
                 inherited_from=origin,
+                when=when,
             )
             yield interface, name.resolved if _is_absolute(site) else local
 
@@ -299,14 +315,14 @@ class Linker:
         return found or [(unknown("parameters"), None)]
 
     def _qos(self, site: Site, ros: int | None) -> Qos | None:
-        if site.form.role not in {"publisher", "subscriber"} and (ros == 1 or not site.form.profile):
+        form = site.form
+        if form.role not in {"publisher", "subscriber"} and (ros == 1 or not form.profile):
             return None
-        given = [expr for expr in positions(site.form.qos, site.call) if not is_callback(expr)]
-        expr = given[0] if given else Name(site.form.profile) if site.form.profile else None
-        if ros != 1:
-            return self.qos.read(expr, site.env)
-        flags = [flag for flag in positions(site.form.latch, site.call) if not is_callback(flag)]
-        return self.qos.depth(expr, flags[0] if flags else None, site.env)
+        given = next((expr for expr in positions(form.qos, site.call) if not is_callback(expr)), None)
+        if ros == 1:
+            flags = [flag for flag in positions(form.latch, site.call) if not is_callback(flag)]
+            return self.qos.depth(given, flags[0] if flags else None, site.env)
+        return self.qos.read(given or (Name(form.profile) if form.profile else None), site.env)
 
     def _frame(self, site: Site) -> str | None:
         if not site.form.frame:

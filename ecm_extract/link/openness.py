@@ -65,41 +65,60 @@ class Openness:
 
         Whoever passes it knows the namespace, or the QoS.
         """
-        none: frozenset[str] = frozenset()
-        env = site.env
-        if isinstance(expr, Member) and expr.base == Name("this"):
-            expr = Name(expr.name)
+        params: frozenset[str] = frozenset()
+        made: frozenset[str] = frozenset()
+        pending = [(expr, site.env)]
         for _ in range(MAX_CHAIN):
-            bound = env.args.get(expr.id) if isinstance(expr, Name) else None
-            found = frozenset(name for name in _names(expr) if accepts(name, env.func))
-            if bound is not None:
-                expr, env = bound.expr, bound.env
-            elif found:
-                return (found, none) if env.func is site.root else (none, found if env.func.is_constructor else none)
-            elif isinstance(expr, Name):
-                expr, env = self._initialiser(expr.id, env)
-            else:
-                break
-        return none, none
+            for each, env in pending:
+                found = self._accepted(each, env, accepts)
+                if env.func is site.root:
+                    params |= found
+                elif env.func.is_constructor:
+                    made |= found
+            pending = [outer for each, env in pending for outer in self._outward(each, env, accepts)]
+        return params, made
 
-    def _initialiser(self, name: str, env: Env) -> tuple[Expr | None, Env]:
-        """What the constructor at hand makes of a member, and what a handle of a body is below."""
+    def _accepted(self, expr: Expr | None, env: Env, accepts: Callable[[str, Func], bool]) -> frozenset[str]:
+        """The parameters of a function that an expression is, or is joined of, and that nobody has bound."""
+        if _variable(expr) in env.args:
+            return frozenset()
+        return frozenset(name for name in _names(expr) if accepts(name, env.func))
+
+    def _outward(
+        self, expr: Expr | None, env: Env, accepts: Callable[[str, Func], bool]
+    ) -> Iterable[tuple[Expr | None, Env]]:
+        """What an expression is further out: what is passed for it, or what makes it."""
+        name = _variable(expr)
+        bound = env.args.get(name)
+        if bound is not None:
+            return [(bound.expr, bound.env)]
+        return self._initialisers(name, env) if name and not self._accepted(expr, env, accepts) else ()
+
+    def _initialisers(self, name: str, env: Env) -> Iterator[tuple[Expr | None, Env]]:
+        """Yield what each constructor at hand makes of a member, and what a handle of a body is below."""
         for definition, inner in self.folder.assignments.definitions(Name(name), env):
             outer = _below(definition.statement)
             if outer is not None:
-                return outer, inner
+                yield outer, inner
+                continue
             kinds = {"init", "set"} if definition.func.file.language == "python" else {"init"}
             if definition.statement.kind in kinds and definition.func.is_constructor:
                 value = definition.statement.value
                 made = isinstance(value, Call) and len(value.args) == 1
-                return (value.args[0] if made and isinstance(value, Call) else value), inner
-        return None, env
+                yield (value.args[0] if made and isinstance(value, Call) else value), inner
+
+
+def _variable(expr: Expr | None) -> str:
+    """The name of a variable, or of a member of the object at hand."""
+    if isinstance(expr, Member) and expr.base == Name("this"):
+        return expr.name
+    return expr.id if isinstance(expr, Name) else ""
 
 
 def _names(expr: Expr | None) -> Iterator[str]:
     """A name, or those of which a text is joined."""
-    if isinstance(expr, Name):
-        yield expr.id
+    if _variable(expr):
+        yield _variable(expr)
     for part in expr.operands if isinstance(expr, Op) else ():
         yield from _names(part)
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Final
 
-from ecm_parsers.source.expr import Call, Expr, Items, Member, Name
+from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.link.calls import Step, construction
@@ -91,6 +91,9 @@ class StructureFolder:
 
     def _part(self, expr: Member, env: Env) -> Bound | None:
         parts = self._parts(expr.base, env)
+        named = dict(_named(parts or ()))
+        if named:
+            return named.get(expr.name)
         at = self._place(expr, env) if parts is not None else None
         return parts[at] if parts is not None and at is not None and at < len(parts) else None
 
@@ -129,6 +132,13 @@ class StructureFolder:
         if helds or held.how != "value" or held.env is None or held.expr is None:
             return None
         return Bound(held.expr, held.env)
+
+
+def _named(parts: Sequence[Bound]) -> Iterator[tuple[str, Bound]]:
+    """Yield field -> value of those that say for which field they are: `Row{.name = "a"}`."""
+    for part in parts:
+        if isinstance(part.expr, Op) and part.expr.op == ".=" and isinstance(part.expr.operands[0], Name):
+            yield part.expr.operands[0].id, Bound(part.expr.operands[1], part.env)
 
 
 def _makers(cls: Cls) -> list[Func]:
