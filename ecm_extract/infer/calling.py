@@ -30,7 +30,7 @@ class Calling:
             state = self._apply(effect, at, env, state)
         calls = self.frame.env.func.calls[at]
         waits = any(self.frame.effects.calls.waits(call) for call in calls)
-        own = [call for call in calls if self.frame.judge.is_own(call, env)]
+        own = self.frame.effects.own_calls(at)
         state = self._methods(at, [] if waits else own, env, state)
         state = self._inner(at, calls, env, state)
         if waits:

@@ -59,6 +59,9 @@ class Targets(Protocol):
     def changes(self, func: Func, name: str) -> bool:
         """Tell whether a function may change what its parameter consists of."""
 
+    def is_own(self, call: Call, func: Func, at: int) -> bool:
+        """Tell whether a call in a statement of a function may run a function of the tree."""
+
     def is_outside(self, name: str, func: Func) -> bool:
         """Tell whether a name in a method of C++ means a variable of a namespace."""
 
@@ -87,6 +90,7 @@ class Effects:
         self.member = func.cls is not None and not self.python
         self.calls = calls_of(func.file.language)
         self._known: dict[int, tuple[Effect, ...]] = {}
+        self._own: dict[int, tuple[Call, ...]] = {}
         self._members: dict[str, bool] = {}
 
     def key(self, expr: Expr | None) -> str:
@@ -114,6 +118,14 @@ class Effects:
             statement = self.func.fact.body[at]
             found = [effect for call in self.func.calls[at] for effect in self._of_call(call, at, statement)]
             known = self._known[at] = tuple(found)
+        return known
+
+    def own_calls(self, at: int) -> tuple[Call, ...]:
+        """Return the calls of a statement that may run functions of the tree."""
+        known = self._own.get(at)
+        if known is None:
+            found = [call for call in self.func.calls[at] if self.targets.is_own(call, self.func, at)]
+            known = self._own[at] = tuple(found)
         return known
 
     def _of_call(self, call: Call, at: int, statement: Statement) -> Iterator[Effect]:

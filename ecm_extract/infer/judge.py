@@ -31,9 +31,6 @@ class Judge(Targets, Protocol):
     def rounds(self, over: Expr, env: Env) -> list[Bound] | None:
         """Return what a loop is over, each element once; None when not all of it is known."""
 
-    def is_own(self, call: Call, env: Env) -> bool:
-        """Tell whether a call may run a function of the tree."""
-
     def reaches_object(self, call: Call, env: Env) -> bool:
         """Tell whether a call of a function of the tree may run a method of the object at hand."""
 

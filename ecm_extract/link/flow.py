@@ -16,8 +16,7 @@ from ecm_extract.infer.interpreter import Interpreter
 from ecm_extract.infer.outline import Outline
 from ecm_extract.infer.run import Run
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, invocation_of
-from ecm_extract.link.handing_on import THIS, hands_on
-from ecm_extract.link.objects import is_super
+from ecm_extract.link.own_calls import OwnCalls
 from ecm_extract.link.run_keys import run_key
 from ecm_extract.link.units import Cls, File, Func
 from ecm_extract.link.values import Value, data_in, is_known, is_proved
@@ -51,6 +50,7 @@ class Flow:
         self._within = 0
         self._outlines: dict[Func, Outline] = {}
         self._changes: dict[tuple[int, str], bool] = {}
+        self._own = OwnCalls(folder.program)
         self._inner: dict[int, Mapping[str, list[Func]]] = {}
 
     @property
@@ -299,30 +299,17 @@ class Flow:
             return False
         return self.folder.scope.constant(name, Env(func)) is not None
 
-    def is_own(self, call: Call, env: Env) -> bool:
-        """Tell whether a call may run a function of the tree."""
-        last = invocation_of(call, env).last
-        return bool(last) and bool(self.folder.program.seen_functions(last, env.func.file))
+    def is_own(self, call: Call, func: Func, at: int) -> bool:
+        """Tell whether a call in a statement of a function may run a function of the tree."""
+        return self._own.is_own(call, func, at)
 
     def reaches_object(self, call: Call, env: Env) -> bool:
         """Tell whether a call of a function of the tree may run a method of the object at hand."""
-        found = invocation_of(call, env)
-        if found.receiver == THIS or is_super(found.receiver):
-            return True
-        implied = found.receiver is None and env.func.file.language != "python"
-        return self.hands_on(call, env) or (implied and self._is_method(found.last, env))
+        return self._own.reaches_object(call, env)
 
     def hands_on(self, call: Call, env: Env) -> bool:
         """Tell whether a call gives others the object at hand, or a function that may use it."""
-        return hands_on(call, lambda name: self._is_method(name, env))
-
-    def _is_method(self, name: str, env: Env) -> bool:
-        cls = env.this or env.func.cls
-        if cls is None:
-            return False
-        program = self.folder.program
-        lineage = (*program.ancestry(cls), *program.derived(cls))
-        return any(method.fact.name == name for entry in lineage for method in entry.methods)
+        return self._own.hands_on(call, env)
 
     def called_on(self, call: Call, env: Env) -> str | None:
         """Return the variable of the object that a method is called on: empty for that at hand, None for others."""

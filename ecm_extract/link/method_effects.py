@@ -70,7 +70,7 @@ class MethodEffects:
         if known is None:
             flow = self.folder.flow
             asked = ((call, Env(func, at)) for at, calls in enumerate(func.calls) for call in calls)
-            known = any(flow.is_own(call, place) and flow.reaches_object(call, place) for call, place in asked)
+            known = any(flow.is_own(call, func, place.at) and flow.reaches_object(call, place) for call, place in asked)
             self._calling[func] = known
         return known
 
@@ -128,7 +128,7 @@ class MethodEffects:
             for call in calls:
                 if table.waits(call):
                     return None
-                if self.folder.flow.is_own(call, place) and self.folder.flow.reaches_object(call, place):
+                if self.folder.flow.is_own(call, place.func, place.at) and self.folder.flow.reaches_object(call, place):
                     known = self._runs(call, place)
                     if known is None:
                         return None

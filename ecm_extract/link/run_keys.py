@@ -18,7 +18,7 @@ def run_key(env: Env, depth: int = 0) -> Hashable:
         return env.asked
     this = env.this or env.func.cls
     around = (run_key(env.outer, depth + 1), env.outer.at, env.outer.state) if env.outer is not None else None
-    caller = _bound_key(env.caller, depth) if env.caller is not None else None
+    caller = _bound_key(env.caller, depth, {}) if env.caller is not None else None
     asked = env.func, _bound_keys(env.args, depth), this, _made_key(env.made, depth), around, caller
     if not depth:
         env.asked = asked
@@ -26,17 +26,25 @@ def run_key(env: Env, depth: int = 0) -> Hashable:
 
 
 def _bound_keys(args: Mapping[str, Bound], depth: int) -> tuple[Hashable, ...]:
-    return tuple([(name, _bound_key(bound, depth)) for name, bound in args.items()])
+    places: dict[Env, Hashable] = {}  # the arguments of a call stand in one place, or in few
+    return tuple([(name, _bound_key(bound, depth, places)) for name, bound in args.items()])
 
 
-def _bound_key(bound: Bound, depth: int) -> Hashable:
+def _bound_key(bound: Bound, depth: int, places: dict[Env, Hashable]) -> Hashable:
     """An argument by what it is and where it stands: one that is written out means the same everywhere."""
-    env, expr = bound.env, bound.expr
-    if isinstance(expr, Text | Number | Constant):
-        return expr
+    if isinstance(bound.expr, Text | Number | Constant):
+        return bound.expr
+    if bound.env.state is None and depth >= MAX_KEY:
+        return bound
+    if bound.env not in places:
+        places[bound.env] = _place_key(bound.env, depth)
+    return bound.expr, places[bound.env]
+
+
+def _place_key(env: Env, depth: int) -> Hashable:
     if env.state is not None:  # a state belongs to one run, and so to what that run depends on
-        return expr, env.func, env.at, env.state, env.this, _made_key(env.made, depth)
-    return (expr, env.at, run_key(env, depth + 1)) if depth < MAX_KEY else bound
+        return env.func, env.at, env.state, env.this, _made_key(env.made, depth)
+    return env.at, run_key(env, depth + 1)
 
 
 def _made_key(made: Instance | None, depth: int) -> Hashable:

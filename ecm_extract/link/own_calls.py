@@ -1,0 +1,46 @@
+"""Which calls run functions of the tree, and with them perhaps methods of the object at hand."""
+
+from __future__ import annotations
+
+from ecm_parsers.source.expr import Call
+
+from ecm_extract.link.env import Env, invocation_of
+from ecm_extract.link.handing_on import THIS, hands_on
+from ecm_extract.link.objects import is_super
+from ecm_extract.link.program import Program
+from ecm_extract.link.units import Cls, Func
+
+
+class OwnCalls:
+    """Tells of calls whether they stay in the tree; which methods the objects of a class have is worked out once."""
+
+    def __init__(self, program: Program) -> None:
+        self.program = program
+        self._methods: dict[Cls, frozenset[str]] = {}
+
+    def is_own(self, call: Call, func: Func, at: int) -> bool:
+        """Tell whether a call in a statement of a function may run a function of the tree."""
+        last = invocation_of(call, Env(func, at)).last
+        return bool(last) and bool(self.program.seen_functions(last, func.file))
+
+    def reaches_object(self, call: Call, env: Env) -> bool:
+        """Tell whether a call that stays in the tree may run a method of the object at hand."""
+        found = invocation_of(call, env)
+        if found.receiver == THIS or is_super(found.receiver):
+            return True
+        implied = found.receiver is None and env.func.file.language != "python"
+        return self.hands_on(call, env) or (implied and self._is_method(found.last, env))
+
+    def hands_on(self, call: Call, env: Env) -> bool:
+        """Tell whether a call gives others the object at hand, or a function that may use it."""
+        return hands_on(call, lambda name: self._is_method(name, env))
+
+    def _is_method(self, name: str, env: Env) -> bool:
+        cls = env.this or env.func.cls
+        if cls is None:
+            return False
+        known = self._methods.get(cls)
+        if known is None:
+            lineage = (*self.program.ancestry(cls), *self.program.derived(cls))
+            known = self._methods[cls] = frozenset(each.fact.name for entry in lineage for each in entry.methods)
+        return name in known
