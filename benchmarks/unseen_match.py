@@ -11,12 +11,13 @@ from unseen_format import SourceNode, SourceRow, resolved
 
 
 def best(row: SourceRow, interfaces: list[Interface], node: SourceNode) -> Interface | None:
-    """By resolved name, all holes alike and the type preferred; by pattern; without a name by its place."""
+    """By resolved name, all holes alike, or by pattern, the type preferred; without a name by its place."""
     fitting = [one for one in interfaces if one.role == row.role]
     same = [one for one in fitting if resolved(row.name, node.name) == resolved(one.name, node.name)]
     if same:
         return max(same, key=lambda one: bool(row.type and one.type and same_type(row.type, one.type)))
-    found = None if row.name.startswith("{") else match_row(row, fitting)[0]
+    typed = [one for one in fitting if row.type and one.type and same_type(row.type, one.type)]
+    found = None if row.name.startswith("{") else match_row(row, typed)[0] or match_row(row, fitting)[0]
     return found or next((one for one in fitting if is_open(one) and _is_at(row, one)), None)
 
 

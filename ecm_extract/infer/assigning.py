@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Expr, Items, Number, Op, Opaque
+from ecm_parsers.source.expr import Call, Expr, Items, Number, Op, Opaque
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.effects import bare_names, is_plain
@@ -37,12 +37,10 @@ class Assigning:
 
     def _placed(self, value: Expr | None, state: State) -> State:
         """A text of C++ that has no value yet, in the braces of an object: whoever makes that may write it."""
-        if self.frame.python or not isinstance(value, Items):
+        if self.frame.python:
             return state
-        keys = {self.frame.effects.key(expr) for expr in bare_names(value)}
-        empty = {
-            key for key in keys if all(held.how == "made" for held in state.holds.get(key, ())) and key in state.holds
-        }
+        keys = {self.frame.effects.key(expr) for braces in _braces(value) for expr in bare_names(braces)}
+        empty = {key for key in keys if key in state.holds and all(map(_is_empty, state.holds[key]))}
         return self.memory.lost(state, empty)
 
     def shared_change(self, statement: Statement, state: State) -> State:
@@ -117,3 +115,14 @@ class Assigning:
     def element(self, each: Statement, at: int, state: State) -> State:
         """Return the state in which a loop has bound its variable to any element."""
         return self.bind(each.target, Held("each", "", each.value, self.frame.place(state), at), state)
+
+
+def _braces(value: Expr | None) -> list[Items]:
+    """The lists in braces that an object is made from: its own, or those of its construction."""
+    given = value.args if isinstance(value, Call) else (value,)
+    return [entry for entry in given if isinstance(entry, Items)]
+
+
+def _is_empty(held: Held) -> bool:
+    """Tell whether a variable was declared without a value, or with empty braces."""
+    return held.how == "made" or (held.how == "value" and isinstance(held.expr, Call) and not held.expr.args)

@@ -305,9 +305,19 @@ class ListFolder:
             return self._made(call, env)
         return self._returned(call, env)
 
+    def _is_one(self, inner: Items, call: Invocation, env: Env) -> bool:
+        """Tell whether braces within braces are one element, and not the list: `vector<Row>{{"a", 1}}`."""
+        if call.path.endswith("map"):
+            return not isinstance(inner.items[0], Items) if inner.items else False
+        if any(isinstance(item, Items) for item in inner.items):
+            return False
+        return bool(call.types) and self.folder.objects.class_written(call.types[0], env) is not None
+
     def _made(self, call: Invocation, env: Env) -> list[Bound] | None:
         """`vector{a, b}`, `vector<T>(other)`, `vector<T>(count, value)`; types tell braces from parentheses."""
         args = call.args
+        if len(args) == 1 and isinstance(args[0], Items) and self._is_one(args[0], call, env):
+            return [Bound(args[0], env)]
         if len(args) == 1 and (isinstance(args[0], Items) or self.items(args[0], env) is not None):
             return self.items(args[0], env)
         if len(args) == 2:

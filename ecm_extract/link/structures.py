@@ -78,7 +78,9 @@ class StructureFolder:
     def _is_changed(self, expr: Name | Member, env: Env) -> bool:
         """Tell whether an object was given a value that does not show what it is made from."""
         helds = [held for way in self.folder.flow.ways(expr, env) for held in way]
-        return any(held.how not in _DECLARED for held in helds) and self._parts(expr, env) is None
+        given = any(held.how not in _DECLARED for held in helds)
+        given = given or (isinstance(expr, Member) and self._part(expr, env) is not None)
+        return given and self._parts(expr, env) is None
 
     def _passed(self, name: str, env: Env) -> Value | None:
         bound = env.args.get(name)

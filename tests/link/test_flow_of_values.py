@@ -182,3 +182,27 @@ class Demo(Node):
             self.create_publisher(String, name, 1)
 """
     assert _names(workspace.package({"pkg/demo.py": text})) == {"/a": "folded", "/b": "folded"}
+
+
+GIVEN_AWAY = [
+    'std::vector<Outside> all{{"device", device, "x"}, {"other", 1}};',
+    'std::vector<Outside> all = {{"device", device}};',
+]
+
+
+@pytest.mark.parametrize("body", GIVEN_AWAY)
+@pytest.mark.parametrize("declared", ["std::string device;", "std::string device{};"])
+def test_an_empty_text_that_braces_give_away_is_not_told_as_empty(workspace: Any, declared: str, body: str) -> None:
+    """Who is made from a variable without a value may write it by reference, in braces within braces too."""
+    source = f"""
+#include <rclcpp/rclcpp.hpp>
+class Demo : public rclcpp::Node {{
+ public:
+  Demo() : Node("demo") {{
+    {declared}
+    {body}
+    create_publisher<std_msgs::msg::String>("/" + device + "/image", 1);
+  }}
+}};
+"""
+    assert workspace.package({"src/demo.cpp": source}).only("publisher").name == "/{device}/image"

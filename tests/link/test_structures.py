@@ -29,6 +29,10 @@ BODIES = [
         ["/arms/left/max", "/arms/right/max", "/arms/{row}/max"],
     ),
     ("std::function<void(const Row &)> call = &limit;", ["/arms/{row}/max"]),
+    (
+        'std::map<std::string, Row> one{{"up", {"Up", "up_arm"}}}; for (auto & pair : one) { limit(pair.second); }',
+        ["/arms/up_arm/max"],
+    ),
     ("for (const Row & row : outside()) { limit(row); }", ["/arms/{row}/max"]),
 ]
 
@@ -68,6 +72,7 @@ LISTS = [
         'std::vector<Wrapped> all{{"port", port, "/dev/a"}, {"baud", baud_, 9600}}; Wrapped::declare_all(this, all);',
         [("baud", "integer"), ("port", "string")],
     ),
+    ('std::vector<Wrapped> all = {{"port", port, "/dev/a"}}; Wrapped::declare_all(this, all);', [("port", "string")]),
     ("std::vector<Wrapped> all = outside(); Wrapped::declare_all(this, all);", [("{all}", None)]),
 ]
 
