@@ -170,6 +170,12 @@ class Sites:
                 if not self._names_an_instance(wider, root):
                     yield wider
 
+    def entering(self, site: Site) -> Iterator[tuple[Func, bool]]:
+        """Yield the functions that enter the outermost one of a site, and whether what they give it gets to the site."""
+        for wider in self._callers(site):
+            if len(wider.chain) > len(site.chain):
+                yield wider.root, self.folder.flow.is_reached(wider.env)
+
     def _is_loaded(self, func: Func) -> bool:
         """Tell whether a method runs on plugins, its class or one that derives from it being one."""
         cls = func.cls
