@@ -171,7 +171,7 @@ class Sites:
                     yield wider
 
     def entering(self, site: Site) -> Iterator[tuple[Func, bool]]:
-        """Yield the functions that enter the outermost one of a site, and whether what they give it gets to the site."""
+        """Yield the functions that enter the outermost one of a site, and whether their arguments lead to the site."""
         for wider in self._callers(site):
             if len(wider.chain) > len(site.chain):
                 yield wider.root, self.folder.flow.is_reached(wider.env)
