@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import tomllib
 from collections import defaultdict
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from importlib import resources
@@ -32,10 +32,16 @@ def _table() -> dict[str, frozenset[str]]:
 
 
 class Reach:
-    """Tells which functions a module can run; each module is asked about once."""
+    """Tells which functions a module can run; each module is asked about once.
 
-    def __init__(self, program: Program) -> None:
+    Args:
+        program: all that the tree declares.
+        loaded: function -> the classes that it loads by their name.
+    """
+
+    def __init__(self, program: Program, loaded: Mapping[Func, Sequence[Cls]]) -> None:
         self.program = program
+        self._loaded = loaded
         self._functions: dict[Func, Mentions] = {}
         self._runs: dict[Module, _Run] = {}
 
@@ -101,6 +107,9 @@ class Reach:
         if known is None:
             known = self._functions[func] = mentions_of(func)
         run.take(known, func.file)
+        for cls in self._loaded.get(func, ()):
+            self._make(cls, run)
+            run.enter(*cls.methods)
         self._plain(func, known, run)
         if func.cls is not None:
             self._touch(func, func.cls, run)

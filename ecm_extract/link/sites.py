@@ -29,8 +29,18 @@ from ecm_extract.link.units import Cls, Func
 from ecm_extract.link.values import Value
 
 _LOADS_ALL = "getDeclaredClasses"
-_ALSO = ("InputPort", "BidirectionalPort", "init", "init_node", "create_node", "Node", "LifecycleNode", _LOADS_ALL)
-"""Calls that are looked up by name without being forms: behaviour tree ports, node names, plugin loaders."""
+_ALSO = (
+    "InputPort",
+    "BidirectionalPort",
+    "init",
+    "init_node",
+    "create_node",
+    "Node",
+    "LifecycleNode",
+    "load",
+    _LOADS_ALL,
+)
+"""Calls that are looked up by name without being forms: behaviour tree ports, node names, loaders of plugins."""
 MAX_EXPANSIONS = 50_000
 
 
