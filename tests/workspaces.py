@@ -25,7 +25,7 @@ class Workspace:
         self.root = root
 
     def package(self, files: Mapping[str, str], ros: int = 2, name: str = "pkg") -> Workspace:
-        for path, text in {**files, "package.xml": MANIFESTS[ros].format(name=name)}.items():
+        for path, text in {"package.xml": MANIFESTS[ros].format(name=name), **files}.items():
             target = self.root / name / path
             target.parent.mkdir(parents=True, exist_ok=True)
             target.write_text(text, "utf-8")

@@ -31,7 +31,7 @@ class Calling:
             state = self._apply(effect, at, env, state)
         calls = self.frame.env.func.calls[at]
         waits = any(self.frame.effects.calls.waits(call) for call in calls)
-        own = self.frame.effects.own_calls(at)
+        own = self.frame.judge.own_calls(env)
         state = self._methods(at, [] if waits else own, env, state)
         state = self._inner(at, calls, env, state)
         if waits:
@@ -53,8 +53,8 @@ class Calling:
         changed: set[str] = set()
         for at in statements(block):
             env = self.frame.env.within(state, at)
-            for call in self.frame.env.func.calls[at]:
-                key = self._object(call, env) if self.frame.judge.is_own(call, env) else None
+            for call in self.frame.judge.own_calls(env):
+                key = self._object(call, env)
                 members = self.frame.judge.members_changed(call, env) if key is not None and self.frame.whole else None
                 if members is not None:
                     changed.update(members)

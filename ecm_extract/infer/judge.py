@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Protocol
 
 from ecm_parsers.source.expr import Call, Expr
@@ -30,6 +30,9 @@ class Judge(Targets, Protocol):
 
     def rounds(self, over: Expr, env: Env) -> list[Bound] | None:
         """Return what a loop is over, each element once; None when not all of it is known."""
+
+    def own_calls(self, env: Env) -> Sequence[Call]:
+        """Return the calls of a statement that may run functions of the tree."""
 
     def reaches_object(self, call: Call, env: Env) -> bool:
         """Tell whether a call of a function of the tree may run a method of the object at hand."""

@@ -301,6 +301,10 @@ class Flow:
             return False
         return self.folder.scope.constant(name, Env(func)) is not None
 
+    def own_calls(self, env: Env) -> Sequence[Call]:
+        """Return the calls of a statement that may run functions of the tree."""
+        return self._own.of(env)
+
     def is_own(self, call: Call, func: Func, at: int) -> bool:
         """Tell whether a call in a statement of a function may run a function of the tree."""
         return self._own.is_own(call, func, at)

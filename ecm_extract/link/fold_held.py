@@ -20,6 +20,7 @@ from ecm_extract.link.values import (
     constant,
     demoted,
     is_setting,
+    joined,
     literal,
     lowered,
     node_name,
@@ -185,6 +186,8 @@ class HeldFolder:
             return (unknown(_label(held.name)),)
         options = [self._before(held, env), *(self.folder.fold(arg, env) for arg in call.args)]
         name = call.callee.name
+        if name == "append" and len(options) == 2 and all(value.data is None for value in options[1]):
+            return joined(options)  # what is not known stands at its place
         return self.folder.combined(options, lambda data: changed(name, data[0], data[1:]), _label(held.name))
 
     def _stored(self, held: Held, env: Env) -> tuple[Value, ...]:

@@ -338,6 +338,15 @@ class ListFolder:
         found = self.folder.calls.returned(callee, call, env)
         return self.items(*found[0]) if len(found) == 1 else None
 
+    def _without(self, items: list[Bound], what: Expr, env: Env) -> list[Bound] | None:
+        """A list without the first element that is equal; None where that is not decided."""
+        for at, item in enumerate(items):
+            place = self.folder.flow.naming(env, {"#item": item})
+            same = self.folder.flow.alike(what, Name("#item"), place)
+            if same is not False:
+                return [*items[:at], *items[at + 1 :]] if same else None
+        return None
+
     # --- changes -----------------------------------------------------------------------------------------------
 
     def changed(self, items: list[Bound], call: Call, env: Env) -> list[Bound] | None:
@@ -350,6 +359,8 @@ class ListFolder:
             return [*items, Bound(Items(args), env)]
         if name in {"pop", "pop_back"} and not args and items:
             return items[:-1]
+        if name == "remove" and len(args) == 1 and env.func.file.language == "python":
+            return self._without(items, args[0], env)
         if name == "clear" and not args:
             return []
         if name == "reverse" and not args:

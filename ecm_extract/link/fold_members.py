@@ -165,11 +165,21 @@ class MemberFolder:
         """Return what a member holds before any method runs: its default; that of a derived class hides others."""
         fields = [entry.fields[name] for entry in self.folder.program.ancestry(cls) if name in entry.fields]
         default = next((field.default for field in fields if field.default is not None), None)
+        default = default or self._defined_outside(name, cls)
         if default is None:
             return ()
         values = demoted(self.folder.fold(default, Env(env.func, depth=env.depth + 1, this=cls)))
         assigned = cls.file.language == "python" and self.folder.scope.is_assigned_outside(name, "python")
         return alternatives((*values, unknown(name))) if assigned else values
+
+    def _defined_outside(self, name: str, cls: Cls) -> Expr | None:
+        """What a static member of C++ is defined with outside of its class: `double Sensor::limit = 0.5;`."""
+        owners = (entry for entry in self.folder.program.ancestry(cls) if name in entry.fields)
+        owner = next((entry for entry in owners if "static" in entry.fields[name].traits), None)
+        if owner is None:
+            return None
+        found = self.folder.program.constant_named(f"{owner.qualified}::{name}", owner.file)
+        return found.constant.value if found is not None else None
 
     def sources(self, name: str, cls: Cls, env: Env) -> list[tuple[Held, Env]]:
         """Return what the methods of a class and its bases leave a member with, or show it with to other functions.

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 
 from ecm_checker.match.generated import snake
 
+from ecm_extract.link.loaded_nodelets import loaded_nodelets
 from ecm_extract.link.module_kinds import class_kind
 from ecm_extract.link.program import Program
 from ecm_extract.link.references import References, Unit
@@ -52,12 +53,14 @@ class Registry:
         names: class -> name that a loader or executable gives it.
         programs: main function -> executable name.
         libraries: source path -> library name.
+        lookups: name that a loader asks for -> class.
     """
 
     classes: dict[Cls, str] = field(default_factory=dict)
     names: dict[Cls, str] = field(default_factory=dict)
     programs: dict[Func, str] = field(default_factory=dict)
     libraries: dict[str, str] = field(default_factory=dict)
+    lookups: dict[str, Cls] = field(default_factory=dict)
 
 
 class Modules:
@@ -70,6 +73,8 @@ class Modules:
         self.by_class: dict[Cls, Module] = {}
         self.by_main: dict[Func, Module] = {}
         self.libraries: dict[tuple[str, str], Module] = {}
+        self.loaded = loaded_nodelets(references.sites, registry.lookups)
+        self._loaders = {cls: [func for func, made in self.loaded.items() if cls in made] for cls in _all(self.loaded)}
         self._owners: dict[Unit, tuple[Module, ...]] = {}
 
     def find(self, node_name: Mapping[Cls, str]) -> None:
@@ -141,10 +146,13 @@ class Modules:
         return tuple(sorted(found, key=lambda module: (module.package, module.name, module.path)))
 
     def _users(self, unit: Unit, module: Module | None) -> Iterable[Unit]:
-        """A module class passes its endpoints on only to the classes that derive from it."""
+        """A module class passes its endpoints on only to the classes that derive from it, and to who loads it."""
         if module is None:
             return self.references.users(unit)
-        return self.references.sites.program.derived(unit) if isinstance(unit, Cls) else ()
+        if not isinstance(unit, Cls):
+            return ()
+        loaders = (func.holder or func for func in self._loaders.get(unit, ()))
+        return (*self.references.sites.program.derived(unit), *loaders)
 
     def _own(self, unit: Unit) -> Module | None:
         if isinstance(unit, Cls):
@@ -176,6 +184,10 @@ class Modules:
     def all(self) -> Sequence[Module]:
         """Return every module found so far."""
         return [*self.by_class.values(), *dict.fromkeys(self.by_main.values()), *self.libraries.values()]
+
+
+def _all(loaded: Mapping[Func, Sequence[Cls]]) -> set[Cls]:
+    return {cls for made in loaded.values() for cls in made}
 
 
 def registration_kind(macro: str) -> str | None:

@@ -17,6 +17,16 @@ class OwnCalls:
     def __init__(self, program: Program) -> None:
         self.program = program
         self._methods: dict[Cls, frozenset[str]] = {}
+        self._known: dict[tuple[Func, int], tuple[Call, ...]] = {}
+
+    def of(self, env: Env) -> tuple[Call, ...]:
+        """Return the calls of a statement that may run functions of the tree; of each statement it is asked often."""
+        key = (env.func, env.at)
+        known = self._known.get(key)
+        if known is None:
+            found = [call for call in env.func.calls[env.at] if self.is_own(call, env.func, env.at)]
+            known = self._known[key] = tuple(found)
+        return known
 
     def is_own(self, call: Call, func: Func, at: int) -> bool:
         """Tell whether a call in a statement of a function may run a function of the tree."""

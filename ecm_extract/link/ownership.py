@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ecm_extract.link.client_libraries import is_client_library
+from ecm_extract.link.decided import Decided
 from ecm_extract.link.modules import Module, Modules
 from ecm_extract.link.reach import Reach
 from ecm_extract.link.references import Unit
@@ -18,7 +19,8 @@ class Ownership:
         self.sites = sites
         self.program = sites.program
         self.modules = modules
-        self.reach = Reach(self.program)
+        self.reach = Reach(self.program, modules.loaded)
+        self.decided = Decided(sites, modules.references)
 
     def owners(self, unit: Unit, site: Site) -> tuple[Module, ...]:
         """Return the modules that have what a site declares in a unit; the library's is what none of them runs."""
@@ -26,10 +28,17 @@ class Ownership:
             return self._library(unit)
         owners = self.modules.owners(unit)
         through = self._through(unit, site)
-        running = tuple([each for each in owners if self.reach.reaches(each, through)])
+        running = self._deciding(site, [each for each in owners if self.reach.reaches(each, through)])
         if owners and (not running or running[0].kind == "library"):
             return self._library(unit)
         return running
+
+    def _deciding(self, site: Site, modules: list[Module]) -> tuple[Module, ...]:
+        """Those of several modules whose arguments lead to a site, where arguments decide."""
+        callers = self.decided.callers(site) if len(modules) > 1 else None
+        if callers is None:
+            return tuple(modules)
+        return tuple([each for each in modules if any(self.reach.reaches(each, [func]) for func in callers)])
 
     def _library(self, unit: Unit) -> tuple[Module, ...]:
         """The library that has what no module runs; what a client library declares is told of whoever calls it."""

@@ -7,7 +7,7 @@ or by nobody: a program that uses one method of a class does not have what other
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from ecm_extract.link.leads import Asked, Lead, Leads
@@ -18,11 +18,17 @@ from ecm_extract.link.units import Cls, Func
 
 
 class Reach:
-    """Tells which functions a module can run; each module is asked about once."""
+    """Tells which functions a module can run; each module is asked about once.
 
-    def __init__(self, program: Program) -> None:
+    Args:
+        program: all that the tree declares.
+        loaded: function -> the classes that it loads by their name.
+    """
+
+    def __init__(self, program: Program, loaded: Mapping[Func, Sequence[Cls]]) -> None:
         self.program = program
         self._leads = Leads(program)
+        self._loaded = loaded
         self._runs: dict[Module, _Run] = {}
 
     def reaches(self, module: Module, funcs: Iterable[Func]) -> bool:
@@ -74,6 +80,9 @@ class Reach:
 
     def _take(self, func: Func, run: _Run) -> None:
         run.take(self._leads.of_func(func))
+        for cls in self._loaded.get(func, ()):
+            self._make(cls, run)
+            run.enter(*cls.methods)
         if func.cls is not None:
             self._touch(func, func.cls, run)
 

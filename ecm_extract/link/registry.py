@@ -68,6 +68,7 @@ def _plugins(package: PackageFacts, files: list[File], program: Program, registr
                 nodelet = "odelet" in entry.base_class_type
                 _register(cls, "nodelet" if nodelet else "plugin", registry)
                 registry.names.setdefault(cls, snake(cls.fact.name))
+                registry.lookups.setdefault(entry.lookup_name, cls)
 
 
 def plugin_class(written: str, files: list[File], program: Program) -> Cls | None:

@@ -30,8 +30,18 @@ from ecm_extract.link.units import Cls, Func
 from ecm_extract.link.values import Value
 
 _LOADS_ALL = "getDeclaredClasses"
-_ALSO = ("InputPort", "BidirectionalPort", "init", "init_node", "create_node", "Node", "LifecycleNode", _LOADS_ALL)
-"""Calls that are looked up by name without being forms: behaviour tree ports, node names, plugin loaders."""
+_ALSO = (
+    "InputPort",
+    "BidirectionalPort",
+    "init",
+    "init_node",
+    "create_node",
+    "Node",
+    "LifecycleNode",
+    "load",
+    _LOADS_ALL,
+)
+"""Calls that are looked up by name without being forms: behaviour tree ports, node names, loaders of plugins."""
 MAX_EXPANSIONS = 50_000
 
 
@@ -170,6 +180,12 @@ class Sites:
                 wider = self._through(replace(site, certain=site.certain and certain), call, outer)
                 if not self._names_an_instance(wider, root):
                     yield wider
+
+    def entering(self, site: Site) -> Iterator[tuple[Func, bool]]:
+        """Yield the functions that enter the outermost one of a site, and whether their arguments lead to the site."""
+        for wider in self._callers(site):
+            if len(wider.chain) > len(site.chain):
+                yield wider.root, self.folder.flow.is_reached(wider.env)
 
     def _is_loaded(self, func: Func) -> bool:
         """Tell whether a method runs on plugins, its class or one that derives from it being one."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from ecm_checker.contract import Role
@@ -14,7 +15,7 @@ from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.sent_as import sent_as
 from ecm_extract.link.spelling import plain, pointee, template_arguments
-from ecm_extract.link.units import Func
+from ecm_extract.link.units import Cls, Func
 
 _KINDS = ("msg", "srv", "action")
 _ROLE_KIND: dict[Role, str] = {
@@ -160,8 +161,17 @@ class Types:
             return self._in_namespace(bare, env, role)
         if bare.count("::") == 1 and not bare.endswith("_") and _is_template(text) and env.func.file.ros != 1:
             return UNKNOWN_TYPE  # `pcl::PointCloud<P>` is sent as a message, but is none
+        owners = self.program.seen_classes(head, env.func.file) if tail and "::" not in tail else ()
+        if owners:
+            return self._of_classes(owners, tail, env, role, depth)
         full = self._full(bare, role) if "::" in bare else self._unqualified(bare, env, role)
         return TypeFound(full or self._in_lower_case(bare, env, role))
+
+    def _of_classes(self, owners: Sequence[Cls], name: str, env: Env, role: Role, depth: int) -> TypeFound:
+        """`Client::Output`: what a class of the tree calls a message; a class is no package, whatever it is called."""
+        found = {self.program.alias(f"{cls.qualified}::{name}", cls.file) for cls in owners} - {None}
+        target = found.pop() if len(found) == 1 else None
+        return self.written(target, env, role, depth + 1) if target is not None else UNKNOWN_TYPE
 
     def _in_namespace(self, bare: str, env: Env, role: Role) -> TypeFound:
         """`msg::Name`: a namespace around it is the package; what is no name of a package is none in ROS 2."""
