@@ -22,24 +22,20 @@ from ecm_extract.entities.python import bound_names, quoted_names
 from ecm_extract.entities.told_of_build import Surroundings, surroundings, told_of_build
 from ecm_extract.entities.workspace import Workspace
 from ecm_extract.link.composition import Composition
-from ecm_extract.parallel_work import meanwhile
 from ecm_extract.read.facts import PackageFacts
-from ecm_extract.requires.collect import requirements
+from ecm_extract.requires.collect import Required, all_requirements
 from ecm_extract.system.kept_texts import kept_texts
 from ecm_extract.system.running import running_of
 
 
-def hubs(workspace: Workspace, composition: Composition, jobs: int | None) -> Mapping[str, Hub]:
+def hubs(workspace: Workspace, composition: Composition, of_sources: Callable[[], Required]) -> Mapping[str, Hub]:
     """Return what each package of a tree provides and requires, by name.
 
     Args:
         workspace: the linked tree.
         composition: what runs in which program of it.
-        jobs: with one nothing is forked; else requirements are read off in another process.
+        of_sources: gives what its sources require; asked last, for another process may be about it.
     """
-    for facts in workspace.packages:
-        launch_files(workspace.texts, facts)  # before the fork: both processes ask for them
-    required: Callable[[], Mapping[str, Sequence[Requirement]]] = meanwhile(lambda: requirements(workspace), jobs)
     provisions: dict[str, list[Provision]] = defaultdict(list)
     for entity in public_entities(workspace).values():
         provisions[entity.package].append(entity)
@@ -47,7 +43,7 @@ def hubs(workspace: Workspace, composition: Composition, jobs: int | None) -> Ma
     for facts in workspace.packages:
         provisions[facts.name] += inner.of(facts, launch_files(workspace.texts, facts))
     kept = _kept(workspace, composition)
-    found = required()
+    found = all_requirements(workspace, of_sources())
     return {
         facts.name: _hub(facts, provisions[facts.name], found.get(facts.name, ()), kept) for facts in workspace.packages
     }

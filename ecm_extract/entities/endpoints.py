@@ -45,7 +45,8 @@ def endpoint_entities(
             mark = (found.kind, found.facet, found.name, found.path, found.line)
             first = shared.setdefault(mark, found)
             if first is not found:
-                shared[mark] = msgspec.structs.replace(first, sharers=(*first.sharers, found.owner))
+                when = first.when if first.when == found.when else ()
+                shared[mark] = msgspec.structs.replace(first, sharers=(*first.sharers, found.owner), when=when)
     yield from shared.values()
 
 
@@ -72,6 +73,7 @@ def entity_of(entry: Interface, package: str, owner: str, ros: int | None) -> Pr
         path=at.path,
         line=at.line,
         chain=_calls(entry),
+        when=entry.when,
     )
 
 

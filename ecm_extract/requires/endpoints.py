@@ -36,15 +36,16 @@ def endpoint_requirements(modules: Sequence[LinkedModule]) -> Iterator[Requireme
 
 def _of(entry: Interface, place: Place, node: str | None) -> Iterator[Requirement]:
     row = roles()[entry.role]
+    under = {"when": entry.when, "conditions": tuple(each.text for each in entry.when)}
     if row.use:
         name = entry.name if entry.name.startswith("/") else comparable_name(entry)
         owner = (node or _ITS_OWN) if entry.raw_name.startswith("~") else ""
-        yield required(row.use, name, place, _certainty(entry), owner=owner, type=entry.type, qos=entry.qos)
+        yield required(row.use, name, place, _certainty(entry), owner=owner, type=entry.type, qos=entry.qos, **under)
     if row.verb and entry.type is not None:
         yield required("speaks", entry.type, place, "likely", said=f"{row.verb} {entry.name}")
     if entry.role == "tf_lookup" and entry.frame:
         for name in entry.frame.split(_LOOKUP):
-            yield required("looks_up", name, place, "likely")
+            yield required("looks_up", name, place, "likely", **under)
 
 
 def _certainty(entry: Interface) -> Certainty:

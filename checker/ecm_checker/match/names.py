@@ -289,7 +289,7 @@ def _is_seen(site: Site, base: str, entity: Provision) -> bool:
 
 def _member(site: Site, entity: Provision) -> bool:
     wanted = site.requirement
-    if _is_section(entity, wanted.owner):
+    if _is_section(entity, wanted.owner) or _is_section(entity, site.ways.end(wanted.owner, wanted.scope)):
         return entity.own_name == wanted.name
     if entity.name != wanted.name or entity.is_python:
         return False
