@@ -31,7 +31,8 @@ _OPEN = frozenset("{}[]<>$")
 def check(workspace: Workspace) -> Iterator[Finding]:
     """Report what xacro cannot expand, in descriptions whose files are all in the tree.
 
-    No requirement of packages: what a description has shows when it is expanded, which meets the slip.
+    Not asked of the engine: which macro a call means, and what it is given, is told by running the description in
+    order, with files that properties and arguments name; packages tell no such run.
     """
     parts = {path for each in workspace.descriptions for path in each.files if path != each.path}
     for description in workspace.descriptions:

@@ -28,7 +28,6 @@ _CONVERSION = re.compile(
 )
 _KEPT = re.compile(r"listener|broadcaster|buffer|guard|lock")
 """Objects that work by being there."""
-_BINDING = re.compile(rb"\bauto\s*&*\s*\[")
 MAX_DEPTH = 40
 
 
@@ -59,8 +58,6 @@ def _of(func: Func, workspace: Workspace) -> Iterator[Finding]:
 def _is_written_again(name: str, line: int, func: Func, workspace: Workspace) -> bool:
     """Tell whether the text of the function has the name a second time: not every expression is read."""
     lines = (workspace.files.read(func.file.path) or b"").splitlines()[line - 1 : func.fact.end_line]
-    if lines and _BINDING.search(lines[0]):
-        return True  # who needs one part of a result binds all
     return len(re.findall(rb"\b%s\b" % re.escape(name.encode()), b"\n".join(lines))) > 1
 
 
