@@ -9,7 +9,6 @@ from __future__ import annotations
 import io
 import random
 import subprocess
-import sys
 import tarfile
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
@@ -26,6 +25,10 @@ BUILT_TOGETHER: Final = frozenset({"LNT041"})
 """Rules on the order in which one workspace is built: what is known by documents is not built with it."""
 _Each = TypeVar("_Each")
 _JSON: Final = ("--format", "json")
+
+
+class UnreadableError(Exception):
+    """A clone that lacks what git is asked for, as one without its large files."""
 
 
 class Documents(msgspec.Struct, frozen=True):
@@ -183,5 +186,6 @@ def _some(found: Sequence[_Each], count: int, chance: random.Random) -> list[_Ea
 def _git(repo: Path, *words: str) -> bytes:
     done = subprocess.run(["git", "-C", str(repo), *words], capture_output=True, check=False)
     if done.returncode:
-        sys.exit(f"git {' '.join(words)} in {repo} ended with status {done.returncode}:\n{done.stderr.decode()}")
+        message = f"git {' '.join(words)} in {repo} ended with status {done.returncode}:\n{done.stderr.decode()}"
+        raise UnreadableError(message)
     return done.stdout
