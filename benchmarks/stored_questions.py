@@ -21,8 +21,8 @@ LAUNCHES: Final = 2
 """Launch files of a release whose systems are asked for."""
 FOLDERS: Final = 1
 """Packages of a release that are linted with the others as documents."""
-BUILT_TOGETHER: Final = frozenset({"LNT041"})
-"""Rules on the order in which one workspace is built: what is known by documents is not built with it."""
+OF_ONE_TREE: Final = frozenset({"LNT037", "LNT041"})
+"""Rules on what one repository holds, and on the order in which one workspace is built: documents are of neither."""
 _Each = TypeVar("_Each")
 _JSON: Final = ("--format", "json")
 
@@ -152,7 +152,7 @@ def _below(folder: str) -> Callable[[Any], Any]:
     """Findings whose first line is in a folder, the paths in them from there."""
 
     def shown(answer: Any) -> Any:
-        told = [each for each in answer["findings"] if each["evidence"] and each["rule"] not in BUILT_TOGETHER]
+        told = [each for each in answer["findings"] if each["evidence"] and each["rule"] not in OF_ONE_TREE]
         found = [each for each in told if each["evidence"][0]["path"].startswith(folder)]
         texts = [msgspec.json.encode(each).decode() for each in found]
         return [msgspec.json.decode(text) for text in sorted(text.replace(folder, "") for text in texts)]

@@ -10,6 +10,8 @@ from typing import Any, Literal
 
 import msgspec
 
+from ecm_checker.hub.condition import Condition
+
 Confidence = Literal["literal", "folded", "default", "one_of", "pattern"]
 Origin = Literal["declared", "observed", "inferred", "default"]
 Role = Literal[
@@ -69,6 +71,7 @@ class Interface(msgspec.Struct, frozen=True):
             default), `one_of` (one of several that the code can give it), `pattern`.
         evidence: the line that names it first, the outermost call of wrappers, then inwards; see the manual.
         inherited_from: class or package that brings it, when not the module itself.
+        when: conditions under which it is made, as far as they are known; all of them hold then.
     """
 
     role: Role
@@ -81,6 +84,7 @@ class Interface(msgspec.Struct, frozen=True):
     evidence: tuple[Evidence, ...]
     default: Any = None
     inherited_from: str | None = None
+    when: tuple[Condition, ...] = ()
 
 
 class Source(msgspec.Struct, frozen=True):

@@ -3,7 +3,7 @@
 What is written when a value is not known:
 
 - Identity (`ecm`) and interface keys are always there, null when not known. `default` is there for parameters
-  only, `inherited_from` only when set.
+  only, `inherited_from` and `when` only when set.
 - A policy of `qos` that is not known is absent.
 - A field of a section that nothing declares is absent; the required ones among them are named in
   `ecm.missing`. An empty list is something else: an artefact shows that there is none.
@@ -69,4 +69,5 @@ def _section(section: msgspec.Struct) -> Plain:
 
 def _without_unset(interface: Plain) -> Plain:
     absent = {"inherited_from"} if interface["role"] == "parameter" else {"inherited_from", "default"}
-    return {key: value for key, value in interface.items() if value is not None or key not in absent}
+    told = {key: value for key, value in interface.items() if value is not None or key not in absent}
+    return told if told["when"] else {key: value for key, value in told.items() if key != "when"}

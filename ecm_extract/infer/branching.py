@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Protocol
 
 from ecm_parsers.source.expr import Call, Comprehension, Constant, Expr, Op, Opaque
-from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Switch
+from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Leave, Switch, blocks
 
 from ecm_extract.infer.exits import Exits
 from ecm_extract.infer.held import State, joined_states
@@ -37,15 +37,14 @@ class Branching:
         if holds is not None:
             self.blocks.unreached(step.other if holds else step.then, state)
             return self.blocks.run(step.then if holds else step.other, state)
-        number = self.frame.branch()
         likely = self.frame.judge.likely(step.test, self.frame.place(state)) if self.frame.whole else None
-        then = self.blocks.run(step.then, state.on(number, likely is not False))
-        other = self.blocks.run(step.other, state.on(-number, likely is not True))
-        return joined_states([other, then] if likely is False else [then, other])
+        then = self.blocks.run(step.then, state.on(self.frame.side(step.test, True, state), likely is not False))
+        other = self.blocks.run(step.other, state.on(self.frame.side(step.test, False, state), likely is not True))
+        return _behind(step, state, joined_states([other, then] if likely is False else [then, other]))
 
     def switch(self, step: Switch, state: State) -> State | None:
         """Run the cases that may apply."""
-        return self._falling(step, state) if step.falls else self._chosen(step, state)
+        return _behind(step, state, self._falling(step, state) if step.falls else self._chosen(step, state))
 
     def _chosen(self, step: Switch, state: State) -> State | None:
         """The first case that applies runs."""
@@ -59,9 +58,9 @@ class Branching:
                 outs.append(self.blocks.run(case.body, rest))
                 rest = None
             else:
-                number = self.frame.branch()
-                outs.append(self.blocks.run(case.body, rest.on(number)))
-                rest = rest.on(-number)
+                asked = _question(step.subject, case)
+                outs.append(self.blocks.run(case.body, rest.on(self.frame.side(asked, True, rest))))
+                rest = rest.on(self.frame.side(asked, False, rest))
         return joined_states([*outs, rest])
 
     def _applies(self, subject: Expr, case: Case, state: State) -> bool | None:
@@ -79,7 +78,8 @@ class Branching:
         self.exits.enter_switch()
         current: State | None = None
         for case, entry in zip(step.cases, entries, strict=True):
-            given = state if entry else state.on(self.frame.branch()) if entry is None else None
+            asked = _question(step.subject, case)
+            given = state if entry else state.on(self.frame.side(asked, True, state)) if entry is None else None
             current = joined_states([current, given])
             if current is None:
                 self.blocks.unreached(case.body, state)
@@ -110,15 +110,33 @@ class Branching:
         elif step.handlers:
             caught = joined_states([state, *raised])
             start = caught if caught is not None else state
-            outs += [self.blocks.run(handler, start.on(self.frame.branch())) for handler in step.handlers]
+            outs += [self.blocks.run(handler, self.frame.undecided(start)) for handler in step.handlers]
         met = joined_states(outs)
         if met is None:
-            self.blocks.run(step.final, (joined_states([state, *raised]) or state).on(self.frame.branch()))
+            self.blocks.run(step.final, self.frame.undecided(joined_states([state, *raised]) or state))
             return None
         return self.blocks.run(step.final, met)
 
     def _may_raise(self, block: Block) -> bool:
         return any(not isinstance(step, int) or _raises(self.frame.body[step].value) for step in block)
+
+
+def _behind(step: Branch | Switch, before: State, after: State | None) -> State | None:
+    """The state behind a branch: the sides that it still came through are those that others left."""
+    count = len(before.path)
+    if after is None or len(after.path) <= count:
+        return after
+    thrown = any(isinstance(entry, Leave) and entry.how == "throw" for block in blocks(step) for entry in block[-1:])
+    past = [turn.past("throw" if thrown else "return") for turn in after.path[count:]]
+    return after.along((*before.path, *past))
+
+
+def _question(subject: Expr, case: Case) -> Expr | None:
+    """What a case of a switch asks, as a condition of its own; None for the default, which asks nothing."""
+    if subject == Constant("true"):
+        return case.tests[0]
+    asked = [Op("==", (subject, test)) for test in case.tests]
+    return asked[0] if len(asked) == 1 else Op("||", tuple(asked)) if asked else None
 
 
 def _raises(expr: Expr | None) -> bool:

@@ -62,7 +62,7 @@ class Comprehending:
         found = [self.frame.truth(test, state) for test in entry.tests]
         if False in found:
             return None
-        return state.on(self.frame.branch()) if None in found else state
+        return self.frame.undecided(state) if None in found else state
 
 
 def comprehensions(expr: Expr | None) -> Iterator[Comprehension]:

@@ -18,7 +18,20 @@ MAX_LAYER = 16
 """Changes beyond which a state is written out in full."""
 
 How = Literal[
-    "value", "each", "made", "given", "shared", "lost", "read", "changed", "stored", "out", "handed", "looped"
+    "value",
+    "each",
+    "made",
+    "given",
+    "shared",
+    "lost",
+    "read",
+    "changed",
+    "stored",
+    "out",
+    "handed",
+    "looped",
+    "after",
+    "entered",
 ]
 
 
@@ -34,7 +47,8 @@ class Held:
             default); `changed` by a method (`expr` the call); `stored`: an element (`expr` the place, `more` the
             value); `out`: written by a function that got it (`expr` the call, `name` its parameter there); `handed` to
             somebody who may have changed what it consists of; `looped`: what it held before a loop or after a round
-            of it (`before`).
+            of it (`before`); `after` a method that may have changed it (`expr` the call, `name` the member in it);
+            `entered`: what it held where somebody called the function (`env`, `before`).
         name: the variable, for messages and patterns; of `out` the parameter.
         env: where the expressions are evaluated.
         at: statement that made it so; -1 for none.
@@ -100,20 +114,41 @@ class Layers(Mapping[str, tuple[Held, ...]]):
         return sum(1 for _ in self)
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Turn:
+    """One side of a branch that nobody can decide; each is itself only.
+
+    Attributes:
+        test: what is asked; None where nothing is, as for a round of a loop or a handler.
+        holds: whether the test holds on this side.
+        env: where the test is evaluated.
+        left: how the other side left, which this one came past; empty within the branch.
+    """
+
+    test: Expr | None = None
+    holds: bool = True
+    env: Env | None = None
+    left: Literal["", "return", "throw"] = ""
+
+    def past(self, left: Literal["return", "throw"]) -> Turn:
+        """The same side behind the branch, which the other side left the function by."""
+        return Turn(self.test, self.holds, self.env, left)
+
+
 @dataclass(slots=True, eq=False, repr=False)
 class State:
     """What variables hold at one place on one way through a function.
 
     Attributes:
         holds: variable -> the things that it may hold, of which one is true.
-        path: the undecided branches on the way, one number each.
+        path: the undecided branches on the way, by the side that was taken.
         live: whether the way is one that a run can take; the others tell what code that is never reached would do.
         called: whether functions of the tree were called on it, which may have given members anything they give them.
         likely: whether it comes about as long as nobody sets a parameter, or whether nothing tells that.
     """
 
     holds: Layers = field(default_factory=Layers)
-    path: tuple[int, ...] = ()
+    path: tuple[Turn, ...] = ()
     live: bool = True
     called: bool = False
     likely: bool = True
@@ -124,11 +159,11 @@ class State:
             return self
         return State(self.holds.having(changes), self.path, self.live, self.called, self.likely)
 
-    def on(self, branch: int, likely: bool = True) -> State:
+    def on(self, turn: Turn, likely: bool = True) -> State:
         """The same state beyond a branch that nobody can decide."""
-        return State(self.holds, (*self.path, branch), self.live, self.called, self.likely and likely)
+        return State(self.holds, (*self.path, turn), self.live, self.called, self.likely and likely)
 
-    def along(self, path: tuple[int, ...]) -> State:
+    def along(self, path: tuple[Turn, ...]) -> State:
         """The same state on another path."""
         return State(self.holds, path, self.live, self.called, self.likely)
 
@@ -174,9 +209,9 @@ def _ways(name: str, left: tuple[Held, ...], right: tuple[Held, ...]) -> tuple[H
     return ways if len(ways) <= MAX_WAYS else (Held("lost", name, before=ways[:MAX_WAYS]),)
 
 
-def _common(one: tuple[int, ...], other: tuple[int, ...]) -> tuple[int, ...]:
+def _common(one: tuple[Turn, ...], other: tuple[Turn, ...]) -> tuple[Turn, ...]:
     """The branches that both ways went through alike."""
     count = 0
-    while count < min(len(one), len(other)) and one[count] == other[count]:
+    while count < min(len(one), len(other)) and one[count] is other[count]:
         count += 1
     return one[:count]

@@ -11,7 +11,7 @@ from ecm_parsers.source.expr import Expr
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.effects import Effects
-from ecm_extract.infer.held import Held, State, joined_states
+from ecm_extract.infer.held import Held, State, Turn, joined_states
 from ecm_extract.infer.judge import Judge
 from ecm_extract.infer.outline import Outline
 
@@ -75,7 +75,6 @@ class Frame:
         self.steps = 0
         self.blurred = 0
         self.later = 0
-        self._branches = 0
 
     @property
     def unrolls(self) -> bool:
@@ -90,14 +89,13 @@ class Frame:
         """Tell whether a condition holds in a state; None when that is not decided."""
         return self.judge.truth(test, self.place(state)) if self.whole else None
 
-    def branch(self) -> int:
-        """Return the number of a branch that nobody can decide."""
-        self._branches += 1
-        return self._branches
+    def side(self, test: Expr | None, holds: bool, state: State) -> Turn:
+        """Return one side of a branch that nobody can decide, by what is asked there."""
+        return Turn(test, holds, self.place(state))
 
     def undecided(self, state: State) -> State:
         """Return a state beyond a branch that nobody can decide."""
-        return state.on(self.branch())
+        return state.on(Turn())
 
     def record(self, at: int, states: Iterable[State]) -> None:
         """Note the states in which a statement is reached."""
@@ -107,5 +105,5 @@ class Frame:
                 known.append(state)
             else:
                 met = joined_states([known[-1], state])
-                known[-1] = met.along((*met.path, self.branch())) if met is not None else state
+                known[-1] = met.along((*met.path, Turn())) if met is not None else state
                 self.run.cut = True

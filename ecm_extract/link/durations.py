@@ -54,6 +54,33 @@ def seconds_of(expr: Expr | None, env: Env, folder: Folder, depth: int = 0) -> f
         return _seconds(expr, env, folder, depth)
 
 
+def counted(expr: Expr | None, env: Env, folder: Folder) -> int | float | None:
+    """Return the number that a duration is asked for: `duration.count()` in its own unit, `.seconds()`, `.toSec()`."""
+    if not isinstance(expr, Call) or not isinstance(expr.callee, Member) or expr.args:
+        return None
+    made = expr.callee.base
+    seconds = seconds_of(made, env, folder) if isinstance(made, Call) else None
+    if seconds is None or not isinstance(made, Call):
+        return None
+    if expr.callee.name in {"seconds", "toSec", "to_sec"}:
+        return seconds
+    return _in_unit(seconds, made) if expr.callee.name == "count" else None
+
+
+def _in_unit(seconds: float, made: Call) -> int | float | None:
+    """Seconds in the unit of a duration of chrono: a whole number but for `duration<double>`."""
+    name = _last(made)
+    if name == "duration":
+        return seconds if len(made.types) == 1 and made.types[0] in {"double", "float"} else None
+    unit = _SECONDS.get(last_name(made.types[0]) if name == "duration_cast" and made.types else name)
+    return None if unit is None else round(seconds / unit)
+
+
+def _last(call: Call) -> str:
+    callee = call.callee
+    return last_name(callee.id) if isinstance(callee, Name) else callee.name if isinstance(callee, Member) else ""
+
+
 def _seconds(expr: Expr, env: Env, folder: Folder, depth: int) -> float | None:
     if isinstance(expr, Number):
         return float(expr.value)
@@ -68,9 +95,7 @@ def _seconds(expr: Expr, env: Env, folder: Folder, depth: int) -> float | None:
 
 
 def _call(expr: Call, env: Env, folder: Folder, depth: int) -> float | None:
-    callee = expr.callee
-    name = last_name(callee.id) if isinstance(callee, Name) else callee.name if isinstance(callee, Member) else ""
-    factor = _SECONDS.get(name)
+    factor = _SECONDS.get(_last(expr))
     if factor is None:
         return _period(expr, env, folder, depth) or _plain(expr, env, folder)
     total = 0.0

@@ -7,12 +7,15 @@ from typing import Any
 from ecm_parsers.source.expr import Call, Expr, Member, Name
 
 from ecm_extract.link.data import UNKNOWN, data_of, declared_type, plain_type, stated_type, type_of_data
+from ecm_extract.link.durations import counted
 from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.match import name_argument, positions
+from ecm_extract.link.numbers import as_number
 from ecm_extract.link.site import Site
 from ecm_extract.link.spelling import plain
 from ecm_extract.link.types import Types
+from ecm_extract.link.values import Hole
 
 _NO_TEXT = frozenset({"bool", "double", "integer"})
 """Types whose default is no text: what folds to one comes from a call that gives something else when it runs."""
@@ -29,8 +32,8 @@ class EndpointTypes:
         """Return the type of a site, and the default of a parameter as data, `UNKNOWN` when nothing shows it."""
         if site.form.role != "parameter":
             return self.types.at(site.form.type, site.call, site.env, site.form.role).name, UNKNOWN
-        stated = stated_type(default) or self._bound_stated(default, site.env)
-        data = UNKNOWN if stated else data_of(default, site.env, self.folder)
+        stated = stated_type(default) or self._bound_stated(default, site.env) or self._held_stated(default, site.env)
+        data = UNKNOWN if stated else self._data(default, site.env)
         written = site.call.types[0] if site.form.type == "template:0" and site.call.types else ""
         written = site.env.types.get(written, written)
         out = next(positions(site.form.out, site.call), None)
@@ -38,7 +41,12 @@ class EndpointTypes:
         known = declared or (type_of_data(data) if data is not UNKNOWN else None)
         known = known or self._default_type(default, site.env) or self._target_type(site)
         known = known or self._read_type(site) or self._described(site)
-        return known, UNKNOWN if known in _NO_TEXT and isinstance(data, str) else data
+        return known, UNKNOWN if known in _NO_TEXT and isinstance(data, str) else _as_declared(data, known)
+
+    def _data(self, default: Expr | None, env: Env) -> Any:
+        data = data_of(default, env, self.folder)
+        number = counted(default, env, self.folder) if data is UNKNOWN else None
+        return data if number is None else number
 
     def _target_type(self, site: Site) -> str | None:
         """The type of the variable that takes the value: `int qos = declare_parameter("qos", (int)given)`."""
@@ -75,6 +83,14 @@ class EndpointTypes:
     def _bound_stated(self, default: Expr | None, env: Env) -> str | None:
         bound = env.args.get(getattr(default, "id", "")) if default is not None else None
         return stated_type(bound.expr) if bound is not None else None
+
+    def _held_stated(self, default: Expr | None, env: Env) -> str | None:
+        """The type that a variable holds instead of a default: `PARAMETER_DOUBLE`, which no source gives a value."""
+        if not isinstance(default, Name | Member):
+            return None
+        holes = [value.parts[0] for value in self.folder.fold(default, env) if len(value.parts) == 1]
+        found = {stated_type(Name(hole.label)) if isinstance(hole, Hole) else None for hole in holes}
+        return found.pop() if len(found) == 1 else None
 
     def _default_type(self, default: Expr | None, env: Env) -> str | None:
         """The type of the variable or construction that a default is."""
@@ -115,6 +131,13 @@ class EndpointTypes:
         return None
 
 
+def _as_declared(data: Any, known: str | None) -> Any:
+    """A default as the type of its parameter holds it: `declare_parameter<double>("rate", 0)` is 0.0."""
+    if known in _ARRAYS and isinstance(data, list):
+        return [as_number(each, _ARRAYS[known]) for each in data]
+    return as_number(data, _HELD.get(known or "", ""))
+
+
 def _descriptor_type(descriptor: Call) -> str | None:
     """The type that a descriptor is made with; `.value` of a type is its number."""
     given = dict(descriptor.keywords).get("type")
@@ -129,4 +152,7 @@ def _cast(value: Expr | None, line: int) -> str | None:
     return _CASTS.get(value.callee.id) if isinstance(inner, Call) and inner.line == line else None
 
 
+_HELD = {"double": "double", "integer": "int"}
+_ARRAYS = {"double_array": "double"}
+"""Parameter type -> a type of C++ that holds its numbers."""
 _CASTS = {"bool": "bool", "float": "double", "int": "integer", "str": "string"}

@@ -56,22 +56,12 @@ class MemberFolder:
             cls = env.this or env.func.cls
             found = self.member_value(expr.name, cls, env) if cls is not None else ()
             return found or (unknown(expr.name),)
-        if expr.name in VALUE_READS:
+        part = self.folder.structures.field(expr, env)
+        if not part and expr.name in VALUE_READS:
             return self.folder.fold(expr.base, env.before(env.at))
         dotted = dotted_name(expr)
         found = self.folder.names.imported(dotted, env) if dotted and env.func.file.language == "python" else ()
-        part = self._part(expr, env) if not found else ()
         return found or part or self._field(expr, env) or self._option(expr, env) or (unknown(expr.name),)
-
-    def _part(self, expr: Member, env: Env) -> tuple[Value, ...]:
-        """A field of a structure that is made from a list of its values: `Row{"a", 1}` and `row.name`."""
-        items = self.folder.lists.structure(expr.base, env)
-        cls = self.folder.objects.class_of(expr.base, env) if items is not None else None
-        names = [field.name for field in cls.fact.fields] if cls is not None else []
-        if items is None or expr.name not in names or names.index(expr.name) >= len(items):
-            return ()
-        bound = items[names.index(expr.name)]
-        return demoted(self.folder.fold(bound.expr, bound.env.deeper(env.depth + 1)))
 
     def _option(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """`args.name` of argparse: the option's default."""
@@ -90,7 +80,10 @@ class MemberFolder:
         cls = self.folder.objects.class_of(expr.base, env)
         if cls is None:
             return ()
-        return self.member_value(expr.name, cls, Env(env.func, env.at, depth=env.depth + 1, this=cls))
+        values = self.member_value(expr.name, cls, Env(env.func, env.at, depth=env.depth + 1, this=cls))
+        asked = _is_plain(cls) or any(value.confidence == "pattern" for value in values)
+        given = self.folder.structures.given(expr.base, env) if asked else None
+        return (given,) if given is not None and values else values
 
     def _library_parameter(self, expr: Member, env: Env) -> tuple[Value, ...] | None:
         """`params_.a.b` of generate_parameter_library: the default of parameter `a.b`."""
@@ -166,7 +159,7 @@ class MemberFolder:
         if default is None:
             return ()
         values = demoted(self.folder.fold(default, Env(env.func, depth=env.depth + 1, this=cls)))
-        assigned = cls.file.language == "python" and self.folder.scope.is_assigned_outside(name)
+        assigned = cls.file.language == "python" and self.folder.scope.is_assigned_outside(name, "python")
         return alternatives((*values, unknown(name))) if assigned else values
 
     def sources(self, name: str, cls: Cls, env: Env) -> list[tuple[Held, Env]]:
@@ -196,6 +189,11 @@ class MemberFolder:
     def _method_env(self, method: Func, cls: Cls, env: Env) -> Env:
         made = env.made if env.made is not None and env.made.cls is cls else None
         return Env(method, this=cls, made=made or Instance(cls, {}, {}), depth=env.depth + 1)
+
+
+def _is_plain(cls: Cls) -> bool:
+    """Tell whether whoever makes an object of a class can give its fields what he likes."""
+    return cls.file.language == "cpp" and not any(method.is_constructor for method in cls.methods)
 
 
 def _makes(held: Held) -> bool:

@@ -38,10 +38,10 @@ if TYPE_CHECKING:
 
 
 @cache
-def outside_constants() -> Mapping[str, str | float]:
-    """Return constants of public headers outside the tree by their own name."""
+def outside_constants(table: str = "constants") -> Mapping[str, str | float]:
+    """Return constants of public headers outside the tree by their own name, `python`: those of modules, in full."""
     text = (resources.files("ecm_extract.link") / "outside_constants.toml").read_text("utf-8")
-    return MappingProxyType(tomllib.loads(text)["constants"])
+    return MappingProxyType(tomllib.loads(text)[table])
 
 
 class NameFolder:
@@ -178,11 +178,16 @@ class NameFolder:
         """A constant of another Python module, by its dotted name."""
         found = self.folder.program.constant_named(dotted, env.func.file)
         if found is None or found.constant.value is None:
-            return ()
+            return _of_outside(self.folder.program.canonical(dotted, env.func.file)) if found is None else ()
         if not found.constant.scope:
             return self._of_module(found.constant.name, found.file, env)
         inner = Env(self._file_env(found.file, env).func, depth=env.depth + 1)
         return demoted(self.folder.fold(found.constant.value, inner))
+
+
+def _of_outside(dotted: str) -> tuple[Value, ...]:
+    known = outside_constants("python").get(dotted)
+    return () if known is None else demoted((literal(known) if isinstance(known, str) else constant(known),))
 
 
 def is_fresh(env: Env) -> bool:

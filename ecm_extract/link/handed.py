@@ -52,6 +52,10 @@ class Handed:
         self.program = program
         self._values: dict[str, list[Handing]] | None = None
 
+    def knows(self, name: str) -> bool:
+        """Tell whether something of a last name is handed over anywhere."""
+        return name in self._index()
+
     def functions(self, func: Func) -> Iterator[Func]:
         """Yield the functions that hand a function over."""
         for handing in self._index().get(func.fact.name, ()):

@@ -8,16 +8,17 @@ from ecm_checker.match.generated import snake
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Text
 
 from ecm_extract.link.calls import Invocation
+from ecm_extract.link.carriers import carriers
 from ecm_extract.link.env import Env, invocation_of
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.spelling import last_name, plain, pointee
+from ecm_extract.link.texts import is_text
 from ecm_extract.link.values import Value, joined, literal
 
 MAX_DEPTH = 12
 _PRIVATE = frozenset({"getPrivateNodeHandle", "getMTPrivateNodeHandle"})
 _PUBLIC = frozenset({"getNodeHandle", "getMTNodeHandle"})
 _HANDLE_WORDS = frozenset({"nh", "n", "node", "handle"})
-_TRANSPORTS = frozenset({"ImageTransport", "PointCloudTransport"})
 _NODES = frozenset({"Node", "LifecycleNode"})
 
 
@@ -71,7 +72,7 @@ class Handles:
             value, kind = definition.statement.value, definition.statement.kind
             if value is None or kind == "each":
                 continue
-            if kind == "init" and not isinstance(value, Call):
+            if kind == "init" and (not isinstance(value, Call) or value.callee == definition.statement.target):
                 return self._member(expr, value, inner, depth)
             return self.of(value, inner, depth + 1)
         return self._undefined(expr, env, depth)
@@ -86,11 +87,16 @@ class Handles:
         return Handle(literal("~")) if env.func.file.ros == 1 and _says_private(name) else OWN
 
     def _member(self, expr: Name | Member, value: Expr, env: Env, depth: int) -> Handle:
-        """`nh_("~x")` and `nh_(parent)` in an initialiser list carry one argument without a constructor call."""
+        """`nh_("~x")` and `nh_(parent)` in an initialiser list carry one argument without a constructor call.
+
+        `loader_(parent, "name")` is written as a call of the member.
+        """
         name = expr.id if isinstance(expr, Name) else expr.name
         written = self.folder.scope.member_type(name, env.this or env.func.cls)
-        if isinstance(value, Text) and "NodeHandle" in written:
-            return Handle(literal(value.value))
+        if isinstance(value, Call) and last_name(plain(pointee(written))) in carriers() and value.args:
+            return self.of(value.args[0], env, depth + 1)
+        if "NodeHandle" in written and is_text(value, env.func):
+            return Handle(self.folder.fold(value, env)[0])
         return self.of(value, env, depth + 1)
 
     def _call(self, call: Invocation, env: Env, depth: int) -> Handle:
@@ -107,7 +113,7 @@ class Handles:
             return self._new_node(call, env)
         if last in _NODES and len(call.args) >= 2:
             return self._new_node(call, env)
-        if last in _TRANSPORTS and call.args:
+        if last in carriers() and call.args:
             return self.of(call.args[0], env, depth + 1)
         if last in {"dynamic_pointer_cast", "static_pointer_cast", "lock", "get", "shared_from_this"}:
             return self.of(call.args[0] if call.args else call.receiver, env, depth + 1)

@@ -15,6 +15,7 @@ from ecm_extract.link.built import files_of
 from ecm_extract.link.claims import Claim, claims_of
 from ecm_extract.link.data import UNKNOWN, stated_type
 from ecm_extract.link.diagnoses import SUMMARIES, Diagnosis, diagnoses
+from ecm_extract.link.endpoint_conditions import EndpointConditions
 from ecm_extract.link.endpoint_types import EndpointTypes
 from ecm_extract.link.fallbacks import fallback
 from ecm_extract.link.fold import Folder
@@ -107,6 +108,7 @@ class Linker:
         self.references = References(self.sites)
         self.modules = Modules(self.program, self.references, registry)
         self.ownership = Ownership(self.sites, self.modules)
+        self.conditions = EndpointConditions(self.sites, self.modules)
         self._observed: dict[Module, list[Observation]] = defaultdict(list)
         self._stamped: dict[Module, list[Stamp]] = defaultdict(list)
         self._diagnosed: dict[Module, list[Diagnosis]] = defaultdict(list)
@@ -115,16 +117,24 @@ class Linker:
 
     def link(self) -> list[LinkedModule]:
         """Return all modules with their endpoints, in a stable order."""
+        self.declare()
+        return self.attributed()
+
+    def declare(self) -> None:
+        """Find the parameters that are declared; what values are is known from then on."""
         self.generated.declare(self.parameters)
         self._declare_ports()
-        declared = self.parameter_sites = self.sites.find(parameters=True)
-        self._declare_defaults(declared)
+        self.parameter_sites = self.sites.find(parameters=True)
+        self._declare_defaults(self.parameter_sites)
         self.folder.forget()
+
+    def attributed(self) -> list[LinkedModule]:
+        """Return what `link` does, once parameters are declared."""
         nodes = self._class_nodes()
         self.modules.find({unit: name.text for unit, name in nodes.items()})
         found: dict[Module, list[Interface]] = defaultdict(list)
         others = self.sites.find(parameters=False)
-        for site in [*others, *declared]:
+        for site in [*others, *self.parameter_sites]:
             self._attribute(site, found, nodes)
         self._generate(found)
         activation = Activation(self.sites, self.registry.programs)
@@ -187,7 +197,7 @@ class Linker:
         local = self._local.get(module, {})
         claims = claims_of(module.cls, self.folder) if module.cls is not None else None
         seen = tuple(dict.fromkeys(self._observed.get(module, ())))
-        lines = tuple(found.get(module, ()))
+        lines = self.conditions.named(module, found.get(module, ()))
         interfaces = merged(lines)
         managed = module.cls is not None and is_managed(module.cls, self.program)
         stamped = tuple(dict.fromkeys(self._stamped.get(module, ())))
@@ -213,6 +223,7 @@ class Linker:
         origin = None if unit is module.cls or unit is module.main or module.kind == "library" else unit.fact.name
         for interface, local in self._interfaces(site, node, origin):
             found.append(interface)
+            self.conditions.note(module, site, interface)
             names = self._local[module].setdefault(_key(interface), [])
             names += [local] * (local not in names)
             if interface.type == SERVICE:
@@ -223,6 +234,7 @@ class Linker:
         ros = site.root.file.ros
         handle = self._handle(site)
         evidence = tuple(Evidence(path, line) for path, line in dict.fromkeys(site.lines()))
+        when = self.conditions.of(site)
         for named, default in self._named(site):
             value = of_node(named, node, ros)
             local = local_name(settled(named), handle)
@@ -247,6 +259,7 @@ class Linker:
                 evidence=evidence,
                 default=None if data is UNKNOWN else data,
                 inherited_from=origin,
+                when=when,
             )
             yield interface, name.resolved if _is_absolute(site) else local
 
@@ -299,14 +312,14 @@ class Linker:
         return found or [(unknown("parameters"), None)]
 
     def _qos(self, site: Site, ros: int | None) -> Qos | None:
-        if site.form.role not in {"publisher", "subscriber"} and (ros == 1 or not site.form.profile):
+        form = site.form
+        if form.role not in {"publisher", "subscriber"} and (ros == 1 or not form.profile):
             return None
-        given = [expr for expr in positions(site.form.qos, site.call) if not is_callback(expr)]
-        expr = given[0] if given else Name(site.form.profile) if site.form.profile else None
-        if ros != 1:
-            return self.qos.read(expr, site.env)
-        flags = [flag for flag in positions(site.form.latch, site.call) if not is_callback(flag)]
-        return self.qos.depth(expr, flags[0] if flags else None, site.env)
+        given = next((expr for expr in positions(form.qos, site.call) if not is_callback(expr)), None)
+        if ros == 1:
+            flags = [flag for flag in positions(form.latch, site.call) if not is_callback(flag)]
+            return self.qos.depth(given, flags[0] if flags else None, site.env)
+        return self.qos.read(given or (Name(form.profile) if form.profile else None), site.env)
 
     def _frame(self, site: Site) -> str | None:
         if not site.form.frame:

@@ -7,11 +7,14 @@ from collections.abc import Iterator
 from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Member, Name, Number, Op, Text
 
 from ecm_extract.link.calls import Invocation, invocations
+from ecm_extract.link.client_libraries import is_client_library
 from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.fold_calls import RESOLVERS
 from ecm_extract.link.forms import Form, FormTable
 from ecm_extract.link.spelling import last_name, plain, pointee
+from ecm_extract.link.texts import text_arguments
+from ecm_extract.link.undeclared import takes_undeclared
 from ecm_extract.link.units import Func
 
 _TRUE = Constant("true")
@@ -23,6 +26,7 @@ class Matcher:
     def __init__(self, forms: FormTable, folder: Folder) -> None:
         self.forms = forms
         self.folder = folder
+        self._taking: dict[Func, bool] = {}
 
     def fitting(self, call: Invocation, env: Env) -> Iterator[Form]:
         """Yield the rows that a call is: the first that fits, and those that hold beside it."""
@@ -40,6 +44,8 @@ class Matcher:
             return False
         if form.flag and next(positions(form.flag, call), None) != _TRUE:
             return False
+        if form.undeclared and not self._takes_any(call.func):
+            return False
         return self._fits(form, call, env) and self._named(form, call)
 
     def _fits(self, form: Form, call: Invocation, env: Env) -> bool:
@@ -52,7 +58,19 @@ class Matcher:
         return self._constructs(form, call, env)
 
     def _named(self, form: Form, call: Invocation) -> bool:
-        return bool(form.fixed or form.items) or name_argument(form, call) is not None
+        if form.items:
+            return next(positions(form.items, call), None) is not None
+        return bool(form.fixed) or name_argument(form, call) is not None
+
+    def _takes_any(self, func: Func) -> bool:
+        """Tell whether the node of a function takes what it does not declare: its class says so, else its file."""
+        known = self._taking.get(func)
+        if known is None:
+            own = self.folder.flow.object_of(func)
+            methods = [each for cls in self.folder.program.ancestry(own) for each in cls.methods] if own else []
+            funcs = (*methods, *self.folder.program.functions_in(func.file))
+            known = self._taking[func] = any(takes_undeclared(each) for each in dict.fromkeys(funcs))
+        return known
 
     def _method(self, form: Form, call: Invocation, env: Env) -> bool:
         if form.receiver:
@@ -69,9 +87,18 @@ class Matcher:
         return callee is None or callee is call.func or (callee.cls is not None and not _forwards(callee))
 
     def _own_method(self, call: Invocation, env: Env) -> bool:
-        """A method of the tree that passes its name on is a wrapper, and so no form itself."""
+        """A method of the tree that passes its name on is a wrapper, and so no form; nor is one without a body."""
         callee = self.folder.objects.callee(call, env)
-        return callee is None or callee is call.func or not _forwards(callee)
+        if callee is None:
+            return not self._is_declared(call, env)
+        return callee is call.func or not _forwards(callee)
+
+    def _is_declared(self, call: Invocation, env: Env) -> bool:
+        """Tell whether the class of a receiver has a method of that name, of which nobody shows what it does."""
+        cls = self.folder.objects.class_of(call.receiver, env) if call.receiver is not None else None
+        lineage = self.folder.program.ancestry(cls) if cls is not None else ()
+        own = (entry for entry in lineage if not is_client_library(entry.file.package))
+        return any(method.fact.name == call.last for entry in own for method in entry.methods)
 
     def _receiver(self, form: Form, call: Invocation, env: Env) -> bool:
         if call.receiver is None:
@@ -114,7 +141,7 @@ def positions(text: str, call: Invocation) -> Iterator[Expr]:
         elif kind == "arg" and int(index) < len(call.args):
             yield call.args[int(index)]
         elif kind == "text":
-            texts = [arg for arg in call.args if _texty(arg)]
+            texts = text_arguments(call)
             if int(index) < len(texts):
                 yield texts[int(index)]
 

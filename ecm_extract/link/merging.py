@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 import msgspec
 from ecm_checker.contract import Evidence, Interface
+from ecm_checker.hub.condition import Condition, text_of
 
 
 def merged(interfaces: Iterable[Interface]) -> tuple[Interface, ...]:
@@ -18,10 +19,11 @@ def merged(interfaces: Iterable[Interface]) -> tuple[Interface, ...]:
     """
     entries = list(interfaces)
     unsure = _of_several_defaults(entries)
-    frames = _first_frames(entries)
+    frames, types = _first_frames(entries), _first_types(entries)
     by_key: dict[_Key, Interface] = {}
     for entry in (_undecided(each, unsure) for each in entries):
-        key = _Key(entry.role, entry.name, entry.type, entry.frame or frames.get((entry.role, entry.name)))
+        kind = entry.type or types.get(entry.name) if entry.role == "parameter" else entry.type
+        key = _Key(entry.role, entry.name, kind, entry.frame or frames.get((entry.role, entry.name)))
         known = by_key.get(key)
         if known is None:
             by_key[key] = entry
@@ -54,6 +56,15 @@ def _first_frames(entries: Iterable[Interface]) -> dict[tuple[str, str], str]:
     return found
 
 
+def _first_types(entries: Iterable[Interface]) -> dict[str, str]:
+    """The types of parameters that are told first of each name: who only reads one may not show it."""
+    found: dict[str, str] = {}
+    for entry in entries:
+        if entry.role == "parameter" and entry.type is not None and "{" not in entry.name:
+            found.setdefault(entry.name, entry.type)
+    return found
+
+
 def _of_several_defaults(entries: Iterable[Interface]) -> frozenset[str]:
     """Names of the parameters for which lines give different defaults."""
     defaults: dict[str, list[Any]] = defaultdict(list)
@@ -74,11 +85,23 @@ def _joined(first: Interface, second: Interface, evidence: tuple[Evidence, ...])
         role=first.role,
         name=first.name,
         raw_name=first.raw_name,
-        type=first.type,
+        type=first.type or second.type,
         qos=first.qos or second.qos,
         frame=first.frame or second.frame,
         confidence=first.confidence,
         evidence=evidence,
         default=second.default if first.default is None else first.default,
         inherited_from=first.inherited_from if second.inherited_from else None,
+        when=_either(first.when, second.when),
     )
+
+
+def _either(one: tuple[Condition, ...], other: tuple[Condition, ...]) -> tuple[Condition, ...]:
+    """What holds where one of two groups of conditions does: what both ask, and what somebody outside decides."""
+    both = tuple(each for each in one if each in other)
+    rests = [tuple(each for each in group if each not in both) for group in (one, other)]
+    opposite = len(rests[0]) == 1 and rests[1] == (rests[0][0].opposite,)
+    written = any(each.tests == "expression" for rest in rests for each in rest)
+    if not all(rests) or opposite or written:
+        return both
+    return (*both, Condition("expression", " or ".join(text_of(rest) for rest in rests)))

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name
+from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.match import handle_argument, name_argument, positions
 from ecm_extract.link.site import Site
+from ecm_extract.link.texts import is_text_type
 from ecm_extract.link.types import Types
 from ecm_extract.link.units import Cls, Func
 from ecm_extract.link.values import Value
@@ -69,16 +70,16 @@ class Openness:
         if isinstance(expr, Member) and expr.base == Name("this"):
             expr = Name(expr.name)
         for _ in range(MAX_CHAIN):
-            if not isinstance(expr, Name):
-                break
-            bound = env.args.get(expr.id)
+            bound = env.args.get(expr.id) if isinstance(expr, Name) else None
+            found = frozenset(name for name in _names(expr) if accepts(name, env.func))
             if bound is not None:
                 expr, env = bound.expr, bound.env
-            elif accepts(expr.id, env.func):
-                found = frozenset({expr.id})
+            elif found:
                 return (found, none) if env.func is site.root else (none, found if env.func.is_constructor else none)
-            else:
+            elif isinstance(expr, Name):
                 expr, env = self._initialiser(expr.id, env)
+            else:
+                break
         return none, none
 
     def _initialiser(self, name: str, env: Env) -> tuple[Expr | None, Env]:
@@ -95,13 +96,22 @@ class Openness:
         return None, env
 
 
+def _names(expr: Expr | None) -> Iterator[str]:
+    """A name, or those of which a text is joined."""
+    if isinstance(expr, Name):
+        yield expr.id
+    for part in expr.operands if isinstance(expr, Op) else ():
+        yield from _names(part)
+
+
 def _qos(site: Site) -> Expr | None:
     return next(positions(site.form.qos, site.call), None) if not site.form.fixed else None
 
 
 def _is_handle(name: str, func: Func) -> bool:
-    """Tell whether a function takes a node handle of ROS 1 by this name."""
-    return any(entry.name == name and "NodeHandle" in entry.type for entry in func.fact.params)
+    """Tell whether a function takes by this name a node handle of ROS 1, or the namespace that one is made of."""
+    given = [entry.type for entry in func.fact.params if entry.name == name]
+    return any("NodeHandle" in written or is_text_type(written) for written in given)
 
 
 def _below(statement: Statement) -> Expr | None:

@@ -166,6 +166,10 @@ class Program:
         """Return a C++ name with what the alias in front of `::` stands for: `msgs::Grip` -> `arm_msgs::msg::Grip`."""
         return self._names.spelled_out(name, file)
 
+    def outside(self, dotted: str, file: File) -> str:
+        """Return what a dotted name that a Python file imports is called outside of the tree; empty of others."""
+        return self._names.outside(dotted, file)
+
     def installed_module(self, dotted: str, package: str) -> File | None:
         """Return the file of a module that a package installs; None of one that its build does not show."""
         found = self._path.installed(dotted, package)

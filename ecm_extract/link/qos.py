@@ -50,6 +50,7 @@ _SETTERS = frozenset({*_FLAGS, *_POLICIES, *_TIMES, "keep_last", "avoid_ros_name
     "value",
     "get",
 }
+_WITHOUT_DEPTH = frozenset({"keep_all", "system_default"})
 MAX_DEPTH = 12
 MAX_STEPS = 40
 
@@ -85,7 +86,7 @@ class QosReader:
         known = policies or {}
         default = presets()["default"][1]
         filled = {key: known.get(key, default[key]) for key in _BASIC}
-        if filled["history"] == "keep_all" and "depth" not in known:
+        if filled["history"] in _WITHOUT_DEPTH and "depth" not in known:
             filled["depth"] = None
         missing = tuple(key for key in _BASIC if key not in known)
         rest = {key: value for key, value in known.items() if key not in _BASIC}
@@ -147,6 +148,10 @@ class QosReader:
         return {**_UNSEEN}
 
     def _preset(self, expr: Expr) -> dict[str, Any] | None:
+        if (
+            isinstance(expr, Member) and expr.name == "value"
+        ):  # of an enumeration: `QoSPresetProfiles.SENSOR_DATA.value`
+            return self._preset(expr.base)
         text = expr.id if isinstance(expr, Name) else expr.name if isinstance(expr, Member) else ""
         found = presets().get(last_name(text)) if text else None
         return {**found[1], "profile": found[0]} if found is not None else None

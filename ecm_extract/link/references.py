@@ -73,6 +73,14 @@ class References:
                 if held:
                     self._holders[last].append((unit, name, file, scope))
 
+    def hands(self, name: str) -> bool:
+        """Tell whether anybody hands over something of a name, as a callback, for others to call."""
+        return self._handed.knows(name)
+
+    def handing(self, cls: Cls) -> Iterator[Func]:
+        """Yield the functions that hand a class over."""
+        return self._handed.classes(cls)
+
     def users(self, unit: Unit) -> Iterator[Unit]:
         """Yield the units that derive from, hold, make or call a unit."""
         if isinstance(unit, Cls):

@@ -18,7 +18,8 @@ def run_key(env: Env, depth: int = 0) -> Hashable:
         return env.asked
     this = env.this or env.func.cls
     around = run_key(env.outer, depth + 1) if env.outer is not None else None
-    asked = env.func, _bound_keys(env.args, depth), this, _made_key(env.made, depth), around
+    caller = _bound_key(env.caller, depth) if env.caller is not None else None
+    asked = env.func, _bound_keys(env.args, depth), this, _made_key(env.made, depth), around, caller
     if not depth:
         env.asked = asked
     return asked

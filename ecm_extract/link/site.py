@@ -22,6 +22,7 @@ class Site:
         chain: the calls it came through, outermost first; empty for a direct call.
         owner: class whose objects have the endpoint; None for a free function's.
         root: outermost function.
+        places: where each call of the chain is evaluated.
         certain: whether a run that gets to the call makes the endpoint; False for one of several that it may make.
     """
 
@@ -31,6 +32,7 @@ class Site:
     chain: tuple[Invocation, ...]
     owner: Cls | None
     root: Func
+    places: tuple[Env, ...] = ()
     certain: bool = True
 
     def lines(self) -> Iterator[tuple[str, int]]:

@@ -22,6 +22,7 @@ from ecm_extract.link.match import Matcher, name_argument, positions
 from ecm_extract.link.openness import MAX_CHAIN, Openness
 from ecm_extract.link.option_structs import spread
 from ecm_extract.link.parameters import Parameters
+from ecm_extract.link.prefixes import prefixed
 from ecm_extract.link.program import Program
 from ecm_extract.link.site import Site
 from ecm_extract.link.types import Types
@@ -59,7 +60,7 @@ class Sites:
         wanted = {*matcher.forms, *program.functions, *program.classes, *_ALSO, *also}
         self.calls = call_index(program, wanted, self._aliases)
         self._calls_of = CallTargets(self.folder, self.calls, self._place)
-        self.folder.names.variables.know(self.callers, self._place)
+        self.folder.states.callers.find = self._calling
 
     def find(self, parameters: bool) -> list[Site]:
         """Return the sites of parameters, or of everything else."""
@@ -77,7 +78,7 @@ class Sites:
         call = spread(call)
         for form in self.matcher.fitting(call, env):
             if (form.role == "parameter") is parameters:
-                yield Site(form, call, env, (), func.holder, func)
+                yield Site(form, prefixed(call, form), env, (), func.holder, func)
 
     def root_env(self, func: Func, at: int) -> Env:
         """Return the place of a statement of a function about whose callers nothing is assumed."""
@@ -89,8 +90,8 @@ class Sites:
         return self.root_env(call.func, call.at)
 
     def is_held(self, call: Invocation) -> bool:
-        """Tell whether a call makes a member of a class, where the class says it has one, and not in a body."""
-        return call.made and call.at == len(call.func.fact.body)
+        """Tell whether a call begins a member of a class, where the class says it has one, and not in a body."""
+        return call.at == len(call.func.fact.body)
 
     # --- wrappers --------------------------------------------------------------------------------------
 
@@ -182,6 +183,9 @@ class Sites:
             return False
         return any(value.confidence == "pattern" and not value.open("param") for value in self.names(site))
 
+    def _calling(self, func: Func) -> Iterator[tuple[Invocation, Env]]:
+        return ((call, self._place(call)) for call in self.callers(func))
+
     def callers(self, func: Func) -> Sequence[Invocation]:
         """Return the calls of a function by others."""
         return self._calls_of.callers(func)
@@ -189,18 +193,23 @@ class Sites:
     def _through(self, site: Site, call: Invocation, outer: Env) -> Site:
         """Rebuild the chain of environments from a new outermost call."""
         env = self._enter(call, self._first(site), outer)
-        chain = (call, *site.chain)
-        return Site(site.form, site.call, self._inside(site, env), chain, call.func.holder, call.func, site.certain)
+        return self._widened(site, call, outer, env)
+
+    def _widened(self, site: Site, call: Invocation, outer: Env, root: Env) -> Site:
+        """The same site, seen from one call further out."""
+        *places, env = self._inside(site, root)
+        chain, owner = (call, *site.chain), call.func.holder
+        return Site(site.form, site.call, env, chain, owner, call.func, (outer, *places), site.certain)
 
     def _first(self, site: Site) -> Invocation:
         return site.chain[0] if site.chain else site.call
 
-    def _inside(self, site: Site, root: Env) -> Env:
-        """Walk from the outermost function, whose place is given, to the form itself."""
-        env = root
+    def _inside(self, site: Site, root: Env) -> list[Env]:
+        """Walk from the outermost function, whose place is given, to the form itself: the place of each call."""
+        found = [root]
         for link, following in zip(site.chain, (*site.chain[1:], site.call), strict=False):
-            env = self._enter(link, following, env)
-        return env
+            found.append(self._enter(link, following, found[-1]))
+        return found
 
     def _enter(self, link: Invocation, following: Invocation, env: Env) -> Env:
         func, at = following.func, following.at
@@ -250,7 +259,8 @@ class Sites:
             part = self.folder.objects.part(made, cls)
             types = dict(part.types) if part is not None else {}
             root = Env(site.root, at, {}, types, derived, made)
-            yield Site(site.form, site.call, self._inside(site, root), site.chain, derived, site.root, site.certain)
+            *places, env = self._inside(site, root)
+            yield replace(site, env=env, owner=derived, places=tuple(places))
         for call in self.calls.get(cls.fact.name, ()):
             if call.func.cls is cls or (own and self._is_base_of(call, cls)):
                 continue
@@ -269,8 +279,7 @@ class Sites:
         types = self._class_types(cls, call, outer)
         own = args if site.root.is_constructor and site.root.cls is cls else {}
         root = Env(site.root, at, own, types, cls, Instance(cls, args, types, constructor))
-        chain = (call, *site.chain)
-        return Site(site.form, site.call, self._inside(site, root), chain, call.func.holder, call.func, site.certain)
+        return self._widened(site, call, outer, root)
 
     def makes(self, call: Invocation, cls: Cls) -> bool:
         """Tell whether a call makes an object of a class."""

@@ -12,6 +12,7 @@ from ecm_parsers.source.expr import Call, Expr, Lambda, Member, Name, Op, Text
 from ecm_extract.link.calls import Invocation, dotted_name
 from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
+from ecm_extract.link.sent_as import sent_as
 from ecm_extract.link.spelling import plain, pointee, template_arguments
 from ecm_extract.link.units import Func
 
@@ -102,7 +103,9 @@ class Types:
         head, *rest = dotted.split(".")
         imported = env.func.file.imported.get(head)
         if imported is not None:
-            return TypeFound(self._full("::".join([*imported.split("."), *rest]), role))
+            full = self._full("::".join([*imported.split("."), *rest]), role)
+            outside = self.program.outside(dotted, env.func.file) if full is None else ""
+            return TypeFound(full or self._full(outside.replace(".", "::"), role))
         bound = env.args.get(head) if not rest else None
         if bound is not None:
             return self.expression(bound.expr, bound.env, role)
@@ -139,6 +142,14 @@ class Types:
         )
         if alias is not None and _bare(alias) != bare:
             return self.written(alias, env, role, depth + 1)
+        sent = sent_as(bare, text, env.func.file.ros)
+        if sent:
+            return TypeFound(sent) if "/" in sent else self.written(sent, env, role, depth + 1)
+        return self._qualified(text, env, role, depth)
+
+    def _qualified(self, text: str, env: Env, role: Role, depth: int) -> TypeFound:
+        """A type that is no alias as a whole, and whose first part may be one."""
+        bare, template = _bare(text), self._template_names(env)
         head, _, tail = bare.partition("::")
         if head in template:
             return TypeFound(None, frozenset({head}))

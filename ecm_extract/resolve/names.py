@@ -73,6 +73,10 @@ class Names:
         """Return a C++ name with what the alias in front of it stands for."""
         return self._classes.spelled_out(name, file)
 
+    def outside(self, dotted: str, file: File) -> str:
+        """Return what a name that a Python file imports is called outside of the tree; empty of what is inside."""
+        return self._python.outside(dotted, file)
+
     def functions(self, name: str, file: File, scope: str) -> tuple[Func, ...]:
         """Return the functions outside of classes that a name means in a scope of a file, all overloads."""
         if file.language != "python":

@@ -81,6 +81,32 @@ class PythonNames:
         found = () if dotted.startswith(".") else self._walk(self._bound(parts[0], file, scope, 0), parts[1:], 0)
         return tuple(dict.fromkeys(chain(found, self._imported(dotted, file))))
 
+    def outside(self, dotted: str, file: File, hops: int = 0) -> str:
+        """Return what a dotted name that a file imports is called outside of the tree, by whatever modules hand it on.
+
+        Empty for what the tree declares, and for what no import binds.
+        """
+        head, _, rest = dotted.partition(".")
+        known = self._files.get(file)
+        for entry in known.imports.get(head, ()) if known is not None and hops <= MAX_HOPS else ():
+            bound = entry.module if not entry.name else f"{entry.module}.{entry.name}"
+            full = dotted if not (entry.name or entry.alias) else f"{bound}.{rest}".rstrip(".")
+            if "." not in full:
+                return full
+            handed = self._handed_on(full, file)
+            return full if handed is None else self.outside(handed[1], handed[0], hops + 1)
+        return ""
+
+    def _handed_on(self, full: str, file: File) -> tuple[File, str] | None:
+        """The module of the tree that the first parts of a name mean, and what is asked of it; None without one."""
+        parts = full.split(".")
+        for count in range(len(parts), 0, -1):
+            module = self._path.find(".".join(parts[:count]), file)
+            inner = self._path.file(module) if module is not None else None
+            if inner is not None:
+                return inner, ".".join(parts[count:])
+        return None
+
     def _imported(self, name: str, file: File) -> Iterator[Symbol]:
         """What a name means whose first parts are a module that the file imports."""
         rest = name.lstrip(".")

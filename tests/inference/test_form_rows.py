@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 from ecm_checker.contract import Contract, Interface
+from ecm_checker.hub.condition import text_of
 from form_rows import Row, rows
 
 _HOLE = re.compile(r"\{[^}]*\}")
@@ -52,4 +53,6 @@ def _said(entry: Interface, what: str) -> str:
     if what == "qos":
         qos = entry.qos
         return "unknown" if qos is None else f"{qos.reliability} {qos.durability} {qos.depth}"
+    if what == "condition":
+        return text_of(entry.when) or "always"
     return str(getattr(entry, what, None))

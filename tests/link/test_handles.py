@@ -108,3 +108,31 @@ def test_an_unknown_receiver_is_what_it_is_called(workspace: Any, call: str, kin
     )
     found = workspace.package({"src/a.cpp": text}, ros=1).interfaces()
     assert [entry.type for entry in found] == [kind]
+
+
+NAMESPACES = [
+    ("const std::string & ns", "ns", 'Pose pose("arm");', "/arm/out"),
+    ("std::string ns", 'ns + "/left"', 'Pose pose("arm");', "/arm/left/out"),
+    ("const std::string & ns", "ns", "Pose pose(argv[1]);", "/{item}/out"),
+    ("const ros::NodeHandle & ns", "ns", 'Pose pose(ros::NodeHandle("arm"));', "/arm/out"),
+]
+
+
+@pytest.mark.parametrize(("given", "value", "made", "name"), NAMESPACES, ids=[row[2] for row in NAMESPACES])
+def test_a_handle_stands_in_the_namespace_that_its_object_is_made_with(
+    workspace: Any, given: str, value: str, made: str, name: str
+) -> None:
+    """A member `nh_(ns)` made of a text names what is below that namespace, whoever gives it."""
+    source = f"""
+#include <ros/ros.h>
+class Pose {{
+ public:
+  explicit Pose({given}) : nh_({value}) {{ nh_.advertise<std_msgs::String>("out", 1); }}
+  ros::NodeHandle nh_;
+}};
+int main(int argc, char ** argv) {{
+  ros::init(argc, argv, "demo");
+  {made}
+}}
+"""
+    assert workspace.package({"src/demo.cpp": source}, ros=1).only("publisher").name == name

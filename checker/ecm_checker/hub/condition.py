@@ -7,8 +7,10 @@ from typing import Final, Literal
 
 import msgspec
 
-Tested = Literal["argument", "environment", "option", "expression"]
+Tested = Literal["argument", "environment", "option", "expression", "parameter", "listeners", "macro"]
 TRUE: Final = "true"
+_SAID: Final = {"parameter": "parameter {}", "listeners": "listeners of {}"}
+"""How what is tested is called; what is not named here is told by its name alone."""
 _TRUE: Final = frozenset({"true", "1", "on", "yes"})
 _FALSE: Final = frozenset({"false", "0", "off", "no"})
 
@@ -17,8 +19,9 @@ class Condition(msgspec.Struct, frozen=True, omit_defaults=True, gc=False):
     """One thing that must hold; several of a row must hold together.
 
     Attributes:
-        tests: a launch or xacro `argument`, an `environment` variable, an `option` of the build, or an `expression`.
-        name: of what is tested; of an expression its text as written.
+        tests: a launch or xacro `argument`, an `environment` variable, an `option` of the build, a ROS `parameter` of
+            the module, whether a topic has `listeners`, a `macro` of the preprocessor, or an `expression`.
+        name: of what is tested; of an expression its text as written; of listeners the topic.
         wanted: the value that it must have; `true` stands for every way to write it.
         negated: whether it must not have it.
     """
@@ -31,9 +34,11 @@ class Condition(msgspec.Struct, frozen=True, omit_defaults=True, gc=False):
     @property
     def text(self) -> str:
         """The condition in words."""
+        tested = _SAID.get(self.tests, "{}").format(self.name)
         if self.wanted == TRUE:
-            return f"{'not ' if self.negated else ''}{self.name}"
-        return f"{self.name} {'!=' if self.negated else '='} {self.wanted}"
+            return f"{'not ' if self.negated else ''}{tested}"
+        wanted = self.wanted or '""'
+        return f"{tested} {'!=' if self.negated else '='} {wanted}"
 
     @property
     def opposite(self) -> Condition:

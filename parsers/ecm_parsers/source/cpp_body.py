@@ -200,7 +200,7 @@ class BodyReader:
         other = node.child_by_field_name("alternative")
         named = node.child_by_field_name("name") or node.child_by_field_name("condition")
         rest = [child for child in node.named_children if child not in (other, named)]
-        test = Opaque(self.expr.text(named)[:80] if named is not None else "else")
+        test = self._macro_test(node, named)
         then = self._inner(*rest, deeper=0)
         otherwise = self._inner(other, deeper=0)
         if node.type == "preproc_else":
@@ -208,6 +208,12 @@ class BodyReader:
                 self.flow.add(step)
         else:
             self.flow.add(Branch(test, then, otherwise))
+
+    def _macro_test(self, node: Node, named: Node | None) -> Expr:
+        """What a directive asks: `#if ` and the macro, or the condition as written."""
+        test = Opaque(f"#if {self.expr.text(named)[:80] if named is not None else 'else'}")
+        first = node.children[0].type if node.children else ""
+        return Op("!", (test,)) if first.endswith("ifndef") else test
 
     def _switch(self, node: Node) -> None:
         subject = self._condition(node.child_by_field_name("condition"))

@@ -94,14 +94,18 @@ class ExprReader:
         return self.text(node)
 
     def template_arguments(self, node: Node | None) -> tuple[str, ...]:
-        """Return the template arguments of the last name of a callee, as written."""
+        """Return the template arguments of the last name of a callee that has some, as written."""
+        scope = None
         while node is not None and node.type in {
             "qualified_identifier",
             "field_expression",
             "dependent_name",
         }:
+            scope = node.child_by_field_name("scope") or scope
             following = node.child_by_field_name("name") or node.child_by_field_name("field")
             node = following or (node.named_children[-1] if node.named_children else None)
+        if node is None or node.type not in _TEMPLATED:
+            node = scope
         if node is None or node.type not in _TEMPLATED:
             return ()
         listed = node.child_by_field_name("arguments")
@@ -229,6 +233,14 @@ def lambda_types(reader: ExprReader, node: Node) -> tuple[str, ...]:
     return tuple([reader.type_text(kind) for kind in kinds if kind is not None])
 
 
+def _designated(reader: ExprReader, node: Node) -> Expr:
+    """`.field = value` among the values of a structure."""
+    field, value = node.child_by_field_name("designator"), node.child_by_field_name("value")
+    if field is None or field.type != "field_designator" or value is None:
+        return Opaque(reader.text(node)[:80])
+    return Op(".=", (Name(reader.text(field).lstrip(". ")), reader.read(value)))
+
+
 _READERS: dict[str, Callable[[ExprReader, Node], Expr]] = {
     "string_literal": string,
     "raw_string_literal": string,
@@ -261,6 +273,7 @@ _READERS: dict[str, Callable[[ExprReader, Node], Expr]] = {
     "conditional_expression": _conditional,
     "subscript_expression": _subscript,
     "initializer_list": _items,
+    "initializer_pair": _designated,
     "parenthesized_expression": _inner,
     "condition_clause": _inner,
     "cast_expression": _inner,

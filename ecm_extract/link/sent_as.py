@@ -1,0 +1,43 @@
+"""Types of C++ that no interface file declares, and the messages that they are sent as."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Mapping
+from functools import cache
+from importlib import resources
+
+import msgspec
+
+from ecm_extract.link.spelling import template_arguments
+
+
+class SentAs(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """One row: the message, or which template argument names it; `ros` is the version that has it."""
+
+    ros: int
+    message: str = ""
+    argument: int = 0
+
+
+@cache
+def _rows() -> Mapping[str, SentAs]:
+    text = (resources.files("ecm_extract.link") / "sent_as.toml").read_text("utf-8")
+    return msgspec.convert(tomllib.loads(text), dict[str, SentAs])
+
+
+def sent_as(bare: str, written: str, ros: int | None) -> str:
+    """Return the message that a type is sent as: `package/msg/Name`, or a type as written; empty for others.
+
+    Args:
+        bare: qualified name of the type.
+        written: the type with its template arguments.
+        ros: whose rules hold.
+    """
+    row = _rows().get(bare)
+    if row is None or ros not in {row.ros, None}:
+        return ""
+    if row.message:
+        return row.message
+    given = template_arguments(written)
+    return given[row.argument] if row.argument < len(given) else ""
