@@ -24,7 +24,7 @@ from typing import Any, Final
 import msgspec
 from extracted import command
 from stored_draw import Drawn, drawn
-from stored_questions import Documents, Question, Sides, questions
+from stored_questions import Documents, Question, Sides, UnreadableError, questions
 
 PAIRS: Final = 20
 _FAILED: Final = 2
@@ -186,7 +186,11 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         extractor = Extractor(Path(folder))
         for pair in pairs:
-            found = judged(pair, extractor, Path(folder) / "work", arguments.seed)
+            try:
+                found = judged(pair, extractor, Path(folder) / "work", arguments.seed)
+            except UnreadableError as error:
+                print(f"skipped {pair.name}: {error}", flush=True)
+                continue
             report(found)
             unequal += bool(found.differences)
             asked += found.asked

@@ -174,7 +174,7 @@ def contents_of(stored: Stored, repo: GitRepo) -> Tree:
 
 def stored_consumers(stored: Stored) -> list[Consumer]:
     """Return stored packages as consumers."""
-    return [Consumer(package.name, package.requires) for package in stored.packages]
+    return [Consumer(package.name, package.requires, package.ros) for package in stored.packages]
 
 
 def _info(package: Package) -> PackageInfo:

@@ -38,6 +38,7 @@ class BrokenNames:
 
     def __init__(self, located: Iterable[Located], old: Side, new: Side, own: Sequence[Consumer] = ()) -> None:
         self.brought = Brought(own)
+        self._ros = {each.ros for side in (old, new) for each in side.packages.values()}
         self._located = tuple(located)
         self._changes: dict[Key, list[Located]] = defaultdict(list)
         changed: dict[Key, Provision] = {}
@@ -54,6 +55,10 @@ class BrokenNames:
         self.after = Provisions(new.entities.values(), new.bound)
         self._layouts = _layouts(self._located)
         self._duties = _duties(self._located)
+
+    def is_of_other_ros(self, consumer: Consumer) -> bool:
+        """Whether a consumer is of a ROS that no package of either side is of."""
+        return consumer.ros is not None and bool(self._ros) and not self._ros & {consumer.ros, None}
 
     def is_empty(self) -> bool:
         """Whether nothing can break."""

@@ -53,6 +53,8 @@ def uses_of(consumers: Sequence[Consumer], broken: BrokenNames, commit: str | No
     question = _Question(broken, Remaps(consumers), commit, own)
     seen: set[_Mark] = set()
     for consumer in consumers:
+        if broken.is_of_other_ros(consumer):
+            continue
         for requirement in consumer.requirements:
             for use in _uses(requirement, consumer, question):
                 mark = _mark(use)

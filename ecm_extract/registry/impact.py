@@ -155,7 +155,7 @@ def _own(new: Side, broken: BrokenNames) -> Iterator[_Used]:
 
 def _consumer(side: Side) -> StoredConsumer:
     package = side.package
-    consumer = Consumer(package.name, package.requires)
+    consumer = Consumer(package.name, package.requires, package.ros)
     return StoredConsumer(package.name, package.version or "", side.repository, side.commit, consumer)
 
 

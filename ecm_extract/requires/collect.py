@@ -55,7 +55,8 @@ Required = Mapping[str, Sequence[Requirement]]
 
 def consumers(workspace: Workspace) -> list[Consumer]:
     """Return the packages of a linked tree as consumers."""
-    return [Consumer(package, entries) for package, entries in requirements(workspace).items()]
+    ros = {facts.name: facts.ros for facts in workspace.packages}
+    return [Consumer(package, entries, ros[package]) for package, entries in requirements(workspace).items()]
 
 
 def requiring_packages(workspace: Workspace) -> tuple[Package, ...]:

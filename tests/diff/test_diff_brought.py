@@ -44,3 +44,21 @@ def test_an_include_that_a_dependency_answers(
     run(line)
     found = [at["path"] for each in json.loads(capsys.readouterr().out)["findings"] for at in each["evidence"]]
     assert ("src/user.cpp" in found) is breaks
+
+
+CATKIN = "<package><name>user</name><version>1.0.0</version><buildtool_depend>catkin</buildtool_depend></package>\n"
+
+
+@pytest.mark.parametrize(("manifest", "breaks"), [(package("user"), True), (CATKIN, False)], ids=["ROS 2", "ROS 1"])
+def test_a_package_of_the_other_ros_is_no_consumer(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], manifest: str, breaks: bool
+) -> None:
+    """A release for ROS 2 breaks nothing that is built with catkin only."""
+    release(tmp_path / "arm", {**of("arm"), "arm/include/arm/grip.hpp": HEADER}, "1.0.0")
+    release(tmp_path / "arm", {"arm/include/arm/grip.hpp": None}, "2.0.0")
+    user = tmp_path / "user"
+    build = "project(user)\nadd_library(u src/user.cpp)\n"
+    write(user, {"package.xml": manifest, "src/user.cpp": "#include <arm/grip.hpp>\n", "CMakeLists.txt": build})
+    run(["diff", "1.0.0", "2.0.0", "--repo", str(tmp_path / "arm"), "--consumer", str(user), "--format", "json"])
+    found = [at["path"] for each in json.loads(capsys.readouterr().out)["findings"] for at in each["evidence"]]
+    assert ("src/user.cpp" in found) is breaks

@@ -14,10 +14,11 @@ class Consumer:
 
     Attributes:
         package: its name. requirements: all of them.
+        ros: 1 or 2; None when nothing tells.
     """
 
-    def __init__(self, package: str, requirements: Sequence[Requirement]) -> None:
-        self.package, self.requirements = package, requirements
+    def __init__(self, package: str, requirements: Sequence[Requirement], ros: int | None = None) -> None:
+        self.package, self.requirements, self.ros = package, requirements, ros
 
     def headers_of(self, path: str) -> frozenset[str]:
         """Return what a C++ file includes, as written."""

@@ -76,7 +76,7 @@ class Packages:
     @cached_property
     def consumers(self) -> Sequence[Consumer]:
         """Each of them as a consumer."""
-        return [Consumer(package.name, self._required(package)) for package in self._packages]
+        return [Consumer(package.name, self._required(package), package.ros) for package in self._packages]
 
     def _required(self, package: Package) -> Sequence[Requirement]:
         if not self._given:

@@ -11,7 +11,7 @@ from typing import Final
 import msgspec
 
 from ecm_checker.hub.kinds import kinds, uses
-from ecm_checker.hub.provision import HOLE, Key, Provision
+from ecm_checker.hub.provision import HOLE, Provision
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.match.consumer import Consumer
 from ecm_checker.match.generated import headers, python_names, section_owners
@@ -126,14 +126,12 @@ class Provisions:
         """Return what a requirement of a consumer may mean, each once."""
         row = uses()[requirement.use]
         names = NAMES[row.names]
+        keys = tuple(names.keys(requirement))
+        found = {each.key: each for kind in row.of for key in keys for each in self.of(kind, key)}
+        if not found:  # of most requirements nothing is called so
+            return []
         site = Site(requirement, consumer, self.folders, self.bound, self.bases, self.ways)
-        found: dict[Key, Provision] = {}
-        for kind in row.of:
-            for key in names.keys(requirement):
-                for entity in self.of(kind, key):
-                    if row.facet in {"", entity.facet} and names.meant(site, entity):
-                        found[entity.key] = entity
-        return list(found.values())
+        return [each for each in found.values() if row.facet in {"", each.facet} and names.meant(site, each)]
 
 
 def last_part(name: str) -> str:
