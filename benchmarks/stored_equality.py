@@ -1,9 +1,10 @@
-"""Whether `diff` says the same of stored documents as of sources: `python benchmarks/stored_equality.py CLONES`.
+"""Whether stored documents say the same as sources: `python benchmarks/stored_equality.py CLONES`.
 
-Pairs of release tags that follow each other are drawn by a seed from the clones of a folder. Each pair is compared
-from its sources, from two extract documents and from two folders of package documents, with another clone as consumer
-in the same form. Printed is a line for each pair, the first difference where there is one, and what documents cost.
-Status 1 when a comparison differs.
+Pairs of release tags that follow each other are drawn by a seed from the clones of a folder (`stored_draw.py`). Of each
+pair `diff` (with another clone as consumer), `check`, `system` of some launch files and `lint` of some packages are
+asked from its sources, from extract documents and from folders of package documents (`stored_questions.py`). Printed is
+a line for each pair, the first difference of each question that has one, and what documents cost. Status 1 when an
+answer differs.
 """
 
 from __future__ import annotations
@@ -16,44 +17,21 @@ import sys
 import tempfile
 import time
 import zlib
-from collections.abc import Iterator, Sequence
-from itertools import pairwise
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any, Final
 
 import msgspec
 from extracted import command
+from stored_draw import Drawn, drawn
+from stored_questions import Documents, Question, Sides, questions
 
 PAIRS: Final = 20
 _FAILED: Final = 2
-_VERSION: Final = "*[0-9].[0-9]*"
-
-
-class Drawn(msgspec.Struct, frozen=True):
-    """Two releases of a repository, and a tree that uses them; None for none."""
-
-    repo: Path
-    old: str
-    new: str
-    consumer: Path | None = None
-
-    @property
-    def name(self) -> str:
-        """The pair in one line."""
-        used = f" for {self.consumer.name}" if self.consumer is not None else ""
-        return f"{self.repo.name} {self.old}..{self.new}{used}"
-
-
-class Documents(msgspec.Struct, frozen=True):
-    """An extract document and a folder of package documents of one tree, and the seconds that writing took."""
-
-    document: Path
-    folder: Path
-    seconds: float
 
 
 class Told(msgspec.Struct, frozen=True):
-    """What a comparison says, apart from how its sides are called, and the seconds that it took."""
+    """What is answered, apart from how the inputs are called, and the seconds that it took."""
 
     document: Any
     seconds: float
@@ -71,9 +49,10 @@ class Costs(msgspec.Struct, frozen=True):
 
 
 class Judged(msgspec.Struct, frozen=True):
-    """A pair with where its comparisons first differ, by the form of the documents; nothing where they are equal."""
+    """A pair with how often it was asked, and where answers first differ by question."""
 
     pair: Drawn
+    asked: int
     differences: dict[str, str]
     costs: Costs
 
@@ -104,59 +83,42 @@ class Extractor:
         return Documents(document, folder, seconds)
 
 
-def drawn(clones: Path, count: int, seed: int) -> list[Drawn]:
-    """Draw pairs from the clones in turn; every second one with another clone as consumer."""
-    chance = random.Random(seed)
-    repos = sorted(path for path in clones.iterdir() if (path / ".git").exists() or (path / "HEAD").exists())
-    pairs = {repo: _shuffled(list(_adjacent(_releases(repo))), chance) for repo in repos}
-    turns = [repo for turn in range(count) for repo in repos if turn < len(pairs[repo])][:count]
-    found = []
-    for number, repo in enumerate(turns):
-        old, new = pairs[repo].pop()
-        others = [other for other in repos if other != repo]
-        found.append(Drawn(repo, old, new, chance.choice(others) if number % 2 and others else None))
-    return found
-
-
-def _releases(repo: Path) -> list[str]:
-    out = _output(["git", "-C", str(repo), "tag", "--list", _VERSION, "--sort=version:refname"])
-    return out.decode().split()
-
-
-def _adjacent(tags: Sequence[str]) -> Iterator[tuple[str, str]]:
-    yield from pairwise(tags)
-
-
-def _shuffled(pairs: list[tuple[str, str]], chance: random.Random) -> list[tuple[str, str]]:
-    chance.shuffle(pairs)
-    return pairs
-
-
-def judged(pair: Drawn, extractor: Extractor) -> Judged:
-    """Compare a pair in all three forms."""
+def judged(pair: Drawn, extractor: Extractor, work: Path, seed: int) -> Judged:
+    """Ask everything of a pair in all forms."""
     old, new = (extractor.documents(pair.repo, ref) for ref in (pair.old, pair.new))
     used = extractor.documents(pair.consumer, "HEAD") if pair.consumer is not None else None
-    sources = told(pair, pair.old, pair.new, f"{pair.consumer}@HEAD" if pair.consumer is not None else None)
-    whole = told(pair, old.document, new.document, used.document if used is not None else None)
-    parts = told(pair, old.folder, new.folder, used.folder if used is not None else None)
-    found = {
-        "extract document": difference(sources.document, whole.document),
-        "package documents": difference(sources.document, parts.document),
-    }
-    differences = {form: text for form, text in found.items() if text is not None}
-    return Judged(pair, differences, _costs(new, whole.seconds, sources.seconds))
+    asked = list(questions(pair, Sides(old, new, used, work), random.Random(seed)))
+    answers = [_answered(question) for question in asked]
+    found = {each.name: text for each, told in zip(asked, answers, strict=True) if (text := _first_difference(told))}
+    stored, sources = answers[0][1], answers[0][0]
+    return Judged(pair, len(asked), found, _costs(new, stored.seconds, sources.seconds))
 
 
-def told(pair: Drawn, old: str | Path, new: str | Path, consumer: str | Path | None) -> Told:
-    """Run a comparison."""
-    line = ["diff", str(old), str(new), "--repo", str(pair.repo), "--format", "json", "--fail-on", "never"]
+def _answered(question: Question) -> list[Told]:
+    """The answer of the sources, then those of the forms of documents."""
+    sources = told(question.sources)
+    stored = [told(words) for words in question.stored]
+    return [_shown_of(sources, question.shown), *(_shown_of(each, question.told) for each in stored)]
+
+
+def _shown_of(answer: Told, shown: Callable[[Any], Any]) -> Told:
+    """What of an answer counts; of one that is empty its status does."""
+    document = answer.document
+    return Told({**document, "answer": shown(document["answer"])}, answer.seconds) if document["answer"] else answer
+
+
+def _first_difference(answers: list[Told]) -> str | None:
+    sources, *stored = answers
+    found = (difference(sources.document, each.document) for each in stored)
+    return next((text for text in found if text is not None), None)
+
+
+def told(words: tuple[str, ...]) -> Told:
+    """Ask once."""
     started = time.perf_counter()
-    out = _run([*line, *(["--consumer", str(consumer)] if consumer is not None else [])])
-    seconds = time.perf_counter() - started
-    document = msgspec.json.decode(out)
-    for side in ("old", "new"):
-        del document[side]["ref"]
-    return Told(document, seconds)
+    done = subprocess.run([command(), *words], capture_output=True, check=False, env=os.environ)
+    answer = msgspec.json.decode(done.stdout) if done.stdout else {}
+    return Told({"status": done.returncode, "answer": answer}, time.perf_counter() - started)
 
 
 def difference(left: Any, right: Any, place: str = "") -> str | None:
@@ -202,13 +164,14 @@ def report(found: Judged) -> None:
     """Print one pair."""
     costs = found.costs
     print(
-        f"{'DIFFERS' if found.differences else 'equal  '} {found.pair.name}: {costs.size / 1e6:.1f} MB, "
-        f"{costs.compressed / 1e6:.2f} MB compressed; write {costs.write:.2f} s, read {costs.read:.2f} s; "
+        f"{'DIFFERS' if found.differences else 'equal  '} {found.pair.name}, {found.asked} questions: "
+        f"{costs.size / 1e6:.1f} MB, {costs.compressed / 1e6:.2f} MB compressed; "
+        f"write {costs.write:.2f} s, read {costs.read:.2f} s; "
         f"diff {costs.stored:.2f} s, of sources {costs.sources:.2f} s",
         flush=True,
     )
-    for form, text in found.differences.items():
-        print(f"    {form}: {text[:600]}")
+    for question, text in found.differences.items():
+        print(f"    {question}: {text[:600]}", flush=True)
 
 
 def main() -> None:
@@ -218,15 +181,16 @@ def main() -> None:
     parser.add_argument("--pairs", type=int, default=PAIRS)
     parser.add_argument("--seed", type=int, default=1)
     arguments = parser.parse_args()
-    unequal = 0
+    unequal = asked = 0
     pairs = drawn(arguments.clones, arguments.pairs, arguments.seed)
     with tempfile.TemporaryDirectory() as folder:
         extractor = Extractor(Path(folder))
         for pair in pairs:
-            found = judged(pair, extractor)
+            found = judged(pair, extractor, Path(folder) / "work", arguments.seed)
             report(found)
             unequal += bool(found.differences)
-    print(f"{len(pairs)} pairs, {len(pairs) - unequal} equal")
+            asked += found.asked
+    print(f"{len(pairs)} pairs, {len(pairs) - unequal} equal; {asked} questions")
     sys.exit(1 if unequal else 0)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 
 import msgspec
 from ecm_checker.hub.package import Hub, encode_hub
@@ -23,7 +24,9 @@ from ecm_extract.extraction_model import (
 from ecm_extract.link.composition import composition_of
 from ecm_extract.link.forms import form_table
 from ecm_extract.link.linker import Linker
+from ecm_extract.parallel_work import meanwhile
 from ecm_extract.read.reader import Reader
+from ecm_extract.requires.collect import source_requirements
 from ecm_extract.settings import config_of
 from ecm_extract.tree import Tree, unread_of
 
@@ -44,13 +47,16 @@ def read_contracts(tree: Tree, options: Options) -> tuple[Extraction, dict[str, 
         reader = Reader(tree, include_tests, config.extract.exclude, options.cache)
         packages = reader.read(options.jobs, options.progress)
         linker = Linker(packages, form_table(config.forms))
-        linked = linker.link()
+        linker.declare()
+        work = partial(source_requirements, linker.program, linker.folder.objects)
+        of_sources = meanwhile(work, options.jobs) if options.hub else work
+        linked = linker.attributed()
         linker.tell(tree)
         contracts = assemble(tree, packages, linked)
         if options.hub:
             workspace = Workspace(tree, packages, linked, linker.program, linker.folder.objects)
             composition = composition_of(linker.modules, linker.references)
-            contracts = _with_hubs(contracts, hubs(workspace, composition, options.jobs))
+            contracts = _with_hubs(contracts, hubs(workspace, composition, of_sources))
     extraction = Extraction(
         path=tree.label,
         commit=tree.commit,

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Final
 
 import msgspec
+from ecm_checker.hub.kinds import kinds
 from ecm_checker.hub.package import SUFFIX, Extract, Hub, Package, SchemaError, decode_documents, provisions
 from ecm_checker.hub.provision import Key, Provision
 from ecm_checker.match.consumer import Consumer
@@ -149,7 +150,8 @@ def stored_side(stored: Stored) -> Side:
     """Return what stored packages offer, as a comparison reads it."""
     entities: dict[Key, Provision] = {}
     for package in sorted(stored.packages, key=lambda each: each.name):  # as sources give them
-        entities |= provisions(package.name, package)
+        rows = provisions(package.name, package)
+        entities |= {key: each for key, each in rows.items() if kinds()[each.kind].compared}
     notes = {path: lines for package in stored.packages for path, lines in package.notes.items()}
     return Side(
         commit=stored.commit,

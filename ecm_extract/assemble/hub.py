@@ -13,6 +13,7 @@ from ecm_checker.hub.running import Running
 from ecm_checker.json_data import json_data
 
 from ecm_extract.entities.collect import public_entities
+from ecm_extract.entities.inner import InnerNames
 from ecm_extract.entities.interfaces import interface_name
 from ecm_extract.entities.launch import launch_files
 from ecm_extract.entities.listed import listed, shared_files
@@ -21,29 +22,28 @@ from ecm_extract.entities.python import bound_names, quoted_names
 from ecm_extract.entities.told_of_build import Surroundings, surroundings, told_of_build
 from ecm_extract.entities.workspace import Workspace
 from ecm_extract.link.composition import Composition
-from ecm_extract.parallel_work import meanwhile
 from ecm_extract.read.facts import PackageFacts
-from ecm_extract.requires.collect import requirements
+from ecm_extract.requires.collect import Required, all_requirements
 from ecm_extract.system.kept_texts import kept_texts
 from ecm_extract.system.running import running_of
 
 
-def hubs(workspace: Workspace, composition: Composition, jobs: int | None) -> Mapping[str, Hub]:
+def hubs(workspace: Workspace, composition: Composition, of_sources: Callable[[], Required]) -> Mapping[str, Hub]:
     """Return what each package of a tree provides and requires, by name.
 
     Args:
         workspace: the linked tree.
         composition: what runs in which program of it.
-        jobs: with one nothing is forked; else requirements are read off in another process.
+        of_sources: gives what its sources require; asked last, for another process may be about it.
     """
-    for facts in workspace.packages:
-        launch_files(workspace.texts, facts)  # before the fork: both processes ask for them
-    required: Callable[[], Mapping[str, Sequence[Requirement]]] = meanwhile(lambda: requirements(workspace), jobs)
     provisions: dict[str, list[Provision]] = defaultdict(list)
     for entity in public_entities(workspace).values():
         provisions[entity.package].append(entity)
+    inner = InnerNames(workspace.packages)
+    for facts in workspace.packages:
+        provisions[facts.name] += inner.of(facts, launch_files(workspace.texts, facts))
     kept = _kept(workspace, composition)
-    found = required()
+    found = all_requirements(workspace, of_sources())
     return {
         facts.name: _hub(facts, provisions[facts.name], found.get(facts.name, ()), kept) for facts in workspace.packages
     }

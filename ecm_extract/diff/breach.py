@@ -10,21 +10,20 @@ from ecm_checker.hub.provision import Form
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.match.consumer import Consumer
 from ecm_checker.match.fit import is_future, misfit
-from ecm_checker.match.provisions import Provisions
 
-from ecm_extract.diff.broken_names import GONE
+from ecm_extract.diff.broken_names import GONE, BrokenNames
 from ecm_extract.diff.effects import placed
 from ecm_extract.diff.model import ENDPOINTS, Located
 
 
-def breach(requirement: Requirement, consumer: Consumer, located: Located, after: Provisions) -> Certainty | None:
+def breach(requirement: Requirement, consumer: Consumer, located: Located, broken: BrokenNames) -> Certainty | None:
     """Return how surely a change breaks a requirement that means what changed; None when it does not.
 
     Args:
         requirement: of the consumer.
         consumer: the package that requires.
         located: the change.
-        after: all that the new side provides.
+        broken: all changes, and what the new side provides.
     """
     row, word = uses()[requirement.use], located.change.change
     if _names_successor(requirement, located, consumer):
@@ -32,7 +31,7 @@ def breach(requirement: Requirement, consumer: Consumer, located: Located, after
     if word == "deprecated":
         return requirement.needs if row.warned and _is_warned(requirement, located) else None
     if word in GONE:
-        return _lost(requirement, consumer, located, after) if "gone" in row.breaches else None
+        return _lost(requirement, consumer, located, broken) if "gone" in row.breaches else None
     if word == "type_changed" and "type" in row.breaches:
         return _retyped(requirement, located)
     if word == "signature_changed" and "signature" in row.breaches:
@@ -48,17 +47,18 @@ def _is_warned(requirement: Requirement, located: Located) -> bool:
     return any(form.deprecated and form.types == given.types for form in new.forms)
 
 
-def _lost(requirement: Requirement, consumer: Consumer, located: Located, after: Provisions) -> Certainty | None:
+def _lost(requirement: Requirement, consumer: Consumer, located: Located, broken: BrokenNames) -> Certainty | None:
     old, new = located.pair.old, located.pair.new
     if old is None or _is_other(requirement, located):
         return None
     if old.kind == "launch_file" and new is not None and new.name == old.name:
         return requirement.needs if _is_by_path(requirement, old.path) else None
     if requirement.use == "includes" and new is not None and new.name == requirement.name:
-        return "likely"  # another package answers the include now, and must be depended on
+        # another package answers the include now, and must be depended on
+        return None if broken.brought.reaches(consumer, new.package) else "likely"
     if requirement.use == "names_symbol" and new is not None and new.name == old.name:
         return None  # the include that brought it is what is gone
-    for entity in after.named(requirement, consumer):
+    for entity in broken.after.named(requirement, consumer):
         if requirement.use == "remaps" and entity.facet != old.facet:
             continue  # a remap leads to a side; who listens does not take the place of who spoke
         known = entity.package == old.package or not entity.is_computed or entity.name == old.name

@@ -13,6 +13,7 @@ from ecm_checker.match.consumer import Consumer
 from ecm_checker.match.names import called_names
 from ecm_checker.match.provisions import Provisions, Sought
 
+from ecm_extract.diff.brought import Brought
 from ecm_extract.diff.model import Located
 from ecm_extract.diff.pair import CONTAINERS
 from ecm_extract.entities.side import Side
@@ -30,10 +31,13 @@ class BrokenNames:
     """What the old side provided and the new one does not, or provides otherwise.
 
     Attributes:
-        after: all that the new side provides.
+        after: all that the new side provides. brought: what depending on its packages brings along.
+
+    `own` are the packages of the new side as consumers; without them only what a consumer itself depends on is known.
     """
 
-    def __init__(self, located: Iterable[Located], old: Side, new: Side) -> None:
+    def __init__(self, located: Iterable[Located], old: Side, new: Side, own: Sequence[Consumer] = ()) -> None:
+        self.brought = Brought(own)
         self._located = tuple(located)
         self._changes: dict[Key, list[Located]] = defaultdict(list)
         changed: dict[Key, Provision] = {}

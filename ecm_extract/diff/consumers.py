@@ -99,7 +99,7 @@ def _breaks(requirement: Requirement, consumer: Consumer, broken: BrokenNames) -
         old = located.pair.old
         if old is None or (row.built and old.package == consumer.package):
             continue
-        certainty = breach(requirement, consumer, located, broken.after)
+        certainty = breach(requirement, consumer, located, broken)
         if certainty is not None:
             yield _told(requirement, located, old, certainty)
     if "duty" in row.breaches:
@@ -129,9 +129,12 @@ def _duties(requirement: Requirement, broken: BrokenNames) -> Iterator[_Break]:
 def _is_forgotten(requirement: Requirement, located: Located) -> bool:
     """Whether a line of the new side can be one that the release forgot.
 
-    Its C++ was built with the change; a publisher that lost its listener in the same release is no accident.
+    Its C++ was built with the change; a publisher that lost its listener in the same release is no accident; a package
+    that it depends on and no longer has is taken from elsewhere.
     """
     entity, change = located.pair.old, located.change
+    if requirement.use == "depends" and change.change == "removed":
+        return False
     if change.kind == "launch_argument":
         return True
     if entity is None or change.change == "deprecated" or uses()[requirement.use].built:

@@ -76,8 +76,9 @@ def compared(request: Request, sides: Sides, parsed: dict[str, SourceFile]) -> C
     old, new = sides.old, sides.new
     refuse_unknown_packages(request.packages, {*old.packages, *new.packages}, _both_labels(request))
     located = located_changes(request, old, new)
-    broken = BrokenNames(located, old, new)
-    own = list(uses_of(sides.own(), broken, new.commit, own=True))
+    packages = sides.own()
+    broken = BrokenNames(located, old, new, packages)
+    own = list(uses_of(packages, broken, new.commit, own=True))
     theirs = [(each, _uses(each, request, parsed, broken)) for each in request.consumers]
     findings = findings_of([*own, *(use for _, uses in theirs for use in uses)])
     changes = tuple(entry.change for entry in located)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 import msgspec
@@ -36,14 +36,30 @@ _TYPED = frozenset({"topic", "service", "action"})
 def public_entities(workspace: Workspace) -> dict[Key, Provision]:
     """Return the entities of all packages by key; of two with one key the first by path and line stays."""
     tree, packages, texts = workspace.tree, workspace.packages, workspace.texts
-    modules: dict[str, list[LinkedModule]] = defaultdict(list)
-    for entry in workspace.linked:
-        modules[entry.module.package].append(entry)
+    modules = _by_package(workspace.linked)
     ports = base_ports(packages)
     every = [entity for facts in packages for entity in _of_package(texts, facts, modules[facts.name], ports)]
-    found: dict[Key, Provision] = {}
     placed = announced(texts, packages, at_their_names(every))
-    for entity in sorted(with_lines(tree, placed), key=lambda e: (e.package, e.path, e.line)):
+    return _by_key(with_lines(tree, placed), packages)
+
+
+def graph_entities(packages: Sequence[PackageFacts], linked: Sequence[LinkedModule]) -> dict[Key, Provision]:
+    """Return the topics, services and actions of all packages by key, without what their files say of their end."""
+    modules = _by_package(linked)
+    every = [each for facts in packages for each in endpoint_entities({}, facts, modules[facts.name])]
+    return _by_key(at_their_names([each for each in every if each.kind in _TYPED]), packages)
+
+
+def _by_package(linked: Sequence[LinkedModule]) -> dict[str, list[LinkedModule]]:
+    modules: dict[str, list[LinkedModule]] = defaultdict(list)
+    for entry in linked:
+        modules[entry.module.package].append(entry)
+    return modules
+
+
+def _by_key(entities: Iterable[Provision], packages: Sequence[PackageFacts]) -> dict[Key, Provision]:
+    found: dict[Key, Provision] = {}
+    for entity in sorted(entities, key=lambda e: (e.package, e.path, e.line)):
         known = found.get(entity.key)
         found[entity.key] = _plain(entity) if known is None else _joined(known, entity)
     return _at_home(found, packages)
@@ -94,7 +110,7 @@ def _of_package(
 ) -> Iterator[Provision]:
     yield from packaging_entities(texts, facts)
     yield from interface_entities(facts)
-    yield from endpoint_entities(texts, facts, modules)
+    yield from endpoint_entities(texts.speaking, facts, modules)
     yield from node_entities(facts, modules)
     yield from cpp_entities(facts)
     yield from python_entities(facts)

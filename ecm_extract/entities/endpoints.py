@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import msgspec
 from ecm_checker.contract import Interface
@@ -12,7 +12,6 @@ from ecm_checker.hub.roles import roles
 
 from ecm_extract.entities.deprecations import deprecated_names
 from ecm_extract.entities.reconfigure import server_namespaces
-from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.link.linker import LinkedModule
 from ecm_extract.read.facts import PackageFacts
 
@@ -20,10 +19,15 @@ _HOLE = re.compile(r"\{[^{}]*\}")
 _NAME = re.compile(r"[\w~/.-]*")
 
 
-def endpoint_entities(texts: SideTexts, facts: PackageFacts, modules: Sequence[LinkedModule]) -> Iterator[Provision]:
-    """Yield what the modules of a package offer; an endpoint that several of them share is given once."""
+def endpoint_entities(
+    speaking: Mapping[str, bytes], facts: PackageFacts, modules: Sequence[LinkedModule]
+) -> Iterator[Provision]:
+    """Yield what the modules of a package offer; an endpoint that several of them share is given once.
+
+    `speaking` are the contents of files that may tell the end of one, by path.
+    """
     paths = {at.path for module in modules for entry in module.interfaces for at in entry.evidence[:1]}
-    deprecated = deprecated_names(texts.speaking, paths & set(facts.sources))
+    deprecated = deprecated_names(speaking, paths & set(facts.sources))
     namespaces = server_namespaces(facts)
     shared: dict[tuple[str, str, str, str, int], Provision] = {}
     for module in modules:
@@ -33,7 +37,7 @@ def endpoint_entities(texts: SideTexts, facts: PackageFacts, modules: Sequence[L
                 continue
             bare = found.name.lstrip("~/")
             told = deprecated.get(bare) or deprecated.get(found.name)
-            found = msgspec.structs.replace(found, node=module.node, deprecated=told)
+            found = msgspec.structs.replace(found, node=module.node or _node_of(entry), deprecated=told)
             if found.path.endswith(".cfg"):
                 if facts.ros == 2:
                     continue  # dynamic_reconfigure is of ROS 1: a port left the file behind
@@ -71,6 +75,14 @@ def entity_of(entry: Interface, package: str, owner: str, ros: int | None) -> Pr
         chain=_calls(entry),
         when=entry.when,
     )
+
+
+def _node_of(entry: Interface) -> str | None:
+    """The node that a private name hangs below, as a plugin that makes a node of its own tells it."""
+    rest = entry.raw_name.lstrip("~/")
+    above = entry.name.removesuffix(f"/{rest}").rpartition("/")[2] if entry.name.startswith("/") else ""
+    is_told = entry.raw_name.startswith("~") and entry.role != "parameter" and entry.name.endswith(f"/{rest}")
+    return above if is_told and above and not _HOLE.search(above) else None
 
 
 def _calls(entry: Interface) -> tuple[Line, ...]:

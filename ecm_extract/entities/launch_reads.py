@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import msgspec
-from ecm_parsers.launch.model import Include, LaunchFile, Template, Unread
-from ecm_parsers.launch.templates import plain_text, substitutions
+from ecm_parsers.launch.model import Include, LaunchFile, SetConfiguration, Template, Unread
+from ecm_parsers.launch.templates import Found, all_actions, plain_text, substitutions
 
 _UNREADABLE = frozenset({"eval", "unknown"})
 
@@ -34,9 +34,27 @@ def is_open(file: LaunchFile) -> bool:
 
     In ROS 2 every file that it includes sees what it is given.
     """
-    if any(each.substitution.kind in _UNREADABLE for each in substitutions(file.actions)):
-        return True
-    return any(isinstance(each, Unread) or (file.ros == 2 and isinstance(each, Include)) for each in _all(file.actions))
+    included = file.ros == 2 and any(isinstance(each, Include) for each in _all(file.actions))
+    return (
+        included
+        or any(each.substitution.kind in _UNREADABLE for each in substitutions(file.actions))
+        or _has_unread(file)
+    )
+
+
+def is_partly_read(file: LaunchFile) -> bool:
+    """Whether a file itself, without what it includes, names or reads values that nothing tells."""
+    names = (each.name for each in all_actions(file.actions) if isinstance(each, SetConfiguration))
+    return any(map(_is_computed, substitutions(file.actions))) or None in map(plain_text, names) or _has_unread(file)
+
+
+def _is_computed(found: Found) -> bool:
+    part = found.substitution
+    return part.kind in _UNREADABLE or (part.kind == "arg" and (not part.args or plain_text(part.args[0]) is None))
+
+
+def _has_unread(file: LaunchFile) -> bool:
+    return any(isinstance(each, Unread) for each in _all(file.actions))
 
 
 def _all(value: object) -> Iterator[msgspec.Struct]:

@@ -15,6 +15,7 @@ from ecm_parsers.cmake_facts import CmakeFile
 from ecm_parsers.cmake_tokens import Command, parse_commands
 
 from ecm_extract.entities.install_rules import installed_targets, tells_installed
+from ecm_extract.entities.python_names import MODULE, makes_modules
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.tree import Tree
 
@@ -48,6 +49,8 @@ def open_kinds(facts: PackageFacts, makers: frozenset[str]) -> tuple[str, ...]:
         kinds.append(MESSAGE)  # it may generate them
     if not _tells_libraries(facts):
         kinds.append(LIBRARY)
+    if makes_modules(facts):
+        kinds.append(MODULE)
     return tuple(kinds)
 
 

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Call, Member, Name, Text
+from ecm_parsers.source.expr import Call, Text
 
 from ecm_extract.infer.effects import Effect, is_plain
 from ecm_extract.infer.held import Held, State
-from ecm_extract.infer.memory import Memory
+from ecm_extract.infer.memory import MAX_LENGTH, Memory
 from ecm_extract.infer.run import Frame
 
 if TYPE_CHECKING:
@@ -28,15 +29,69 @@ class Calling:
         for effect in self.frame.effects.of(at):
             state = self._apply(effect, at, env, state)
         calls = self.frame.env.func.calls[at]
-        waits = any(self._waits(call) for call in calls)
+        waits = any(self.frame.effects.calls.waits(call) for call in calls)
         own = [call for call in calls if self.frame.judge.is_own(call, env)]
-        if waits or any(self.frame.judge.reaches_object(call, env) for call in own):
-            state = self.memory.given_again([key for key in state.holds if key.startswith(".")], state)
-            state = replace(state, called=True)
+        state = self._methods(at, [] if waits else own, env, state)
+        state = self._inner(at, calls, env, state)
+        if waits:
+            state = self._anything(self.memory.lost(state, self._followed(state)))
         if waits or own:
             outside = [key for key in state.holds if self.memory.is_open(key) and not key.startswith(".")]
             state = self.memory.given_again(outside, state)
         return state
+
+    def _methods(self, at: int, calls: Sequence[Call], env: Env, state: State) -> State:
+        """The state after methods of the object at hand, or of objects that the function made."""
+        on = [
+            (call, self.frame.judge.called_on(call, env) if self.frame.whole else self._at_hand(call, env))
+            for call in calls
+        ]
+        for key in dict.fromkeys(key for _, key in on if key is not None):
+            state = self._on_object(key, [call for call, each in on if each == key], at, env, state)
+        return state
+
+    def _inner(self, at: int, calls: Sequence[Call], env: Env, state: State) -> State:
+        """The state after functions that are declared within the one at hand and change its variables."""
+        changing = [(call, keys) for call in calls if (keys := self.frame.outline.changed_by_inner(call))]
+        if len(changing) > 1 or not self.frame.whole:
+            return self.memory.lost(state, {key for _, keys in changing for key in keys})
+        for call, keys in changing:
+            state = state.having({key: (self._after(key, key, call, at, env, state),) for key in keys})
+        return state
+
+    def _at_hand(self, call: Call, env: Env) -> str | None:
+        return "" if self.frame.judge.reaches_object(call, env) else None
+
+    def _on_object(self, key: str, calls: Sequence[Call], at: int, env: Env, state: State) -> State:
+        """The state after calls on one object, by its key; the object at hand has none."""
+        known = [self.frame.judge.members_changed(call, env) if self.frame.whole else None for call in calls]
+        changing = [(call, members) for call, members in zip(calls, known, strict=True) if members != {}]
+        if len(changing) > 1 or None in known:
+            return self.memory.lost(state, [key]) if key else self._anything(state)
+        if not key:
+            self.memory.show([member for member in state.holds if member.startswith(".")], state)
+        for call, members in changing:
+            found = {
+                member: self._after(member, name, call, at, env, state) for member, name in (members or {}).items()
+            }
+            state = state.having({member: (held,) for member, held in found.items()})
+        return state
+
+    def _followed(self, state: State) -> list[str]:
+        """The objects that the function made and called methods of."""
+        after = [key for key, ways in state.holds.items() if any(held.how == "after" for held in ways)]
+        return [key.partition(".")[0] for key in after if not key.startswith(".")]
+
+    def _after(self, key: str, name: str, call: Call, at: int, env: Env, state: State) -> Held:
+        held = Held("after", name, call, env, at, before=self.memory.known(key, state, env))
+        if held.length >= MAX_LENGTH:
+            self.frame.judge.settle(held)
+        return held
+
+    def _anything(self, state: State) -> State:
+        """The state after functions that may assign members as they like."""
+        state = self.memory.given_again([key for key in state.holds if key.startswith(".")], state)
+        return replace(state, called=True)
 
     def _apply(self, effect: Effect, at: int, env: Env, state: State) -> State:
         before = self.memory.known(effect.key, state, env)
@@ -52,8 +107,3 @@ class Calling:
             return False
         written = self.frame.body[held.at].type if 0 <= held.at < len(self.frame.body) else ""
         return self.frame.python or (isinstance(held.expr, Text) and (written == "auto" or "*" in written))
-
-    def _waits(self, call: Call) -> bool:
-        callee = call.callee
-        last = callee.name if isinstance(callee, Member) else callee.id if isinstance(callee, Name) else ""
-        return last.rsplit("::", 1)[-1] in self.frame.effects.calls.waiting

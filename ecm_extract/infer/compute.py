@@ -207,6 +207,14 @@ def _from(text: str, position: int = 0, count: int | None = None) -> str:
     return text[position:] if count is None or count == -1 else text[position : position + count]
 
 
+NOWHERE: Final = 2**64 - 1
+"""`std::string::npos`."""
+
+
+def _found(position: int) -> int:
+    return position if position >= 0 else NOWHERE
+
+
 _PYTHON: Final[Mapping[str, Callable[..., Any]]] = MappingProxyType(
     {
         name: getattr(str, name)
@@ -246,10 +254,10 @@ _CPP: Final[Mapping[str, Callable[..., Any]]] = MappingProxyType(
         "size": lambda text: len(text.encode()),
         "length": lambda text: len(text.encode()),
         "empty": lambda text: not text,
-        "find": lambda text, what, start=0: text.find(what, start),
-        "rfind": lambda text, what: text.rfind(what),
-        "find_last_of": lambda text, what: max(text.rfind(char) for char in what),
-        "find_first_of": lambda text, what: min((text.find(char) for char in what if char in text), default=-1),
+        "find": lambda text, what, start=0: _found(text.find(what, start)),
+        "rfind": lambda text, what: _found(text.rfind(what)),
+        "find_last_of": lambda text, what: _found(max(text.rfind(char) for char in what)),
+        "find_first_of": lambda text, what: _found(min((text.find(char) for char in what if char in text), default=-1)),
         "back": lambda text: text[-1],
         "front": lambda text: text[0],
         "at": lambda text, index: text[index] if index >= 0 else UNKNOWN,

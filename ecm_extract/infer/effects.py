@@ -29,6 +29,13 @@ class Calls:
     iterators: Set[str]
     waiting: Set[str]
 
+    def waits(self, call: Call) -> bool:
+        """Tell whether a call may let callbacks of the program run; what joins texts or paths does not."""
+        callee = call.callee
+        if isinstance(callee, Member):
+            return callee.name in self.waiting and not _is_text_or_path(callee.base)
+        return isinstance(callee, Name) and callee.id.rsplit("::", 1)[-1] in self.waiting
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Effect:
@@ -188,6 +195,11 @@ class Effects:
             pointed = written.rstrip().endswith("*") and not (isinstance(arg, Op) and arg.op == "&")
             if not pointed:
                 yield Effect("out" if self.key(arg) and not written.endswith("&&") else "lost", root, call, name)
+
+
+def _is_text_or_path(expr: Expr) -> bool:
+    named = isinstance(expr, Member) and expr.name == "path"
+    return isinstance(expr, Text | Template) or named
 
 
 def bare_names(expr: Expr | None) -> Iterator[Expr]:

@@ -18,7 +18,20 @@ MAX_LAYER = 16
 """Changes beyond which a state is written out in full."""
 
 How = Literal[
-    "value", "each", "made", "given", "shared", "lost", "read", "changed", "stored", "out", "handed", "looped"
+    "value",
+    "each",
+    "made",
+    "given",
+    "shared",
+    "lost",
+    "read",
+    "changed",
+    "stored",
+    "out",
+    "handed",
+    "looped",
+    "after",
+    "entered",
 ]
 
 
@@ -34,7 +47,8 @@ class Held:
             default); `changed` by a method (`expr` the call); `stored`: an element (`expr` the place, `more` the
             value); `out`: written by a function that got it (`expr` the call, `name` its parameter there); `handed` to
             somebody who may have changed what it consists of; `looped`: what it held before a loop or after a round
-            of it (`before`).
+            of it (`before`); `after` a method that may have changed it (`expr` the call, `name` the member in it);
+            `entered`: what it held where somebody called the function (`env`, `before`).
         name: the variable, for messages and patterns; of `out` the parameter.
         env: where the expressions are evaluated.
         at: statement that made it so; -1 for none.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Protocol
 
 from ecm_parsers.source.expr import Call, Expr
@@ -35,6 +36,12 @@ class Judge(Targets, Protocol):
 
     def reaches_object(self, call: Call, env: Env) -> bool:
         """Tell whether a call of a function of the tree may run a method of the object at hand."""
+
+    def called_on(self, call: Call, env: Env) -> str | None:
+        """Return the variable of the object that a method is called on: empty for that at hand, None for others."""
+
+    def members_changed(self, call: Call, env: Env) -> Mapping[str, str] | None:
+        """Return the members that a call of a method may change, each with its key there; None if that is unknown."""
 
     def outline(self, func: Func) -> Outline:
         """Return what is known of a function before it runs."""

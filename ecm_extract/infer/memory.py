@@ -14,6 +14,9 @@ from ecm_extract.infer.sharing import Sharing
 if TYPE_CHECKING:
     from ecm_extract.link.env import Env
 
+MAX_LENGTH = 8
+"""Changes of one variable after which it is evaluated, so that later ones need no deep recursion."""
+
 
 class Memory:
     """Changes what variables hold, by key (see `places`), for all names of the same thing.
@@ -44,7 +47,7 @@ class Memory:
         """Give a variable something to hold."""
         if key in self.escaped:
             held = self._seen_by_others(key, held)
-        if held.length >= 8:
+        if held.length >= MAX_LENGTH:
             self.frame.judge.settle(held)
         return state.having({key: (held,)})
 
@@ -82,17 +85,21 @@ class Memory:
         others = {name for name in others - alike if name in state.holds}
         if self.escaped & alike:
             held = self._seen_by_others(key, held)
-        if held.length >= 8:
+        if held.length >= MAX_LENGTH:
             self.frame.judge.settle(held)
         ways = (held,)
         return self.lost(state, others).having(dict.fromkeys(alike, ways))
 
+    def show(self, keys: Iterable[str], state: State) -> None:
+        """Note what variables hold while other functions run."""
+        for key in keys:
+            known = self.frame.run.shown[key]
+            known += [held for held in state.holds[key] if held.how not in {"given", "shared"} and held not in known]
+
     def given_again(self, keys: Iterable[str], state: State) -> State:
         """A function of the tree may assign members and variables outside of functions."""
         again = tuple(keys)
-        for key in again:
-            known = self.frame.run.shown[key]
-            known += [held for held in state.holds[key] if held.how not in {"given", "shared"} and held not in known]
+        self.show(again, state)
         return state.having({key: (Held("shared", key),) for key in again})
 
     def changed_in(self, block: Block) -> set[str]:

@@ -8,9 +8,11 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import Call, Expr, Items, Name, Op, Text
+from ecm_parsers.source.facts import Statement
 from ecm_parsers.source.flow import Block, Later, Leave, Step, blocks
 
-from ecm_extract.infer.effects import Effect, Effects, Targets
+from ecm_extract.infer.effects import Effect, Effects, Targets, is_plain
+from ecm_extract.infer.inner import only_called
 from ecm_extract.infer.places import own_names
 from ecm_extract.link.walk import children
 
@@ -51,16 +53,40 @@ class Outline:
         return counts + Counter(self.escaped)
 
     @cached_property
+    def given(self) -> Set[str]:
+        """The variables that the body gives something else, by a statement, a method or a function of the tree."""
+        found = {key for statement in self.func.fact.body for key in self._assigned(statement)}
+        effects = (effect for at in range(len(self.func.fact.body)) for effect in self.effects.of(at))
+        return frozenset(found | {effect.key for effect in effects if effect.kind != "handed"} | self.escaped)
+
+    def _assigned(self, statement: Statement) -> Iterator[str]:
+        return self.bound_keys(statement.target) if statement.kind != "do" else iter(())
+
+    @cached_property
     def escaped(self) -> Set[str]:
         """The variables that functions which are declared within it change: any time from then on."""
-        return frozenset(key for func in self.inner for key in self._changed_inside(func))
+        handed = (func for func in self.inner if func not in self.captured)
+        return frozenset(key for func in handed for key in self._changed_inside(func))
+
+    @cached_property
+    def captured(self) -> Mapping[Func, Set[str]]:
+        """The functions within it that it does nothing with but call, with the variables that they change."""
+        found = {func: frozenset(self._changed_inside(func)) for func in only_called(self.func, self.inner)}
+        return {func: keys for func, keys in found.items() if self._are_followed(func, keys)}
+
+    def _are_followed(self, func: Func, keys: Set[str]) -> bool:
+        """Whether what a function within it changes are variables that nobody hands to it as well, by reference."""
+        calls = (call for group in self.func.calls for call in group if call.callee == Name(func.fact.name))
+        handed = {self.effects.root(arg) for call in calls for arg in call.args} if not self.python else set()
+        return not (keys & handed) and not any(key.startswith(".") for key in keys)
 
     @cached_property
     def exposed(self) -> Set[str]:
         """The variables of C++ that are given away, by address or to somebody unknown, and so decide no branch."""
         if self.python:
             return frozenset()
-        found = {effect.key for at in range(len(self.func.fact.body)) for effect in self.effects.of(at)}
+        effects = (effect for at in range(len(self.func.fact.body)) for effect in self.effects.of(at))
+        found = {effect.key for effect in effects if effect.kind in {"handed", "lost"}}
         for statement in self.func.fact.body:
             for start in (statement.target, statement.value):
                 found |= {self.effects.key(name) for name in _given_away(start)}
@@ -91,9 +117,14 @@ class Outline:
         statement = self.func.fact.body[at]
         found = {effect.key for effect in self.effects.of(at)}
         found |= {self.effects.key(target) or self.effects.root(target) for target, _, _ in self.reads.get(at, ())}
+        found |= {key for call in self.func.calls[at] for key in self.changed_by_inner(call)}
         if statement.kind != "do":
             found |= set(self.bound_keys(statement.target))
         return found - {""}
+
+    def changed_by_inner(self, call: Call) -> Set[str]:
+        """Return the variables that a call of a function which is declared here changes."""
+        return next((keys for func, keys in self.captured.items() if call.callee == Name(func.fact.name)), frozenset())
 
     def bound_keys(self, target: Expr | None) -> Iterator[str]:
         """Yield the variables that an assignment to a target changes."""
@@ -117,6 +148,9 @@ class Outline:
 
     def _is_text(self, effect: Effect) -> bool:
         """Whether somebody only gets a variable that is declared as a literal text, which nobody can change."""
+        if self.python:
+            bound = [entry for entry in self.func.fact.body if entry.target == Name(effect.key)]
+            return effect.kind == "handed" and bool(bound) and all(is_plain(entry.value) for entry in bound)
         body = self.func.fact.body
         lets = [entry for entry in body if entry.kind == "let" and entry.target == Name(effect.key)]
         fixed = all(isinstance(entry.value, Text) and ("*" in entry.type or entry.type == "auto") for entry in lets)

@@ -55,12 +55,14 @@ def root_of(expr: Expr | None, own: Set[str], member: Callable[[str], bool]) -> 
         key = key_of(expr, own, member)
         if key:
             return key
-        if isinstance(expr, Member):
-            expr = expr.base
-        elif isinstance(expr, Op) and expr.op in {"[]", "&"}:
-            expr = expr.operands[0]
-        elif isinstance(expr, Call) and isinstance(expr.callee, Member):
-            expr = expr.callee.base
-        else:
-            return ""
+        expr = whole_of(expr)
     return ""
+
+
+def whole_of(expr: Expr) -> Expr | None:
+    """Return what an expression is a part of: `a` of `a.b`, `a[0]`, `&a` and `a.last()`; None for what is whole."""
+    if isinstance(expr, Member):
+        return expr.base
+    if isinstance(expr, Op) and expr.op in {"[]", "&"}:
+        return expr.operands[0]
+    return expr.callee.base if isinstance(expr, Call) and isinstance(expr.callee, Member) else None

@@ -7,7 +7,8 @@ from collections.abc import Set
 
 from msgspec.structs import replace
 
-from ecm_extract.link.calls import Invocation, held_objects, invocations
+from ecm_extract.link.beginnings import beginnings
+from ecm_extract.link.calls import Invocation, invocations
 from ecm_extract.link.program import Program
 from ecm_extract.link.spelling import last_name, plain, template_arguments
 
@@ -28,7 +29,7 @@ def call_index(program: Program, wanted: Set[str], aliases: Set[str]) -> dict[st
                 index[call.last].append(call)
     for group in program.classes.values():
         for cls in group:
-            for call in held_objects(cls):
+            for call in beginnings(cls):
                 index[call.last].append(call)
     for name in sorted(aliases):
         for call in index.get(name, ()):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator, Set
+from collections.abc import Container, Iterator
 from typing import NamedTuple
 
 import msgspec
@@ -22,19 +22,8 @@ from ecm_extract.link.spelling import (
     pointee,
     template_arguments,
 )
-from ecm_extract.link.units import Cls, Func
+from ecm_extract.link.units import Func
 
-_INTERFACE_NAMES = (
-    "interface",
-    "base",
-    "graph",
-    "logging",
-    "waitables",
-    "topics",
-    "services",
-    "parameters",
-    "params",
-)
 _MAKERS = frozenset({"make_shared", "make_unique", "allocate_shared"})
 
 
@@ -91,7 +80,7 @@ def invocations(func: Func, wanted: Container[str] | None = None) -> Iterator[In
             if wanted is None or _last_of(call, func) in wanted:
                 yield invocation(Step(func, at, statement), call)
         if statement.value is None and statement.kind == "let" and by_value(statement.type):
-            yield _construction(Step(func, at, statement), statement.type, (), statement.line)
+            yield construction(Step(func, at, statement), statement.type, (), statement.line)
         implied = _implied(Step(func, at, statement)) if statement.kind == "init" else None
         if implied is not None:
             yield implied
@@ -110,31 +99,6 @@ def _last_of(call: Call, func: Func) -> str:
     return last_name(plain(owner))
 
 
-def held_objects(cls: Cls) -> Iterator[Invocation]:
-    """Yield a construction for each member that is an object, not a pointer, of a class with a method to hold it."""
-    if not cls.methods or cls.file.language != "cpp":
-        return
-    holder = next((method for method in cls.methods if method.file is cls.file), cls.methods[0])
-    given = _initialised(cls)
-    for field in cls.fact.fields:
-        if by_value(field.type) and field.name not in given:
-            statement = Statement("let", field.line, None, Name(field.name), field.type)
-            yield _construction(Step(holder, len(holder.fact.body), statement), field.type, (), field.line)
-
-
-def _initialised(cls: Cls) -> Set[str]:
-    """The members that every constructor makes in its initialiser list, which is their one construction."""
-    makers = [method for method in cls.methods if method.is_constructor and "declaration" not in method.fact.traits]
-    inits = [frozenset(_inits(maker)) for maker in makers]
-    return frozenset.intersection(*inits) if inits else frozenset()
-
-
-def _inits(maker: Func) -> Iterator[str]:
-    for statement in maker.fact.body:
-        if statement.kind == "init" and isinstance(statement.target, Name):
-            yield statement.target.id
-
-
 def invocation(step: Step, call: Call) -> Invocation:
     """Return a call as the forms see it."""
     func, _, statement = step
@@ -147,7 +111,7 @@ def invocation(step: Step, call: Call) -> Invocation:
     path = callee.id if isinstance(callee, Name) else ""
     last = path.rsplit("::", 1)[-1]
     if last in _MAKERS and call.types:
-        return _construction(step, call.types[0], args, call.line)
+        return construction(step, call.types[0], args, call.line)
     if last == "make_shared" and "::" in path and path not in {"std::make_shared", "boost::make_shared"}:
         return Invocation(*step, path.rsplit("::", 1)[0], None, args, (), call.types, call.line, True)
     made = statement.kind == "let" and statement.value is call and plain(statement.type) == path
@@ -166,18 +130,18 @@ def _is_interface(func: Func, expr: Expr) -> bool:
     if isinstance(expr, Call) and isinstance(expr.callee, Member | Name):
         name = last_name(expr.callee.name if isinstance(expr.callee, Member) else expr.callee.id)
         return name.startswith("get_node_") and name.endswith("_interface")
-    if not isinstance(expr, Name) or not expr.id.strip("_").endswith(_INTERFACE_NAMES):
+    if not isinstance(expr, Name):
         return False
     field = func.cls.fields.get(expr.id) if func.cls is not None else None
-    if field is not None and is_node_interface(field.type):
-        return True
-    if any(parameter.name == expr.id and is_node_interface(parameter.type) for parameter in func.fact.params):
-        return True
+    written = func.written_types.get(expr.id) or (field.type if field is not None else "")
+    if plain(written) != "auto":
+        return is_node_interface(written)
     values = [s.value for s in func.fact.body if s.target == expr and s.kind == "let" and s.value is not None]
     return any(not isinstance(value, Name) and _is_interface(func, value) for value in values)
 
 
-def _construction(step: Step, written: str, args: tuple[Expr, ...], line: int) -> Invocation:
+def construction(step: Step, written: str, args: tuple[Expr, ...], line: int) -> Invocation:
+    """Return the construction of an object of a type as written."""
     return Invocation(*step, plain(written), None, args, (), template_arguments(written), line, True)
 
 
@@ -215,4 +179,4 @@ def _implied(step: Step) -> Invocation | None:
     value = statement.value
     same = isinstance(value, Call) and value.callee == statement.target
     args = value.args if same and isinstance(value, Call) else (value,) if value is not None else ()
-    return _construction(step, pointee(field.type), one_node(func, args), statement.line)
+    return construction(step, pointee(field.type), one_node(func, args), statement.line)

@@ -15,6 +15,7 @@ from ecm_extract.link.numbers import as_number
 from ecm_extract.link.site import Site
 from ecm_extract.link.spelling import plain
 from ecm_extract.link.types import Types
+from ecm_extract.link.values import Hole
 
 _NO_TEXT = frozenset({"bool", "double", "integer"})
 """Types whose default is no text: what folds to one comes from a call that gives something else when it runs."""
@@ -31,7 +32,7 @@ class EndpointTypes:
         """Return the type of a site, and the default of a parameter as data, `UNKNOWN` when nothing shows it."""
         if site.form.role != "parameter":
             return self.types.at(site.form.type, site.call, site.env, site.form.role).name, UNKNOWN
-        stated = stated_type(default) or self._bound_stated(default, site.env)
+        stated = stated_type(default) or self._bound_stated(default, site.env) or self._held_stated(default, site.env)
         data = UNKNOWN if stated else self._data(default, site.env)
         written = site.call.types[0] if site.form.type == "template:0" and site.call.types else ""
         written = site.env.types.get(written, written)
@@ -82,6 +83,14 @@ class EndpointTypes:
     def _bound_stated(self, default: Expr | None, env: Env) -> str | None:
         bound = env.args.get(getattr(default, "id", "")) if default is not None else None
         return stated_type(bound.expr) if bound is not None else None
+
+    def _held_stated(self, default: Expr | None, env: Env) -> str | None:
+        """The type that a variable holds instead of a default: `PARAMETER_DOUBLE`, which no source gives a value."""
+        if not isinstance(default, Name | Member):
+            return None
+        holes = [value.parts[0] for value in self.folder.fold(default, env) if len(value.parts) == 1]
+        found = {stated_type(Name(hole.label)) if isinstance(hole, Hole) else None for hole in holes}
+        return found.pop() if len(found) == 1 else None
 
     def _default_type(self, default: Expr | None, env: Env) -> str | None:
         """The type of the variable or construction that a default is."""

@@ -55,6 +55,7 @@ class Env:
         depth: nesting of evaluations so far.
         state: what the variables hold there; None for every state in which the statement is reached.
         outer: the place that calls a function which is declared there, and so sees its variables.
+        caller: the object that a method is called on, as who calls it writes it; None where that is not known.
         asked: what tells runs apart, once that was asked (see `flow`).
     """
 
@@ -67,20 +68,29 @@ class Env:
     depth: int = 0
     state: State | None = None
     outer: Env | None = None
+    caller: Bound | None = None
     asked: Hashable = None
 
     def before(self, at: int) -> Env:
         """The same place, at another statement."""
         state = self.state if at == self.at else None
-        return Env(self.func, at, self.args, self.types, self.this, self.made, self.depth + 1, state, self.outer)
+        return self._at(at, self.depth + 1, state)
 
     def within(self, state: State | None, at: int) -> Env:
         """The same function, at a statement and in one state of it."""
-        return Env(self.func, at, self.args, self.types, self.this, self.made, self.depth, state, self.outer)
+        return self._at(at, self.depth, state)
 
     def deeper(self, depth: int) -> Env:
         """The same place, as a part of an evaluation that is so deep."""
-        return Env(self.func, self.at, self.args, self.types, self.this, self.made, depth, self.state, self.outer)
+        return self._at(self.at, depth, self.state)
+
+    def entry(self, state: State | None = None) -> Env:
+        """The beginning of the function, as a part of an evaluation at this place."""
+        return self._at(0, self.depth + 1, state)
+
+    def _at(self, at: int, depth: int, state: State | None) -> Env:
+        around = (self.outer, self.caller)
+        return Env(self.func, at, self.args, self.types, self.this, self.made, depth, state, *around)
 
     @property
     def scope(self) -> str:

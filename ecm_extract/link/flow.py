@@ -7,7 +7,7 @@ from collections import defaultdict
 from collections.abc import Callable, Collection, Hashable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Call, Expr, Lambda, Member, Name, Op, Opaque, Text
+from ecm_parsers.source.expr import Call, Expr, Member, Name, Op, Opaque, Text
 
 from ecm_extract.infer.compute import UNKNOWN, operate, truth
 from ecm_extract.infer.effects import Effects
@@ -16,6 +16,7 @@ from ecm_extract.infer.interpreter import Interpreter
 from ecm_extract.infer.outline import Outline
 from ecm_extract.infer.run import Run
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, invocation_of
+from ecm_extract.link.handing_on import THIS, hands_on
 from ecm_extract.link.objects import is_super
 from ecm_extract.link.run_keys import run_key
 from ecm_extract.link.units import Cls, File, Func
@@ -29,7 +30,6 @@ MAX_WITHIN = 100
 """Runs that one run leads to, directly or through others."""
 MAX_RECURSION = 2
 """Runs of a function within runs of itself."""
-_THIS = Name("this")
 MAX_RUNS = 5_000
 """Runs with arguments that are remembered."""
 MAX_FRAMES = 6_000
@@ -91,7 +91,7 @@ class Flow:
 
     def _fresh(self, key: Hashable, env: Env, whole: bool) -> Run:
         self._running[key] = env.func
-        entry = Env(env.func, 0, env.args, env.types, env.this, env.made, env.depth + 1, State(), env.outer)
+        entry = env.entry(State())
         try:
             with self.folder.steps.apart():
                 return Interpreter(entry, self, whole).result()
@@ -148,14 +148,27 @@ class Flow:
         """Return what a variable may hold at a place, for each state; nothing where the function leaves it alone."""
         effects = self.effects(env.func)
         key = effects.key(expr)
-        if not key or (env.state is None and key not in self.outline(env.func).changes):
+        if not key:
             return []
+        if env.state is None and not self._may_differ(key, env):
+            return self._entered(key, env)
         states = self.states(env)
         found = [state.holds.get(key, ()) for state in states]
         if not any(found):
-            return []
+            return [] if any(state.called for state in states) else self._entered(key, env)
         shared = key.startswith(".") and key.count(".") == 1 and any(state.called for state in states)
         return [ways or (Held("shared" if shared else "given", key),) for ways in found]
+
+    def _may_differ(self, key: str, env: Env) -> bool:
+        """Whether a function, or a method that it calls on the same object, may give a variable something else."""
+        if key in self.outline(env.func).changes:
+            return True
+        return key.startswith(".") and self.folder.methods.calls_own(env.func)
+
+    def _entered(self, key: str, env: Env) -> list[tuple[Held, ...]]:
+        """What a member holds that the function has left as its callers did, where they are known."""
+        held = self.folder.states.entered(key, env)
+        return [(held,)] if held is not None else []
 
     def outline(self, func: Func) -> Outline:
         """Return what is known of a function before it runs."""
@@ -294,18 +307,30 @@ class Flow:
     def reaches_object(self, call: Call, env: Env) -> bool:
         """Tell whether a call of a function of the tree may run a method of the object at hand."""
         found = invocation_of(call, env)
-        if found.receiver == _THIS or is_super(found.receiver):
+        if found.receiver == THIS or is_super(found.receiver):
             return True
-        handed = (*call.args, *(value for _, value in call.keywords))
-        return any(_hands_on(arg) for arg in handed) or (found.receiver is None and self._is_method(found.last, env))
+        implied = found.receiver is None and env.func.file.language != "python"
+        return self.hands_on(call, env) or (implied and self._is_method(found.last, env))
+
+    def hands_on(self, call: Call, env: Env) -> bool:
+        """Tell whether a call gives others the object at hand, or a function that may use it."""
+        return hands_on(call, lambda name: self._is_method(name, env))
 
     def _is_method(self, name: str, env: Env) -> bool:
         cls = env.this or env.func.cls
-        if cls is None or env.func.file.language == "python":
+        if cls is None:
             return False
         program = self.folder.program
         lineage = (*program.ancestry(cls), *program.derived(cls))
         return any(method.fact.name == name for entry in lineage for method in entry.methods)
+
+    def called_on(self, call: Call, env: Env) -> str | None:
+        """Return the variable of the object that a method is called on: empty for that at hand, None for others."""
+        return "" if self.reaches_object(call, env) else self.folder.methods.holder(invocation_of(call, env), env)
+
+    def members_changed(self, call: Call, env: Env) -> Mapping[str, str] | None:
+        """Return the members that a call of a method may change; None where that is not known."""
+        return self.folder.methods.changed(call, env)
 
     def reads(self, func: Func) -> Mapping[int, Sequence[tuple[Expr, Expr, Expr | None]]]:
         """Return statement -> (variable, name, default) of the parameters that a function reads into variables."""
@@ -354,11 +379,6 @@ class Flow:
         if held.env is not None:
             self.folder.held.values(held, held.env)
             self.folder.held.items(held, held.env)
-
-
-def _hands_on(arg: Expr) -> bool:
-    """Whether an argument gives the object at hand, or a function that may use it."""
-    return arg == _THIS or isinstance(arg, Lambda) or any(_hands_on(part) for part in children(arg))
 
 
 def _same(one: Value, other: Value, python: bool) -> bool | None:

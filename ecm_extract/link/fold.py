@@ -36,11 +36,15 @@ from ecm_extract.link.fold_lists import ListFolder
 from ecm_extract.link.fold_members import MemberFolder
 from ecm_extract.link.fold_names import NameFolder
 from ecm_extract.link.fold_tables import TableFolder
+from ecm_extract.link.method_effects import MethodEffects
+from ecm_extract.link.object_states import ObjectStates
 from ecm_extract.link.objects import Objects
 from ecm_extract.link.parameter_reads import ParameterReads
 from ecm_extract.link.program import Program
 from ecm_extract.link.scope import Scope
+from ecm_extract.link.shifting import Shifting
 from ecm_extract.link.steps import Steps
+from ecm_extract.link.structures import StructureFolder
 from ecm_extract.link.values import (
     MAX_ALTERNATIVES,
     TOO_MANY,
@@ -78,9 +82,13 @@ class Folder:
         self.calls = CallFolder(self)
         self.assignments = Assignments(self)
         self.lists = ListFolder(self)
+        self.structures = StructureFolder(self)
         self.tables = TableFolder(self)
         self.held = HeldFolder(self)
         self.flow = Flow(self)
+        self.states = ObjectStates(self)
+        self.shifting = Shifting(self)
+        self.methods = MethodEffects(self)
         scope.ways = self.flow.ways
         self.cuts = 0
         self.cycles = 0
@@ -183,6 +191,7 @@ class Folder:
         self.names.variables.forget()
         self.reads.forget()
         self.flow.forget()
+        self.states.forget()
 
     def combined(
         self, options: Sequence[tuple[Value, ...]], work: Callable[[list[Any]], Any], label: str

@@ -19,8 +19,10 @@ from ecm_extract.infer.compute import UNKNOWN, is_number, method, shown, truth
 from ecm_extract.link import formats
 from ecm_extract.link.calls import Invocation
 from ecm_extract.link.env import Bound, Env, bind, invocation_of
+from ecm_extract.link.handing_on import THIS
 from ecm_extract.link.limits import limit
 from ecm_extract.link.numbers import NUMBERS, as_number
+from ecm_extract.link.object_states import is_own
 from ecm_extract.link.overloads import score
 from ecm_extract.link.placing import CAMERA_INFO, placed
 from ecm_extract.link.spelling import plain
@@ -345,7 +347,7 @@ class CallFolder:
         if not found or len(found) > MAX_RETURNS:
             return (unknown(call.last),)
         values = [value for expr, place in found for value in self.folder.fold(expr, place)]
-        open_ = self._may_be_overridden(callee, call, env)
+        open_ = self.may_be_overridden(callee, call, env)
         listed = _beside_joined(values)
         return alternatives(demoted((*listed, *([unknown(call.last)] if open_ else []))))
 
@@ -368,7 +370,7 @@ class CallFolder:
             return "text"
         return kind_of_type(self.folder.objects.type_of(arg, env))
 
-    def _may_be_overridden(self, callee: Func, call: Invocation, env: Env) -> bool:
+    def may_be_overridden(self, callee: Func, call: Invocation, env: Env) -> bool:
         """Tell whether a class that derives from the one at hand has a method of its own of that name."""
         cls = env.this or env.func.cls
         own = call.receiver in {None, Name("this")} and callee.cls is not None and cls is not None
@@ -388,11 +390,18 @@ class CallFolder:
 
     def entered(self, callee: Func, call: Invocation, args: Mapping[str, Bound], env: Env) -> Env:
         """Return the place of evaluation at the entry of a called function."""
-        inside = callee.cls is not None or "lambda" in callee.fact.traits
-        this = env.this if call.receiver in {None, Name("this")} and inside else callee.cls
-        made = env.made if this is env.this else None
         outer = env if self.folder.flow.enclosing(callee) is env.func else None
-        return Env(callee, 0, args, this=this, made=made, depth=env.depth + 1, outer=outer)
+        if callee.cls is None and "lambda" not in callee.fact.traits:
+            return Env(callee, 0, args, depth=env.depth + 1, outer=outer)
+        if is_own(call.receiver):
+            this, made = env.this or env.func.cls or callee.cls, env.made
+            caller = Bound(THIS, env) if self.folder.methods.depends(callee, this) else None
+        else:
+            made = self.folder.states.instance(call.receiver, env) if call.receiver is not None else None
+            this = made.cls if made is not None else callee.cls
+            follows = made is not None and self.folder.methods.depends(callee, this)
+            caller = Bound(call.receiver, env) if follows and call.receiver is not None else None
+        return Env(callee, 0, args, this=this, made=made, depth=env.depth + 1, outer=outer, caller=caller)
 
     def kept_value(self, name: Expr, kept: Sequence[Value], env: Env) -> tuple[Value, ...]:
         """Return what a variable keeps that a parameter is read into which is not set."""

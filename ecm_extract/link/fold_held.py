@@ -48,6 +48,8 @@ class HeldFolder:
             "changed": self._changed,
             "stored": self._stored,
             "out": self._written,
+            "after": self._after,
+            "entered": self._entered,
         }
 
     def of(self, ways: Iterable[tuple[Held, ...]], env: Env) -> tuple[Value, ...]:
@@ -79,7 +81,8 @@ class HeldFolder:
         if held.how == "shared" and held.before:
             return self.folder.names.variables.given(held.name, env.func.file, self.of([held.before], env))
         if held.how in {"given", "shared"}:
-            return self.given(held.name, env, first=held.how == "given")
+            entered = self.folder.states.entered(held.name, env) if held.how == "given" else None
+            return self.values(entered, env) if entered else self.given(held.name, env, first=held.how == "given")
         if held.how == "looped":
             return self.of([held.before], env)
         if held.how == "handed":
@@ -104,7 +107,7 @@ class HeldFolder:
 
     def given(self, key: str, env: Env, first: bool = True) -> tuple[Value, ...]:
         """Return what a variable is that the function did not give anything, `first`: yet."""
-        entry = Env(env.func, 0, env.args, env.types, env.this, env.made, env.depth + 1, None, env.outer)
+        entry = env.entry()
         name = key.rpartition(".")[2]
         if "." not in key:
             return self.folder.names.around(name, entry) or (unknown(name),)
@@ -133,6 +136,28 @@ class HeldFolder:
         values = self.folder.members.initial(name, env.this or cls, env)
         last = plain(self.folder.scope.member_type(name, cls)).rsplit("::", 1)[-1]
         return values or ((literal("")._replace(confidence="folded"),) if last in _TEXTS else ())
+
+    def _entered(self, held: Held, env: Env) -> tuple[Value, ...]:
+        """What a member held where somebody called the method at hand."""
+        return self.of([held.before], env)
+
+    def _after(self, held: Held, env: Env) -> tuple[Value, ...]:
+        """A member after a method that may have changed it."""
+        found = self.left(held, env)
+        return (unknown(_label(held.name)),) if found is None else self.of([found[0]], found[1].deeper(env.depth + 1))
+
+    def left(self, held: Held, env: Env) -> tuple[tuple[Held, ...], Env] | None:
+        """Return what a called method leaves a member with, and the place to evaluate it at."""
+        if not isinstance(held.expr, Call):
+            return None
+        inner = self.folder.methods.begun(invocation_of(held.expr, env), env)
+        run = self.folder.flow.run(inner) if inner is not None else None
+        if inner is None or run is None or run.end is None:
+            return None
+        ways = run.end.holds.get(held.name)
+        if ways:
+            return ways, inner
+        return (held.before, env) if not run.end.called else ((Held("shared", held.name),), inner)
 
     def _before(self, held: Held, env: Env) -> tuple[Value, ...]:
         return self.of([held.before or (Held("given", held.name),)], env)
@@ -229,19 +254,29 @@ class HeldFolder:
             statement = _statement(held)
             last = plain(statement.type).rsplit("::", 1)[-1] if statement is not None else ""
             return [] if last in _CONTAINERS else None
-        if held.how == "shared" and held.before:
-            return None
         if held.how in {"given", "shared"}:
-            return self.folder.lists.given(held.name, env, held.how == "given")
+            return self._items_at_first(held, env) if not held.before else None
         if held.how == "out":
             found = self.out(held, inner)
             return self.items_of([found[0]], found[1].deeper(env.depth + 1)) if found is not None else None
+        if held.how == "after":
+            found = self.left(held, inner)
+            return self.items_of([found[0]], found[1].deeper(env.depth + 1)) if found is not None else None
+        if held.how == "entered":
+            return self.items_of([held.before], inner)
         before = self.items_of([held.before], env) if held.before else None
         if before is None:
             return None
         if held.how == "changed" and isinstance(held.expr, Call):
             return self.folder.lists.changed(before, held.expr, inner)
         return self.folder.lists.stored(before, held, inner) if held.how == "stored" else None
+
+    def _items_at_first(self, held: Held, env: Env) -> list[Bound] | None:
+        """The elements of a list that the function did not change."""
+        entered = self.folder.states.entered(held.name, env) if held.how == "given" else None
+        if entered is not None:
+            return self.items(entered, env)
+        return self.folder.lists.given(held.name, env, held.how == "given")
 
     def items_of(self, ways: Iterable[tuple[Held, ...]], env: Env) -> list[Bound] | None:
         """Return the elements of a list that a variable surely holds; None for one of several lists."""

@@ -237,7 +237,7 @@ class ListFolder:
     def given(self, key: str, env: Env, first: bool) -> list[Bound] | None:
         """Return the elements of a list that a variable is which the function did not change, `first`: yet."""
         name = key.rpartition(".")[2]
-        entry = Env(env.func, 0, env.args, env.types, env.this, env.made, env.depth + 1, State(), env.outer)
+        entry = env.entry(State())
         cls = env.func.cls
         if not key.startswith("."):
             return self._items(Name(name), entry) if "." not in key else None
@@ -327,24 +327,6 @@ class ListFolder:
             return None
         found = self.folder.calls.returned(callee, call, env)
         return self.items(*found[0]) if len(found) == 1 else None
-
-    def structure(self, expr: Expr, env: Env) -> list[Bound] | None:
-        """Return the values that an object of a plain structure is made from, in order."""
-        ways = self.folder.flow.ways(expr, env) if isinstance(expr, Name | Member) else []
-        helds = {held for way in ways for held in way}
-        held = helds.pop() if len(helds) == 1 else None
-        if held is None or held.how != "value" or held.env is None:
-            return None
-        made = held.expr
-        if isinstance(made, Name | Member):
-            return self.structure(made, held.env.deeper(env.depth + 1)) if env.depth < MAX_DEPTH else None
-        if isinstance(made, Items):
-            return [Bound(item, held.env) for item in made.items]
-        if not isinstance(made, Call) or not isinstance(made.callee, Name) or made.keywords:
-            return None
-        cls = self.folder.objects.class_written(made.callee.id, held.env)
-        simple = cls is not None and not any(method.is_constructor for method in cls.methods)
-        return [Bound(item, held.env) for item in made.args] if simple else None
 
     def _without(self, items: list[Bound], what: Expr, env: Env) -> list[Bound] | None:
         """A list without the first element that is equal; None where that is not decided."""

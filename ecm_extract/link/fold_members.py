@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Hashable, Sequence
+from collections.abc import Collection, Hashable
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import (
+    Call,
     Expr,
     Member,
     Name,
-    Op,
 )
 
 from ecm_extract.infer.held import Held
 from ecm_extract.link.calls import dotted_name
-from ecm_extract.link.env import Bound, Env, Instance
+from ecm_extract.link.env import Env, Instance
 from ecm_extract.link.fold_names import is_fresh
 from ecm_extract.link.formats import VALUE_READS
 from ecm_extract.link.units import Cls, Func
@@ -57,29 +57,12 @@ class MemberFolder:
             cls = env.this or env.func.cls
             found = self.member_value(expr.name, cls, env) if cls is not None else ()
             return found or (unknown(expr.name),)
-        part = self._part(expr, env)
+        part = self.folder.structures.field(expr, env)
         if not part and expr.name in VALUE_READS:
             return self.folder.fold(expr.base, env.before(env.at))
         dotted = dotted_name(expr)
         found = self.folder.names.imported(dotted, env) if dotted and env.func.file.language == "python" else ()
         return found or part or self._field(expr, env) or self._option(expr, env) or (unknown(expr.name),)
-
-    def _part(self, expr: Member, env: Env) -> tuple[Value, ...]:
-        """A field of a structure that is made from a list of its values: `Row{"a", 1}` and `row.name`."""
-        items = self.folder.lists.structure(expr.base, env)
-        bound = self._value_of(expr, items, env) if items is not None else None
-        return () if bound is None else demoted(self.folder.fold(bound.expr, bound.env.deeper(env.depth + 1)))
-
-    def _value_of(self, expr: Member, items: Sequence[Bound], env: Env) -> Bound | None:
-        """The value that a structure is given for a field, by its name or its place."""
-        named = {item.expr.operands[0]: item for item in items if isinstance(item.expr, Op) and item.expr.op == ".="}
-        if named:
-            found = named.get(Name(expr.name))
-            return Bound(found.expr.operands[1], found.env) if found is not None else None  # type: ignore[union-attr]
-        cls = self.folder.objects.class_of(expr.base, env)
-        names = [field.name for field in cls.fact.fields] if cls is not None else []
-        at = names.index(expr.name) if expr.name in names else len(items)
-        return items[at] if at < len(items) else None
 
     def _option(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """`args.name` of argparse: the option's default."""
@@ -98,7 +81,10 @@ class MemberFolder:
         cls = self.folder.objects.class_of(expr.base, env)
         if cls is None:
             return ()
-        return self.member_value(expr.name, cls, Env(env.func, env.at, depth=env.depth + 1, this=cls))
+        values = self.member_value(expr.name, cls, Env(env.func, env.at, depth=env.depth + 1, this=cls))
+        asked = _is_plain(cls) or any(value.confidence == "pattern" for value in values)
+        given = self.folder.structures.given(expr.base, env) if asked else None
+        return (given,) if given is not None and values else values
 
     def _library_parameter(self, expr: Member, env: Env) -> tuple[Value, ...] | None:
         """`params_.a.b` of generate_parameter_library: the default of parameter `a.b`."""
@@ -107,8 +93,7 @@ class MemberFolder:
         while isinstance(node, Member) and node.base != Name("this"):
             path.insert(0, node.name)
             node = node.base
-        root = node.id if isinstance(node, Name) else node.name if isinstance(node, Member) else ""
-        if "param" not in root.lower() and not self.folder.scope.declared_type(root, env).endswith("Params"):
+        if not self._holds_parameters(node, env):
             return None
         name = ".".join(path)
         package = env.func.file.package
@@ -118,6 +103,15 @@ class MemberFolder:
         asked = ("parameter", package, name)  # a default may be the parameter itself: declare_parameter("a", params_.a)
         values = self.folder.guarded(asked, name, lambda: self.folder.calls.default_value(name, known, None, env))
         return set_by(name, values)
+
+    def _holds_parameters(self, node: Expr, env: Env) -> bool:
+        """Tell whether a variable is the struct of a listener: by its type, or by the call that gave it."""
+        root = node.id if isinstance(node, Name) else node.name if isinstance(node, Member) else ""
+        if self.folder.scope.declared_type(root, env).endswith("Params"):
+            return True
+        given = (definition.statement.value for definition, _ in self.folder.assignments.definitions(node, env))
+        called = (value.callee for value in given if isinstance(value, Call))
+        return any(isinstance(callee, Member) and callee.name == "get_params" for callee in called)
 
     def member_value(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
         """Return the values that the methods of a class and its bases give one of its data members."""
@@ -175,7 +169,7 @@ class MemberFolder:
         if default is None:
             return ()
         values = demoted(self.folder.fold(default, Env(env.func, depth=env.depth + 1, this=cls)))
-        assigned = cls.file.language == "python" and self.folder.scope.is_assigned_outside(name)
+        assigned = cls.file.language == "python" and self.folder.scope.is_assigned_outside(name, "python")
         return alternatives((*values, unknown(name))) if assigned else values
 
     def _defined_outside(self, name: str, cls: Cls) -> Expr | None:
@@ -214,6 +208,11 @@ class MemberFolder:
     def _method_env(self, method: Func, cls: Cls, env: Env) -> Env:
         made = env.made if env.made is not None and env.made.cls is cls else None
         return Env(method, this=cls, made=made or Instance(cls, {}, {}), depth=env.depth + 1)
+
+
+def _is_plain(cls: Cls) -> bool:
+    """Tell whether whoever makes an object of a class can give its fields what he likes."""
+    return cls.file.language == "cpp" and not any(method.is_constructor for method in cls.methods)
 
 
 def _makes(held: Held) -> bool:

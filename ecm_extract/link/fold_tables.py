@@ -131,6 +131,14 @@ class TableFolder:
         finally:
             self._asked.discard(held)
 
+    def _entries_at_first(self, held: Held, env: Env) -> list[Entry] | None:
+        """The entries of a table that the function did not change."""
+        if held.how == "given":
+            entered = self.folder.states.entered(held.name, env)
+            return self.held_entries(entered, env) if entered is not None else self._given_entries(held.name, env)
+        found = self.folder.lists.sources(Member(Name("this"), held.name.rpartition(".")[2]), env)
+        return self.held_entries(*found[0]) if len(found) == 1 else None
+
     def _kept_entries(self, held: Held, env: Env) -> list[Entry] | None:
         inner = held.env.deeper(env.depth + 1) if held.env is not None else env.deeper(env.depth + 1)
         if held.how == "value":
@@ -142,15 +150,18 @@ class TableFolder:
             )
         if held.how == "made":
             return [] if self._declared(held) else None
-        if held.how == "given":
-            return self._given_entries(held.name, env)
-        if held.how == "shared":
-            found_ = self.folder.lists.sources(Member(Name("this"), held.name.rpartition(".")[2]), env)
-            return self.held_entries(*found_[0]) if len(found_) == 1 else None
+        if held.how in {"given", "shared"}:
+            return self._entries_at_first(held, env)
         if held.how == "out":
             found = self.folder.held.out(held, inner)
             single = found is not None and len(found[0]) == 1
             return self.held_entries(found[0][0], found[1].deeper(env.depth + 1)) if found and single else None
+        if held.how == "after":
+            left = self.folder.held.left(held, inner)
+            single = left is not None and len(left[0]) == 1
+            return self.held_entries(left[0][0], left[1].deeper(env.depth + 1)) if left and single else None
+        if held.how == "entered":
+            return self.held_entries(held.before[0], inner) if len(held.before) == 1 else None
         before = self.held_entries(held.before[0], env) if len(held.before) == 1 else None
         if before is None:
             return None
@@ -168,7 +179,7 @@ class TableFolder:
         """A member at the start of a constructor is empty, or what it is declared with."""
         name, cls = key.rpartition(".")[2], env.func.cls
         if "." not in key:
-            entry = Env(env.func, 0, env.args, env.types, env.this, env.made, env.depth + 1, State(), env.outer)
+            entry = env.entry(State())
             return self._entries(Name(name), entry)
         if not key.startswith(".") or not env.func.is_constructor or cls is None:
             return None

@@ -44,6 +44,7 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         items: position of a list of (name, default) pairs, for calls that declare many.
         min_args: fewer positional arguments are another function.
         frame: positions of frames, for transforms.
+        prefix: the method that gives the object a prefix for the names of its later calls.
         latch: position of the flag that keeps the last message for who comes later (ROS 1).
         undeclared: the row holds only where the node takes parameters that it does not declare.
     """
@@ -68,6 +69,7 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     items: str = ""
     min_args: int = 0
     frame: str = ""
+    prefix: str = ""
     latch: str = ""
     undeclared: bool = False
 

@@ -75,8 +75,7 @@ class GeneratedParameters:
 
     def _servers(self, reconfigure: ReconfigureFile, files: Sequence[File]) -> list[Unit]:
         """Units that hold a `dynamic_reconfigure::Server<pkg::NameConfig>`, or make a server of it in Python."""
-        config = f"{_config_name(reconfigure)}Config"
-        return self._mentioned.units((f"{config}>", f"{config} >"), files)
+        return self._mentioned.servers(f"{_config_name(reconfigure)}Config", files)
 
 
 def _config_name(reconfigure: ReconfigureFile) -> str:

@@ -2,23 +2,32 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import Final, NamedTuple
 
-from ecm_checker.match.generated import snake
-from ecm_parsers.source.expr import Call, Expr, Member, Name, Text
+from ecm_parsers.source.expr import Call, Constant, Expr, Member, Name, Op
 
 from ecm_extract.link.calls import Invocation
-from ecm_extract.link.env import Env, invocation_of
+from ecm_extract.link.carriers import carriers
+from ecm_extract.link.env import Bound, Env, bind, invocation_of
 from ecm_extract.link.fold import Folder
-from ecm_extract.link.spelling import last_name, plain, pointee
-from ecm_extract.link.values import Value, joined, literal
+from ecm_extract.link.given_handles import given_namespace
+from ecm_extract.link.spelling import by_value, last_name, plain, pointee
+from ecm_extract.link.texts import is_text
+from ecm_extract.link.values import Value, is_known, joined, literal, unknown
 
 MAX_DEPTH = 12
 _PRIVATE = frozenset({"getPrivateNodeHandle", "getMTPrivateNodeHandle"})
 _PUBLIC = frozenset({"getNodeHandle", "getMTNodeHandle"})
-_HANDLE_WORDS = frozenset({"nh", "n", "node", "handle"})
-_TRANSPORTS = frozenset({"ImageTransport", "PointCloudTransport"})
 _NODES = frozenset({"Node", "LifecycleNode"})
+_NAMESPACES = frozenset({"get_fully_qualified_name", "get_namespace", "get_effective_namespace"})
+_SAME = frozenset(
+    {"dynamic_pointer_cast", "static_pointer_cast", "lock", "get", "shared_from_this", "move", "ref", "cref"}
+)
+"""Calls that give the object they are given, or that they are called on."""
+_TEXTS: Final = ("string", "char")
+_THIS: Final = Name("this")
+_NULL: Final = (Constant("null"), Name("NULL"))
 
 
 class Handle(NamedTuple):
@@ -37,97 +46,155 @@ OWN = Handle(literal(""))
 
 
 class Handles:
-    """Evaluates receivers of endpoint calls."""
+    """Evaluates receivers of endpoint calls. A handle that nothing in the tree makes is None within, and is told."""
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
 
-    def of(self, expr: Expr | None, env: Env, depth: int = 0) -> Handle:
-        """Return the handle that an expression is; what is not known is the module's own node."""
-        if expr is None or expr == Name("this") or depth > MAX_DEPTH:
-            return OWN
-        if isinstance(expr, Call):
-            return self._call(invocation_of(expr, env), env, depth)
-        if isinstance(expr, Name):
-            bound = env.args.get(expr.id)
-            if bound is not None:
-                return self.of(bound.expr, bound.env, depth + 1)
-            made = self._constructor_argument(expr.id, env, depth)
-            if made is not None:
-                return made
-        if isinstance(expr, Name | Member):
-            return self._variable(expr, env, depth)
-        return OWN
+    def of(self, expr: Expr | None, env: Env) -> Handle:
+        """Return the handle that an expression is.
 
-    def _constructor_argument(self, name: str, env: Env, depth: int) -> Handle | None:
+        In ROS 1 one of which nothing is known has a namespace that is not known either; in ROS 2 a node is itself.
+        """
+        known = self._known(expr, env, 0)
+        if known is not None:
+            return known
+        return Handle(unknown(_label(expr))) if env.func.file.ros == 1 else OWN
+
+    def _known(self, expr: Expr | None, env: Env, depth: int) -> Handle | None:
+        if expr is None or expr == _THIS:
+            return OWN
+        if depth > MAX_DEPTH:
+            return None
+        if isinstance(expr, Call):
+            return self._call(invocation_of(expr, env), env, depth) or self._of_other(expr, env)
+        if isinstance(expr, Op) and expr.op == "&":
+            return self._known(expr.operands[0], env, depth + 1)
+        if isinstance(expr, Name):
+            return self._name(expr, env, depth)
+        return self._member(expr, env, depth) if isinstance(expr, Member) else OWN
+
+    def _of_other(self, expr: Call, env: Env) -> Handle | None:
+        """What makes something else than a handle, as a duration that stands in its place, has no namespace."""
+        written = self.folder.objects.type_of(expr, env)
+        return OWN if written and plain(written) != "auto" and not self._is_handle(written, env) else None
+
+    def _name(self, expr: Name, env: Env, depth: int) -> Handle | None:
+        bound = env.args.get(expr.id) or self._given_to_constructor(expr.id, env)
+        if bound is not None:
+            return self._known(bound.expr, bound.env, depth + 1)
+        return self._variable(expr, env, depth)
+
+    def _given_to_constructor(self, name: str, env: Env) -> Bound | None:
         if not env.func.is_constructor or env.made is None or env.func.cls is None:
             return None
         part = self.folder.objects.part(env.made, env.func.cls)
-        bound = part.args.get(name) if part is not None else None
-        return self.of(bound.expr, bound.env, depth + 1) if bound is not None else None
+        return part.args.get(name) if part is not None else None
 
-    def _variable(self, expr: Name | Member, env: Env, depth: int) -> Handle:
-        for definition, inner in self.folder.assignments.definitions(expr, env):
-            value, kind = definition.statement.value, definition.statement.kind
-            if value is None or kind == "each":
-                continue
-            if kind == "init" and not isinstance(value, Call):
-                return self._member(expr, value, inner, depth)
-            return self.of(value, inner, depth + 1)
-        return self._undefined(expr, env, depth)
+    def _member(self, expr: Member, env: Env, depth: int) -> Handle | None:
+        """A member of the object at hand, or of another one, as its class makes it."""
+        if expr.base == _THIS:
+            return self._variable(expr, env, depth)
+        cls = self.folder.objects.class_of(expr.base, env)
+        if cls is None:
+            return self._declared(expr, env)
+        return self._variable(Member(_THIS, expr.name), Env(env.func, env.at, this=cls, depth=env.depth + 1), depth)
 
-    def _undefined(self, expr: Name | Member, env: Env, depth: int) -> Handle:
-        """A handle that a caller or a class outside the tree gives: by its default, else by how it is called."""
+    def _variable(self, expr: Name | Member, env: Env, depth: int) -> Handle | None:
+        """What all assignments of a variable agree on, and else what it is as it is declared."""
+        given = [
+            (definition.statement.value, inner)
+            for definition, inner in self.folder.assignments.definitions(expr, env)
+            if definition.statement.kind != "each" and definition.statement.value not in _NULL
+        ]
+        found = [self._given(expr, value, inner, depth) for value, inner in given if value is not None]
+        if not found:
+            return self._declared(expr, env)
+        return _agreed(found)
+
+    def _given(self, expr: Name | Member, value: Expr, env: Env, depth: int) -> Handle | None:
+        """`nh_("~x")` and `nh_(parent, "x")` in an initialiser list make a handle without naming it."""
+        written = self.folder.objects.type_of(expr, env)
+        if last_name(plain(pointee(written))) in carriers() and isinstance(value, Call):
+            return self._known(next(iter(_initialised_with(expr, value)), None), env, depth + 1)
+        if not by_value(written) or last_name(plain(written)) != "NodeHandle":
+            return self._known(value, env, depth + 1)
+        return self._node_handle(_initialised_with(expr, value), env, depth)
+
+    def _declared(self, expr: Name | Member, env: Env) -> Handle | None:
+        """A parameter is its default; a handle that is held and never made otherwise is the node's, as is no handle."""
         if isinstance(expr, Name):
             for parameter in env.func.fact.params:
                 if parameter.name == expr.id and parameter.default is not None:
-                    return self.of(parameter.default, Env(env.func, 0), depth + 1)
-        name = expr.id if isinstance(expr, Name) else expr.name
-        return Handle(literal("~")) if env.func.file.ros == 1 and _says_private(name) else OWN
+                    return self._known(parameter.default, Env(env.func, 0), 1)
+                if parameter.name == expr.id and self._is_handle(parameter.type, env):
+                    below = given_namespace(env.func, expr.id, self.folder.program)
+                    return Handle(below) if below is not None else None
+        written = self.folder.objects.type_of(expr, env)
+        if not written or plain(written) == "auto":
+            return None if not self._is_text(expr, env) else OWN
+        return OWN if by_value(written) or not self._is_handle(written, env) else None
 
-    def _member(self, expr: Name | Member, value: Expr, env: Env, depth: int) -> Handle:
-        """`nh_("~x")` and `nh_(parent)` in an initialiser list carry one argument without a constructor call."""
-        name = expr.id if isinstance(expr, Name) else expr.name
-        written = self.folder.scope.member_type(name, env.this or env.func.cls)
-        if isinstance(value, Text) and "NodeHandle" in written:
-            return Handle(literal(value.value))
-        return self.of(value, env, depth + 1)
+    def _is_handle(self, written: str, env: Env) -> bool:
+        bare = plain(pointee(written))
+        meant = self.folder.program.alias(bare, env.func.file, env.scope) or bare
+        return last_name(plain(pointee(meant))).removesuffix("Ptr") in {"NodeHandle", *carriers()}
 
-    def _call(self, call: Invocation, env: Env, depth: int) -> Handle:
+    def _is_text(self, expr: Expr, env: Env) -> bool:
+        return is_known(self.folder.fold(expr, env)[0])
+
+    def _call(self, call: Invocation, env: Env, depth: int) -> Handle | None:
         last = call.last
         if last in _PRIVATE:
             return Handle(literal("~"))
         if last in _PUBLIC:
             return OWN
-        if last == "NodeHandle" or _is_handle(call, self.folder, env):
-            return self._node_handle(call, env, depth)
+        if last == "NodeHandle" or _makes_handle(call):
+            return self._node_handle(call.args, env, depth)
         if last == "create_sub_node" and call.args:
-            return self._nested(self.of(call.receiver, env, depth + 1), call.args[0], env)
-        if last in _NODES and call.args and not isinstance(call.args[0], Name):
+            return self._nested(self._known(call.receiver, env, depth + 1) or OWN, call.args[0], env)
+        if last in _NODES and call.args and (len(call.args) >= 2 or not isinstance(call.args[0], Name)):
             return self._new_node(call, env)
-        if last in _NODES and len(call.args) >= 2:
-            return self._new_node(call, env)
-        if last in _TRANSPORTS and call.args:
-            return self.of(call.args[0], env, depth + 1)
-        if last in {"dynamic_pointer_cast", "static_pointer_cast", "lock", "get", "shared_from_this"}:
-            return self.of(call.args[0] if call.args else call.receiver, env, depth + 1)
-        return OWN
+        if last in carriers() and call.args:
+            return self._known(call.args[0], env, depth + 1)
+        if last in _SAME:
+            return self._known(call.args[0] if call.args else call.receiver, env, depth + 1)
+        return self._returned(call, env, depth)
 
-    def _node_handle(self, call: Invocation, env: Env, depth: int) -> Handle:
-        if not call.args:
+    def _returned(self, call: Invocation, env: Env, depth: int) -> Handle | None:
+        """What a function of the tree returns, where all its returns agree."""
+        callee = self.folder.objects.callee(call, env)
+        if callee is None:
+            return None
+        this = self.folder.objects.class_of(call.receiver, env) if call.receiver is not None else env.this
+        args = bind(callee, call, env)
+        found = [
+            self._known(statement.value, Env(callee, at, args, this=this or callee.cls, depth=env.depth + 1), depth + 1)
+            for at, statement in enumerate(callee.fact.body)
+            if statement.kind == "return"
+        ]
+        return _agreed(found)
+
+    def _node_handle(self, args: tuple[Expr, ...], env: Env, depth: int) -> Handle | None:
+        if not args:
             return OWN
-        first = call.args[0]
-        if isinstance(first, Text):
-            return Handle(literal(first.value))
-        parent = self.of(first, env, depth + 1)
-        if len(call.args) >= 2:
-            return self._nested(parent, call.args[1], env)
-        if parent is OWN and self._stringy(first, env):
+        first = args[0]
+        if not isinstance(first, Name | Member | Call | Op) or self._says_text(first, env):
             return Handle(self.folder.fold(first, env)[0])
-        return parent
+        parent = self._known(first, env, depth + 1)
+        if len(args) < 2:
+            return parent
+        return self._nested(parent or Handle(unknown(_label(first))), args[1], env)
 
-    def _stringy(self, expr: Expr, env: Env) -> bool:
-        return not isinstance(expr, Name | Member) or "string" in self.folder.objects.type_of(expr, env)
+    def _says_text(self, expr: Expr, env: Env) -> bool:
+        """Tell whether a handle is made of a namespace, and not of another handle."""
+        if isinstance(expr, Op):
+            return expr.op != "&"
+        if is_text(expr, env.func):
+            return True
+        written = self.folder.objects.type_of(expr, env)
+        is_named = bool(written) and plain(written) != "auto"
+        return any(word in written for word in _TEXTS) if is_named else self._is_text(expr, env)
 
     def _nested(self, parent: Handle, name: Expr, env: Env) -> Handle:
         value = self.folder.fold(name, env)[0]
@@ -140,16 +207,10 @@ class Handles:
         return Handle(literal(""), name)
 
     def _is_namespace(self, expr: Expr, env: Env) -> bool:
-        if isinstance(expr, Text):
+        """Tell whether the second argument of a node is text; its options are an object."""
+        if isinstance(expr, Call) and invocation_of(expr, env).last in _NAMESPACES:
             return True
-        if isinstance(expr, Call):
-            return invocation_of(expr, env).last in {
-                "get_fully_qualified_name",
-                "get_namespace",
-                "get_effective_namespace",
-            }
-        written = self.folder.objects.type_of(expr, env)
-        return "string" in written or (isinstance(expr, Name) and "ns" in expr.id.split("_"))
+        return "string" in self.folder.objects.type_of(expr, env) or self._is_text(expr, env)
 
 
 def under(prefix: Value, name: Value) -> Value:
@@ -161,13 +222,26 @@ def under(prefix: Value, name: Value) -> Value:
     return joined([(prefix,), (literal("/"),), (name,)])[0]
 
 
-def _says_private(name: str) -> bool:
-    """`pnh_`, `private_nh`, `nh_private_`, `privateNodeHandle`."""
-    words = set(snake(last_name(name)).split("_"))
-    return bool(words & {"pnh", "nhp"}) or (bool(words & {"private", "priv"}) and bool(words & _HANDLE_WORDS))
+def _initialised_with(expr: Name | Member, value: Expr) -> tuple[Expr, ...]:
+    """What stands in the parentheses of a member of an initialiser list, which are written as a call of it."""
+    own = Name(expr.id if isinstance(expr, Name) else expr.name)
+    return value.args if isinstance(value, Call) and value.callee == own else (value,)
 
 
-def _is_handle(call: Invocation, folder: Folder, env: Env) -> bool:
-    if call.statement.kind == "let" and call.statement.type:
-        return last_name(plain(pointee(call.statement.type))) in {"NodeHandle", "NodeHandlePtr"} and call.made
-    return False
+def _agreed(found: Sequence[Handle | None]) -> Handle | None:
+    return found[0] if found and all(each == found[0] for each in found) else None
+
+
+def _makes_handle(call: Invocation) -> bool:
+    """Tell whether a declaration makes a handle: `ros::NodeHandle nh(...)`."""
+    written = call.statement.type if call.statement.kind == "let" else ""
+    return call.made and last_name(plain(pointee(written))) in {"NodeHandle", "NodeHandlePtr"}
+
+
+def _label(expr: Expr | None) -> str:
+    """What a handle is called in source, to say which one is not known."""
+    if isinstance(expr, Op) and expr.operands:
+        return _label(expr.operands[0])
+    if isinstance(expr, Call):
+        return _label(expr.callee)
+    return expr.id if isinstance(expr, Name) else expr.name if isinstance(expr, Member) else "handle"

@@ -30,6 +30,7 @@ from ecm_extract.link.modules import Module, Modules
 from ecm_extract.link.names import (
     RosName,
     endpoint_name,
+    is_below_handle,
     is_below_node,
     is_never_made,
     local_name,
@@ -52,7 +53,7 @@ from ecm_extract.link.sites import Sites
 from ecm_extract.link.stamps import Stamp, stamps
 from ecm_extract.link.types import Types
 from ecm_extract.link.units import Cls
-from ecm_extract.link.values import Value, literal, settled, unknown, weaker
+from ecm_extract.link.values import Value, is_proved, literal, settled, unknown, weaker
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.resolve.layout import layouts
 from ecm_extract.resolve.sight import Sight
@@ -117,16 +118,24 @@ class Linker:
 
     def link(self) -> list[LinkedModule]:
         """Return all modules with their endpoints, in a stable order."""
+        self.declare()
+        return self.attributed()
+
+    def declare(self) -> None:
+        """Find the parameters that are declared; what values are is known from then on."""
         self.generated.declare(self.parameters)
         self._declare_ports()
-        declared = self.parameter_sites = self.sites.find(parameters=True)
-        self._declare_defaults(declared)
+        self.parameter_sites = self.sites.find(parameters=True)
+        self._declare_defaults(self.parameter_sites)
         self.folder.forget()
+
+    def attributed(self) -> list[LinkedModule]:
+        """Return what `link` does, once parameters are declared."""
         nodes = self._class_nodes()
         self.modules.find({unit: name.text for unit, name in nodes.items()})
         found: dict[Module, list[Interface]] = defaultdict(list)
         others = self.sites.find(parameters=False)
-        for site in [*others, *declared]:
+        for site in [*others, *self.parameter_sites]:
             self._attribute(site, found, nodes)
         self._generate(found)
         activation = Activation(self.sites, self.registry.programs)
@@ -238,6 +247,8 @@ class Linker:
                 confidence = "folded"
             if not site.certain:
                 confidence = weaker(confidence, "one_of")
+            if is_below_handle(value) and not is_proved(handle.prefix):
+                confidence = weaker(confidence, handle.prefix.confidence)
             if (value.text == "" and site.form.role != "parameter") or "{" in name.resolved:
                 confidence = "pattern"  # a name that has no text, or a handle of which not all is known
             interface = Interface(

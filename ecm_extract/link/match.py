@@ -13,6 +13,7 @@ from ecm_extract.link.fold import Folder
 from ecm_extract.link.fold_calls import RESOLVERS
 from ecm_extract.link.forms import Form, FormTable
 from ecm_extract.link.spelling import last_name, plain, pointee
+from ecm_extract.link.texts import text_arguments
 from ecm_extract.link.undeclared import takes_undeclared
 from ecm_extract.link.units import Func
 
@@ -140,7 +141,7 @@ def positions(text: str, call: Invocation) -> Iterator[Expr]:
         elif kind == "arg" and int(index) < len(call.args):
             yield call.args[int(index)]
         elif kind == "text":
-            texts = [arg for arg in call.args if _texty(arg)]
+            texts = text_arguments(call)
             if int(index) < len(texts):
                 yield texts[int(index)]
 

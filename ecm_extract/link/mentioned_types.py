@@ -9,7 +9,7 @@ from ecm_parsers.source.expr import Call, Expr, Member, Name
 from ecm_extract.link.calls import dotted_name
 from ecm_extract.link.program import Program, imported_names
 from ecm_extract.link.references import Unit
-from ecm_extract.link.spelling import plain, pointee, template_arguments
+from ecm_extract.link.spelling import last_name, plain, pointee, template_arguments
 from ecm_extract.link.units import Cls, File, Func
 
 MAX_ALIASES = 8
@@ -34,6 +34,10 @@ class MentionedTypes:
                 found[unit] = None
         return list(found)
 
+    def servers(self, config: str, files: Sequence[File]) -> list[Unit]:
+        """Return the units of a package that name a server of dynamic_reconfigure for the class of a configuration."""
+        return list(dict.fromkeys(unit for unit, text in self._typed_units(files) if config in _served(text)))
+
     def _typed_units(self, files: Sequence[File]) -> list[tuple[Unit, str]]:
         """Return the classes and functions of a package, each with the types that it names as one text."""
         package = files[0].package if files else ""
@@ -42,7 +46,7 @@ class MentionedTypes:
             classes = (cls for file in files for cls in self.program.classes_in(file))
             functions = (func for file in files for func in self.program.functions_in(file))
             known = [(cls, " ".join(f"{written}>" for written in self._members(cls))) for cls in classes]
-            known += [(func.holder or func, "> ".join(_types_in(func)) + ">") for func in functions]
+            known += [(func.holder or func, "> ".join(self._types_in(func)) + ">") for func in functions]
             self._texts[package] = known
         return known
 
@@ -53,6 +57,19 @@ class MentionedTypes:
             yield entry.type
             yield self._spelled_out(pointee(entry.type), cls.file, scope, MAX_ALIASES)
 
+    def _types_in(self, func: Func) -> Iterator[str]:
+        """The types of variables and of what is made, as written and as they are behind aliases."""
+        python = func.file.language == "python"
+        imported = imported_names(func.file) if python else {}
+        written = [statement.type for statement in func.fact.body if statement.type]
+        for call in (call for calls in func.calls for call in calls):
+            yield from call.types
+            yield from _named_by(call, imported)
+            written += [] if python else [_made_by(call)]
+        for entry in filter(None, written):
+            yield entry
+            yield self._spelled_out(pointee(entry), func.file, func.scope, MAX_ALIASES)
+
     def _spelled_out(self, written: str, file: File, scope: str, depth: int) -> str:
         """A type with what aliases stand for, in its template arguments too."""
         target = self.program.alias(plain(written), file, scope) if depth else None
@@ -62,23 +79,24 @@ class MentionedTypes:
         return f"{plain(written)}<{', '.join(inner)}>" if inner else written
 
 
-def _types_in(func: Func) -> Iterator[str]:
-    imported = imported_names(func.file) if func.file.language == "python" else {}
-    for statement in func.fact.body:
-        if statement.type:
-            yield statement.type
-    for calls in func.calls:
-        for call in calls:
-            yield from call.types
-            yield from _named_by(call, imported)
-
-
 def _named_by(call: Call, imported: Mapping[str, str]) -> Iterator[str]:
     """The function that a call names, and the type that a Python server of parameters is given."""
     path = _path(call.callee)
     yield from (path,) if path else ()
     if path and _imported(path, imported) == _SERVER and _is_of_node(call) and call.args:
-        yield _imported(_path(call.args[0]), imported)
+        yield f"Server<{_imported(_path(call.args[0]), imported)}"
+
+
+def _made_by(call: Call) -> str:
+    """The class that a call of C++ makes an object of, if it does: `Server<Config>(lock, handle)`."""
+    path = _path(call.callee)
+    return f"{path}<{', '.join(call.types)}>" if path and call.types else path
+
+
+def _served(text: str) -> frozenset[str]:
+    """The configurations that a text of types has servers for."""
+    given = (piece.partition(">")[0] for piece in text.split("Server<")[1:])
+    return frozenset(last_name(entry.strip()) for entry in given)
 
 
 def _is_of_node(call: Call) -> bool:

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterator, Sequence
+from collections.abc import Hashable, Iterator
 from typing import TYPE_CHECKING
 
-from ecm_extract.link.calls import Invocation
 from ecm_extract.link.env import Env, bind
 from ecm_extract.link.units import File, Func
 from ecm_extract.link.values import Value, alternatives, circular, is_circle, setting, unknown
@@ -23,17 +22,11 @@ class ModuleVariables:
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
-        self._callers: Callable[[Func], Sequence[Invocation]] = lambda _: ()
-        self._place: Callable[[Invocation], Env] = lambda call: Env(call.func)
         self._known: dict[Hashable, tuple[Value, ...]] = {}
 
     def forget(self) -> None:
         """Drop what is remembered, since more is known of parameters now."""
         self._known.clear()
-
-    def know(self, callers: Callable[[Func], Sequence[Invocation]], place: Callable[[Invocation], Env]) -> None:
-        """Note who knows the calls of a function, and the place of a call."""
-        self._callers, self._place = callers, place
 
     def changers(self, name: str, file: File) -> list[Func]:
         """Return the functions of a module that may change a variable of it: they assign it, or call a method of it."""
@@ -51,22 +44,25 @@ class ModuleVariables:
         known = self._known.get(asked)
         if known is None:
             marks = self.folder.marks
-            known = self.folder.guarded(asked, name, lambda: self._all(name, file), circular(name))
+            fixed = not any(value.confidence == "pattern" for value in first)  # who gets a text cannot change it
+            known = self.folder.guarded(asked, name, lambda: self._all(name, file, fixed), circular(name))
             if marks == self.folder.marks:
                 self._known[asked] = known
         return alternatives([*first, *(value for value in known if not is_circle(value))]) if known else first
 
-    def _all(self, name: str, file: File) -> tuple[Value, ...]:
-        return tuple([value for func in self.changers(name, file) for value in self._by(func, name)])
+    def _all(self, name: str, file: File, fixed: bool) -> tuple[Value, ...]:
+        giving = (
+            func for func in self.changers(name, file) if not fixed or name in self.folder.flow.outline(func).given
+        )
+        return tuple([value for func in giving for value in self._by(func, name)])
 
     def _by(self, func: Func, name: str) -> Iterator[Value]:
         values = self._left(name, Env(func, len(func.fact.body)))
         if not any(value.open("param") for value in values):
             yield from values
             return
-        callers = self._callers(func)
-        for call in callers:
-            place = self._place(call)
+        callers = tuple(self.folder.states.callers.all(func))
+        for call, place in callers:
             args = bind(func, call, place)
             yield from self._left(name, Env(func, len(func.fact.body), args, depth=place.depth + 1))
         if not callers:

@@ -81,6 +81,11 @@ def is_below_node(value: Value) -> bool:
     return all(isinstance(part, str) for part in rest) and str(rest[0]).startswith("/")
 
 
+def is_below_handle(value: Value) -> bool:
+    """Tell whether the handle that a name is given to decides where it is."""
+    return not value.text.startswith(("/", "~")) and not is_below_node(value)
+
+
 def of_node(value: Value, node: str | None, ros: int | None) -> Value:
     """Fill in the name of the node; in ROS 1 a name below it is private, whatever name a launch file gives the node."""
     private = ros == 1 and is_below_node(value)

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ecm_checker.contract import Evidence
 from ecm_parsers.source.expr import Call, Expr, Member, Name
 
 from ecm_extract.link.calls import Invocation
-from ecm_extract.link.env import Env, Instance
+from ecm_extract.link.env import Env, Instance, bind
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.module_kinds import is_node_base
 from ecm_extract.link.sites import Sites
@@ -40,7 +40,11 @@ class NodeNames:
 
     def of_class(self, cls: Cls) -> NodeName | None:
         """Return the name that the class passes to its node base, None when it is not fixed."""
-        made = Instance(cls, {}, {})
+        return self._passed_on(Instance(cls, {}, {})) or self._made_with(cls)
+
+    def _passed_on(self, made: Instance) -> NodeName | None:
+        """The name that the constructors of an object pass to a node base."""
+        cls = made.cls
         for owner in self.folder.program.ancestry(cls):
             part = self.folder.objects.part(made, owner)
             if part is None or not self._derives_outside(owner):
@@ -51,7 +55,7 @@ class NodeNames:
                     name = self._passed(func, env)
                     if name is not None:
                         return name
-        return self._made_with(cls)
+        return None
 
     def _derives_outside(self, cls: Cls) -> bool:
         program = self.folder.program
@@ -71,15 +75,11 @@ class NodeNames:
         for call in self.sites.calls.get(cls.fact.name, ()):
             if self.sites.makes(call, cls) and call.func.cls is not cls:
                 constructor = self.folder.objects.constructor(cls, len(call.args))
-                if (
-                    constructor is None
-                    or not call.args
-                    or not constructor.fact.params
-                    or "name" not in constructor.fact.params[0].name.lower()
-                ):
+                if constructor is None:
                     return None
-                env = self.sites.root_env(call.func, call.at)
-                found.append(_known(self.folder.fold(call.args[0], env), _place(call)))
+                given = bind(constructor, call, self.sites.root_env(call.func, call.at))
+                name = self._passed_on(Instance(cls, given, {}, constructor))
+                found.append(replace(name, at=_place(call)) if name is not None else None)
         texts = {name.text if name is not None else None for name in found}
         return found[0] if len(texts) == 1 else None
 

@@ -248,8 +248,13 @@ class Objects:
 
 def _fitting(call: Invocation, funcs: Iterable[Func]) -> list[Func]:
     """The functions with a body that a call can mean, best first."""
-    scored = [(score(call, func), func) for func in funcs if func.fact.body]
+    scored = [(score(call, func), func) for func in funcs if _has_body(func)]
     return [func for fit, func in sorted(scored, key=lambda entry: -entry[0]) if fit != NO]
+
+
+def _has_body(func: Func) -> bool:
+    """Whether it is seen what a function does, be it nothing."""
+    return bool(func.fact.body) or not {"declaration", "pure", "deleted"} & set(func.fact.traits)
 
 
 def is_super(receiver: Expr | None) -> bool:

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name
+from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.match import handle_argument, name_argument, positions
 from ecm_extract.link.site import Site
+from ecm_extract.link.texts import is_text_type
 from ecm_extract.link.types import Types
 from ecm_extract.link.units import Cls, Func
 from ecm_extract.link.values import Value
@@ -64,35 +65,62 @@ class Openness:
 
         Whoever passes it knows the namespace, or the QoS.
         """
-        none: frozenset[str] = frozenset()
-        env = site.env
-        if isinstance(expr, Member) and expr.base == Name("this"):
-            expr = Name(expr.name)
+        params: frozenset[str] = frozenset()
+        made: frozenset[str] = frozenset()
+        pending = [(expr, site.env)]
         for _ in range(MAX_CHAIN):
-            if not isinstance(expr, Name):
-                break
-            bound = env.args.get(expr.id)
-            if bound is not None:
-                expr, env = bound.expr, bound.env
-            elif accepts(expr.id, env.func):
-                found = frozenset({expr.id})
-                return (found, none) if env.func is site.root else (none, found if env.func.is_constructor else none)
-            else:
-                expr, env = self._initialiser(expr.id, env)
-        return none, none
+            for each, env in pending:
+                found = self._accepted(each, env, accepts)
+                if env.func is site.root:
+                    params |= found
+                elif env.func.is_constructor:
+                    made |= found
+            pending = [outer for each, env in pending for outer in self._outward(each, env, accepts)]
+        return params, made
 
-    def _initialiser(self, name: str, env: Env) -> tuple[Expr | None, Env]:
-        """What the constructor at hand makes of a member, and what a handle of a body is below."""
+    def _accepted(self, expr: Expr | None, env: Env, accepts: Callable[[str, Func], bool]) -> frozenset[str]:
+        """The parameters of a function that an expression is, or is joined of, and that nobody has bound."""
+        if _variable(expr) in env.args:
+            return frozenset()
+        return frozenset(name for name in _names(expr) if accepts(name, env.func))
+
+    def _outward(
+        self, expr: Expr | None, env: Env, accepts: Callable[[str, Func], bool]
+    ) -> Iterable[tuple[Expr | None, Env]]:
+        """What an expression is further out: what is passed for it, or what makes it."""
+        name = _variable(expr)
+        bound = env.args.get(name)
+        if bound is not None:
+            return [(bound.expr, bound.env)]
+        return self._initialisers(name, env) if name and not self._accepted(expr, env, accepts) else ()
+
+    def _initialisers(self, name: str, env: Env) -> Iterator[tuple[Expr | None, Env]]:
+        """Yield what each constructor at hand makes of a member, and what a handle of a body is below."""
         for definition, inner in self.folder.assignments.definitions(Name(name), env):
             outer = _below(definition.statement)
             if outer is not None:
-                return outer, inner
+                yield outer, inner
+                continue
             kinds = {"init", "set"} if definition.func.file.language == "python" else {"init"}
             if definition.statement.kind in kinds and definition.func.is_constructor:
                 value = definition.statement.value
                 made = isinstance(value, Call) and len(value.args) == 1
-                return (value.args[0] if made and isinstance(value, Call) else value), inner
-        return None, env
+                yield (value.args[0] if made and isinstance(value, Call) else value), inner
+
+
+def _variable(expr: Expr | None) -> str:
+    """The name of a variable, or of a member of the object at hand."""
+    if isinstance(expr, Member) and expr.base == Name("this"):
+        return expr.name
+    return expr.id if isinstance(expr, Name) else ""
+
+
+def _names(expr: Expr | None) -> Iterator[str]:
+    """A name, or those of which a text is joined."""
+    if _variable(expr):
+        yield _variable(expr)
+    for part in expr.operands if isinstance(expr, Op) else ():
+        yield from _names(part)
 
 
 def _qos(site: Site) -> Expr | None:
@@ -100,8 +128,9 @@ def _qos(site: Site) -> Expr | None:
 
 
 def _is_handle(name: str, func: Func) -> bool:
-    """Tell whether a function takes a node handle of ROS 1 by this name."""
-    return any(entry.name == name and "NodeHandle" in entry.type for entry in func.fact.params)
+    """Tell whether a function takes by this name a node handle of ROS 1, or the namespace that one is made of."""
+    given = [entry.type for entry in func.fact.params if entry.name == name]
+    return any("NodeHandle" in written or is_text_type(written) for written in given)
 
 
 def _below(statement: Statement) -> Expr | None:

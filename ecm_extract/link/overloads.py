@@ -67,7 +67,8 @@ def _text_fit(last: str) -> int:
 
 
 def _variable_fit(name: str, wanted: str, caller: Func) -> int:
-    declared = caller.written_types.get(name, "")
+    member = caller.cls.fields.get(name) if caller.cls is not None else None
+    declared = caller.written_types.get(name, member.type if member is not None else "")
     if not declared or plain(declared) == "auto" or plain(declared) in caller.fact.template:
         return 0
     actual = plain(declared).rsplit("::", 1)[-1]

@@ -81,7 +81,7 @@ class Program:
         file.imported = imported_names(file) if file.language == "python" else {}
 
     def _owner(self, function: Function, file: File) -> Cls | None:
-        if not function.scope:
+        if not function.scope or "lambda" in function.traits:  # `D::D` is a constructor, and names the class as well
             return None
         if file.language == "cpp":
             return self._names.owner(function.scope, file)
@@ -161,6 +161,10 @@ class Program:
         if key not in self._renamed:
             self._renamed[key] = self._names.alias(name, file, scope)
         return self._renamed[key]
+
+    def spelled_out(self, name: str, file: File) -> str:
+        """Return a C++ name with what the alias in front of `::` stands for: `msgs::Grip` -> `arm_msgs::msg::Grip`."""
+        return self._names.spelled_out(name, file)
 
     def outside(self, dotted: str, file: File) -> str:
         """Return what a dotted name that a Python file imports is called outside of the tree; empty of others."""

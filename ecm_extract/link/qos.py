@@ -6,11 +6,7 @@ named in `Qos.defaulted`. What source sets to a value that the tree does not sho
 
 from __future__ import annotations
 
-import tomllib
-from collections.abc import Mapping, Sequence
-from functools import cache
-from importlib import resources
-from types import MappingProxyType
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from ecm_checker.contract import Qos
@@ -23,6 +19,7 @@ from ecm_extract.link.calls import dotted_name
 from ecm_extract.link.data import declared_type, plain_type
 from ecm_extract.link.env import Bound, Env, bind, invocation_of
 from ecm_extract.link.fold import Folder
+from ecm_extract.link.qos_presets import UNSEEN, agreed, presets
 from ecm_extract.link.qos_values import milliseconds, policy_word
 from ecm_extract.link.scope import Definition
 from ecm_extract.link.spelling import last_name
@@ -41,9 +38,6 @@ _POLICIES = ("reliability", "durability", "history", "liveliness")
 _TIMES = {"deadline": "deadline_ms", "lifespan": "lifespan_ms", "liveliness_lease_duration": "lease_ms"}
 _WRAPPERS = frozenset({"QoS", "QoSProfile", "QoSInitialization", "from_rmw", "KeepLast", "KeepAll", "shared_ptr"})
 _BASIC = ("reliability", "durability", "history", "depth")
-_UNSEEN: Mapping[str, Any] = MappingProxyType(
-    {"reliability": "unknown", "durability": "unknown", "history": "unknown", "depth": None}
-)
 _NUMBERS = frozenset({"depth", "queue", "size", "length", "buffer"})
 _SETTERS = frozenset({*_FLAGS, *_POLICIES, *_TIMES, "keep_last", "avoid_ros_namespace_conventions"}) | {
     "get_rmw_qos_profile",
@@ -53,18 +47,6 @@ _SETTERS = frozenset({*_FLAGS, *_POLICIES, *_TIMES, "keep_last", "avoid_ros_name
 _WITHOUT_DEPTH = frozenset({"keep_all", "system_default"})
 MAX_DEPTH = 12
 MAX_STEPS = 40
-
-
-@cache
-def presets() -> Mapping[str, tuple[str, Mapping[str, Any]]]:
-    """Return preset name as written -> (profile, policies)."""
-    text = (resources.files("ecm_extract.link") / "qos_presets.toml").read_text("utf-8")
-    table = tomllib.loads(text)
-    return {
-        name: (profile, {key: value for key, value in row.items() if key != "names"})
-        for profile, row in table.items()
-        for name in row["names"]
-    }
 
 
 class _Steps(NamedTuple):
@@ -109,7 +91,7 @@ class QosReader:
 
     def _policies(self, expr: Expr, env: Env, level: int) -> dict[str, Any]:
         if level > MAX_DEPTH or not self.folder.steps.take(env):
-            return {**_UNSEEN}
+            return {**UNSEEN}
         with self.folder.steps:
             return self._of_kind(expr, env, level)
 
@@ -145,7 +127,7 @@ class QosReader:
         written = declared_type(plain_type(returned or self.folder.objects.type_of(expr, env)))
         if written == "integer" or _NUMBERS & set(snake(name).split("_")):
             return {"history": "keep_last", "depth": None}
-        return {**_UNSEEN}
+        return {**UNSEEN}
 
     def _preset(self, expr: Expr) -> dict[str, Any] | None:
         if (
@@ -326,7 +308,7 @@ class QosReader:
             if statement.kind == "return" and statement.value is not None:
                 inner = Env(callee, at, args, this=callee.cls, depth=env.depth + 1)
                 return self._policies(statement.value, inner, level + 1)
-        return {**_UNSEEN}
+        return {**UNSEEN}
 
     def _number(self, expr: Expr, env: Env) -> int | None:
         number = real(self.folder.fold(expr, env)[0].text)
@@ -336,15 +318,6 @@ class QosReader:
 def _returned(call: Call) -> str:
     """The type that a call writes: `declare_parameter<int>("depth")`, `size_t(depth)`."""
     return call.types[0] if call.types else call.callee.id if isinstance(call.callee, Name) else ""
-
-
-def agreed(sides: Sequence[dict[str, Any]]) -> dict[str, Any]:
-    """Return what all sides of a choice set alike; what they set differently is unknown."""
-    default = presets()["default"][1]
-    values = {
-        key: {side.get(key, default.get(key)) for side in sides} for key in dict.fromkeys(k for s in sides for k in s)
-    }
-    return {key: found.pop() if len(found) == 1 else _UNSEEN.get(key) for key, found in values.items()}
 
 
 def _root(expr: Expr) -> str:

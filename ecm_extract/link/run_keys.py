@@ -17,8 +17,9 @@ def run_key(env: Env, depth: int = 0) -> Hashable:
     if env.asked is not None:
         return env.asked
     this = env.this or env.func.cls
-    around = run_key(env.outer, depth + 1) if env.outer is not None else None
-    asked = env.func, _bound_keys(env.args, depth), this, _made_key(env.made, depth), around
+    around = (run_key(env.outer, depth + 1), env.outer.at, env.outer.state) if env.outer is not None else None
+    caller = _bound_key(env.caller, depth) if env.caller is not None else None
+    asked = env.func, _bound_keys(env.args, depth), this, _made_key(env.made, depth), around, caller
     if not depth:
         env.asked = asked
     return asked

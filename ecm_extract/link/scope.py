@@ -7,10 +7,11 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Final, NamedTuple
 
 from ecm_parsers.source import expr as expressions
-from ecm_parsers.source.expr import Call, Expr, Member, Name, Op, Text
+from ecm_parsers.source.expr import Call, Expr, Member, Name, Text
 from ecm_parsers.source.facts import Constant, Statement
 
 from ecm_extract.infer.held import Held
+from ecm_extract.infer.places import whole_of
 from ecm_extract.link.env import Env
 from ecm_extract.link.program import Program
 from ecm_extract.link.spelling import plain
@@ -46,7 +47,7 @@ class Scope:
         self._members: dict[Cls, dict[str, list[Definition]]] = {}
         self._changing: dict[Cls, dict[str, list[Func]]] = {}
         self._fields: dict[Func, dict[str, list[int]]] = {}
-        self._outside: frozenset[str] | None = None
+        self._outside: frozenset[tuple[str, str]] | None = None
         self._class_fields: dict[Cls, dict[str, list[Definition]]] = {}
 
     def locals_of(self, func: Func) -> dict[str, list[int]]:
@@ -97,7 +98,9 @@ class Scope:
     def is_certain(self, name: str, env: Env) -> bool:
         """Tell whether the function has surely given a variable a value before the place."""
         ways = self.ways(Name(name), env)
-        return bool(ways) and all(held.how not in {"given", "shared", "made"} for helds in ways for held in helds)
+        return bool(ways) and all(
+            held.how not in {"given", "shared", "made", "entered"} for helds in ways for held in helds
+        )
 
     def passed(self, func: Func, name: str) -> list[tuple[int, Call, int]]:
         """Return (statement, call, argument index) of the calls that a local is handed to."""
@@ -166,14 +169,12 @@ class Scope:
                     known[target.name].append(at)
         return known
 
-    def is_assigned_outside(self, name: str) -> bool:
-        """Tell whether a Python function assigns an attribute of that name of something else than its own object."""
+    def is_assigned_outside(self, name: str, language: str) -> bool:
+        """Tell whether a function assigns a field of that name of something else than its own object."""
         if self._outside is None:
             written = (func for group in self.program.functions.values() for func in group)
-            self._outside = frozenset(
-                field for func in written if func.file.language == "python" for field in self.fields(func)
-            )
-        return name in self._outside
+            self._outside = frozenset((func.file.language, field) for func in written for field in self.fields(func))
+        return (language, name) in self._outside
 
     def class_fields(self, cls: Cls) -> dict[str, list[Definition]]:
         """Return field -> the assignments of it on other objects in all methods of a class."""
@@ -235,14 +236,7 @@ def _reached(expr: Expr | None, own: set[str]) -> str:
             return "" if expr.id in own else expr.id
         if isinstance(expr, Member) and expr.base == Name("this"):
             return expr.name
-        if isinstance(expr, Member):
-            expr = expr.base
-        elif isinstance(expr, Op) and expr.op in {"[]", "&"}:
-            expr = expr.operands[0]
-        elif isinstance(expr, Call) and isinstance(expr.callee, Member):
-            expr = expr.callee.base
-        else:
-            return ""
+        expr = whole_of(expr)
     return ""
 
 

@@ -22,6 +22,7 @@ from ecm_extract.link.match import Matcher, name_argument, positions
 from ecm_extract.link.openness import MAX_CHAIN, Openness
 from ecm_extract.link.option_structs import spread
 from ecm_extract.link.parameters import Parameters
+from ecm_extract.link.prefixes import prefixed
 from ecm_extract.link.program import Program
 from ecm_extract.link.site import Site
 from ecm_extract.link.types import Types
@@ -69,7 +70,7 @@ class Sites:
         wanted = {*matcher.forms, *program.functions, *program.classes, *_ALSO, *also}
         self.calls = call_index(program, wanted, self._aliases)
         self._calls_of = CallTargets(self.folder, self.calls, self._place)
-        self.folder.names.variables.know(self.callers, self._place)
+        self.folder.states.callers.find = self._calling
 
     def find(self, parameters: bool) -> list[Site]:
         """Return the sites of parameters, or of everything else."""
@@ -87,7 +88,7 @@ class Sites:
         call = spread(call)
         for form in self.matcher.fitting(call, env):
             if (form.role == "parameter") is parameters:
-                yield Site(form, call, env, (), func.holder, func)
+                yield Site(form, prefixed(call, form), env, (), func.holder, func)
 
     def root_env(self, func: Func, at: int) -> Env:
         """Return the place of a statement of a function about whose callers nothing is assumed."""
@@ -99,8 +100,8 @@ class Sites:
         return self.root_env(call.func, call.at)
 
     def is_held(self, call: Invocation) -> bool:
-        """Tell whether a call makes a member of a class, where the class says it has one, and not in a body."""
-        return call.made and call.at == len(call.func.fact.body)
+        """Tell whether a call begins a member of a class, where the class says it has one, and not in a body."""
+        return call.at == len(call.func.fact.body)
 
     # --- wrappers --------------------------------------------------------------------------------------
 
@@ -197,6 +198,9 @@ class Sites:
         if own or not self._is_loaded(func):
             return False
         return any(value.confidence == "pattern" and not value.open("param") for value in self.names(site))
+
+    def _calling(self, func: Func) -> Iterator[tuple[Invocation, Env]]:
+        return ((call, self._place(call)) for call in self.callers(func))
 
     def callers(self, func: Func) -> Sequence[Invocation]:
         """Return the calls of a function by others."""

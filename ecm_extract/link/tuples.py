@@ -93,8 +93,14 @@ def taken_by(value: Expr | None) -> Taken | None:
 
 
 def count_of(value: Expr | None) -> int | None:
-    """Return how many values a display of at least two has."""
-    return len(value.items) if isinstance(value, Items) and len(value.items) > 1 else None
+    """Return how many values a display of at least two has; None where a star puts in any number."""
+    if not isinstance(value, Items) or len(value.items) < 2:
+        return None
+    return None if any(map(_is_spread, value.items)) else len(value.items)
+
+
+def _is_spread(item: Expr) -> bool:
+    return isinstance(item, Op) and item.op == "*" and len(item.operands) == 1
 
 
 def _agreed(entries: Iterable[tuple[Expr | None, Func, int]]) -> Count | None:

@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-import re
 from typing import Final
+
+from ecm_parsers.source_lists import parse_source_list
 
 from ecm_extract.tree import Tree
 
 _LISTS: Final = (".rosinstall", ".repos")
-_NAMED: Final = re.compile(rb"^\s*-?\s*local-name:\s*['\"]?([\w./-]+)|^\s+['\"]?([\w./-]+)['\"]?:\s*$", re.MULTILINE)
-_URL: Final = re.compile(rb"^\s*(?:-\s*)?(?:uri|url):\s*\S*/([\w.-]+?)(?:\.git)?['\"]?\s*$", re.MULTILINE)
 
 
 def fetched_repositories(tree: Tree) -> frozenset[str]:
     """Return the last parts of their folders and addresses, which many a package is called after."""
-    found: set[str] = set()
     lists = [entry.path for entry in tree.files() if entry.path.endswith(_LISTS)]
-    for _, data in tree.read_many(lists):
-        names = [own or key for own, key in _NAMED.findall(data)] + _URL.findall(data)
-        found |= {name.decode().rpartition("/")[2] for name in names}
-    return frozenset(found)
+    found = [each for _, data in tree.read_many(lists) for each in parse_source_list(data).facts]
+    names = (name for each in found for name in (each.folder, each.url.removesuffix(".git")))
+    return frozenset(filter(None, (name.rstrip("/").rpartition("/")[2] for name in names)))

@@ -6,11 +6,12 @@ A rule that asks so reads no source: it gives the same findings from documents t
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import Final
 
 import msgspec
+from ecm_checker.contract import Evidence
 from ecm_checker.hub.package import Package
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.match.engine import Match
@@ -21,13 +22,18 @@ from ecm_extract.system.launch_files import is_aside, is_launch_file
 
 USES: Final = frozenset(
     {
+        "calls_action",
+        "calls_service",
         "depends",
+        "describes_class",
         "exports_headers",
         "exports_library",
         "gives_field",
+        "hands_argument",
         "has_field",
         "has_field_of",
         "imports",
+        "imports_module",
         "includes_launch",
         "installs_file",
         "names_file",
@@ -36,6 +42,9 @@ USES: Final = frozenset(
         "shows_mesh",
         "starts",
         "strips_prefix",
+        "subscribes",
+        "substitutes_argument",
+        "takes_name",
     }
 )
 """What rules of lint ask for: what is read off sources for them."""
@@ -107,6 +116,29 @@ class Known:
             for row in package.provides:
                 if row.kind == kind and not _is_buried(row.evidence[0].path):
                     yield row.name
+
+    def needed_by(self, package: str) -> frozenset[str]:
+        """Return the packages that one says to depend on."""
+        found = self.packages.by_name.get(package)
+        return frozenset(each.name for each in found.requires if each.use == "depends") if found else frozenset()
+
+    def names(self, package: str, kind: str) -> Sequence[str]:
+        """Return the names of a kind that a package provides, or that its build may make."""
+        return self._names.get((package, kind), ())
+
+    def places(self, package: str, kind: str) -> list[Evidence]:
+        """Return the first line of each name of a kind that a package provides."""
+        rows = self.packages.by_name[package].provides if package in self.packages.by_name else ()
+        return [row.evidence[0] for row in rows if row.kind == kind]
+
+    def path_of(self, package: str, path: str) -> str:
+        """Return a path below the folder of a package as one of the tree; of one that is not in it, below its name."""
+        folder = self.packages.by_name[package].path if package in self.own else package
+        return f"{folder}/{path}" if folder not in {"", "."} else path
+
+    def lines_of(self, package: str, lines: Iterable[Evidence]) -> list[Evidence]:
+        """Return lines of a package that can be shown: those of one that a document tells are of another tree."""
+        return list(dict.fromkeys(lines)) if package in self.own else []
 
     def may_have(self, package: str, kind: str, name: str) -> bool:
         """Whether a package provides a name of a kind, or its build may make one."""

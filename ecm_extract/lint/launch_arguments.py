@@ -1,132 +1,81 @@
-"""Which arguments a launch file declares, uses, and hands to files that it includes."""
+"""Launch files of packages by their paths: what includes hand each, what it needs and substitutes."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
 
 import msgspec
-from ecm_parsers.launch.model import Action, Argument, Include, LaunchFile, SetConfiguration, Substitution
-from ecm_parsers.launch.templates import all_actions, plain_text, substitutions
+from ecm_checker.contract import Evidence
+from ecm_checker.hub.requirement import Given, Requirement
 
-from ecm_extract.lint.workspace import Workspace
-from ecm_extract.system.files import TREE, Files
+from ecm_extract.entities.launch_values import FILE, NAMED, NEEDED, VALUE, is_judged
+from ecm_extract.lint.known import Asked, Known
 
-
-class Handed(msgspec.Struct, frozen=True):
-    """An include: the launch file of the tree that it names, None when it is another or unknown one."""
-
-    target: str | None
-    names: tuple[str, ...]
-    passes_all: bool
-    line: int
+File = tuple[str, str]
+"""A package, and a path from its folder."""
 
 
-class Interface(msgspec.Struct, frozen=True):
-    """The arguments of one launch file.
+class Handing(msgspec.Struct, frozen=True):
+    """An include: the file that it stands in, the one that it names, and its line."""
+
+    user: File
+    target: File
+    given: Given
+    place: Evidence
+
+
+class LaunchArguments:
+    """What files have; of two that say the same the first line counts.
 
     Attributes:
-        declared: every argument or variable that the file gives a name.
-        required: arguments without any value, with the line of their declaration.
-        used: what it reads without a default, with the first line. always: of these what no condition keeps from it.
-        read: what it reads in any way.
-        is_open: an action of it could not be read, or names what only the launch knows.
+        places: the files with their ROS version. needed: values that an include must hand, with their lines.
+        named: names of the values that a file has. substituted: what it substitutes without a default.
+        includes: those of the packages under lint whose target is known. into: all by their target.
     """
 
-    ros: int
-    declared: frozenset[str]
-    required: Mapping[str, int]
-    used: Mapping[str, int]
-    always: frozenset[str]
-    read: frozenset[str]
-    includes: tuple[Handed, ...]
-    is_open: bool
+    def __init__(self, known: Known) -> None:
+        self.places: dict[File, int | None] = {}
+        self.needed: dict[File, dict[str, Evidence]] = defaultdict(dict)
+        self.named: dict[File, set[str]] = defaultdict(set)
+        self.substituted: dict[File, dict[str, Requirement]] = defaultdict(dict)
+        self._provided(known)
+        for package in known.packages.by_name.values():
+            for row in package.requires:
+                if row.use == "substitutes_argument":
+                    self.substituted[package.name, row.owner].setdefault(row.name, row)
+        self.includes = [_handing(each) for each in known.asked("includes_launch") if self._is_told(each)]
 
+    def _provided(self, known: Known) -> None:
+        for package in known.packages.by_name.values():
+            for row in package.provides:
+                if row.kind == FILE:
+                    self.places[package.name, row.name] = row.ros
+                elif row.kind == VALUE and row.facet == NEEDED:
+                    self.needed[package.name, row.owner][row.name] = row.evidence[0]
+                elif row.kind == VALUE and row.facet == NAMED:
+                    self.named[package.name, row.owner].add(row.name)
 
-def interfaces(workspace: Workspace) -> dict[str, Interface]:
-    """Return the arguments of every launch file of the tree."""
-    return {path: _interface(path, facts, workspace) for path, facts in workspace.launches.items()}
+    def _is_told(self, asked: Asked) -> bool:
+        return asked.requirement.certainty != "unknown" and is_judged(asked.path)
 
-
-def _interface(path: str, facts: LaunchFile, workspace: Workspace) -> Interface:
-    actions = list(all_actions(facts.actions))
-    arguments = [action for action in actions if isinstance(action, Argument)]
-    names = [plain_text(action.name) for action in actions if isinstance(action, SetConfiguration)]
-    used: dict[str, int] = {}
-    read: set[str] = set()
-    always: set[str] = set()
-    is_open = None in names
-    for each in substitutions(facts.actions):
-        found = each.substitution
-        name = plain_text(found.args[0]) if found.args else None
-        is_open |= found.kind in {"eval", "unknown"} or (found.kind == "arg" and name is None)
-        if found.kind == "arg" and name is not None:
-            read.add(name)
-            if len(found.args) == 1:
-                used.setdefault(name, each.line)
-                always.update({name} if each.is_sure else ())
-    return Interface(
-        ros=facts.ros,
-        declared=frozenset({*(each.name for each in arguments), *(name for name in names if name)}),
-        required=_required(facts.actions),
-        used=used,
-        always=frozenset(always),
-        read=frozenset(read),
-        includes=tuple(_handed(each, path, workspace) for each in actions if isinstance(each, Include)),
-        is_open=is_open or any(type(action).__name__ == "Unread" for action in actions),
-    )
-
-
-def _required(actions: tuple[Action, ...]) -> dict[str, int]:
-    """Arguments that the file itself declares without a value, whatever the conditions."""
-    found = (action for action in actions if isinstance(action, Argument) and action.condition is None)
-    return {action.name: action.line for action in found if action.default is None and action.value is None}
-
-
-def _handed(action: Include, path: str, workspace: Workspace) -> Handed:
-    names = tuple(name for name, _ in action.arguments)
-    return Handed(_target(action, path, workspace.files), names, action.pass_all, action.line)
-
-
-def _target(action: Include, path: str, files: Files) -> str | None:
-    """The file that an include means and no other: one that is found by its name alone may be another one."""
-    text = ""
-    for part in action.path:
-        place: str | None = part if isinstance(part, str) else None
-        if isinstance(part, Substitution) and part.kind == "find" and part.args:
-            place = files.share(plain_text(part.args[0]) or "")
-        elif isinstance(part, Substitution) and part.kind == "dirname":
-            place = files.folder(path)
-        if place is None:
-            return None
-        text += place
-    found = files.find(text)
-    return found if found is not None and text.removeprefix(TREE).replace("//", "/").lstrip("/") == found else None
-
-
-class Reach:
-    """Which launch configurations of ROS 2 that a file is given are read at all: by itself or by what it includes."""
-
-    def __init__(self, files: Mapping[str, Interface]) -> None:
-        self._files = files
-
-    def read(self, path: str) -> frozenset[str] | None:
-        """Return every name that a file, or one below it, declares or reads; None where that is not known."""
-        entries = self._below(path)
-        return None if entries is None else frozenset(name for entry in entries for name in entry.declared | entry.read)
-
-    def _below(self, path: str) -> list[Interface] | None:
-        """A file and all that it includes; None when one of them is outside of the tree or not read."""
-        if path not in self._files:
-            return None
-        names = self._around({path}, lambda name: {call.target for call in self._files[name].includes})
-        entries = [self._files[name] for name in names if name is not None]
-        return None if None in names or any(entry.is_open for entry in entries) else entries
-
-    def _around(self, start: set[str | None], step: Callable[[str], set[str | None]]) -> set[str | None]:
-        found, pending = set(start), [name for name in start if name is not None]
-        while pending:
-            name = pending.pop()
-            new = (step(name) if name in self._files else {None}) - found
-            found |= new
-            pending += [each for each in new if each is not None]
+    @property
+    def into(self) -> Mapping[File, Sequence[Handing]]:
+        """The includes of each file."""
+        found: dict[File, list[Handing]] = defaultdict(list)
+        for each in self.includes:
+            found[each.target].append(each)
         return found
+
+    def of_one_version(self) -> Iterator[tuple[int, Handing]]:
+        """Yield includes between known files of the same ROS version, with it."""
+        for each in self.includes:
+            version = self.places.get(each.target)
+            if version is not None and version == self.places.get(each.user):
+                yield version, each
+
+
+def _handing(asked: Asked) -> Handing:
+    wanted = asked.requirement
+    user = (asked.consumer.name, asked.consumer.inside(asked.path))
+    return Handing(user, (wanted.package or "", wanted.target), wanted.given or Given(), wanted.evidence[0])

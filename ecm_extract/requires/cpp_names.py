@@ -7,17 +7,19 @@ from collections.abc import Iterator
 from ecm_checker.contract import Evidence
 from ecm_checker.hub.requirement import Given, Requirement
 
+from ecm_extract.link.program import Program
 from ecm_extract.link.spelling import plain
 from ecm_extract.link.units import File
 from ecm_extract.requires.place import Place, required
 
 
-def name_requirements(file: File) -> Iterator[Requirement]:
+def name_requirements(file: File, program: Program) -> Iterator[Requirement]:
     """Yield the names of other namespaces; a name that several lines have alike is one requirement."""
     by = f"file {file.path}"
     lines: dict[tuple[str, int], list[Evidence]] = {}
     for mention in file.facts.mentions:
-        lines.setdefault((mention.name, mention.arguments), []).append(Evidence(file.path, mention.line))
+        name = program.spelled_out(mention.name, file)
+        lines.setdefault((name, mention.arguments), []).append(Evidence(file.path, mention.line))
     for (name, count), evidence in lines.items():
         given = Given(count=count) if count >= 0 else None
         place = Place(file.path, evidence[0].line, by)

@@ -14,6 +14,8 @@ from ecm_extract.entities.endpoints import comparable_name
 from ecm_extract.link.linker import LinkedModule
 from ecm_extract.requires.place import Place, required
 
+_ITS_OWN: Final = "~"
+"""Owner of a private name of a node that no source names."""
 _LOOKUP: Final = " <- "
 """Between the frames of a transform that is looked up."""
 
@@ -25,19 +27,20 @@ def endpoint_requirements(modules: Sequence[LinkedModule]) -> Iterator[Requireme
         by = f"{module.module.kind} {module.module.name}"
         for entry in module.interfaces:
             at = entry.evidence[0]
-            for found in _of(entry, Place(at.path, at.line, by)):
+            for found in _of(entry, Place(at.path, at.line, by), module.node):
                 mark = (found.use, found.name, at.path, at.line)
                 if mark not in seen:
                     seen.add(mark)
                     yield found
 
 
-def _of(entry: Interface, place: Place) -> Iterator[Requirement]:
+def _of(entry: Interface, place: Place, node: str | None) -> Iterator[Requirement]:
     row = roles()[entry.role]
     under = {"when": entry.when, "conditions": tuple(each.text for each in entry.when)}
     if row.use:
         name = entry.name if entry.name.startswith("/") else comparable_name(entry)
-        yield required(row.use, name, place, _certainty(entry), type=entry.type, qos=entry.qos, **under)
+        owner = (node or _ITS_OWN) if entry.raw_name.startswith("~") else ""
+        yield required(row.use, name, place, _certainty(entry), owner=owner, type=entry.type, qos=entry.qos, **under)
     if row.verb and entry.type is not None:
         yield required("speaks", entry.type, place, "likely", said=f"{row.verb} {entry.name}")
     if entry.role == "tf_lookup" and entry.frame:

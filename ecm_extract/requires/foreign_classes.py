@@ -58,7 +58,7 @@ class ForeignClasses:
         if cls is not None:
             return cls.qualified if cls.file.package != func.file.package else ""
         name = program.canonical(plain(pointee(written)), func.file, func.fact.scope)
-        name = plain(pointee(name)).removeprefix("::")
+        name = program.spelled_out(plain(pointee(name)), func.file).removeprefix("::")
         return name if "::" in name and name.partition("::")[0] != _LANGUAGE else ""
 
 

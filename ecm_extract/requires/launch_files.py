@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import PurePosixPath
+from posixpath import normpath
 from typing import Final
 
 import msgspec
@@ -25,20 +26,25 @@ from ecm_parsers.launch.model import (
     ParameterSource,
     ParameterValue,
     Remap,
+    Substitution,
     Template,
 )
 from ecm_parsers.launch.templates import holed, plain_text, written
 
 from ecm_extract.entities.launch import launch_files
 from ecm_extract.entities.launch_conditions import conditions_of, together
+from ecm_extract.entities.public_files import inside
 from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.requires.launch_values import value_requirements
 from ecm_extract.requires.name_lines import line_of_name
 from ecm_extract.requires.place import Place, required
 
 _FOUND: Final = re.compile(r"\$\((?:find|find_prefix) ([^\s$()]+)\)(/(?:.*/)?)([^/$()]+)$", re.DOTALL)
 """A file of a package: the package, the folders, the name, which stands there as a whole."""
 _STARTS: Final = "starts"
+_ROS_2: Final = 2
+_ABOVE: Final = ".."
 _OUTSIDE: Final = "/../"
 """Of folders that lead out of the package that is named."""
 MANAGED: Final = "node_names"
@@ -47,9 +53,15 @@ _BELOW_NODE: Final = 2
 
 
 class _Scope(msgspec.Struct, frozen=True):
-    """Where an action stands: its file, and the conditions around it as written and by what they test."""
+    """Where an action stands: its file, in which package and by which path from there, and the conditions around it.
+
+    `conditions` are as they are written, `when` by what they test.
+    """
 
     path: str
+    package: str = ""
+    own: str = ""
+    ros: int | None = None
     conditions: tuple[str, ...] = ()
     when: tuple[Condition, ...] = ()
 
@@ -62,7 +74,8 @@ class _Scope(msgspec.Struct, frozen=True):
         if own is None:
             return None
         told = (written(condition),) if condition is not None and own else ()
-        return _Scope(self.path, (*self.conditions, *told), together(self.when, own))
+        conditions = (*self.conditions, *told)
+        return msgspec.structs.replace(self, conditions=conditions, when=together(self.when, own))
 
     def under(self, found: Requirement) -> Requirement:
         """Return a requirement with the conditions that are known here."""
@@ -73,12 +86,15 @@ def launch_requirements(texts: SideTexts, facts: PackageFacts) -> Iterator[Requi
     """Yield what the launch files of a package require."""
     for path, file in launch_files(texts, facts):
         lines = next((data.splitlines() for _, data in texts.read_many([path])), [])
-        yield from requirements_of_file(path, file, lines)
+        yield from requirements_of_file(facts, path, file, lines)
 
 
-def requirements_of_file(path: str, file: LaunchFile, lines: Sequence[bytes]) -> Iterator[Requirement]:
+def requirements_of_file(
+    facts: PackageFacts, path: str, file: LaunchFile, lines: Sequence[bytes]
+) -> Iterator[Requirement]:
     """Yield what one launch file requires; `lines` are its content, by which the line of a program's name is told."""
-    for found in _of_actions(file.actions, _Scope(path)):
+    yield from value_requirements(facts, path, file)
+    for found in _of_actions(file.actions, _Scope(path, facts.name, inside(path, facts.root.path), file.ros)):
         if found.use == _STARTS:
             at = found.evidence[0]
             evidence = (Evidence(path, line_of_name(lines, at.line, found.name)),)
@@ -112,18 +128,35 @@ def _of_action(action: Action, scope: _Scope) -> Iterator[Requirement]:
 
 def _of_include(action: Include, scope: _Scope) -> Iterator[Requirement]:
     place = scope.place(action.line)
-    found = _FOUND.search(written(action.path))
-    if found is None or _OUTSIDE in found[2]:
-        return
     given = Given(names=tuple(name for name, _ in action.arguments), forwarded=action.pass_all)
-    path = f"{found[2].lstrip('/')}{found[3]}"
-    yield required("includes_launch", found[3], place, package=found[1], given=given, target=path)
+    target = _target(action.path, scope)
+    if target is None:
+        yield required("includes_launch", holed(action.path), place, "unknown", given=given)
+        return
+    package, path = target
+    file = PurePosixPath(path).name
+    yield required("includes_launch", file, place, package=package, given=given, target=path)
+    for name in given.names if scope.ros == _ROS_2 or not action.pass_all else ():  # in ROS 2 all is always passed
+        yield required("hands_argument", name, place, package=package, owner=path)
     lines = action.argument_lines or (action.line,) * len(action.arguments)
     conditions = action.argument_conditions or (None,) * len(action.arguments)
     for (name, _), line, condition in zip(action.arguments, lines, conditions, strict=True):
         inner = scope.inside(condition)
         if inner is not None:
-            yield inner.under(required("gives_argument", name, scope.place(line), package=found[1], owner=found[3]))
+            yield inner.under(required("gives_argument", name, scope.place(line), package=package, owner=file))
+
+
+def _target(written_path: Template, scope: _Scope) -> tuple[str, str] | None:
+    """The package of an included file and its path from there; a folder may hold what only the launch knows."""
+    first = written_path[0] if written_path else None
+    if isinstance(first, Substitution) and first.kind == "dirname":
+        below = plain_text(written_path[1:])
+        path = normpath(f"{PurePosixPath(scope.own).parent}/{below}") if below else _ABOVE
+        return None if path.startswith(_ABOVE) else (scope.package, path)
+    found = _FOUND.search(written(written_path))
+    if found is None or _OUTSIDE in found[2]:
+        return None
+    return found[1], f"{found[2].lstrip('/')}{found[3]}"
 
 
 def _of_node(action: Node, scope: _Scope) -> Iterator[Requirement]:

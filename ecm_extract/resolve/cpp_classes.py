@@ -8,6 +8,7 @@ from ecm_extract.link.spelling import plain, pointee
 from ecm_extract.link.units import Cls, File
 from ecm_extract.resolve.aliases import Aliases, Declared
 from ecm_extract.resolve.cpp_scopes import Scopes
+from ecm_extract.resolve.messages import KINDS as MESSAGE_NAMESPACES
 from ecm_extract.resolve.outcome import Ambiguous, External, outcome
 from ecm_extract.resolve.views import View, Views
 
@@ -55,6 +56,16 @@ class CppClasses:
                     return targets.pop() if len(targets) == 1 else None
         return None
 
+    def spelled_out(self, name: str, file: File) -> str:
+        """Return a name with what the alias in front of it stands for; as it is where a file sees none, or several."""
+        head, _, rest = name.removeprefix("::").partition("::")
+        if not rest or head not in self._aliases.last_names:
+            return name
+        view = self._views.of(file)
+        seen = {plain(entry.alias.target) for entry in self._aliases.called(head) if entry.file in view}
+        target = _one_of(seen)
+        return f"{target}::{rest}" if target else name
+
     def _seen(self, file: File) -> Iterator[View]:
         own = self._views.of(file)
         yield own
@@ -89,3 +100,10 @@ class CppClasses:
             found += [meant] if isinstance(meant, Cls) else []
             outside = outside or (meant if not isinstance(meant, Cls) else None)
         return outcome(found, level[0]) if found else outside
+
+
+def _one_of(targets: set[str]) -> str | None:
+    """The only target; of a package and its namespace of ROS 2, which a file chooses between, the namespace."""
+    longest = max(targets, key=len, default="")
+    package = longest.rpartition("::")[0] if longest.rpartition("::")[2] in MESSAGE_NAMESPACES else longest
+    return longest if targets <= {longest, package} else None

@@ -69,6 +69,10 @@ class Names:
         """Return what the alias stands for that a C++ name means."""
         return self._classes.alias(name, file, scope) if file.language != "python" else None
 
+    def spelled_out(self, name: str, file: File) -> str:
+        """Return a C++ name with what the alias in front of it stands for."""
+        return self._classes.spelled_out(name, file)
+
     def outside(self, dotted: str, file: File) -> str:
         """Return what a name that a Python file imports is called outside of the tree; empty of what is inside."""
         return self._python.outside(dotted, file)

@@ -60,9 +60,12 @@ class Settings:
                 yield Setting(_dotted(prefix, entry), entry.value, Place(path, entry.line))
                 continue
             value = self._substituted(entry.value) if source.substitutes else entry.value
-            value = _rewritten(Setting(entry.name, value, Place(path, entry.line)), rewrites, source.converts)
+            name = (
+                entry.name if entry.node is not None else _dotted("", entry)
+            )  # without a node it is read as ROS 1 does
+            value = _rewritten(Setting(name, value, Place(path, entry.line)), rewrites, source.converts)
             node = entry.node if entry.node is None or not root else _below(root, entry.node)
-            yield Setting(entry.name, value, Place(path, entry.line), node or EVERY_NODE)
+            yield Setting(name, value, Place(path, entry.line), node or EVERY_NODE)
 
     def is_private(self, source: ParameterValue) -> bool:
         """Tell whether a value of ROS 1 is one of each node that starts after it: `~name` outside of a node."""

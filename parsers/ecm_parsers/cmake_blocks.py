@@ -81,5 +81,5 @@ def _finish(stack: list[_Open]) -> None:
 
 def _next_branch(block: _Open, command: Command) -> None:
     block.branches.append(Branch(block.header, tuple(block.body)))
-    block.header = command.args
+    block.header = command.args if command.name == "elseif" else ()  # `else(WIN32)` repeats the condition for people
     block.body = []

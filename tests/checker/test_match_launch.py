@@ -66,6 +66,7 @@ def matched(offers: list[Provision], wants: list[Requirement], anything: tuple[s
         ([offer("topic", "/scan", facet="subscribed")], want("hears", "/scan"), (), "dangling", None),
         ([offer("topic", f"/{HOLE}/scan")], want("hears", "/left/scan"), (), "unknown", None),
         ([offer("topic", f"/{HOLE}/scan")], want("hears", "/left/map"), (), "dangling", None),
+        ([offer("topic", f"/{HOLE}/scan")], want("hears", "/scan"), (), "unknown", None),
         ([offer("topic", f"/left/{HOLE}")], want("hears", "/left/map"), (), "unknown", None),
         ([offer("topic", "/a", type="a/msg/A")], want("hears", "/a", type="a/msg/B"), (), "incompatible", "type"),
         ([offer("topic", "/a", type="a/msg/A")], want("hears", "/a", type="a/msg/A"), (), "met", None),

@@ -77,6 +77,7 @@ def test_what_is_reached_through_another_package(
 
 PLUGINS = '<library path="x"><class name="{name}" type="arm::Grip" base_class_type="c::C"/></library>\n'
 CONTROLLERS = "manager:\n  ros__parameters:\n    grip:\n      type: arm_grip/Grip\n"
+GRIPS = "project(arm_grip)\nrosidl_generate_interfaces(arm_grip msg/Grip.msg)\n"
 DEPENDS = package("user").replace("rclcpp", "arm_grip")
 
 
@@ -93,6 +94,21 @@ def test_what_went_with_its_package_is_gone_too(tmp_path: Path, capsys: pytest.C
     user = tmp_path / "user"
     write(user, {"package.xml": DEPENDS, "config/controllers.yaml": CONTROLLERS})
     assert named(capsys, tmp_path / "lib", user) == ["config/controllers.yaml:4", "package.xml:3"]
+
+
+@pytest.mark.parametrize(("after", "told"), [(None, False), (package("arm_hand"), True)], ids=["left", "renamed"])
+def test_a_release_that_depends_on_what_left_it_takes_it_from_elsewhere(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], after: str | None, told: bool
+) -> None:
+    """A package that a repository gave away is still there; one that it renamed is not, and the line was forgotten."""
+    arm = package("arm").replace("rclcpp", "arm_grip")
+    message = {"grip/msg/Grip.msg": "bool closed\n", "grip/CMakeLists.txt": GRIPS}
+    release(tmp_path / "lib", {"arm/package.xml": arm, "grip/package.xml": package("arm_grip"), **message}, "1.0.0")
+    moved = {"grip/CMakeLists.txt": GRIPS.replace("arm_grip", "arm_hand")} if after else dict.fromkeys(message)
+    release(tmp_path / "lib", {"grip/package.xml": after, **moved}, "2.0.0")
+    run(["diff", "1.0.0", "2.0.0", "--repo", str(tmp_path / "lib"), "--format", "json"])
+    found = [at["path"] for each in json.loads(capsys.readouterr().out)["findings"] for at in each["evidence"]]
+    assert ("arm/package.xml" in found) is told
 
 
 @pytest.mark.parametrize(

@@ -16,22 +16,106 @@ class Filter : public outside::Nodelet {{
 }};
 PLUGINLIB_EXPORT_CLASS(Filter, nodelet::Nodelet)
 """
-RECEIVERS = [
-    ("pnh_", "~/out"),
-    ("private_nh_", "~/out"),
-    ("nh_private_", "~/out"),
-    ("privateNodeHandle", "~/out"),
-    ("this->pnh_", "~/out"),
-    ("nh_", "/out"),
-    ("deprived_nh", "/out"),
+RECEIVERS = ["pnh_", "private_nh_", "privateNodeHandle", "this->pnh_", "nh_"]
+
+
+@pytest.mark.parametrize("receiver", RECEIVERS)
+def test_a_handle_that_nothing_in_the_tree_makes_is_told_as_unknown(workspace: Any, receiver: str) -> None:
+    """A class outside the tree makes the handle: what it is called decides nothing."""
+    files = {"src/filter.cpp": MEMBERS.format(receiver=receiver)}
+    found = workspace.package(files, ros=1).only("publisher")
+    label = receiver.removeprefix("this->").strip("_")
+    assert (found.name, found.confidence) == (f"/{{{label}}}/out", "pattern")
+
+
+HELD = """
+#include <ros/ros.h>
+struct Shared {{ Shared() : nh_("~shared") {{}} ros::NodeHandle & handle() {{ return nh_; }} ros::NodeHandle nh_; }};
+class Talker {{
+ public:
+  Talker({parameters}) {initialisers} {{ pub_ = {receiver}.advertise<std_msgs::String>("out", 1); }}
+  ros::NodeHandle nh_, private_nh_;
+  ros::NodeHandle * elsewhere_;
+  Shared shared_;
+  ros::Publisher pub_;
+}};
+int main(int c, char ** v) {{ ros::init(c, v, "n"); {make} }}
+"""
+CASES = {
+    "a held handle is the node's": ("", "", "nh_", "Talker t;", "/out", "literal"),
+    "whatever it is called": ("", "", "private_nh_", "Talker t;", "/out", "literal"),
+    "an initialiser makes it": ("", ': nh_("~")', "nh_", "Talker t;", "/n/out", "literal"),
+    "below another one": ("", ': nh_("~"), private_nh_(nh_, "a")', "private_nh_", "Talker t;", "/n/a/out", "literal"),
+    "below a text": ("", ': nh_(ros::NodeHandle("a"), "b")', "nh_", "Talker t;", "/a/b/out", "literal"),
+    "of a namespace that is passed": ("std::string ns", ": nh_(ns)", "nh_", 'Talker t("a");', "/a/out", "literal"),
+    "of a handle that is passed": (
+        "ros::NodeHandle & h",
+        ": nh_(h)",
+        "nh_",
+        'ros::NodeHandle q("~"); Talker t(q);',
+        "/n/out",
+        "literal",
+    ),
+    "of another object": ("", "", "shared_.nh_", "Talker t;", "/n/shared/out", "literal"),
+    "that another object gives": ("", "", "shared_.handle()", "Talker t;", "/n/shared/out", "literal"),
+    "a pointer that nobody sets": ("", "", "(*elsewhere_)", "Talker t;", "/{elsewhere}/out", "pattern"),
+    "a namespace that nobody knows": (
+        "",
+        ": nh_(outside())",
+        "nh_",
+        "Talker t;",
+        "/{nh}/out",
+        "pattern",
+    ),
+}
+
+
+@pytest.mark.parametrize("case", CASES.values(), ids=CASES)
+def test_a_handle_is_what_makes_it(workspace: Any, case: tuple[str, ...]) -> None:
+    """Constructors, arguments, members of other objects and what functions return tell the namespace of a handle."""
+    parameters, initialisers, receiver, make, name, confidence = case
+    text = HELD.format(parameters=parameters, initialisers=initialisers, receiver=receiver, make=make)
+    found = workspace.package({"src/m.cpp": text}, ros=1).only("publisher")
+    assert (found.name, found.confidence) == (name, confidence)
+
+
+def test_each_constructor_makes_a_handle_of_its_own(workspace: Any) -> None:
+    """Of two constructors the one that is called tells the handle."""
+    text = (
+        'class A { public: A() : h_("~") { go(); } A(ros::NodeHandle & h) : h_(h) { go(); }'
+        ' void go() { pub_ = h_.advertise<std_msgs::String>("out", 1); } ros::NodeHandle h_; ros::Publisher pub_; };'
+        ' int main(int c, char ** v) { ros::init(c, v, "n"); A a; ros::NodeHandle low("low"); A b(low); }'
+    )
+    names = {entry.name for entry in workspace.package({"src/m.cpp": text}, ros=1).interfaces()}
+    assert names == {"/n/out", "/low/out"}
+
+
+CONTROLLER = """
+class Wheel : public controller_interface::Controller<hardware_interface::EffortJointInterface> {{
+ public:
+  bool init(hardware_interface::EffortJointInterface * hw{parameters}) {{
+    pub_ = {receiver}.advertise<std_msgs::String>("out", 1);
+    return true;
+  }}
+  ros::Publisher pub_;
+}};
+PLUGINLIB_EXPORT_CLASS(Wheel, controller_interface::ControllerBase)
+"""
+GIVEN = [
+    (", ros::NodeHandle & n", "n", "/{controller}/out", "pattern"),
+    (", ros::NodeHandle & a, ros::NodeHandle & b", "a", "/out", "literal"),
+    (", ros::NodeHandle & a, ros::NodeHandle & b", "b", "/{controller}/out", "pattern"),
 ]
 
 
-@pytest.mark.parametrize(("receiver", "name"), RECEIVERS, ids=[row[0] for row in RECEIVERS])
-def test_a_handle_of_a_class_outside_the_tree_is_called_what_it_is(workspace: Any, receiver: str, name: str) -> None:
-    """Nothing in the tree makes the handle: only its name tells that it is the private one."""
-    files = {"src/filter.cpp": MEMBERS.format(receiver=receiver)}
-    assert workspace.package(files, ros=1).only("publisher").name == name
+@pytest.mark.parametrize(("parameters", "receiver", "name", "confidence"), GIVEN)
+def test_controllers_are_given_their_handles(
+    workspace: Any, parameters: str, receiver: str, name: str, confidence: str
+) -> None:
+    """The controller manager hands out the namespace of the robot first, then that of the controller."""
+    text = CONTROLLER.format(parameters=parameters, receiver=receiver)
+    found = workspace.package({"src/m.cpp": text}, ros=1).only("publisher")
+    assert (found.name, found.confidence) == (name, confidence)
 
 
 MADE = [
@@ -108,3 +192,31 @@ def test_an_unknown_receiver_is_what_it_is_called(workspace: Any, call: str, kin
     )
     found = workspace.package({"src/a.cpp": text}, ros=1).interfaces()
     assert [entry.type for entry in found] == [kind]
+
+
+NAMESPACES = [
+    ("const std::string & ns", "ns", 'Pose pose("arm");', "/arm/out"),
+    ("std::string ns", 'ns + "/left"', 'Pose pose("arm");', "/arm/left/out"),
+    ("const std::string & ns", "ns", "Pose pose(argv[1]);", "/{item}/out"),
+    ("const ros::NodeHandle & ns", "ns", 'Pose pose(ros::NodeHandle("arm"));', "/arm/out"),
+]
+
+
+@pytest.mark.parametrize(("given", "value", "made", "name"), NAMESPACES, ids=[row[2] for row in NAMESPACES])
+def test_a_handle_stands_in_the_namespace_that_its_object_is_made_with(
+    workspace: Any, given: str, value: str, made: str, name: str
+) -> None:
+    """A member `nh_(ns)` made of a text names what is below that namespace, whoever gives it."""
+    source = f"""
+#include <ros/ros.h>
+class Pose {{
+ public:
+  explicit Pose({given}) : nh_({value}) {{ nh_.advertise<std_msgs::String>("out", 1); }}
+  ros::NodeHandle nh_;
+}};
+int main(int argc, char ** argv) {{
+  ros::init(argc, argv, "demo");
+  {made}
+}}
+"""
+    assert workspace.package({"src/demo.cpp": source}, ros=1).only("publisher").name == name

@@ -123,6 +123,20 @@ def test_a_member_that_every_constructor_initialises_is_made_once(workspace: Any
     assert {entry.name for entry in found} == names
 
 
+NO_SERVER = [
+    'dynamic_reconfigure::Client<pkg::DemoConfig> client("/other");',
+    'auto client = new dynamic_reconfigure::Client<pkg::DemoConfig>("/other");',
+    "pkg::DemoConfig config = pkg::DemoConfig::__getDefault__();",
+]
+
+
+@pytest.mark.parametrize("body", NO_SERVER)
+def test_who_asks_for_a_configuration_does_not_offer_it(workspace: Any, body: str) -> None:
+    """A client of another node, or a record of the settings, is no server of them (dynamic_reconfigure/client.h)."""
+    text = MAIN.format(handle="").replace("dynamic_reconfigure::Server<pkg::DemoConfig> server();", body)
+    assert _parameters(workspace, _catkin("src/demo.cpp", text), 1) == []
+
+
 @pytest.mark.parametrize(("imports", "made"), NOT_MADE, ids=[row[0] + row[1] for row in NOT_MADE])
 def test_another_server_offers_other_parameters(workspace: Any, imports: str, made: str) -> None:
     """Another class, another file, or another namespace than that of the node."""

@@ -74,9 +74,9 @@ def test_a_parameter_has_the_type_of_what_it_is_read_into(workspace: Any, kind: 
 def test_an_alias_within_a_function_is_known_there_only(workspace: Any) -> None:
     """Two functions may give one name to two types, and a third knows neither."""
     text = """
-void one(ros::NodeHandle & nh) { using M = std_msgs::Bool; auto p = nh.advertise<M>("one", 1); }
-void two(ros::NodeHandle & nh) { typedef std_msgs::Int8 M; auto p = nh.advertise<M>("two", 1); }
-void three(ros::NodeHandle & nh) { auto p = nh.advertise<M>("three", 1); }"""
+void one(ros::NodeHandle nh = ros::NodeHandle()) { using M = std_msgs::Bool; auto p = nh.advertise<M>("one", 1); }
+void two(ros::NodeHandle nh = ros::NodeHandle()) { typedef std_msgs::Int8 M; auto p = nh.advertise<M>("two", 1); }
+void three(ros::NodeHandle nh = ros::NodeHandle()) { auto p = nh.advertise<M>("three", 1); }"""
     found = {entry.name: entry.type for entry in workspace.package({"src/d.cpp": text}, ros=1).interfaces()}
     assert found == {"/one": "std_msgs/msg/Bool", "/two": "std_msgs/msg/Int8", "/three": None}
 

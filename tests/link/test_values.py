@@ -155,7 +155,15 @@ def test_a_helper_that_may_write_either_value_gives_both(workspace: Any) -> None
 
 def test_values_that_define_each_other_end(workspace: Any) -> None:
     """Members that are set from each other give a pattern, not an endless search."""
-    text = 'class D : public rclcpp::Node { D() : Node("d") { turn(); create_client<std_srvs::srv::Empty>(a_); } void turn() { a_ = b_; b_ = a_; } std::string a_, b_; };'
+    text = """
+class D : public rclcpp::Node {
+public:
+  D() : Node("d") {}
+  void turn() { a_ = b_ + "x"; }
+  void back() { b_ = a_ + "y"; }
+  void late() { create_client<std_srvs::srv::Empty>(a_); }
+  std::string a_, b_;
+};"""
     assert workspace.package({"src/d.cpp": text}).only("service_client").confidence == "pattern"
 
 

@@ -166,6 +166,48 @@ def test_libraries_and_nodes_of_another_package_are_known_by_its_document(tmp_pa
     assert by_line(without) == [("LNT044", 2), ("LNT044", 2), ("LNT059", 3)]
 
 
+MODULES = {
+    "arm_core/package.xml": MANIFEST.format("arm_core", "<buildtool_depend>catkin</buildtool_depend>"),
+    "arm_core/CMakeLists.txt": "project(arm_core)\nadd_library(arm_kernel a.cpp)\ncatkin_package()\n",
+    "arm_core/a.cpp": "PLUGINLIB_EXPORT_CLASS(arm_core::Grip, arm_core::Base)\n",
+    "arm_core/src/arm_core/__init__.py": "",
+    "arm_core/src/arm_core/pose.py": "import math\n\n\ndef _turned():\n    return math.pi\n",
+    "arm_core/launch/base.launch": "<launch>\n  <arg name='rate'/>\n  <arg name='port'/>\n"
+    "  <param name='r' value='$(arg rate)'/>\n  <param name='p' value='$(arg port)'/>\n</launch>\n",
+    "arm_core/scripts/gps.py": "import rospy\nfrom sensor_msgs.msg import NavSatFix\nrospy.init_node('gps')\n"
+    "p = rospy.Publisher('/pilot/global/fix', NavSatFix, queue_size=1)\n",
+}
+OF_MODULES = {
+    "arm_user/package.xml": MANIFEST.format("arm_user", "<depend>arm_core</depend>"),
+    "arm_user/CMakeLists.txt": "project(arm_user)\ncatkin_package()\n",
+    "arm_user/scripts/a.py": "from arm_core.pose import _turned, turned\nfrom arm_core import shape\n"
+    "import arm_core.poses\nimport arm_core.pose as pose\n"
+    "print(_turned, turned, shape, arm_core, pose.math, pose.made)\n",
+    "arm_user/scripts/fix.py": "import rospy\nfrom sensor_msgs.msg import NavSatFix\nrospy.init_node('fix')\n"
+    "rospy.Subscriber('/pilot/gps/fix', NavSatFix, print)\n",
+    "arm_user/launch/a.launch": "<launch>\n  <include file='$(find arm_core)/launch/base.launch'>\n"
+    "    <arg name='rate' value='1'/>\n    <arg name='speed' value='1'/>\n  </include>\n</launch>\n",
+}
+
+
+def test_modules_arguments_and_endpoints_of_another_package_are_known_by_its_document(tmp_path: Path) -> None:
+    """LNT011, LNT029 and LNT056 say of a consumer alone what they say of it beside the source of its provider."""
+    both = Workspace(open_tree(written(tmp_path / "both", MODULES, OF_MODULES)), Options(jobs=1))
+    documents = stored(written(tmp_path / "provider", MODULES))
+    folder = written(tmp_path / "user", OF_MODULES)
+    found = told(Workspace(open_tree(folder), Options(jobs=1), stored=documents).known)
+    of_user = [each for each in told(both.known) if each.subjects == ("arm_user",)]
+    assert [own(each) for each in found] == [own(each) for each in of_user]
+    assert {at.path.partition("/")[0] for each in found for at in each.evidence} == {"arm_user"}
+    assert by_line(found) == [("LNT011", 1), ("LNT011", 2), ("LNT011", 3), ("LNT029", 4), ("LNT056", 2), ("LNT056", 2)]
+    assert by_line(told(Workspace(open_tree(folder), Options(jobs=1)).known)) == []
+
+
+def own(finding: Finding) -> tuple[str, str, list[int]]:
+    """What is said of the consumer: lines of its provider are of another tree."""
+    return finding.rule, finding.message, [at.line for at in finding.evidence if at.path.startswith("arm_user")]
+
+
 def by_line(findings: list[Finding]) -> list[tuple[str, int]]:
     return sorted((each.rule, each.evidence[0].line) for each in findings if each.rule != "LNT055")
 

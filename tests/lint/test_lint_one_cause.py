@@ -63,3 +63,42 @@ def test_two_controllers_that_share_two_joints(workspace: Any) -> None:
     }
     workspace.package(files, ros=1)
     assert [text for text, _ in findings(workspace, "LNT013")] == ["left and right both claim a/effort, b/effort"]
+
+
+def test_a_line_that_many_robots_run(workspace: Any) -> None:
+    """One remap that is launched for each of two robots is one line to mend."""
+    part = (
+        '<launch><arg name="id"/>\n<node pkg="pkg" type="hand" name="hand$(arg id)"/>\n'
+        '<node pkg="pkg" type="arm" name="arm$(arg id)">\n'
+        '<remap from="~state" to="/hand$(arg id)/state"/>\n<remap from="gone" to="/gone$(arg id)"/></node></launch>'
+    )
+    one = '<include file="$(find pkg)/launch/part.launch"><arg name="id" value="{}"/></include>'
+    main = '#include <ros/ros.h>\nint main(int c, char** v) {{\n  ros::init(c, v, "a");\n  ros::NodeHandle n("~");\n'
+    main += '  auto p = n.advertise<std_msgs::String>("state", 1);\n  ros::spin();\n}}\n'
+    cmake = "project(pkg)\nadd_executable(arm arm.cpp)\nadd_executable(hand hand.cpp)\ncatkin_package()\n"
+    files = {
+        "launch/part.launch": part,
+        "launch/all.launch": f"<launch>{one.format(1)}{one.format(2)}</launch>",
+        "arm.cpp": main.format(),
+        "hand.cpp": main.format(),
+        "CMakeLists.txt": cmake,
+    }
+    workspace.package(files, ros=1)
+    assert [text.split(" is absolute")[0] for text, _ in findings(workspace, "LNT042")] == ["/hand1/state"]
+    assert [text.split(" has nothing")[0] for text, _ in findings(workspace, "LNT006")] == ["/arm1"]
+
+
+def test_a_topic_that_all_copies_of_a_node_write(workspace: Any) -> None:
+    """Two launch files start two and three of them: the line that publishes is one."""
+    main = '#include <ros/ros.h>\nint main(int c, char** v) {\n  ros::init(c, v, "a");\n  ros::NodeHandle n;\n'
+    main += '  auto p = n.advertise<geometry_msgs::Twist>("/cmd_vel", 1);\n  ros::spin();\n}\n'
+    start = '<node pkg="pkg" type="arm" name="arm{}"/>'
+    files = {
+        "launch/two.launch": f"<launch>{''.join(map(start.format, range(2)))}</launch>",
+        "launch/many.launch": f"<launch>{''.join(map(start.format, range(7)))}</launch>",
+        "arm.cpp": main,
+        "CMakeLists.txt": "project(pkg)\nadd_executable(arm arm.cpp)\ncatkin_package()\n",
+    }
+    workspace.package(files, ros=1)
+    ((text, lines),) = findings(workspace, "LNT012")
+    assert (text, lines) == ("/arm0, /arm1, /arm2, /arm3, /arm4 and 2 more all publish /cmd_vel", 1)

@@ -289,7 +289,9 @@ def test_a_file_whose_name_the_launch_decides_is_nobodys(workspace: Workspace) -
     """`$(arg arm)_arm.launch` is not `_arm.launch`."""
     text = '<launch><arg name="arm"/><include file="$(find arm)/launch/$(arg arm)_arm.launch"/></launch>'
     found = rows(workspace.package({"launch/a.launch": text}, 1))
-    assert not [row for row in found if row["use"] == "includes_launch"]
+    assert [(row["package"], row["certainty"]) for row in found if row["use"] == "includes_launch"] == [
+        (None, "unknown")
+    ]
 
 
 def test_a_prefix_that_is_no_name_is_of_no_node(workspace: Workspace) -> None:

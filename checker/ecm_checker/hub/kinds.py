@@ -23,11 +23,15 @@ class Kind(msgspec.Struct, frozen=True):
         who: what breaks when it is gone.
         world: whether any package may provide a name (`graph`), or only the one that is named with it (`package`).
         silence: what happens when its loss is ignored.
+        owned_by: kind of what tells all that it has of this kind; empty where any kind may.
+        compared: whether releases are compared by it; else it only meets requirements.
     """
 
     who: Who
     world: World
     silence: str
+    owned_by: str = ""
+    compared: bool = True
 
 
 class UseKind(msgspec.Struct, frozen=True, kw_only=True):

@@ -117,6 +117,10 @@ class Package(Hub, frozen=True, kw_only=True):
         files = [path.removeprefix(root) for path in self.files if path.startswith(root)]
         return frozenset(files).union(folder for path in files for folder in folders_of(path))
 
+    def inside(self, path: str) -> str:
+        """Return a path of the tree from its own folder."""
+        return path.removeprefix(f"{self.path}/") if self.path not in {"", "."} else path
+
     @property
     def gaps(self) -> tuple[NotRead, ...]:
         """What could declare interfaces of it and was not read."""

@@ -85,7 +85,8 @@ def _tells_all(requirement: Requirement, provisions: Provisions) -> bool:
     """Whether the owner of the name is known to tell all that is below it."""
     if not requirement.owner:
         return True
-    owners = provisions.owners(requirement.package, requirement.owner)
+    kind = kinds()[requirement.kind].owned_by
+    owners = [each for each in provisions.owners(requirement.package, requirement.owner) if kind in {"", each.kind}]
     return bool(owners) and not any(each.open for each in owners)
 
 

@@ -9,6 +9,7 @@ from typing import Final
 from ecm_checker.hub.kinds import Breach, uses
 from ecm_checker.hub.provision import Form, Provision
 from ecm_checker.hub.requirement import Given, Requirement
+from ecm_checker.match.class_names import differ, named_in
 from ecm_checker.match.qos_fit import qos_fits
 
 _FUTURE: Final = re.compile(r"future", re.IGNORECASE)
@@ -20,6 +21,8 @@ def misfit(requirement: Requirement, provision: Provision) -> Breach | None:
     """Return in which way a use does not fit; None when it fits, or nothing tells."""
     if provision.kind in _TYPED:
         return _other_kind(requirement, provision)
+    if provision.kind == "exported_class":
+        return "type" if _is_of_other_base(requirement, provision) else None
     if requirement.use == "takes_again":
         return "signature" if _can_be_taken_once(provision) else None
     given = requirement.given
@@ -55,6 +58,13 @@ def _other_kind(requirement: Requirement, provision: Provision) -> Breach | None
         return "type"
     asked = "qos" in uses()[requirement.use].breaches and requirement.ros != 1
     return "qos" if asked and not qos_fits(provision.qos, requirement.qos) else None
+
+
+def _is_of_other_base(requirement: Requirement, provision: Provision) -> bool:
+    """Whether the very class that is described is exported for another base."""
+    if requirement.type is None or provision.type is None or provision.name not in named_in(requirement.name):
+        return False
+    return differ(requirement.type, provision.type)
 
 
 def _is_other_type(requirement: Requirement, provision: Provision) -> bool:

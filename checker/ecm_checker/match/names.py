@@ -10,6 +10,7 @@ import msgspec
 from ecm_checker.hub.package import folders_of
 from ecm_checker.hub.provision import ABOVE, Provision
 from ecm_checker.hub.requirement import Requirement
+from ecm_checker.match.class_names import last_of, named_in
 from ecm_checker.match.consumer import Consumer
 from ecm_checker.match.generated import python_names, section_owners
 from ecm_checker.match.hierarchy import Bases
@@ -174,6 +175,18 @@ def _plugin(site: Site, entity: Provision) -> bool:
     return entity.name.replace("::", "/") == site.requirement.name.replace("::", "/")
 
 
+def _exported_keys(requirement: Requirement) -> Iterator[str]:
+    yield from (last_of(name) for name in named_in(requirement.name))
+
+
+def _exported(site: Site, entity: Provision) -> bool:
+    """Its own package may leave namespaces out; the one that builds the library of a description names it in full."""
+    names = tuple(named_in(site.requirement.name))
+    if entity.package != site.requirement.package:
+        return entity.name in names
+    return last_of(entity.name) in map(last_of, names)
+
+
 def _launch(site: Site, entity: Provision) -> bool:
     wanted = site.requirement
     name = entity.name if entity.kind == "launch_file" else entity.owner
@@ -276,7 +289,7 @@ def _is_seen(site: Site, base: str, entity: Provision) -> bool:
 
 def _member(site: Site, entity: Provision) -> bool:
     wanted = site.requirement
-    if _is_section(entity, wanted.owner):
+    if _is_section(entity, wanted.owner) or _is_section(entity, site.ways.end(wanted.owner, wanted.scope)):
         return entity.own_name == wanted.name
     if entity.name != wanted.name or entity.is_python:
         return False
@@ -296,6 +309,7 @@ NAMES: Final[Mapping[str, Names]] = {
     "remap": Names(_remap_keys, _remap),
     "parameter": Names(_last, _parameter, whole=True),
     "plugin": Names(_plugin_name, _plugin),
+    "exported": Names(_exported_keys, _exported),
     "launch": Names(_launch_keys, _launch),
     "header": Names(_whole, _header),
     "python": Names(_dotted_keys, _python),

@@ -17,12 +17,15 @@ from ecm_checker.hub.requirement import ONE_VALUE, Requirement
 from ecm_checker.match.consumer import Consumer
 from ecm_checker.match.engine import Match, is_open, match
 from ecm_checker.match.generated import headers, interface_package, python_names
+from ecm_checker.match.launch_reach import LaunchReach
 from ecm_checker.match.provisions import Provisions
 
 _PROGRAM: Final = "executable"
 _MESSAGE: Final = "message"
 _FILE: Final = "file"
 _SCRIPT: Final = ".py"
+_HANDS: Final = "hands_argument"
+_ROS_2: Final = 2
 
 
 class Unmet(msgspec.Struct, frozen=True):
@@ -96,7 +99,13 @@ class Packages:
             return Match(requirement, "unknown")
         return found
 
+    @cached_property
+    def _reach(self) -> LaunchReach:
+        return LaunchReach(self._packages)
+
     def _may_be(self, requirement: Requirement) -> bool:
+        if requirement.use == _HANDS and requirement.ros == _ROS_2 and self._reach.may_read(requirement):
+            return True
         home = requirement.package or interface_package(requirement.name) or ""
         package = self.by_name.get(home)
         if package is None or requirement.kind in package.open:

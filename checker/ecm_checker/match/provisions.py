@@ -17,7 +17,7 @@ from ecm_checker.match.consumer import Consumer
 from ecm_checker.match.generated import headers, python_names, section_owners
 from ecm_checker.match.hierarchy import Bases
 from ecm_checker.match.names import NAMES, Site
-from ecm_checker.match.ways import Ways
+from ecm_checker.match.ways import Ways, field_types
 
 _PARTS: Final = re.compile(r"[/.:~]+")
 OPEN: Final = "*"
@@ -79,7 +79,7 @@ class Provisions:
         if self._whole is not None:
             return self._whole.ways
         functions = {each.name: each for each in self._entities if each.kind == "function" and not each.is_python}
-        return Ways(self.bases, functions)
+        return Ways(self.bases, functions, field_types(self._entities))
 
     @cached_property
     def folders(self) -> Mapping[str, frozenset[str]]:

@@ -19,7 +19,8 @@ _EVERY_NODE: Final = frozenset({"", "/**", "/*", "**", "*"})
 def graph_name_matches(offered: str, used: str) -> bool:
     """Compare graph names by their ends: private and relative names hang below a node or namespace.
 
-    `~/gps/fix` offers `/mavros/gps/fix`; `/scan` offers `/robot1/scan`; a computed part fits anything but a slash.
+    `~/gps/fix` offers `/mavros/gps/fix`; `/scan` offers `/robot1/scan`; a computed part fits anything but a slash, and
+    one in front may be no namespace at all.
     """
     rest = offered.lstrip("~/")
     given = _UNKNOWN.sub(HOLE, used).lstrip("~/")
@@ -30,19 +31,26 @@ def graph_name_matches(offered: str, used: str) -> bool:
 
 
 def whole_name_matches(offered: str, used: str) -> bool:
-    """Compare names that are resolved; a computed part stands for any text."""
+    """Compare names that are resolved; a computed part is any text, one in front may be none."""
     return _whole_pattern(offered).fullmatch(used) is not None
 
 
 @lru_cache(_KEPT)
 def _whole_pattern(name: str) -> re.Pattern[str]:
-    return re.compile(".+".join(re.escape(part) for part in name.split(HOLE)))
+    lead, rest = ("/(?:.+/)?", name[len(HOLE) + 2 :]) if name.startswith(f"/{HOLE}/") else ("", name)
+    return re.compile(lead + ".+".join(re.escape(part) for part in rest.split(HOLE)))
 
 
 @lru_cache(_KEPT)
 def _graph_pattern(name: str, below_node: bool) -> re.Pattern[str]:
+    name = name if below_node else _without_lead(name)
     pattern = "[^/]+".join(re.escape(part) for part in name.split(HOLE))
     return re.compile(rf"(?:.*/)[^/]+/{pattern}|[^/]+/{pattern}" if below_node else rf"(?:.*/)?{pattern}")
+
+
+def _without_lead(name: str) -> str:
+    """A name without a namespace in front that is computed: it may be none."""
+    return name.removeprefix(f"{HOLE}/")
 
 
 def parameter_name_matches(declared: str, given: str) -> bool:
@@ -61,7 +69,9 @@ def _parameter_pattern(name: str, below_namespace: bool) -> re.Pattern[str]:
 
 def text_pattern(names: Iterable[str]) -> re.Pattern[str]:
     """Return what finds the text of one of some names in what is given; something else may stand before it."""
-    found = (".*".join(map(re.escape, name.lstrip("~/").split(HOLE))).removeprefix(".*") for name in names)
+    found = (
+        ".*".join(map(re.escape, _without_lead(name.lstrip("~/")).split(HOLE))).removeprefix(".*") for name in names
+    )
     return re.compile("|".join(rf"(?s:{each})\Z" for each in dict.fromkeys(found)))
 
 

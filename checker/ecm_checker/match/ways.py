@@ -7,10 +7,12 @@ the first class of the side that its text names: lists and pointers of the langu
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Final
 
 from ecm_checker.hub.provision import Form, Provision
+from ecm_checker.match.generated import section_owners
 from ecm_checker.match.hierarchy import Bases
 
 _WORDS: Final = re.compile(r"[A-Za-z_]\w*")
@@ -24,10 +26,13 @@ class Ways:
     Args:
         bases: class hierarchy of the side.
         functions: its functions by qualified name.
+        fields: types of the fields of its messages, see `field_types`.
     """
 
-    def __init__(self, bases: Bases, functions: Mapping[str, Provision]) -> None:
-        self._bases, self._functions = bases, functions
+    def __init__(
+        self, bases: Bases, functions: Mapping[str, Provision], fields: Mapping[str, Mapping[str, str]]
+    ) -> None:
+        self._bases, self._functions, self._fields = bases, functions, fields
         self._known: dict[tuple[str, str], str] = {}
 
     def end(self, way: str, scope: str) -> str:
@@ -54,6 +59,9 @@ class Ways:
         return self._held(owner, f"{last}{CALL}") if owner is not None else ""
 
     def _held(self, cls: str, step: str) -> str:
+        message = self._fields.get(cls.replace("::", "."))
+        if message is not None:
+            return message.get(step, "")
         name, kind = step.removesuffix(CALL), "method" if step.endswith(CALL) else "member"
         for owner in self._bases.ancestry(cls) if cls else ():
             found = self._bases.member(owner, kind, name)
@@ -72,6 +80,19 @@ class Ways:
             if found is not None:
                 return found
         return ""
+
+
+def field_types(entities: Iterable[Provision]) -> Mapping[str, Mapping[str, str]]:
+    """Return the types of fields by the types that have them, written with dots: `arm_msgs.Grip` -> `arm_msgs::Finger`.
+
+    A list stands for what is in it, as it does in ways.
+    """
+    found: dict[str, dict[str, str]] = defaultdict(dict)
+    for entity in entities:
+        if entity.kind == "message_field" and entity.type is not None:
+            for owner in section_owners(entity.owner, entity.facet):
+                found[owner][entity.own_name] = entity.type.partition("[")[0].replace("/", "::")
+    return found
 
 
 def _bare(text: str) -> Iterator[str]:

@@ -44,17 +44,18 @@ def check(workspace: Workspace) -> Iterator[Finding]:
 
     A node of which a document alone is known is passed over: documents do not tell what stands in helpers of a source.
     """
-    seen = set()
+    seen: set[tuple[Place, str]] = set()
     written = WrittenNames(workspace)
     systems = [(system.nodes, list(renamed(system.nodes))) for system in workspace.systems]
     for nodes, found in systems:
         alive = {_key(each.remap) for each in found if each.match.state != "dangling"}
         for each in found:
-            if _key(each.remap) not in alive and each.remap not in seen:
+            line = each.remap.place, each.remap.source  # which may be launched many times, for other targets
+            if _key(each.remap) not in alive and line not in seen:
                 process = [other for other in nodes if other.instance.place == each.node.instance.place]
                 is_foreign = any(_has_foreign_base(other, workspace) for other in process)
                 if not is_foreign and not _is_written(each.remap, process, written):
-                    seen.add(each.remap)
+                    seen.add(line)
                     yield _finding(each.remap, each.node, workspace)
     yield from _outvoted([each for _, found in systems for each in found], workspace)
 

@@ -21,20 +21,23 @@ RULE = LintRule(
     consequence="the robot follows whichever command came last",
     resolution="put a multiplexer between them, or give each its own topic",
 )
+_SHOWN = 5
 _CHOOSERS = ("mux", "multiplexer", "arbiter", "selector")
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
-    """Report a topic once for the set of nodes that write it."""
+    """Report a topic once for the lines that write it, whichever nodes run them."""
     seen = set()
     for system in workspace.systems:
         for name, writers in _written(system).items():
             nodes = sorted({entry.node for entry in writers})
-            key = (name, tuple(nodes))
+            lines = tuple(dict.fromkeys(entry.place for entry in writers))
+            key = (name, frozenset(lines))
             if len(nodes) > 1 and key not in seen and not any(word in node for node in nodes for word in _CHOOSERS):
                 seen.add(key)
-                text = f"{', '.join(nodes)} all publish {name}"
-                evidence = [evidence_of(entry.place) for entry in writers]
+                more = f" and {len(nodes) - _SHOWN} more" if len(nodes) > _SHOWN else ""
+                text = f"{', '.join(nodes[:_SHOWN])}{more} all publish {name}"
+                evidence = [evidence_of(line) for line in lines]
                 package = workspace.package_of(writers[0].place.path)
                 yield RULE.finding(text, Entity("topic", name, " ".join(nodes)), package, evidence, certainty="likely")
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
-from ecm_parsers.source.expr import Call, Expr, Member, Name
+from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.link.spelling import plain
@@ -107,6 +107,8 @@ def _touches(target: Expr | None, value: Expr | None, name: str) -> bool:
         and ((isinstance(target, Name) and value is not None) or _STAMPS & set(_path(target)))
     ):
         return not (isinstance(target, Name) and _is_fresh(value))
+    if isinstance(value, Op) and value.op == "&" and len(value.operands) == 1 and _root(value) == name:
+        return True  # whoever has the address may write it
     for call in calls_in(value):
         if any(_root(arg) == name for arg in call.args) or (
             _STAMPS & set(_path(call.callee)) and _root(call.callee) == name

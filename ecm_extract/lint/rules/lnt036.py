@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ecm_checker.contract import Evidence
-from ecm_checker.finding import Entity, Finding
+from ecm_checker.finding import Entity, Finding, Severity
 
 from ecm_extract.link.units import Func
 from ecm_extract.lint.deprecations import deprecated_in
@@ -68,7 +68,9 @@ def _functions(workspace: Workspace) -> Iterator[Finding]:
                 text = f"{name} is deprecated"
                 places = [Evidence(call.func.file.path, call.line), Evidence(marked[0].file.path, marked[0].fact.line)]
                 entity = Entity("function", f"{marked[0].fact.scope}::{name}")
-                yield RULE.finding(text, entity, call.func.file.package, places, certainty="likely")
+                user = call.func.file.package
+                level: Severity | None = "info" if user == marked[0].file.package else None  # its author knows
+                yield RULE.finding(text, entity, user, places, certainty="likely", severity=level)
 
 
 def _is_only(marked: list[Func], functions: list[Func]) -> bool:

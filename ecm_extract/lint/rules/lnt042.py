@@ -35,12 +35,12 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     nodes = [node for system in workspace.systems for node in system.nodes]
     relative = [each.instance for each in nodes if each.instance.namespace == "/" and each.instance.kind not in _HOSTED]
     told = {(node.instance.full_name, remap.target) for node in nodes for remap in node.instance.remaps}
-    seen = set()
+    seen: set[Place] = set()
     for each in reached(nodes, relative):
         for owner in each.nodes:
             is_met = owner.name == each.node.name or (owner.name, each.name) in told  # who is told so is there anywhere
-            if not is_met and (each.name, each.place) not in seen:
-                seen.add((each.name, each.place))
+            if not is_met and each.place not in seen:  # one line may name the node of each of many robots
+                seen.add(each.place)
                 yield _finding(each, owner, workspace)
 
 

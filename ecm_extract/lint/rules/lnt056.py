@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
+from typing import Final
 
+import msgspec
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Certainty, Entity, Finding
-from ecm_parsers.parameter_yaml import parse_parameter_yaml
 
-from ecm_extract.lint.launch_arguments import Handed, Interface, Reach, interfaces
+from ecm_extract.lint.known import Asked, Known
+from ecm_extract.lint.launch_arguments import Handing, LaunchArguments
 from ecm_extract.lint.near import nearest
 from ecm_extract.lint.rule import LintRule
-from ecm_extract.lint.workspace import Workspace
 
 RULE = LintRule(
     id="LNT056",
@@ -22,151 +23,124 @@ RULE = LintRule(
     consequence="the launch stops there",
     resolution="declare the argument, or use the name that is declared",
 )
-_TEMPLATES = ("/templates/", "/template/")
+_KIND: Final = "launch_argument"
+_ROS_1: Final = 1
 
 
-def check(workspace: Workspace) -> Iterator[Finding]:
-    """Report arguments of ROS 1 that roslaunch refuses, and of ROS 2 those that no file of a launch can have.
-
-    Not asked of the engine: which launch file an include means, and what it reads, is told by evaluation.
-    """
-    files = {path: entry for path, entry in interfaces(workspace).items() if not _is_template(path)}
-    callers = _callers(files)
-    reach = Reach(files)
-    for path, entry in files.items():
-        if entry.ros == 1 and not any(call.passes_all for _, call in callers.get(path, ())):
-            yield from _undeclared(path, entry, path in callers, workspace)
-        for call in entry.includes:
-            target = files.get(call.target or "")
-            if target is not None and target.ros == entry.ros == 1 and not call.passes_all:
-                yield from _refused(path, call, target, workspace)
-                yield from _unset(path, call, target, workspace)
-            elif target is not None and target.ros == entry.ros == 2:
-                yield from _idle(path, call, target, reach, workspace)
-                yield from _not_handed(path, call, target, workspace)
+def tell(known: Known) -> Iterator[Finding]:
+    """Report arguments of ROS 1 that roslaunch refuses, and of ROS 2 those that no file of a launch can have."""
+    launches = LaunchArguments(known)
+    yield from _undeclared(known, launches)
+    yield from _handed(known, launches)
+    for version, include in launches.of_one_version():
+        missing = _unset(include, launches) if version == _ROS_1 else _not_handed(include, launches)
+        path = known.path_of(*include.target)
+        yield from (_missing(each, path, include, known.lines_of(include.target[0], each.lines)) for each in missing)
 
 
-def _is_template(path: str) -> bool:
-    return any(part in f"/{path}" for part in _TEMPLATES)
-
-
-def _callers(files: Mapping[str, Interface]) -> dict[str, list[tuple[str, Handed]]]:
-    """The includes of each file, with the files that they stand in."""
-    found: dict[str, list[tuple[str, Handed]]] = {}
-    for path, entry in files.items():
-        for call in entry.includes:
-            if call.target is not None:
-                found.setdefault(call.target, []).append((path, call))
-    return found
-
-
-def _undeclared(path: str, entry: Interface, is_included: bool, workspace: Workspace) -> Iterator[Finding]:
+def _undeclared(known: Known, launches: LaunchArguments) -> Iterator[Finding]:
     """An include cannot give what is not declared; a person who starts the file can, on the command line."""
-    for name, line in entry.used.items():
-        if name not in entry.declared:
-            near = nearest(name, entry.declared)
-            text = f"$(arg {name}) is used and {path} declares no such argument" + (f"; it has {near}" if near else "")
-            if is_included or near:
-                yield _finding(text, name, near, Evidence(path, line), workspace, "proved")
-            else:
-                yield _info(text, name, Evidence(path, line), workspace)
+    into = launches.into
+    for asked in known.asked("substitutes_argument"):
+        name, file = asked.requirement.name, (asked.consumer.name, asked.requirement.owner)
+        callers = into.get(file, ())
+        if asked.match.state != "dangling" or any(each.given.forwarded for each in callers):
+            continue
+        near = nearest(name, launches.named[file])
+        text = f"$(arg {name}) is used and {asked.path} declares no such argument" + (
+            f"; it has {near}" if near else ""
+        )
+        yield _refused(text, asked, near) if callers or near else _info(text, asked)
 
 
-def _refused(path: str, call: Handed, target: Interface, workspace: Workspace) -> Iterator[Finding]:
-    """What roslaunch calls an unused argument of an include."""
-    for name in call.names:
-        if name not in target.declared:
-            near = nearest(name, target.declared - set(call.names))
-            text = f"{call.target} is given {name}, which it does not declare" + (f"; it has {near}" if near else "")
-            yield _finding(text, name, near, Evidence(path, call.line), workspace, "proved")
+def _handed(known: Known, launches: LaunchArguments) -> Iterator[Finding]:
+    """What roslaunch calls an unused argument of an include, and what no file of a launch of ROS 2 reads."""
+    given = {(each.user, each.place.line, each.target): set(each.given.names) for each in launches.includes}
+    for asked in known.asked("hands_argument"):
+        wanted, target = asked.requirement, (asked.requirement.package or "", asked.requirement.owner)
+        if asked.match.state != "dangling" or launches.places.get(target) != wanted.ros:
+            continue
+        user = (asked.consumer.name, asked.consumer.inside(asked.path))
+        others = given.get((user, wanted.evidence[0].line, target), set())
+        near = nearest(wanted.name, launches.named[target] - others)
+        path = known.path_of(*target)
+        has = f"; it has {near}" if near else ""
+        if wanted.ros == _ROS_1:
+            yield _refused(f"{path} is given {wanted.name}, which it does not declare{has}", asked, near)
+        else:
+            yield _unread(f"{path} is given {wanted.name}, which nothing reads{has}", asked, near)
 
 
-def _unset(path: str, call: Handed, target: Interface, workspace: Workspace) -> Iterator[Finding]:
+class _Lacking(msgspec.Struct, frozen=True):
+    """An argument that an include leaves without a value; `text` tells of the included file what it does with it."""
+
+    name: str
+    text: str
+    lines: tuple[Evidence, ...]
+    certainty: Certainty = "proved"
+
+
+def _unset(include: Handing, launches: LaunchArguments) -> Iterator[_Lacking]:
     """An argument without a value stops roslaunch where it is substituted; one that is only declared never does."""
-    for name in _left_out(call, target):
-        if name in target.used:
-            text = f"{call.target} substitutes $(arg {name}) and this include gives {name} no value"
-            places = _places(path, call, target.required[name], target.used[name])
-            yield _missing(text, name, places, workspace, "proved" if name in target.always else "likely")
+    substituted = launches.substituted[include.target] if not include.given.forwarded else {}
+    for name, declared in _left_out(include, launches):
+        if name in substituted:
+            used = substituted[name]
+            text = f"substitutes $(arg {name}) and this include gives {name} no value"
+            yield _Lacking(name, text, (declared, *used.evidence), used.certainty)
 
 
-def _not_handed(path: str, call: Handed, target: Interface, workspace: Workspace) -> Iterator[Finding]:
+def _not_handed(include: Handing, launches: LaunchArguments) -> Iterator[_Lacking]:
     """Launch looks at what the include itself hands over; what is set elsewhere, even by a person, does not help."""
-    below = {name for inner in target.includes for name in inner.names}
-    for name in _left_out(call, target):
+    below = {name for each in launches.includes if each.user == include.target for name in each.given.names}
+    for name, declared in _left_out(include, launches):
         if name not in below:
-            text = f"{call.target} declares {name} without a default and this include does not give it"
-            yield _missing(text, name, _places(path, call, target.required[name]), workspace, "proved")
+            yield _Lacking(name, f"declares {name} without a default and this include does not give it", (declared,))
 
 
-def _places(path: str, call: Handed, *lines: int) -> list[Evidence]:
-    """The include, then lines of the file that it names."""
-    return [Evidence(path, call.line), *(Evidence(call.target or "", line) for line in dict.fromkeys(lines))]
+def _left_out(include: Handing, launches: LaunchArguments) -> Iterator[tuple[str, Evidence]]:
+    """Needed arguments that an include does not give, also not by a name that is a slip for them."""
+    given, named = set(include.given.names), launches.named[include.target]
+    slips = {nearest(name, named - given) for name in given - named}
+    for name, declared in sorted(launches.needed[include.target].items()):
+        if name not in given | slips:
+            yield name, declared
 
 
-def _left_out(call: Handed, target: Interface) -> list[str]:
-    """Required arguments that an include does not give, also not by a name that is a slip for them."""
-    slips = {nearest(name, target.declared - set(call.names)) for name in call.names if name not in target.declared}
-    return sorted(target.required.keys() - set(call.names) - slips)
+def _refused(text: str, asked: Asked, near: str | None) -> Finding:
+    entity = Entity(_KIND, asked.requirement.name, near or "")
+    return RULE.finding(text, entity, asked.consumer.name, asked.requirement.evidence)
 
 
-def _idle(path: str, call: Handed, target: Interface, reach: Reach, workspace: Workspace) -> Iterator[Finding]:
-    place = Evidence(path, call.line)
-    read = reach.read(call.target or "")
-    for name in call.names:
-        if read is not None and name not in read and not _is_filled_in(name, call.target or "", workspace):
-            near = nearest(name, target.declared - set(call.names))
-            text = f"{call.target} is given {name}, which nothing reads" + (f"; it has {near}" if near else "")
-            yield _unread(text, name, near, place, workspace)
-
-
-def _is_filled_in(name: str, path: str, workspace: Workspace) -> bool:
-    """Tell whether a parameter file of the package of a launch file reads a value where it is loaded."""
-    package = workspace.by_name.get(workspace.package_of(path))
-    files = (entry.path for entry in package.root.files) if package is not None else ()
-    wanted = f"$(var {name})"
-    read = (workspace.files.parsed(each, parse_parameter_yaml) for each in files if each.endswith((".yaml", ".yml")))
-    return any(
-        wanted in f"{entry.name} {entry.value}" for file in read if file is not None for entry in file.facts.sets
-    )
-
-
-def _finding(
-    text: str, name: str, near: str | None, place: Evidence, workspace: Workspace, certainty: Certainty = "likely"
-) -> Finding:
-    entity = Entity("launch_argument", name, near or "")
-    return RULE.finding(text, entity, workspace.package_of(place.path), [place], certainty=certainty)
-
-
-def _unread(text: str, name: str, near: str | None, place: Evidence, workspace: Workspace) -> Finding:
+def _unread(text: str, asked: Asked, near: str | None) -> Finding:
     return RULE.finding(
         text,
-        Entity("launch_argument", name, near or ""),
-        workspace.package_of(place.path),
-        [place],
+        Entity(_KIND, asked.requirement.name, near or ""),
+        asked.consumer.name,
+        asked.requirement.evidence,
         certainty="likely",
         consequence="the launch goes on without the value that was meant",
         resolution="use the name that is declared" if near else "leave it out, or declare it where it is meant",
     )
 
 
-def _missing(text: str, name: str, places: list[Evidence], workspace: Workspace, certainty: Certainty) -> Finding:
+def _missing(lacking: _Lacking, path: str, include: Handing, lines: list[Evidence]) -> Finding:
     return RULE.finding(
-        text,
-        Entity("launch_argument", name, ""),
-        workspace.package_of(places[0].path),
-        places,
-        certainty=certainty,
-        resolution=f"give {name} in the include, or a default where it is declared",
+        f"{path} {lacking.text}",
+        Entity(_KIND, lacking.name, ""),
+        include.user[0],
+        [include.place, *lines],
+        certainty=lacking.certainty,
+        resolution=f"give {lacking.name} in the include, or a default where it is declared",
     )
 
 
-def _info(text: str, name: str, place: Evidence, workspace: Workspace) -> Finding:
+def _info(text: str, asked: Asked) -> Finding:
     return RULE.finding(
         text,
-        Entity("launch_argument", name, ""),
-        workspace.package_of(place.path),
-        [place],
+        Entity(_KIND, asked.requirement.name, ""),
+        asked.consumer.name,
+        asked.requirement.evidence,
         certainty="likely",
         severity="info",
         consequence="the launch stops unless whoever starts it gives the value",

@@ -20,6 +20,7 @@ RULE = LintRule(
     who="config",
     consequence="whoever reads the file stops there with an error: roslaunch, xacro, CMake or the build tool",
     resolution="correct the line, and escape & as &amp; and < as &lt; in XML",
+    tier="stable",
 )
 
 

@@ -99,7 +99,7 @@ class Ros1Reader:
         return ParameterValue(
             line=entity.line,
             condition=condition(entity),
-            name=template(entity, "name"),
+            name=parse_template((entity.get("name") or "").strip()),  # as roslaunch does (xmlloader.py)
             value=value,
             typing=_TYPES.get((entity.get("type") or "").lower().strip(), "auto"),
         )

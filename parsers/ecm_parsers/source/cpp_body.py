@@ -437,7 +437,7 @@ class BodyReader:
                 _line(node),
                 node.end_point[0] + 1,
                 tuple(inner.statements),
-                traits=("lambda",),
+                traits=("lambda", "mutable") if _is_mutable(node) else ("lambda",),
                 flow=inner.flow.flow(),
             )
         )
@@ -510,3 +510,10 @@ _STEPS: dict[str, Callable[[BodyReader, Node], None]] = {
     "preproc_elif": BodyReader._preprocessed,
     "preproc_elifdef": BodyReader._preprocessed,
 }
+
+
+def _is_mutable(node: Node) -> bool:
+    """Whether a lambda may change its own copies of what it captures."""
+    declarator = node.child_by_field_name("declarator")
+    parts = declarator.children if declarator is not None else []
+    return any(part.text == b"mutable" for part in parts)

@@ -1,0 +1,147 @@
+"""Objects of plain structures and pairs: the values that they are made from, and their fields."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Final
+
+from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op
+from ecm_parsers.source.facts import Statement
+
+from ecm_extract.link.calls import Step, construction
+from ecm_extract.link.env import MAX_DEPTH, Bound, Env, Instance, bind
+from ecm_extract.link.overloads import NO, score
+from ecm_extract.link.units import Cls, Func
+from ecm_extract.link.values import Value, alternatives, demoted, parameter, unknown
+
+if TYPE_CHECKING:
+    from ecm_extract.link.fold import Folder
+
+_PAIR: Final = ("first", "second")
+_DECLARED: Final = frozenset({"made", "given", "shared"})
+"""Ways to hold an object that say nothing of its fields: it is as it was declared, here or elsewhere."""
+
+
+class StructureFolder:
+    """Evaluates fields by what the object is made from: `Row{"a", 1}` and `row.name`."""
+
+    def __init__(self, folder: Folder) -> None:
+        self.folder = folder
+
+    def field(self, expr: Member, env: Env) -> tuple[Value, ...]:
+        """Return the values of a field; empty when it is not known what the object is made from."""
+        parts = self._parts(expr.base, env)
+        cls = self.folder.objects.class_of(expr.base, env) if parts is not None else None
+        if parts and cls is not None and _makers(cls):
+            return self._constructed(expr.name, cls, parts)
+        bound = self._part(expr, env)
+        if bound is None:
+            return ()
+        return demoted(self.folder.fold(bound.expr, bound.env.deeper(env.depth + 1)))
+
+    def _constructed(self, name: str, cls: Cls, parts: Sequence[Bound]) -> tuple[Value, ...]:
+        """What the constructor that takes the parts best gives a member of the object."""
+        env = parts[0].env
+        step = Step(env.func, env.at, Statement("do", cls.fact.line, None))
+        call = construction(step, cls.fact.name, tuple([part.expr for part in parts]), cls.fact.line)
+        scores = {maker: score(call, maker) for maker in _makers(cls)}
+        best = max(scores.values())
+        fitting = [maker for maker, points in scores.items() if points == best != NO]
+        values = [
+            value for maker in fitting for value in self._left(name, Instance(cls, bind(maker, call, env), {}, maker))
+        ]
+        return alternatives(values) if values else ()
+
+    def _left(self, name: str, made: Instance) -> tuple[Value, ...]:
+        place = Env(made.maker, this=made.cls, made=made) if made.maker is not None else None
+        return self.folder.members.member_value(name, made.cls, place) if place is not None else ()
+
+    def given(self, expr: Expr, env: Env) -> Value | None:
+        """Return what is known of the fields of an object that may not be as its class declares it; None if it is."""
+        if env.depth > MAX_DEPTH or not isinstance(expr, Name | Member):
+            return None
+        listed = self._listed(expr, env)
+        if listed is not None:
+            return self.given(listed.expr, listed.env.deeper(env.depth + 1)) or unknown(_name(expr))
+        if self._is_changed(expr, env):
+            return unknown(_name(expr))
+        return self.given(expr.base, env) if isinstance(expr, Member) else self._passed(expr.id, env)
+
+    def _listed(self, expr: Name | Member, env: Env) -> Bound | None:
+        """Return the list that an object is one of, of which not all is known."""
+        helds = {held for way in self.folder.flow.ways(expr, env) for held in way}
+        held = helds.pop() if len(helds) == 1 else None
+        if held is None or held.how != "each" or held.env is None or not isinstance(held.expr, Name | Member):
+            return None
+        return Bound(held.expr, held.env)
+
+    def _is_changed(self, expr: Name | Member, env: Env) -> bool:
+        """Tell whether an object was given a value that does not show what it is made from."""
+        helds = [held for way in self.folder.flow.ways(expr, env) for held in way]
+        return any(held.how not in _DECLARED for held in helds) and self._parts(expr, env) is None
+
+    def _passed(self, name: str, env: Env) -> Value | None:
+        bound = env.args.get(name)
+        if bound is not None:
+            return self.given(bound.expr, bound.env.deeper(env.depth + 1))
+        is_param = any(entry.name == name for entry in env.func.fact.params)
+        return parameter(name) if is_param and not env.func.is_constructor else None
+
+    def _part(self, expr: Member, env: Env) -> Bound | None:
+        parts = self._parts(expr.base, env)
+        named = dict(_named(parts or ()))
+        if named:
+            return named.get(expr.name)
+        at = self._place(expr, env) if parts is not None else None
+        return parts[at] if parts is not None and at is not None and at < len(parts) else None
+
+    def _place(self, expr: Member, env: Env) -> int | None:
+        """Return the place of a field among the values that its object is made from; an entry of a map is a pair."""
+        cls = self.folder.objects.class_of(expr.base, env)
+        names = [field.name for field in cls.fact.fields] if cls is not None else []
+        if expr.name in names:
+            return names.index(expr.name)
+        return _PAIR.index(expr.name) if env.func.file.language == "cpp" and expr.name in _PAIR else None
+
+    def _parts(self, expr: Expr, env: Env) -> list[Bound] | None:
+        """Return the values that an object is made from, in order."""
+        bound = self._made(expr, env) if env.depth < MAX_DEPTH else None
+        if bound is None:
+            return None
+        made = bound.expr
+        if isinstance(made, Name | Member):
+            return self._parts(made, bound.env.deeper(env.depth + 1))
+        if isinstance(made, Items):
+            return [Bound(item, bound.env) for item in made.items]
+        if not isinstance(made, Call) or not isinstance(made.callee, Name) or made.keywords:
+            return None
+        cls = self.folder.objects.class_written(made.callee.id, bound.env)
+        simple = cls is not None and not any(method.is_constructor for method in cls.methods)
+        return [Bound(item, bound.env) for item in made.args] if simple else None
+
+    def _made(self, expr: Expr, env: Env) -> Bound | None:
+        """Return what an object is made from: of a variable its value, of a parameter what is passed for it."""
+        if not isinstance(expr, Name | Member):
+            return None
+        helds = {held for way in self.folder.flow.ways(expr, env) for held in way}
+        if all(held.how == "given" for held in helds):
+            return env.args.get(expr.id) if isinstance(expr, Name) else self._part(expr, env)
+        held = helds.pop()
+        if helds or held.how != "value" or held.env is None or held.expr is None:
+            return None
+        return Bound(held.expr, held.env)
+
+
+def _named(parts: Sequence[Bound]) -> Iterator[tuple[str, Bound]]:
+    """Yield field -> value of those that say for which field they are: `Row{.name = "a"}`."""
+    for part in parts:
+        if isinstance(part.expr, Op) and part.expr.op == ".=" and isinstance(part.expr.operands[0], Name):
+            yield part.expr.operands[0].id, Bound(part.expr.operands[1], part.env)
+
+
+def _makers(cls: Cls) -> list[Func]:
+    return [func for func in cls.methods if func.is_constructor and "deleted" not in func.fact.traits]
+
+
+def _name(expr: Name | Member) -> str:
+    return expr.id if isinstance(expr, Name) else expr.name
