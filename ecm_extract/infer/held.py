@@ -190,14 +190,14 @@ def _joined(one: State, other: State) -> State:
     live, called, likely = one.live or other.live, one.called or other.called, one.likely or other.likely
     if one.holds is other.holds:
         return State(one.holds, path, live, called, likely)
-    met: dict[tuple[int, int], tuple[Held, ...]] = {}
+    met: dict[tuple[tuple[Held, ...], tuple[Held, ...]], tuple[Held, ...]] = {}
     holds: dict[str, tuple[Held, ...]] = {}
     for name in one.holds.apart(other.holds):
         left, right = one.holds.get(name) or (_given(name, one),), other.holds.get(name) or (_given(name, other),)
         if left is right:
             holds[name] = left
             continue
-        key = (id(left), id(right))  # what two names share before, they share after
+        key = (left, right)  # what two names share before, they share after
         if key not in met:
             met[key] = _ways(name, left, right)
         holds[name] = met[key]

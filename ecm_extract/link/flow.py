@@ -50,9 +50,9 @@ class Flow:
         self._around: dict[Func, Func | None] = {}
         self._within = 0
         self._outlines: dict[Func, Outline] = {}
-        self._changes: dict[tuple[int, str], bool] = {}
         self._own = OwnCalls(folder.program)
-        self._inner: dict[int, Mapping[str, list[Func]]] = {}
+        self._changes: dict[tuple[Func, str], bool] = {}
+        self._inner: dict[File, Mapping[str, list[Func]]] = {}
 
     @property
     def running(self) -> Collection[Func]:
@@ -273,7 +273,7 @@ class Flow:
 
     def changes(self, func: Func, name: str) -> bool:
         """Tell whether a function may change what its parameter consists of."""
-        key = (id(func), name)
+        key = (func, name)
         known = self._changes.get(key)
         if known is None:
             self._changes[key] = True  # who asks in a circle is told that it may
@@ -360,9 +360,9 @@ class Flow:
         return func.cls
 
     def _inside(self, file: File) -> Mapping[str, list[Func]]:
-        known = self._inner.get(id(file))
+        known = self._inner.get(file)
         if known is None:
-            known = self._inner[id(file)] = defaultdict(list)
+            known = self._inner[file] = defaultdict(list)
             for func in self.folder.program.functions_in(file):
                 known[func.fact.scope].append(func)
         return known

@@ -25,6 +25,7 @@ from ecm_extract.link.env import MAX_DEPTH, Bound, Env, invocation_of
 from ecm_extract.link.fold_tables import is_plain_table
 from ecm_extract.link.python_lists import LIST_CALLS, MAX_ITEMS
 from ecm_extract.link.spelling import plain
+from ecm_extract.link.units import Cls
 from ecm_extract.link.values import (
     Value,
     alternatives,
@@ -53,7 +54,7 @@ class ListFolder:
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
-        self._searching: set[tuple[int, str]] = set()
+        self._searching: set[tuple[Cls | None, str]] = set()
 
     def elements(self, expr: Expr | None, env: Env, index: Expr | None = None) -> tuple[Value, ...]:
         """Return the values that the elements of a list, or the one at an index or key, can have."""
@@ -208,7 +209,7 @@ class ListFolder:
             isinstance(expr, Name) and env.func.file.language == "cpp"
         )
         name = expr.id if isinstance(expr, Name) else expr.name
-        key = (id(cls), name)
+        key = (cls, name)
         if cls is None or not member or key in self._searching:
             return []
         self._searching.add(key)
