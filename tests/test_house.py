@@ -10,13 +10,6 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
 OURS = ("ecm_extract", "parsers/ecm_parsers", "checker/ecm_checker", "corpus/ecm_corpus")
-IDENTITIES = {
-    "ecm_extract/infer/held.py": "pairs of states that are being joined",
-    "ecm_extract/link/flow.py": "runs by their function",
-    "ecm_extract/link/fold.py": "questions that are being answered",
-    "ecm_extract/link/fold_lists.py": "members that are being read",
-}
-"""Files that still take an address for a key, with what it stands for there; the list only gets shorter."""
 
 MOST_LINES = 350
 LONGEST_FUNCTION = 40
@@ -46,12 +39,7 @@ def test_nothing_is_known_by_its_address(folder: str) -> None:
     """An address is taken by something else once its object is gone; an object is a key itself."""
     inside = (path for path in _sources() if path.is_relative_to(ROOT / folder))
     found = [f"{path.relative_to(ROOT)}:{line}" for path in inside for line in _addresses(path)]
-    assert [entry for entry in found if entry.rpartition(":")[0] not in IDENTITIES] == []
-
-
-def test_the_list_of_files_that_use_addresses_is_not_too_long() -> None:
-    """A file that no longer takes addresses is taken off the list."""
-    assert [name for name in IDENTITIES if not list(_addresses(ROOT / name))] == []
+    assert found == []
 
 
 def test_files_are_short() -> None:

@@ -64,8 +64,8 @@ from ecm_extract.link.values import (
 
 MAX_NESTED = 60
 """Questions within questions."""
-_Asked = tuple[int, str, int, int, int, int, int, int]
-"""A name with everything that its value depends on."""
+_Asked = tuple[Hashable, ...]
+"""A name with what its value depends on, beside what its function is called with."""
 
 
 class Folder:
@@ -175,14 +175,14 @@ class Folder:
 
     def once(self, label: str, env: Env, work: Callable[[], tuple[Value, ...]]) -> tuple[Value, ...]:
         """Answer a question that several branches ask once, as long as no cycle had a part in the answer."""
-        key = (id(env.func), label, env.at, env.depth, id(env.args), id(env.this), id(env.made), id(env.state))
+        key = (env.func, label, env.at, env.depth, env.this, env.made, env.state)
         known = self._answers.get(key)
-        if known is not None:
+        if known is not None and known[0].args is env.args:
             return known[1]
         cycles = self.cycles
         values = self.guarded(("name", label, env.func, env.at, env.state), label, work)
         if self.steps.depth and cycles == self.cycles:
-            self._answers[key] = (env, values)  # with the environment, so that no other one gets its identity
+            self._answers[key] = (env, values)
         return values
 
     def forget(self) -> None:
