@@ -120,6 +120,11 @@ class Value(msgspec.Struct, frozen=True, omit_defaults=True):
     confidence: Confidence = "literal"
     evidence: tuple[Evidence, ...] = ()
 
+    def __post_init__(self) -> None:
+        """Hold the default itself, which msgspec leaves out by identity: equal values are equal bytes."""
+        if self.confidence == "literal":
+            msgspec.structs.force_setattr(self, "confidence", "literal")
+
 
 class Signature(msgspec.Struct, frozen=True):
     """What the module computes, in what representation."""

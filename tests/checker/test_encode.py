@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import pickle
 from typing import Any
 
 import msgspec
@@ -23,6 +24,7 @@ from ecm_checker.contract import (
     Versioning,
 )
 from ecm_checker.encode import decode, encode, encode_manifest
+from ecm_checker.hub.condition import Condition
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -181,3 +183,13 @@ contracts = st.builds(
 def test_what_is_written_is_read_back(contract: Contract) -> None:
     """Decoding undoes encoding, also through JSON text."""
     assert decode(json.loads(json.dumps(encode_manifest(contract)))) == contract
+
+
+def test_records_that_were_handed_between_processes_are_the_same_bytes() -> None:
+    """msgspec leaves out a default by identity, and a text that was unpickled is another object."""
+    records = (Condition("argument", "x", "true"), Value(1, "inferred", "literal"))
+    handed = pickle.loads(pickle.dumps([("".join(["tr", "ue"]), "".join(["lite", "ral"])), *records]))
+    texts, *copies = handed
+    made = (Condition("argument", "x", texts[0]), Value(1, "inferred", texts[1]))
+    for known, copied, anew in zip(records, copies, made, strict=True):
+        assert msgspec.json.encode(copied) == msgspec.json.encode(anew) == msgspec.json.encode(known)

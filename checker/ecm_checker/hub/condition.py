@@ -31,6 +31,11 @@ class Condition(msgspec.Struct, frozen=True, omit_defaults=True, gc=False):
     wanted: str = TRUE
     negated: bool = False
 
+    def __post_init__(self) -> None:
+        """Hold the default itself, which msgspec leaves out by identity: equal conditions are equal bytes."""
+        if self.wanted == TRUE:
+            msgspec.structs.force_setattr(self, "wanted", TRUE)
+
     @property
     def text(self) -> str:
         """The condition in words."""
