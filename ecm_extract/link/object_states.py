@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Hashable, Iterator, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import Call, Expr
 
@@ -18,6 +18,11 @@ if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
 
 
+MAX_NESTED: Final = 1
+"""Members whose beginning is sought within that of another; beyond, what callers left is not known: programs of many
+classes would be run again and again."""
+
+
 class ObjectStates:
     """Follows the state of an object from the methods that call to the methods that are called."""
 
@@ -26,6 +31,7 @@ class ObjectStates:
         self.callers = KnownCallers(folder)
         self._known: dict[Hashable, Held | None] = {}
         self._meanwhile: dict[Hashable, Held | None] = {}
+        self._nested = 0
 
     def forget(self) -> None:
         """Drop what was found, since more of the parameters is known now."""
@@ -54,10 +60,20 @@ class ObjectStates:
         if asked not in self._meanwhile:
             self._meanwhile[asked] = None  # who asks in a circle does not know
             cuts = self.folder.cuts
-            found = self._entered(key, env)
+            found = self._within_bounds(key, env)
             (self._known if cuts == self.folder.cuts else self._meanwhile)[asked] = found
             return found
         return self._meanwhile[asked]
+
+    def _within_bounds(self, key: str, env: Env) -> Held | None:
+        if self._nested >= MAX_NESTED:
+            self.folder.cuts += 1
+            return None
+        self._nested += 1
+        try:
+            return self._entered(key, env)
+        finally:
+            self._nested -= 1
 
     def _may_differ(self, name: str, cls: Cls, env: Env) -> bool:
         """Whether it matters who calls: for a member that shifts, or that is what the object was made with."""
