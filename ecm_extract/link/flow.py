@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import sys
 from collections import defaultdict
-from collections.abc import Callable, Collection, Hashable, Mapping, Sequence
+from collections.abc import Collection, Hashable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name, Op, Opaque, Text
+from ecm_parsers.source.expr import Call, Expr, Name
 
-from ecm_extract.infer.compute import UNKNOWN, operate, truth
 from ecm_extract.infer.effects import Effects
 from ecm_extract.infer.held import Held, State, joined_states
 from ecm_extract.infer.interpreter import Interpreter
@@ -18,9 +17,8 @@ from ecm_extract.infer.run import Run
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, invocation_of
 from ecm_extract.link.own_calls import OwnCalls
 from ecm_extract.link.run_keys import RunKeys
+from ecm_extract.link.truths import Truths
 from ecm_extract.link.units import Cls, File, Func
-from ecm_extract.link.values import Value, data_in, is_known, is_proved
-from ecm_extract.link.walk import children
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
@@ -51,6 +49,7 @@ class Flow:
         self._within = 0
         self._outlines: dict[Func, Outline] = {}
         self._own = OwnCalls(folder.program)
+        self._truths = Truths(folder, self.outline)
         self._changes: dict[tuple[Func, str], bool] = {}
         self._inner: dict[File, Mapping[str, list[Func]]] = {}
 
@@ -191,72 +190,15 @@ class Flow:
 
     def truth(self, test: Expr, env: Env) -> bool | None:
         """Tell whether a condition holds; None when that is not decided."""
-        return self._holds(test, env, is_proved)
+        return self._truths.holds(test, env)
 
     def likely(self, test: Expr, env: Env) -> bool | None:
-        """Tell whether a condition holds as long as nobody sets a parameter; None when that is not known.
-
-        A name that somebody else gives is taken for one that is not empty.
-        """
-        holds = self._holds(test, env, is_known)
-        return self._if_given(test, env) if holds is None else holds
-
-    def _if_given(self, test: Expr, env: Env) -> bool | None:
-        if isinstance(test, Op) and test.op == "!":
-            inner = self._if_given(test.operands[0], env)
-            return None if inner is None else not inner
-        if isinstance(test, Op) and test.op in {"==", "!="} and Text("") in test.operands:
-            named = next((operand for operand in test.operands if operand != Text("")), None)
-            return test.op == "!=" if named is not None and self._is_given(named, env) else None
-        if isinstance(test, Call) and isinstance(test.callee, Member) and test.callee.name == "empty":
-            return False if self._is_given(test.callee.base, env) else None
-        return None
-
-    def _is_given(self, expr: Expr, env: Env) -> bool:
-        values = self.folder.fold(expr, env)
-        return all(value.open("param") or value.open("made") or value.open("node") for value in values)
-
-    def _holds(self, test: Expr, env: Env, counts: Callable[[Value], bool]) -> bool | None:
-        if isinstance(test, Opaque):
-            return None
-        if isinstance(test, Op) and test.op == "!":
-            inner = self._holds(test.operands[0], env, counts)
-            return None if inner is None else not inner
-        if isinstance(test, Op) and test.op in {"&&", "||"}:
-            return self._all_of(test, env, counts)
-        python = env.func.file.language == "python"
-        if self._is_exposed(test, env.func):
-            return None
-        values = self.folder.fold(test, env)
-        found = {truth(data_in(value), python) if counts(value) else None for value in values}
-        if found == {None} and python:
-            items = self.folder.lists.items(test, env)
-            return None if items is None else bool(items)
-        return found.pop() if len(found) == 1 else None
-
-    def _is_exposed(self, test: Expr, func: Func) -> bool:
-        """Whether a condition asks for a variable that somebody may write in a way that is not followed."""
-        outline = self.outline(func)
-        if outline.effects.key(test) in outline.exposed:
-            return True
-        return any(self._is_exposed(part, func) for part in children(test))
-
-    def _all_of(self, test: Op, env: Env, counts: Callable[[Value], bool]) -> bool | None:
-        ends = test.op == "||"
-        undecided = False
-        for operand in test.operands:
-            holds = self._holds(operand, env, counts)
-            if holds is ends:
-                return None if undecided else ends
-            undecided = undecided or holds is None
-        return None if undecided else not ends
+        """Tell whether a condition holds as long as nobody sets a parameter; None when that is not known."""
+        return self._truths.likely(test, env)
 
     def alike(self, one: Expr, other: Expr, env: Env) -> bool | None:
         """Tell whether two expressions have the same value; None when that is not decided."""
-        python = env.func.file.language == "python"
-        pairs = [(a, b) for a in self.folder.fold(one, env) for b in self.folder.fold(other, env)]
-        found = {_same(a, b, python) for a, b in pairs}
-        return found.pop() if len(found) == 1 else None
+        return self._truths.alike(one, other, env)
 
     def rounds(self, over: Expr, env: Env) -> list[Bound] | None:
         """Return what a loop is over, each element once; None when not all of it is known."""
@@ -372,10 +314,3 @@ class Flow:
         if held.env is not None:
             self.folder.held.values(held, held.env)
             self.folder.held.items(held, held.env)
-
-
-def _same(one: Value, other: Value, python: bool) -> bool | None:
-    if not (is_proved(one) and is_proved(other)):
-        return None
-    found = operate("==", data_in(one), data_in(other), python)
-    return None if found is UNKNOWN else bool(found)

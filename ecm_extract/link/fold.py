@@ -6,10 +6,9 @@ defaults, functions that return a value. Every result has a confidence; unknown 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from itertools import islice, product
-from types import MappingProxyType
-from typing import Any, Final
+from typing import Any
 
 from ecm_parsers.source.expr import (
     Call,
@@ -24,8 +23,7 @@ from ecm_parsers.source.expr import (
     Text,
 )
 
-from ecm_extract.infer.compute import NULL, UNKNOWN, formatted, operate, shown, streamed
-from ecm_extract.link import formats
+from ecm_extract.infer.compute import NULL, UNKNOWN, shown
 from ecm_extract.link.assignments import Assignments
 from ecm_extract.link.env import MAX_DEPTH, Env
 from ecm_extract.link.flow import Flow
@@ -35,6 +33,7 @@ from ecm_extract.link.fold_held import HeldFolder
 from ecm_extract.link.fold_lists import ListFolder
 from ecm_extract.link.fold_members import MemberFolder
 from ecm_extract.link.fold_names import NameFolder
+from ecm_extract.link.fold_operators import OperatorFolder
 from ecm_extract.link.fold_tables import TableFolder
 from ecm_extract.link.method_effects import MethodEffects
 from ecm_extract.link.object_states import ObjectStates
@@ -54,10 +53,8 @@ from ecm_extract.link.values import (
     computed,
     constant,
     data_in,
-    demoted,
     joined,
     literal,
-    lowered,
     unknown,
     weaker,
 )
@@ -84,6 +81,7 @@ class Folder:
         self.lists = ListFolder(self)
         self.structures = StructureFolder(self)
         self.tables = TableFolder(self)
+        self.operators = OperatorFolder(self)
         self.held = HeldFolder(self)
         self.flow = Flow(self)
         self.states = ObjectStates(self)
@@ -119,7 +117,7 @@ class Folder:
             case Call():
                 return self.calls.call(expr, env)
             case Op():
-                return self.op(expr, env)
+                return self.operators.op(expr, env)
             case Template():
                 return joined(self.shown(self.fold(part, env.before(env.at)), env) for part in expr.parts)
             case Text():
@@ -209,110 +207,6 @@ class Folder:
         python = env.func.file.language == "python"
         return tuple([_shown(value, python) for value in values])
 
-    def op(self, expr: Op, env: Env) -> tuple[Value, ...]:
-        """Concatenation, conditionals, formats, subscripts, arithmetic, comparisons."""
-        inner = env.before(env.at)
-        work = _OPERATORS.get(expr.op)
-        if work is not None:
-            return work(self, expr, inner)
-        if len(expr.operands) == 2:
-            return self._binary(expr, inner)
-        return (unknown("value"),)
-
-    def _sum(self, expr: Op, env: Env) -> tuple[Value, ...]:
-        """Texts side by side, or a sum; in C++ a stream writes what is added to it."""
-        groups = [self.fold(operand, env) for operand in expr.operands]
-        if len(groups) == 1:
-            return groups[0]
-        if len(groups) == 2 and any(value.data is not None for group in groups for value in group):
-            return self._added(groups, env)
-        return joined(self._written(group, env) for group in groups)
-
-    def _added(self, groups: list[tuple[Value, ...]], env: Env) -> tuple[Value, ...]:
-        python = env.func.file.language == "python"
-        if not python and any(value.data is None and _has_text(value) for group in groups for value in group):
-            return joined(self._written(group, env) for group in groups)
-        return self.combined(groups, lambda data: operate("+", data[0], data[1], python), "value")
-
-    def _written(self, values: tuple[Value, ...], env: Env) -> tuple[Value, ...]:
-        if env.func.file.language == "python":
-            return self.shown(values, env)
-        return tuple([_streamed(value) for value in values])
-
-    def _conditional(self, expr: Op, env: Env) -> tuple[Value, ...]:
-        holds = self.flow.truth(expr.operands[0], env)
-        if holds is not None:
-            return demoted(self.fold(expr.operands[1 if holds else 2], env))
-        likely = self.flow.likely(expr.operands[0], env)
-        if likely is not None:
-            return lowered(self.fold(expr.operands[1 if likely else 2], env), "default")
-        return alternatives(value for operand in expr.operands[1:] for value in self.fold(operand, env))
-
-    def _percent(self, expr: Op, env: Env) -> tuple[Value, ...]:
-        text, operand = expr.operands
-        if isinstance(text, Text):
-            return joined(self.calls.folded_parts(formats.percent(text.value, operand), env))
-        return self._binary(expr, env)
-
-    def _either(self, expr: Op, env: Env) -> tuple[Value, ...]:
-        """`a or b` in Python is one of the two; in C++ it is a truth value."""
-        if env.func.file.language != "python":
-            holds = self.flow.truth(expr, env)
-            return (unknown("value"),) if holds is None else (constant(holds),)
-        found: list[Value] = []
-        for operand in expr.operands:
-            found += self.fold(operand, env)
-            holds = self.flow.truth(operand, env)
-            if holds is not None and holds is (expr.op == "||"):
-                break
-            if holds is not None:
-                found = [] if operand is not expr.operands[-1] else found
-        return alternatives(found) or (unknown("value"),)
-
-    def _negated(self, expr: Op, env: Env) -> tuple[Value, ...]:
-        if expr.op == "!":
-            holds = self.flow.truth(expr, env)
-            return (unknown("value"),) if holds is None else (constant(holds)._replace(confidence="folded"),)
-        return self.combined([self.fold(expr.operands[0], env)], lambda data: operate("-", 0, data[0], True), "value")
-
-    def _minus(self, expr: Op, env: Env) -> tuple[Value, ...]:
-        return self._negated(expr, env) if len(expr.operands) == 1 else self._binary(expr, env)
-
-    def _subscript(self, expr: Op, env: Env) -> tuple[Value, ...]:
-        return self.lists.elements(expr.operands[0], env, expr.operands[1])
-
-    def _formatted(self, expr: Op, env: Env) -> tuple[Value, ...]:
-        spec = expr.operands[1]
-        text = spec.value if isinstance(spec, Text) else "?"
-        python = env.func.file.language == "python"
-        values = self.fold(expr.operands[0], env)
-        if text in {"%s", "!s"} and all(value.data is None for value in values):
-            return values
-        return self.combined([values], lambda data: formatted(data[0], text, python), _name_of(values))
-
-    def _binary(self, expr: Op, env: Env) -> tuple[Value, ...]:
-        python = env.func.file.language == "python"
-        if expr.op in {"in", "not in"}:
-            return self._within(expr, env)
-        groups = [self.fold(operand, env) for operand in expr.operands]
-        joins = expr.op == "/" and any(_has_text(value) and value.data is None for value in groups[0])
-        if joins:  # paths
-            return joined([groups[0], (literal("/"),), groups[1]])
-        return self.combined(groups, lambda data: operate(expr.op, data[0], data[1], python), "value")
-
-    def _within(self, expr: Op, env: Env) -> tuple[Value, ...]:
-        """`x in names`: every element is known, or nothing is told."""
-        items = self.lists.items(expr.operands[1], env)
-        if items is None:
-            groups = [self.fold(operand, env) for operand in expr.operands]
-            return self.combined(groups, lambda data: operate(expr.op, data[0], data[1], True), "value")
-        found = [
-            self.flow.alike(expr.operands[0], Name("#item"), self.flow.naming(env, {"#item": item})) for item in items
-        ]
-        if None in found and True not in found:
-            return (unknown("value"),)
-        return (constant((True in found) is (expr.op == "in"))._replace(confidence="folded"),)
-
 
 def _left_open(values: Sequence[Value], label: str) -> Value:
     """What is not computed: it still depends on the parameters that its parts depend on."""
@@ -334,39 +228,3 @@ def _shown(value: Value, python: bool) -> Value:
         return value
     text = shown(value.data, python)
     return unknown("value") if text is UNKNOWN else value._replace(parts=(text,), data=None)
-
-
-def _streamed(value: Value) -> Value:
-    if value.data is None:
-        return value
-    text = streamed(value.data)
-    return unknown("value") if text is UNKNOWN else value._replace(parts=(text,), data=None)
-
-
-def _has_text(value: Value) -> bool:
-    return any(isinstance(part, str) for part in value.parts)
-
-
-def _name_of(values: Sequence[Value]) -> str:
-    """What a value that is not known is called."""
-    parts = values[0].parts if values else ()
-    return next((part.label for part in parts if isinstance(part, Hole)), "value")
-
-
-_Work = Callable[[Folder, Op, Env], tuple[Value, ...]]
-_OPERATORS: Final[Mapping[str, _Work]] = MappingProxyType(
-    {
-        "+": Folder._sum,
-        "?:": Folder._conditional,
-        "%": Folder._percent,
-        "||": Folder._either,
-        "&&": Folder._either,
-        "!": Folder._negated,
-        "-": Folder._minus,
-        "[]": Folder._subscript,
-        "format": Folder._formatted,
-        "&": lambda folder, expr, env: (
-            folder.fold(expr.operands[0], env) if len(expr.operands) == 1 else (unknown("value"),)
-        ),
-    }
-)

@@ -36,26 +36,25 @@ class TableFolder:
 
     def entry(self, entries: list[Entry], key: Expr, env: Env) -> tuple[Value, ...]:
         """Return the value of a key: of the last entry that has it, of any that may have it."""
-        found: list[Value] = []
-        for entry in reversed(entries):
-            alike = self.folder.flow.alike(key, Name("#key"), self.folder.flow.naming(env, {"#key": entry.key}))
-            if alike is not False:
-                found += self.folder.lists.fold(entry.value, env)
-            if alike:
-                return alternatives(demoted(found))
-        return alternatives((*demoted(found), unknown("item")))
+        found, surely = self._having(entries, key, env)
+        return alternatives(demoted(found) if surely else (*demoted(found), unknown("item")))
 
     def entry_or(self, entries: list[Entry], key: Expr, rest: Sequence[Expr], env: Env) -> tuple[Value, ...]:
         """Return `table.get(key, default)`."""
+        found, surely = self._having(entries, key, env)
+        default = self.folder.fold(rest[0], env) if rest else (constant(NULL),)
+        return alternatives(demoted(found if surely else (*found, *default)))
+
+    def _having(self, entries: list[Entry], key: Expr, env: Env) -> tuple[list[Value], bool]:
+        """The values of the entries that may have a key, the last first, and whether one of them surely has it."""
         found: list[Value] = []
         for entry in reversed(entries):
             alike = self.folder.flow.alike(key, Name("#key"), self.folder.flow.naming(env, {"#key": entry.key}))
             if alike is not False:
                 found += self.folder.lists.fold(entry.value, env)
             if alike:
-                return alternatives(demoted(found))
-        default = self.folder.fold(rest[0], env) if rest else (constant(NULL),)
-        return alternatives(demoted((*found, *default)))
+                return found, True
+        return found, False
 
     def entries(self, expr: Expr | None, env: Env) -> list[Entry] | None:
         """Return the entries of a table in the order in which they were given; None when they are not all known."""

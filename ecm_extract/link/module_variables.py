@@ -40,14 +40,14 @@ class ModuleVariables:
 
     def given(self, name: str, file: File, first: tuple[Value, ...]) -> tuple[Value, ...]:
         """Return what a variable may hold, which its module leaves as `first`."""
+        fixed = not any(value.confidence == "pattern" for value in first)  # who gets a text cannot change it
         asked = ("variable", file, name)
-        known = self._known.get(asked)
+        known = self._known.get((asked, fixed))
         if known is None:
             marks = self.folder.marks
-            fixed = not any(value.confidence == "pattern" for value in first)  # who gets a text cannot change it
             known = self.folder.guarded(asked, name, lambda: self._all(name, file, fixed), circular(name))
             if marks == self.folder.marks:
-                self._known[asked] = known
+                self._known[asked, fixed] = known
         return alternatives([*first, *(value for value in known if not is_circle(value))]) if known else first
 
     def _all(self, name: str, file: File, fixed: bool) -> tuple[Value, ...]:

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Final, NamedTuple
 
-from ecm_checker.contract import Confidence, Interface
+from ecm_checker.contract import Interface
 from msgspec.structs import replace
+
+from ecm_extract.link.values import weaker
 
 SERVICE: Final = "dynamic_reconfigure/srv/Reconfigure"
 """Type of the service by which a server is set (dynamic_reconfigure/server.h)."""
@@ -27,9 +29,9 @@ def beside(parameter: Interface, servers: Sequence[Placed]) -> Iterator[Placed]:
         service = server.interface
         head, raw = service.name.removesuffix(_LEAF), service.raw_name.removesuffix(_LEAF)
         raw = "~" if raw == "~/" else raw  # a private parameter is written without the slash
-        unsure: Confidence = "one_of" if len(servers) > 1 else parameter.confidence
-        confidence: Confidence = "pattern" if service.confidence == "pattern" else unsure
-        placed = replace(parameter, name=f"{head}{leaf}", raw_name=f"{raw}{leaf}", confidence=confidence)
+        sure = weaker(parameter.confidence, service.confidence)
+        sure = weaker(sure, "one_of") if len(servers) > 1 else sure
+        placed = replace(parameter, name=f"{head}{leaf}", raw_name=f"{raw}{leaf}", confidence=sure)
         yield Placed(placed, f"{server.local.removesuffix(_LEAF)}{leaf}")
     if not servers:
         yield Placed(parameter, parameter.name)
