@@ -15,7 +15,7 @@ from importlib import resources
 from typing import Literal
 
 import msgspec
-from ecm_checker.contract import Role
+from ecm_checker.hub.roles import Role
 
 _POSITION = re.compile(r"(?:arg|text|template|callback|service_callback|receiver|variable):\d+|kw:\w+")
 

@@ -7,7 +7,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TypeVar
 
-from ecm_checker.contract import Evidence, Interface, Qos, Role
+from ecm_checker.contract import Evidence, Interface, Qos
+from ecm_checker.hub.roles import Role
 from ecm_parsers.source.expr import Expr, Items, Name, Text
 
 from ecm_extract.link.activation import Activation

@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from ecm_checker.contract import Role
+from ecm_checker.hub.roles import Role
 from ecm_checker.match.generated import snake
 from ecm_parsers.source.expr import Call, Expr, Lambda, Member, Name, Op, Text
 

@@ -7,7 +7,8 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from fnmatch import fnmatchcase
 from typing import Any, Final, NamedTuple
 
-from ecm_checker.contract import Qos, Role
+from ecm_checker.contract import Qos
+from ecm_checker.hub.roles import Role
 from ecm_checker.hub.running import RunningEndpoint, RunningModule
 
 from ecm_extract.description.model import Description

@@ -10,7 +10,7 @@ from importlib import resources
 from typing import Any, NamedTuple
 
 import msgspec
-from ecm_checker.contract import Role
+from ecm_checker.hub.roles import Role
 
 from ecm_extract.system.model import Instance
 from ecm_extract.system.spawners import spawned

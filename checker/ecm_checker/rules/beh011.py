@@ -58,18 +58,17 @@ def check(case: Case) -> Iterator[Finding]:
 def _takes_any(reader: Interface) -> bool:
     """Whether topic and type come when it runs, and the source says anything of the policies."""
     asks = reader.qos is not None and set(reader.qos.defaulted) != _ALL
-    return reader.role == "subscriber" and reader.type is None and _ANY.fullmatch(reader.name) is not None and asks
+    return reader.row.reads and reader.type is None and _ANY.fullmatch(reader.name) is not None and asks
 
 
 def _weaker(giver: View, module: View, reader: Interface) -> Iterator[_Offer]:
     if giver.package == module.package or giver.contract.ecm.ros == _ROS1:
         return
-    for offers in giver.endpoints("publisher").values():
-        for offer in offers:
-            for policy in _POLICIES:
-                offered = setting(offer, policy)
-                if offered.sure and not level_fits(offered, setting(reader, policy)):
-                    yield _Offer(giver, offer, policy)
+    for offer in giver.written:
+        for policy in _POLICIES:
+            offered = setting(offer, policy)
+            if offered.sure and not level_fits(offered, setting(reader, policy)):
+                yield _Offer(giver, offer, policy)
 
 
 def _reads_lists(package: str, case: Case) -> bool:
