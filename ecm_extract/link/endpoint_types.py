@@ -30,7 +30,7 @@ class EndpointTypes:
 
     def of(self, site: Site, default: Expr | None) -> tuple[str | None, Any]:
         """Return the type of a site, and the default of a parameter as data, `UNKNOWN` when nothing shows it."""
-        if site.form.role != "parameter":
+        if not site.form.row.value:
             return self.types.at(site.form.type, site.call, site.env, site.form.role).name, UNKNOWN
         stated = stated_type(default) or self._bound_stated(default, site.env) or self._held_stated(default, site.env)
         data = UNKNOWN if stated else self._data(default, site.env)

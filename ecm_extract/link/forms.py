@@ -15,7 +15,7 @@ from importlib import resources
 from typing import Literal
 
 import msgspec
-from ecm_checker.hub.roles import Role
+from ecm_checker.hub.roles import Role, RoleKind, roles
 
 _POSITION = re.compile(r"(?:arg|text|template|callback|service_callback|receiver|variable):\d+|kw:\w+")
 
@@ -91,6 +91,11 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
             if column and not _is_position(column):
                 message = f"'{column}' is no position: write arg:N, kw:NAME, text:N, template:N or callback:N"
                 raise ValueError(message)
+
+    @property
+    def row(self) -> RoleKind:
+        """What its role is to others."""
+        return roles()[self.role]
 
     @property
     def last(self) -> str:

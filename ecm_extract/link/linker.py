@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import TypeVar
 
 from ecm_checker.contract import Evidence, Interface, Qos
-from ecm_checker.hub.roles import Role
+from ecm_checker.hub.roles import Role, roles
 from ecm_parsers.source.expr import Expr, Items, Name, Text
 
 from ecm_extract.link.activation import Activation
@@ -241,7 +241,7 @@ class Linker:
             value = of_node(named, node, ros)
             local = local_name(settled(named), handle)
             name, confidence = self._name(site, value, handle, node, ros), value.confidence
-            if is_never_made(value, name) and site.form.role != "parameter":
+            if is_never_made(value, name) and not site.form.row.value:
                 continue
             kind, data = self.typing.of(site, default)
             if is_below_node(value):
@@ -250,7 +250,7 @@ class Linker:
                 confidence = weaker(confidence, "one_of")
             if is_below_handle(value) and not is_proved(handle.prefix):
                 confidence = weaker(confidence, handle.prefix.confidence)
-            if (value.text == "" and site.form.role != "parameter") or "{" in name.resolved:
+            if (value.text == "" and not site.form.row.value) or "{" in name.resolved:
                 confidence = "pattern"  # a name that has no text, or a handle of which not all is known
             interface = Interface(
                 role=_role(site.form.role, kind),
@@ -270,7 +270,7 @@ class Linker:
     def _name(self, site: Site, value: Value, handle: Handle, node: str | None, ros: int | None) -> RosName:
         if _is_absolute(site):
             return RosName(value.text, value.text)
-        make = parameter_name if site.form.role == "parameter" else endpoint_name
+        make = parameter_name if site.form.row.value else endpoint_name
         return make(value, handle, node, ros)
 
     def _handle(self, site: Site) -> Handle:
@@ -317,7 +317,7 @@ class Linker:
 
     def _qos(self, site: Site, ros: int | None) -> Qos | None:
         form = site.form
-        if form.role not in {"publisher", "subscriber"} and (ros == 1 or not form.profile):
+        if not form.row.streams and (ros == 1 or not form.profile):
             return None
         given = next((expr for expr in positions(form.qos, site.call) if not is_callback(expr)), None)
         if ros == 1:
@@ -344,7 +344,8 @@ def _key(interface: Interface) -> tuple[str, str, str | None]:
 
 def _role(role: Role, kind: str | None) -> Role:
     """A client that a template makes for an action type is an action client, whatever the helper is called."""
-    return "action_client" if role == "service_client" and kind is not None and "/action/" in kind else role
+    asking = ((name, row) for name, row in roles().items() if row.calls and row.behind == role)
+    return next((name for name, row in asking if kind is not None and f"/{row.shape}/" in kind), role)
 
 
 def _ordered(modules: Iterable[Module]) -> list[Module]:

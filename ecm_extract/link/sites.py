@@ -87,7 +87,7 @@ class Sites:
         env = self.root_env(func, call.at)
         call = spread(call)
         for form in self.matcher.fitting(call, env):
-            if (form.role == "parameter") is parameters:
+            if form.row.value is parameters:
                 yield Site(form, prefixed(call, form), env, (), func.holder, func)
 
     def root_env(self, func: Func, at: int) -> Env:
@@ -136,7 +136,7 @@ class Sites:
         params, made = self.openness.of(site, self.names(site))
         given = {parameter.name for parameter in site.root.fact.params}
         if params & (given | set(site.root.fact.template)):
-            if site.form.role == "parameter" and site.root not in self._remembered:
+            if site.form.row.value and site.root not in self._remembered:
                 self._remembered.add(site.root)
                 self._remember_wrapper(site)
             callers = list(self._callers(site))

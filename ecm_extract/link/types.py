@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from ecm_checker.hub.roles import Role
+from ecm_checker.hub.roles import Role, roles
 from ecm_checker.match.generated import snake
 from ecm_parsers.source.expr import Call, Expr, Lambda, Member, Name, Op, Text
 
@@ -18,14 +18,7 @@ from ecm_extract.link.spelling import plain, pointee, template_arguments
 from ecm_extract.link.units import Cls, Func
 
 _KINDS = ("msg", "srv", "action")
-_ROLE_KIND: dict[Role, str] = {
-    "publisher": "msg",
-    "subscriber": "msg",
-    "service_server": "srv",
-    "service_client": "srv",
-    "action_server": "action",
-    "action_client": "action",
-}
+_ACTION = "action"
 _POINTER = re.compile(r"(?:::)?(?:Const)?(?:Shared|Unique)?(?:Const)?Ptr$")
 _EVENT = re.compile(r"^(?:const\s+)?(?:ros::)?(?:Message|Service)Event\s*<(.*)>\s*&?$")
 _REQUEST = re.compile(r"(::\w+)Request\b(?!\s*::)")
@@ -118,7 +111,7 @@ class Types:
                 if value is not None:
                     return self.expression(value, env.before(definition.at), role)
             starred = {entry.module for entry in env.func.file.facts.imports if entry.name == "*"}
-            wanted = {"action", "msg"} if role.startswith("action") else {_ROLE_KIND.get(role, "msg")}
+            wanted = {_ACTION, "msg"} if roles()[role].shape == _ACTION else {roles()[role].shape or "msg"}
             found = [module for module in starred if module.rsplit(".", 1)[-1] in wanted]
             if len(found) == 1:  # of several, any can bring the name
                 return TypeFound(self._full("::".join([*found[0].split("."), head]), role))
@@ -196,8 +189,8 @@ class Types:
     def _in_lower_case(self, bare: str, env: Env, role: Role) -> str | None:
         """`my_pkg::cloud_info`: a message named against the convention, told by the header that generation makes."""
         package, _, name = bare.partition("::")
-        kind = _ROLE_KIND.get(role)
-        if not name[:1].islower() or "::" in name or kind is None:
+        kind = roles()[role].shape
+        if not name[:1].islower() or "::" in name or not kind:
             return None
         header = f"{package}/{name}.h"
         files = (env.func.file, *self.program.included(env.func.file))
@@ -236,11 +229,11 @@ class Types:
             if kind in parts[1:-1]:
                 at = parts.index(kind, 1)
                 name = parts[-1].rstrip("_") if len(parts) > at + 1 else ""
-                if kind == "msg" and _ROLE_KIND.get(role) == "action":
-                    kind = "action"  # ROS 1 generates actions as messages
+                if kind == "msg" and roles()[role].shape == _ACTION:
+                    kind = _ACTION  # ROS 1 generates actions as messages
                 return f"{parts[at - 1]}/{kind}/{_action(name, kind)}" if name[:1].isalpha() else None
-        wanted = _ROLE_KIND.get(role)
-        if wanted is None or len(parts) != 2 or not parts[1][:1].isupper():
+        wanted = roles()[role].shape
+        if not wanted or len(parts) != 2 or not parts[1][:1].isupper():
             return None
         return f"{parts[0]}/{wanted}/{_action(parts[1].rstrip('_'), wanted)}"
 
@@ -313,7 +306,7 @@ def _not_ros(name: str) -> bool:
 
 
 def _action(name: str, kind: str) -> str:
-    return _ACTION_PART.sub("", name) if kind == "action" and name != "Action" else name
+    return _ACTION_PART.sub("", name) if kind == _ACTION and name != "Action" else name
 
 
 def _argument(call: Invocation, index: int) -> Expr | None:

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import msgspec
 import networkx as nx
-from ecm_checker.hub.roles import roles
+from ecm_checker.hub.roles import channel_kinds, roles
 
 from ecm_extract.system.node_model import Endpoint, SystemNode
 
@@ -56,7 +56,7 @@ def channels(nodes: Iterable[SystemNode]) -> list[Channel]:
             key = channel_of(endpoint)
             if key is not None:
                 found.setdefault(key, []).append(endpoint)
-    order = ("topic", "service", "action")
+    order = channel_kinds()
     return [
         _channel(kind, name, entries)
         for (kind, name), entries in sorted(found.items(), key=lambda item: (order.index(item[0][0]), item[0][1]))

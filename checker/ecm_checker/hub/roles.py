@@ -26,6 +26,7 @@ class RoleKind(msgspec.Struct, frozen=True, kw_only=True):
         shape: of the interface file of its type; empty for what has no type of its own.
         takes, gives: sections of its type that come to the module and go out of it.
         mismatch: rule that tells of two sides whose types differ. near: of a name that almost fits; of who gives.
+        behind: role under which the graph shows it, and client libraries may make it.
         timing: how a module that has it is called, as contracts say it. ends: how what it gives comes.
         awaited: word of a precondition of whoever waits until it is there.
     """
@@ -46,6 +47,7 @@ class RoleKind(msgspec.Struct, frozen=True, kw_only=True):
     gives: str = ""
     mismatch: str = ""
     near: str = ""
+    behind: str = ""
     timing: str = ""
     ends: str = ""
     awaited: str = ""
@@ -59,6 +61,11 @@ class RoleKind(msgspec.Struct, frozen=True, kw_only=True):
     def reads(self) -> bool:
         """Whether it takes what others give and answers nothing."""
         return bool(self.takes) and not self.gives
+
+    @property
+    def streams(self) -> bool:
+        """Whether messages go one way."""
+        return self.writes or self.reads
 
     @property
     def serves(self) -> bool:
@@ -108,9 +115,9 @@ def writing_roles() -> tuple[Role, ...]:
 
 
 @cache
-def value_roles() -> tuple[Role, ...]:
-    """Return the roles of values that a node keeps."""
-    return tuple(role for role, row in roles().items() if row.value)
+def channel_kinds() -> tuple[str, ...]:
+    """Return what joins endpoints in the graph, in the order of the rows."""
+    return tuple(dict.fromkeys(row.channel for row in roles().values() if row.channel is not None))
 
 
 def linked_roles() -> Iterator[tuple[Role, Role]]:
