@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Literal, TypeAlias
 import msgspec
 
 
-class RoleKind(msgspec.Struct, frozen=True, kw_only=True):
+class RoleKind(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """What an endpoint of a role is to others; empty text where there is nothing.
 
     Attributes:
@@ -141,3 +141,21 @@ def value_kinds() -> frozenset[str]:
 def module_kinds() -> frozenset[str]:
     """Return the kinds of all names that a module has for others by its endpoints and values."""
     return endpoint_kinds() | value_kinds()
+
+
+@cache
+def endpoint_uses() -> frozenset[str]:
+    """Return the uses by which endpoints require a name of others."""
+    return frozenset(row.use for row in roles().values() if row.use)
+
+
+@cache
+def asking_uses() -> tuple[str, ...]:
+    """Return the uses of endpoints that get nothing where the name is another one."""
+    return tuple(row.use for row in roles().values() if row.use and not row.writes)
+
+
+@cache
+def joining_uses() -> frozenset[str]:
+    """Return the uses by which endpoints require a name of others of one launch."""
+    return frozenset(row.joins for row in roles().values() if row.joins)
