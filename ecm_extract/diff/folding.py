@@ -67,7 +67,7 @@ def _asked(located: Located) -> Iterator[tuple[str, ...]]:
     if old is None:
         return
     if new is not None and _is_same_but_for_package(old.name, new.name, (old.package, new.package)):
-        yield "package", old.package, new.package
+        yield _PACKAGE, old.package, new.package
     if change.change == "removed" and not old.sharers:
         for cause in old.row.below:
             yield cause, old.package, old.path if cause == _FILE else _owner(old)

@@ -11,6 +11,7 @@ from functools import cached_property
 
 import msgspec
 from ecm_checker.contract import Contract
+from ecm_checker.hub.kinds import row_of
 from ecm_checker.hub.roles import roles, writing_roles
 from ecm_checker.view import View, view
 
@@ -209,7 +210,7 @@ class Watch:
     def hashes(self) -> dict[str, str]:
         """Message type -> hash by the contracts of interface packages."""
         entities = (each for module in self.contracts for each in module.contract.versioning.entities)
-        return {each.name: each.signature for each in entities if each.kind == "message" and each.signature}
+        return {each.name: each.signature for each in entities if row_of(each.kind).generated and each.signature}
 
     def _pairs(self) -> Iterator[Pair]:
         anybody = _by_key(each for module in self.modules for each in on_node(module, None))

@@ -144,6 +144,7 @@ class UseKind(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
         leads: whether it gives a name another one. names_it: whether it gives what it starts a name.
         brings: whether it makes a package a dependency, with what that depends on.
         reads: whether it reads the value of what it means.
+        same_ros: whether only a name of the same generation of ROS is meant.
         linted: whether rules of lint ask for it.
     """
 
@@ -164,6 +165,7 @@ class UseKind(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
     names_it: bool = False
     brings: bool = False
     reads: bool = False
+    same_ros: bool = False
     linted: bool = False
 
 

@@ -23,6 +23,7 @@ class RoleKind(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=
         sends: whether data, or a request, goes from the module to the channel.
         use: what it requires of others. joins: what it requires of others of one launch.
         verb: what it does with its type there. does: what it does with the name.
+        short: what it is called where room is short.
         shape: of the interface file of its type; empty for what has no type of its own.
         takes, gives: sections of its type that come to the module and go out of it.
         mismatch: rule that tells of two sides whose types differ. near: of a name that almost fits; of who gives.
@@ -42,6 +43,7 @@ class RoleKind(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=
     joins: str = ""
     verb: str = ""
     does: str = ""
+    short: str = ""
     shape: Literal["", "msg", "srv", "action"] = ""
     takes: str = ""
     gives: str = ""

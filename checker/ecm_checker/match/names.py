@@ -145,7 +145,7 @@ def _parameter(site: Site, entity: Provision) -> bool:
     wanted = site.requirement
     if wanted.package is not None and wanted.package != entity.package:
         return False
-    if entity.ros not in (None, wanted.ros) and wanted.use == "sets_parameter":
+    if entity.ros not in (None, wanted.ros) and wanted.row.same_ros:
         return False
     if not parameter_name_matches(entity.name, wanted.name):
         return False
