@@ -8,7 +8,6 @@ from dataclasses import dataclass, field
 from typing import TypeVar
 
 from ecm_checker.contract import Evidence, Interface, Qos
-from ecm_checker.hub.roles import Role, roles
 from ecm_parsers.source.expr import Expr, Items, Name, Text
 
 from ecm_extract.link.activation import Activation
@@ -17,7 +16,7 @@ from ecm_extract.link.claims import Claim, claims_of
 from ecm_extract.link.data import UNKNOWN, stated_type
 from ecm_extract.link.diagnoses import SUMMARIES, Diagnosis, diagnoses
 from ecm_extract.link.endpoint_conditions import EndpointConditions
-from ecm_extract.link.endpoint_types import EndpointTypes
+from ecm_extract.link.endpoint_types import EndpointTypes, role_of
 from ecm_extract.link.fallbacks import fallback
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.forms import FormTable
@@ -253,7 +252,7 @@ class Linker:
             if (value.text == "" and not site.form.row.value) or "{" in name.resolved:
                 confidence = "pattern"  # a name that has no text, or a handle of which not all is known
             interface = Interface(
-                role=_role(site.form.role, kind),
+                role=role_of(site.form.role, kind),
                 name=name.resolved,
                 raw_name=name.raw,
                 type=kind,
@@ -340,12 +339,6 @@ def _is_absolute(site: Site) -> bool:
 def _key(interface: Interface) -> tuple[str, str, str | None]:
     """What an endpoint is found by in `LinkedModule.local`."""
     return interface.role, interface.name, interface.type
-
-
-def _role(role: Role, kind: str | None) -> Role:
-    """A client that a template makes for an action type is an action client, whatever the helper is called."""
-    asking = ((name, row) for name, row in roles().items() if row.calls and row.behind == role)
-    return next((name for name, row in asking if kind is not None and f"/{row.shape}/" in kind), role)
 
 
 def _ordered(modules: Iterable[Module]) -> list[Module]:

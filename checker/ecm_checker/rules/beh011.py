@@ -15,6 +15,7 @@ from typing import Final, NamedTuple
 from ecm_checker.case import Case
 from ecm_checker.contract import Interface
 from ecm_checker.finding import Entity, Finding
+from ecm_checker.launch_names import required
 from ecm_checker.match.qos_fit import level_fits
 from ecm_checker.qos import setting
 from ecm_checker.rule import Rule
@@ -73,9 +74,8 @@ def _weaker(giver: View, module: View, reader: Interface) -> Iterator[_Offer]:
 
 def _reads_lists(package: str, case: Case) -> bool:
     """Whether a package loads files of settings: the topics may be those that a file lists."""
-    consumers = case.packages.consumers if case.packages is not None else ()
-    own = (each for consumer in consumers if consumer.package == package for each in consumer.requirements)
-    return any(each.use == "calls" and each.name in _loaders() for each in own)
+    calls = required(case.packages, "calls") if case.packages is not None else ()
+    return any(caller == package and each.name in _loaders() for caller, each in calls)
 
 
 def _finding(module: View, reader: Interface, weaker: list[_Offer]) -> Finding:
