@@ -63,12 +63,19 @@ class Bases:
 
     def constructor(self, cls: str) -> Provision | None:
         """Return the constructor of the class that an alias stands for; None of a class, which has its own."""
-        for entity in self._classes.get(cls, ()):
-            target = self.resolve(entity.bases[0], cls) if entity.type == ALIAS else None
-            if target is not None:
-                found = self._members.get((True, target, target.rpartition("::")[2]))
-                return found or self.constructor(target)
+        for target in self._stands_for(cls):
+            found = self._members.get((True, target, target.rpartition("::")[2]))
+            if found is not None:
+                return found
         return None
+
+    def _stands_for(self, alias: str) -> Sequence[str]:
+        """Return what an alias stands for, through further aliases; those of two trees may stand for each other."""
+        seen = [alias]
+        for name in seen:
+            targets = [self.resolve(each.bases[0], name) for each in self._classes.get(name, ()) if each.type == ALIAS]
+            seen += [target for target in dict.fromkeys(targets) if target is not None and target not in seen]
+        return seen[1:]
 
     def handing_on(self, init: Provision) -> Sequence[str]:
         """Return Python classes of its package that hand what they do not know (`**kwargs`) to an `__init__`."""
