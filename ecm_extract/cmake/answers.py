@@ -31,6 +31,10 @@ class Answers:
             return True
         return None if self._run.outside.has_any else False
 
+    def oldest_cmake(self) -> str | None:
+        """Return the version that the files ask for."""
+        return ".".join(map(str, self._run.minimum)) or None
+
     def exists(self, path: str) -> bool | None:
         """Tell whether a file or folder is there."""
         return exists(self._run.files, path, self._run.folder())

@@ -42,10 +42,12 @@ class Evaluation:
     """What running the files of a package gave.
 
     Attributes:
+        files: of the tree.
         calls: in order. paths: of the files that ran.
         diagnostics: by path. unread: what is not known.
     """
 
+    files: BuildFiles
     calls: list[Call] = field(default_factory=list)
     paths: dict[str, None] = field(default_factory=dict)
     diagnostics: dict[str, list[Diagnostic]] = field(default_factory=dict)
@@ -99,7 +101,7 @@ class Run:
     handlers: Handlers
     setters: dict[str, Setter]
     state: State
-    found: Evaluation = field(default_factory=Evaluation)
+    found: Evaluation
     outside: Outside = field(default_factory=Outside)
     functions: dict[str, Function] = field(default_factory=dict)
     targets: dict[str, bool | None] = field(default_factory=dict)

@@ -6,6 +6,7 @@ import posixpath
 from collections.abc import Callable
 from typing import Final
 
+import msgspec
 from ecm_parsers.cmake_blocks import Step, nest
 from ecm_parsers.cmake_tokens import Argument, Command, parse_commands
 
@@ -167,12 +168,20 @@ def _target(run: Run, command: Command, args: tuple[str, ...], place: Place) -> 
 
 
 def _language(run: Run, command: Command, args: tuple[str, ...], place: Place) -> bool:
-    """`cmake_language(CALL name args...)`; other forms run what only the build has."""
+    """`cmake_language(CALL name args...)` and `(EVAL CODE text...)`; other forms run what only the build has."""
     if args[:1] == ("CALL",) and len(args) > 1:
         words = tuple(Argument(text, command.line, "bracket") for text in args[2:])
         return run.handlers.command(run, Command(args[1].lower(), words, command.line), place)
+    if args[:2] == ("EVAL", "CODE") and all(map(is_known, args)):
+        return _code(run, " ".join(args[2:]), msgspec.structs.replace(place, caller_line=command.line))
     run.open(place, command.line, "cmake_language")
     return True
+
+
+def _code(run: Run, text: str, place: Place) -> bool:
+    """Run a text as if it stood in the file."""
+    parsed = parse_commands(text.encode())
+    return run.steps(nest(parsed.facts, list(parsed.diagnostics)), place.deeper())
 
 
 def _fetched(run: Run, command: Command, args: tuple[str, ...], place: Place) -> bool:

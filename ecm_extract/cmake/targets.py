@@ -9,8 +9,10 @@ from dataclasses import dataclass, field
 import msgspec
 from ecm_parsers.cmake_facts import Component, Target, TargetKind
 
+from ecm_extract.cmake.auto_package import auto_sources
 from ecm_extract.cmake.calls import Call
-from ecm_extract.cmake.genex import has_genex
+from ecm_extract.cmake.files import BuildFiles
+from ecm_extract.cmake.genex import decided, has_genex, objects_used, without_objects
 from ecm_extract.cmake.include_folders import include_folders
 from ecm_extract.cmake.keywords import first, split
 from ecm_extract.cmake.state import both, either
@@ -82,11 +84,11 @@ _COMPONENT_WORDS = frozenset(
 _REGISTRARS = frozenset({"rclcpp_components_register_node", "rclcpp_components_register_nodes"})
 
 
-def targets(calls: Sequence[Call]) -> dict[str, tuple[Target, ...]]:
+def targets(calls: Sequence[Call], files: BuildFiles) -> dict[str, tuple[Target, ...]]:
     """Return the targets that the calls build, in order, with their links and later sources, by file."""
     found: dict[str, _Growing] = {}
     for call in calls:
-        for target in _built(call):
+        for target in _built(call, files):
             _add(found, target, call)
         for name in _grown(call):
             if name in found:
@@ -130,7 +132,7 @@ class _Growing:
         """Return what all calls together say."""
         return msgspec.structs.replace(
             self.first,
-            links=tuple(dict.fromkeys(self.links)),
+            links=tuple(dict.fromkeys((*self.first.links, *self.links))),
             sources=tuple(self.sources.every),
             optional=tuple(path for path in self.sources.every if path not in self.sources.default),
             is_open=self.sources.is_open,
@@ -180,10 +182,13 @@ def _grow(target: _Growing, call: Call) -> None:
             # Before 3.13 a path is relative to the folder of the target, not of the call (CMP0076).
             folder = call.folder if call.minimum >= _OWN_FOLDER else target.call.folder
             place = msgspec.structs.replace(call, folder=folder, path=target.call.path)
-            added = _sources(_added(texts[1:]), place)
+            given = _added(texts[1:])
+            target.links += objects_used(given)
+            items = decided(without_objects(given))
+            added = _sources(items, place)
             relative = by_default if target.first.by_default else True if by_default is not None else None
             target.sources.add(added, relative)
-            target.sources.is_open |= any(has_genex(text) or not is_known(text) for text in texts)
+            target.sources.is_open |= any(map(_is_open, items))
     elif call.name == "target_include_directories":
         target.include_folders += include_folders(call.texts[1:], call, target.call.path)
     elif call.name == "set_target_properties":
@@ -223,7 +228,7 @@ def components(calls: tuple[Call, ...]) -> tuple[Component, ...]:
     return tuple(found)
 
 
-def _built(call: Call) -> Iterator[Target]:
+def _built(call: Call, files: BuildFiles) -> Iterator[Target]:
     """Yield the targets that a call makes: one, or one for each of the arguments that builds may have."""
     kind = _BUILDERS.get(call.name)
     is_test = kind is None and _TEST.fullmatch(call.name) is not None
@@ -231,22 +236,23 @@ def _built(call: Call) -> Iterator[Target]:
         by_default = both(call.by_default, (at == 0) if call.sure else None)
         target = None
         if texts:
-            target = _ordinary(call, texts, kind) if kind is not None else _test(call, texts)
+            target = _ordinary(call, texts, kind, files) if kind is not None else _test(call, texts)
         if target is not None:
             yield msgspec.structs.replace(target, by_default=by_default)
 
 
-def _ordinary(call: Call, texts: tuple[str, ...], kind: TargetKind) -> Target | None:
+def _ordinary(call: Call, texts: tuple[str, ...], kind: TargetKind, files: BuildFiles) -> Target | None:
     rest = texts[1:]
     if _SKIPPED & set(rest):
         return None
     if kind == "library" and "INTERFACE" in rest[:1]:
         kind = "interface"
-    sources = _auto_sources(rest) if call.name.startswith("ament_auto_") else list(rest)
+    sources = auto_sources(rest, call, files) if call.name.startswith("ament_auto_") else list(rest)
     return _target(call, texts[0], kind, sources)
 
 
-def _target(call: Call, name: str, kind: TargetKind, sources: list[str]) -> Target:
+def _target(call: Call, name: str, kind: TargetKind, given: list[str]) -> Target:
+    sources = decided(without_objects(given))
     return Target(
         name=call.word(name),
         kind=kind,
@@ -255,8 +261,14 @@ def _target(call: Call, name: str, kind: TargetKind, sources: list[str]) -> Targ
         is_test=kind == "test" or call.is_test,
         conditions=call.conditions,
         is_shared=_is_shared(call) if kind == "library" else False,
-        is_open=any(has_genex(text) or not is_known(text) for text in sources),
+        is_open=any(map(_is_open, sources)),
+        links=tuple(objects_used(given)),
     )
+
+
+def _is_open(text: str) -> bool:
+    """Tell whether a source is one that only a build knows."""
+    return has_genex(text) or not is_known(text)
 
 
 def _is_shared(call: Call) -> bool | None:
@@ -264,12 +276,6 @@ def _is_shared(call: Call) -> bool | None:
     if words & _STATIC:
         return False
     return True if words & {"SHARED", "MODULE"} else call.makes_shared
-
-
-def _auto_sources(args: tuple[str, ...]) -> list[str]:
-    """`ament_auto_add_*` takes all sources of the folders after DIRECTORY."""
-    groups = split(args, frozenset({"DIRECTORY"}))
-    return groups[""] + [f"{folder.rstrip('/')}/*" for folder in groups.get("DIRECTORY", [])]
 
 
 def _test(call: Call, texts: tuple[str, ...]) -> Target | None:
@@ -282,7 +288,7 @@ def _test(call: Call, texts: tuple[str, ...]) -> Target | None:
 
 def _sources(values: list[str], call: Call) -> tuple[str, ...]:
     """Return source paths, without the words and generator expressions among them."""
-    kept = (value for value in values if value not in _LIBRARY_WORDS and not value.startswith("$<"))
+    kept = (value for value in values if value not in _LIBRARY_WORDS and not has_genex(value))
     return tuple(dict.fromkeys(call.file(value) for value in kept))
 
 
