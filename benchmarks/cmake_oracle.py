@@ -10,8 +10,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-_KINDS = {"EXECUTABLE": "executable", "INTERFACE_LIBRARY": "interface"}
-_NOT_BUILT = frozenset({"UTILITY"})
+_KINDS = {"EXECUTABLE": "executable"}
+_NOT_BUILT = frozenset({"UTILITY", "INTERFACE_LIBRARY"})
+_PREFIX = "/prefix"
+_RULE = ".rule"
+"""Suffix of a file that stands for a command in a list of sources."""
 _STUBS = {
     "ament_cmake": """
 option(BUILD_TESTING "" ON)
@@ -166,7 +169,7 @@ class Oracle:
             shutil.copytree(self.platform, build / "CMakeFiles" / self.platform.name)
         command = [self.program, "-S", str(source), "-B", str(build), "-G", "Ninja", "-Wno-dev", "-Wno-deprecated"]
         command += [f"-D{name}_DIR={self.stubs / name}" for name in _STUBS]
-        command += ["-DCMAKE_INSTALL_PREFIX=/prefix", "-DCMAKE_POLICY_VERSION_MINIMUM=3.5"]
+        command += [f"-DCMAKE_INSTALL_PREFIX={_PREFIX}", "-DCMAKE_POLICY_VERSION_MINIMUM=3.5"]
         command += [f"-DCMAKE_PROJECT_TOP_LEVEL_INCLUDES={self.stand_in}"] if is_fixture else []
         done = subprocess.run(command, check=False, capture_output=True, text=True)
         if done.returncode:
@@ -192,7 +195,8 @@ def _truth(build: Path) -> Truth:
         names[entry["id"]] = entry["name"]
         if target["type"] not in _NOT_BUILT:
             kind = _KINDS.get(target["type"], "library")
-            sources = frozenset(_source(each["path"], build) for each in target.get("sources", ()))
+            paths = (each["path"] for each in target.get("sources", ()) if not each["path"].endswith(_RULE))
+            sources = frozenset(_source(path, build) for path in paths)
             truth.targets[entry["name"]] = Built(kind, sources, _place(target))
     for entry in configuration["directories"]:
         folder = json.loads((reply / entry["jsonFile"]).read_text())
@@ -209,7 +213,7 @@ def _source(path: str, build: Path) -> str:
 def _installed(installer: dict[str, Any], names: dict[str, str]) -> set[tuple[str, str, str]]:
     if installer["type"] not in {"target", "file", "directory"}:
         return set()
-    place = installer["destination"]
+    place = installer["destination"].removeprefix(f"{_PREFIX}/")
     if installer["type"] == "target":
         return {("targets", names[installer["targetId"]], place)}
     kind = {"file": "files"}.get(installer["type"], installer["type"])

@@ -22,7 +22,8 @@ class Answers:
         by_default = self._run.targets.get(name, False)
         if by_default is True:
             return True
-        return None if self._run.outside.has_any or by_default is None else False
+        may_be = by_default is None or bool(self._run.found.unread) or self._run.brought.may_make(name)
+        return None if may_be else False
 
     def is_command(self, name: str) -> bool | None:
         """Tell whether a command is there."""

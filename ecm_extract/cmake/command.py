@@ -42,6 +42,8 @@ def run_command(run: Run, command: Command, place: Place) -> bool:
         return special(
             run, Command(command.name, command.args, place.caller_line or command.line), outcomes.first, place
         )
+    if command.name not in commands():
+        run.brought.run(command.name, outcomes.first)
     if command.name not in commands() or command.name in known().openers.names:
         _touch(run, outcomes.first)
     return True
@@ -78,12 +80,21 @@ def _makes_shared(run: Run) -> bool | None:
 
 def _set_variables(run: Run, command: Command) -> None:
     setter = run.setters[command.name]
+    if command.name == "set":
+        _begin(run, command)
     outcomes = run.worlds(lambda look: tuple(setter(all_values(command.args, look), look)))
     _apply(run, outcomes)
     if _is_switch(command):
         for change in outcomes.first:
             other = "OFF" if is_true(change.text or "") else "ON"
             run.state.assign(change.name, Value((change.text, other), outcomes.sure), change.where)
+
+
+def _begin(run: Run, command: Command) -> None:
+    """`set(X ${X} more)`: a variable that nothing set before is empty, unless others set it."""
+    (name, *_) = (*all_values(command.args[:1], run.look()), "")
+    if name and is_known(name) and name not in run.state.variables and not run.outside.may_set(name):
+        run.state.assign(name, Value((None,)))
 
 
 def _is_switch(command: Command) -> bool:

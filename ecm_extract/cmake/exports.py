@@ -15,6 +15,7 @@ from ecm_parsers.cmake_facts import (
 )
 
 from ecm_extract.cmake.calls import Call
+from ecm_extract.cmake.finding import found_packages
 from ecm_extract.cmake.keywords import first, split
 
 _INTERFACE_KINDS: dict[str, InterfaceKind] = {
@@ -33,19 +34,6 @@ _ROSIDL_WORDS = frozenset(
     {"DEPENDENCIES", "LIBRARY_NAME", "ADD_LINTER_TESTS", "SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK"}
 )
 _PARAMETER_LIBRARIES = frozenset({"generate_parameter_library", "generate_parameter_module"})
-_FIND_WORDS = frozenset(
-    {
-        "REQUIRED",
-        "QUIET",
-        "COMPONENTS",
-        "OPTIONAL_COMPONENTS",
-        "CONFIG",
-        "MODULE",
-        "EXACT",
-        "NO_MODULE",
-        "HINTS",
-    }
-)
 _GPU = frozenset({"CUDA", "CUDAToolkit", "TensorRT", "TENSORRT", "CUDNN", "cuda", "tensorrt"})
 
 
@@ -100,13 +88,7 @@ def dependencies(calls: tuple[Call, ...]) -> Iterator[Dependency]:
     for call in calls:
         if call.name not in {"find_package", "ament_auto_find_package"} or not call.args:
             continue
-        names = [call.args[0]]
-        if call.args[0] == "catkin":
-            groups = split(call.args[1:], _FIND_WORDS)
-            # catkin takes components after REQUIRED too.
-            after = ("COMPONENTS", "OPTIONAL_COMPONENTS", "REQUIRED")
-            names += [name for word in after for name in groups.get(word, [])]
-        for name in dict.fromkeys(names):
+        for name in found_packages(call.args):
             yield Dependency(name, call.line, call.is_test)
 
 

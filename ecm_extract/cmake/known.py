@@ -25,6 +25,9 @@ class Known(msgspec.Struct, frozen=True):
     packages: dict[str, dict[str, str]]
     modules: dict[str, dict[str, str]]
     openers: _Names
+    brought: dict[str, tuple[str, ...]]
+    makers: _Names
+    quiet: _Names
     install_types: dict[str, str]
     install_artefacts: dict[str, str]
 

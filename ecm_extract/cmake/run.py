@@ -14,6 +14,7 @@ from ecm_parsers.cmake_blocks import Block, Step
 from ecm_parsers.cmake_tokens import Command
 from ecm_parsers.result import Diagnostic
 
+from ecm_extract.cmake.brought import Brought
 from ecm_extract.cmake.calls import Call
 from ecm_extract.cmake.change import Setter
 from ecm_extract.cmake.files import BuildFiles, tree_path
@@ -103,6 +104,7 @@ class Run:
     state: State
     found: Evaluation
     outside: Outside = field(default_factory=Outside)
+    brought: Brought = field(default_factory=Brought)
     functions: dict[str, Function] = field(default_factory=dict)
     targets: dict[str, bool | None] = field(default_factory=dict)
     guarded: set[str] = field(default_factory=set)

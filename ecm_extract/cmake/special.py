@@ -11,6 +11,7 @@ from ecm_parsers.cmake_blocks import Step, nest
 from ecm_parsers.cmake_tokens import Argument, Command, parse_commands
 
 from ecm_extract.cmake.files import absolute, placed, tree_path
+from ecm_extract.cmake.finding import found_packages
 from ecm_extract.cmake.known import known
 from ecm_extract.cmake.lists import items
 from ecm_extract.cmake.run import Place, Run
@@ -60,11 +61,19 @@ def _include(run: Run, command: Command, args: tuple[str, ...], place: Place) ->
         _know(run, module)
         return True
     path = _included(run, name)
+    _tell_found(run, args, path)
     if path is not None:
         return run_file(run, path, place)
+    run.brought.find([name])
     if "OPTIONAL" not in args and ("/" in name or not is_known(name)):
         run.open(place, command.line, f"include of {written(name)}")
     return True
+
+
+def _tell_found(run: Run, args: tuple[str, ...], path: str | None) -> None:
+    """`include(name RESULT_VARIABLE found)`: the path, or that there is none."""
+    for name in args[args.index("RESULT_VARIABLE") + 1 :][:1] if "RESULT_VARIABLE" in args else ():
+        run.set(name, placed(path) if path is not None else "NOTFOUND" if "/" in args[0] else unknown(name))
 
 
 def _included(run: Run, name: str) -> str | None:
@@ -103,6 +112,7 @@ def _subdirectory(run: Run, command: Command, args: tuple[str, ...], place: Plac
 def _find_package(run: Run, command: Command, args: tuple[str, ...], place: Place) -> bool:
     del command, place
     run.outside.add(args)
+    run.brought.find(found_packages(args))
     for name in args:
         _know(run, known().packages.get(name, {}))
     return True
@@ -111,6 +121,7 @@ def _find_package(run: Run, command: Command, args: tuple[str, ...], place: Plac
 def _pkg_config(run: Run, command: Command, args: tuple[str, ...], place: Place) -> bool:
     del command, place
     run.outside.add(args[:1])
+    run.brought.find(args[:1])
     return True
 
 

@@ -10,8 +10,8 @@ import msgspec
 from ecm_parsers.cmake_facts import Component, Target, TargetKind
 
 from ecm_extract.cmake.auto_package import auto_sources
-from ecm_extract.cmake.calls import Call
-from ecm_extract.cmake.files import BuildFiles
+from ecm_extract.cmake.calls import Call, is_of_build
+from ecm_extract.cmake.files import BuildFiles, absolute
 from ecm_extract.cmake.genex import decided, has_genex, objects_used, without_objects
 from ecm_extract.cmake.include_folders import include_folders
 from ecm_extract.cmake.keywords import first, split
@@ -35,6 +35,7 @@ _LIBRARY_WORDS = frozenset(
 _STATIC = frozenset({"STATIC", "OBJECT", "INTERFACE"})
 _SKIPPED = frozenset({"IMPORTED", "ALIAS"})
 _VISIBILITY = frozenset({"PUBLIC", "PRIVATE", "INTERFACE", "LINK_PUBLIC", "LINK_PRIVATE", "LINK_INTERFACE_LIBRARIES"})
+_FOR_USERS = frozenset({"INTERFACE", "LINK_INTERFACE_LIBRARIES"})
 _LINK_WORDS = _VISIBILITY | {"SYSTEM", "debug", "optimized", "general"}
 _BUILDERS: dict[str, TargetKind] = {
     "add_executable": "executable",
@@ -96,6 +97,7 @@ def targets(calls: Sequence[Call], files: BuildFiles) -> dict[str, tuple[Target,
     for call in calls:
         if call.name == "include_directories":
             _look_in(call, found.values())
+    hand_on(found)
     by_path: dict[str, list[Target]] = {}
     for growing in found.values():
         by_path.setdefault(growing.call.path, []).append(growing.target())
@@ -106,6 +108,8 @@ def _grown(call: Call) -> tuple[str, ...]:
     """Names of the targets that a call says more of."""
     if call.name == "set_target_properties" and "PROPERTIES" in call.args:
         return call.args[: call.args.index("PROPERTIES")]
+    if call.name == "set_property" and call.args[:1] == ("TARGET",) and "SOURCES" in call.args:
+        return call.args[1:]
     return call.args[:1] if call.name in _GROWING else ()
 
 
@@ -119,12 +123,14 @@ def _look_in(call: Call, made: Iterable[_Growing]) -> None:
 
 @dataclass
 class _Growing:
-    """A target whose sources and links may still be added."""
+    """A target whose sources and links may still be added; `given` are sources for those that use it."""
 
     first: Target
     call: Call
     sources: _Sources
     links: list[str] = field(default_factory=list)
+    uses: list[str] = field(default_factory=list)
+    given: list[str] = field(default_factory=list)
     output: str = ""
     include_folders: list[str] = field(default_factory=list)
 
@@ -152,7 +158,7 @@ class _Sources:
     def add(self, paths: tuple[str, ...], by_default: bool | None) -> None:
         """Add sources that builds have, those without settings if `by_default`."""
         self.every.update(dict.fromkeys(paths))
-        self.is_open = self.is_open or by_default is None or any("$" in path for path in paths)
+        self.is_open |= by_default is None or any("$" in path and not is_of_build(path) for path in paths)
         if by_default:
             self.default.update(paths)
 
@@ -176,6 +182,8 @@ def _add(found: dict[str, _Growing], target: Target, call: Call) -> None:
 def _grow(target: _Growing, call: Call) -> None:
     if call.name in _LINKERS:
         target.links += _without(call.args[1:], _LINK_WORDS)
+        groups = split(call.args[1:], _VISIBILITY)
+        target.uses += [name for word, names in groups.items() if word not in _FOR_USERS for name in names]
     elif call.name == "target_sources":
         for at, texts in enumerate((call.texts, *call.others)):
             by_default = both(call.by_default, (at == 0) if call.sure else None)
@@ -184,11 +192,16 @@ def _grow(target: _Growing, call: Call) -> None:
             place = msgspec.structs.replace(call, folder=folder, path=target.call.path)
             given = _added(texts[1:])
             target.links += objects_used(given)
+            target.given += [absolute(text, folder) for text in _for_users(texts[1:])]
             items = decided(without_objects(given))
             added = _sources(items, place)
             relative = by_default if target.first.by_default else True if by_default is not None else None
             target.sources.add(added, relative)
             target.sources.is_open |= any(map(_is_open, items))
+    elif call.name == "set_property":
+        sources = split(call.texts, frozenset({"SOURCES"}))["SOURCES"]
+        target.sources.add(_sources(decided(sources), call), call.by_default)
+        target.sources.is_open |= any(map(_is_open, sources)) or "APPEND" not in call.args
     elif call.name == "target_include_directories":
         target.include_folders += include_folders(call.texts[1:], call, target.call.path)
     elif call.name == "set_target_properties":
@@ -199,6 +212,22 @@ def _added(texts: tuple[str, ...]) -> list[str]:
     """Sources that `target_sources` gives the target itself: those after INTERFACE are for who links it."""
     groups = split(texts, _VISIBILITY | _SOURCE_WORDS)
     return [text for word in ("", "PUBLIC", "PRIVATE", "FILES") for text in groups.get(word, [])]
+
+
+def _for_users(texts: tuple[str, ...]) -> list[str]:
+    """Sources that `target_sources` gives to those that link the target."""
+    groups = split(texts, _VISIBILITY | _SOURCE_WORDS)
+    return [text for word in ("PUBLIC", "INTERFACE") for text in groups.get(word, [])]
+
+
+def hand_on(found: dict[str, _Growing]) -> None:
+    """Give the sources of a linked target to who links it; through several targets they are not followed."""
+    for target in found.values():
+        linked = [found[name] for name in target.uses if name in found]
+        texts = [text for each in linked for text in each.given]
+        target.sources.add(_sources(decided(texts), target.call), True)
+        behind = [name for each in linked for name in each.links if name in found and found[name].given]
+        target.sources.is_open |= bool(behind) or any(map(_is_open, decided(texts)))
 
 
 def makes_target(command: str) -> bool:
