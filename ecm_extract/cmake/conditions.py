@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Final, Protocol
 
 import msgspec
@@ -51,10 +51,11 @@ class Judged(msgspec.Struct, frozen=True):
 
 
 class _Word(msgspec.Struct, frozen=True):
-    """A word of a condition, or what a part of it came to."""
+    """A word of a condition, or what a part of it came to; `is_name` tells that it is written there as it is."""
 
     text: str
     quoted: bool = False
+    is_name: bool = False
     verdict: bool | None = None
     decided: bool = False
 
@@ -66,14 +67,20 @@ def holds(header: Sequence[Argument], look: Look, world: World) -> bool | None:
 
 def judged(header: Sequence[Argument], look: Look, world: World) -> Judged:
     """Judge a condition in one reading of the variables."""
-    words = [_Word(text, argument.form != "plain") for argument in header for text in values(argument, look)]
+    words = [word for argument in header for word in _words(argument, look)]
     condition = _Condition(look, world)
     verdict = condition.value(words)
     return Judged(verdict, condition.matched)
 
 
+def _words(argument: Argument, look: Look) -> Iterator[_Word]:
+    is_name = argument.form == "plain" and "$" not in argument.text
+    is_quoted = argument.form in {"quoted", "bracket"}
+    yield from (_Word(text, is_quoted, is_name) for text in values(argument, look))
+
+
 def _done(verdict: bool | None) -> _Word:
-    return _Word("", True, verdict, True)
+    return _Word("", True, verdict=verdict, decided=True)
 
 
 class _Condition:
@@ -164,18 +171,24 @@ class _Condition:
         if word.quoted or word.decided:
             return word.text
         if not self._look.has(word.text):
-            return None if self._look.outside(word.text) else word.text
+            return self._of_unset(word)
         held = self._look.get(word.text)
         return word.text if held is None else held if is_known(held) else None
 
+    def _of_unset(self, word: _Word) -> str | None:
+        """A word that names nothing the tree sets stands for itself, unless a build is told a variable of that name."""
+        is_open = self._look.outside(word.text) or (word.is_name and self._look.is_told(word.text))
+        return None if is_open else word.text
+
     def _compared(self, left: _Word, how: str, right: _Word) -> bool | None:
-        one = self._text(left)
+        is_name = left.is_name and left.text.isidentifier() and how != "IN_LIST"
+        one = self._text(msgspec.structs.replace(left, is_name=is_name))
         if how == "IN_LIST":
             held = self._look.get(right.text)
             return None if one is None or not is_known(held or "") else one in items(held or "")
         if how == "MATCHES":
             return self._matches(one, right.text)
-        other = self._text(right)
+        other = self._text(msgspec.structs.replace(right, is_name=False))
         if left.text in _VERSION and other is not None:
             return self._of_version(how, other)
         return None if one is None or other is None else COMPARISONS[how](one, other)
@@ -220,6 +233,10 @@ class _Condition:
         text = self._text(word)
         return None if text is None else text.startswith(("/", "~"))
 
+    def is_link(self, word: _Word) -> bool | None:
+        """A folder that has files in the tree is none."""
+        return False if is_known(word.text) and self._world.is_directory(word.text) else None
+
     def is_unknown(self, word: _Word) -> bool | None:
         del word
         return None
@@ -248,7 +265,7 @@ _UNARY: Final[dict[str, Callable[[_Condition, _Word], bool | None]]] = {
     "DEFINED": _Condition.is_defined,
     "POLICY": _Condition.is_unknown,
     "TEST": _Condition.is_unknown,
-    "IS_SYMLINK": _Condition.is_unknown,
+    "IS_SYMLINK": _Condition.is_link,
     "IS_READABLE": _Condition.is_unknown,
     "IS_WRITABLE": _Condition.is_unknown,
     "IS_EXECUTABLE": _Condition.is_unknown,

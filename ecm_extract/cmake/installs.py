@@ -39,22 +39,28 @@ def installs(calls: tuple[Call, ...], targets: Mapping[str, Target], files: Buil
     """
     for call in calls:
         if call.name == "install" and call.args and call.args[0] in _INSTALL_KINDS:
-            for rule in _each(call, _INSTALL_KINDS[call.args[0]]):
-                yield from _parted(rule, call, targets) if rule.kind == "targets" else (rule,)
+            yield from _each(call, _INSTALL_KINDS[call.args[0]], targets)
         elif call.name == "catkin_install_python":
-            yield from _each(call, "python")
+            yield from _each(call, "python", targets)
         elif call.name == "ament_auto_package":
             yield from installed_by_auto(call, calls, files)
 
 
-def _each(call: Call, kind: InstallKind) -> Iterator[Install]:
-    """One rule, or one for each of the arguments that builds may have."""
-    for at, texts in enumerate((call.texts, *call.others)):
-        by_default = both(call.by_default, (at == 0) if call.sure else None)
-        yield _install(call, kind, texts[texts[:1] == ("PROGRAMS",) if kind == "python" else 1 :], by_default)
+def _each(call: Call, kind: InstallKind, targets: Mapping[str, Target]) -> Iterator[Install]:
+    """The rules of a call; those that only some of the arguments give which builds may have are open."""
+    worlds = [tuple(_rules(call, kind, texts, targets)) for texts in (call.texts, *call.others)]
+    for rule in dict.fromkeys(rule for rules in worlds for rule in rules):
+        is_taken = True if all(rule in rules for rules in worlds) else rule in worlds[0] if call.sure else None
+        yield msgspec.structs.replace(rule, by_default=both(call.by_default, is_taken))
 
 
-def _install(call: Call, kind: InstallKind, args: tuple[str, ...], by_default: bool | None) -> Install:
+def _rules(call: Call, kind: InstallKind, texts: tuple[str, ...], targets: Mapping[str, Target]) -> Iterator[Install]:
+    args = texts[texts[:1] == ("PROGRAMS",) if kind == "python" else 1 :]
+    rule = _install(call, kind, args)
+    yield from _parted(rule, call, args, targets) if kind == "targets" else (rule,)
+
+
+def _install(call: Call, kind: InstallKind, args: tuple[str, ...]) -> Install:
     groups = split(args, _INSTALL_WORDS)
     word = call.word if kind == "targets" else call.file
     return Install(
@@ -63,7 +69,6 @@ def _install(call: Call, kind: InstallKind, args: tuple[str, ...], by_default: b
         destination=_below_prefix(decided_text(_destination(args)), call),
         line=call.line,
         conditions=call.conditions,
-        by_default=by_default,
         words=tuple(word for word in args if word in _INSTALL_WORDS),
         renamed=call.word(first(groups, "RENAME") or ""),
     )
@@ -71,15 +76,20 @@ def _install(call: Call, kind: InstallKind, args: tuple[str, ...], by_default: b
 
 def _destination(args: tuple[str, ...]) -> str:
     """Return the folder of programs (RUNTIME) when it is told, else the first one, else that of the TYPE."""
-    found = {args[i - 1]: args[i + 1] for i, arg in enumerate(args[:-1]) if arg == "DESTINATION"}
+    found = _told(args)
     kind = args[args.index("TYPE") + 1] if "TYPE" in args[:-1] else ""
     return found.get("RUNTIME") or next(iter(found.values()), known().install_types.get(kind, ""))
 
 
-def _parted(rule: Install, call: Call, targets: Mapping[str, Target]) -> Iterator[Install]:
+def _told(args: tuple[str, ...]) -> dict[str, str]:
+    """Folders after DESTINATION by the word before it; one that a variable leaves empty is not told."""
+    ends = [at for at, word in enumerate(args[:-1]) if word == "DESTINATION"]
+    return {args[at - 1]: args[at + 1] for at in ends if args[at + 1] not in _INSTALL_WORDS}
+
+
+def _parted(rule: Install, call: Call, words: tuple[str, ...], targets: Mapping[str, Target]) -> Iterator[Install]:
     """Programs go where RUNTIME says, shared libraries where LIBRARY does, others where ARCHIVE does."""
-    words = call.texts
-    told = {words[at - 1]: words[at + 1] for at, word in enumerate(words[:-1]) if word == "DESTINATION"}
+    told = _told(words)
     places: dict[str, list[str]] = {}
     for item in rule.items:
         artefact = _artefact(targets.get(item))

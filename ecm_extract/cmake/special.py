@@ -65,7 +65,7 @@ def _include(run: Run, command: Command, args: tuple[str, ...], place: Place) ->
     if path is not None:
         return run_file(run, path, place)
     run.brought.find([name])
-    if "OPTIONAL" not in args and ("/" in name or not is_known(name)):
+    if "OPTIONAL" not in args and ("/" in name or "." in name or not is_known(name)):
         run.open(place, command.line, f"include of {written(name)}")
     return True
 
@@ -77,12 +77,10 @@ def _tell_found(run: Run, args: tuple[str, ...], path: str | None) -> None:
 
 
 def _included(run: Run, name: str) -> str | None:
-    """Path of an included file or module; None of one that is not in the tree."""
-    wanted = [absolute(name, run.folder())]
-    if "/" not in name and not name.endswith(".cmake"):
-        folders = items(run.look().get("CMAKE_MODULE_PATH") or "")
-        wanted = [f"{absolute(folder, run.folder())}/{name}.cmake" for folder in folders]
-    paths = [tree_path(each) for each in wanted]
+    """Path of an included module or file, in this order; None of one that is not in the tree."""
+    folders = items(run.look().get("CMAKE_MODULE_PATH") or "") if "/" not in name else []
+    wanted = [f"{absolute(folder, run.folder())}/{name}.cmake" for folder in folders]
+    paths = [tree_path(each) for each in (*wanted, absolute(name, run.folder()))]
     return next((path for path in paths if path is not None and run.files.has(path)), None)
 
 

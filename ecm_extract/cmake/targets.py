@@ -317,7 +317,7 @@ def _test(call: Call, texts: tuple[str, ...]) -> Target | None:
 
 def _sources(values: list[str], call: Call) -> tuple[str, ...]:
     """Return source paths, without the words and generator expressions among them."""
-    kept = (value for value in values if value not in _LIBRARY_WORDS and not has_genex(value))
+    kept = (value for value in values if value not in _LIBRARY_WORDS and value and not has_genex(value))
     return tuple(dict.fromkeys(call.file(value) for value in kept))
 
 
