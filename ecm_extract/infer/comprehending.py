@@ -9,7 +9,7 @@ from ecm_parsers.source.expr import Comprehension, Expr
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.assigning import Assigning
-from ecm_extract.infer.held import Held, State
+from ecm_extract.infer.held import State
 from ecm_extract.infer.looping import MAX_ROUNDS
 from ecm_extract.infer.run import Frame
 from ecm_extract.link.walk import children
@@ -56,7 +56,7 @@ class Comprehending:
         )
         if items is None or len(items) > MAX_ROUNDS:
             return [self.assigning.element(each, loop, state)]
-        return [self.assigning.bind(each.target, Held("value", "", item.expr, item.env, loop), state) for item in items]
+        return [self.assigning.known_element(each.target, item, loop, state) for item in items]
 
     def _passing(self, entry: Comprehension, state: State) -> State | None:
         found = [self.frame.truth(test, state) for test in entry.tests]

@@ -134,7 +134,7 @@ class Sites:
 
     def _wider(self, site: Site) -> Iterator[Site]:
         params, made = self.openness.of(site, self.names(site))
-        given = {parameter.name for parameter in site.root.fact.params}
+        given = {parameter.name.lstrip("*") for parameter in site.root.fact.params}
         if params & (given | set(site.root.fact.template)):
             if site.form.role == "parameter" and site.root not in self._remembered:
                 self._remembered.add(site.root)
