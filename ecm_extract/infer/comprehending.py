@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import replace
 
-from ecm_parsers.source.expr import Comprehension, Expr
+from ecm_parsers.source.expr import Comprehension
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.assigning import Assigning
 from ecm_extract.infer.held import State
 from ecm_extract.infer.looping import MAX_ROUNDS
 from ecm_extract.infer.run import Frame
-from ecm_extract.link.walk import children
+from ecm_extract.link.walk import comprehensions
 
 
 class Comprehending:
@@ -63,15 +62,3 @@ class Comprehending:
         if False in found:
             return None
         return self.frame.undecided(state) if None in found else state
-
-
-def comprehensions(expr: Expr | None) -> Iterator[Comprehension]:
-    """Yield the comprehensions in an expression, outer ones first."""
-    if expr is None:
-        return
-    if isinstance(expr, Comprehension):
-        yield expr
-        yield from comprehensions(expr.element)
-        return
-    for part in children(expr):
-        yield from comprehensions(part)

@@ -127,14 +127,15 @@ class NameFolder:
         constant, file = found
         if constant.value is None:
             return (Value((f"{constant.scope}::{constant.name}",), "literal", None, Enumerator(constant)),)
-        values = demoted(self.folder.fold(constant.value, Env(self._file_env(file, env).func, depth=env.depth + 1)))
+        values = demoted(self.folder.fold(constant.value, Env(self.at_file(file, env).func, depth=env.depth + 1)))
         return alternatives((*values, unknown(name))) if self.may_change(name, constant, env) else values
 
     def may_change(self, name: str, constant: Constant, env: Env) -> bool:
         """Tell whether a variable of a namespace may hold something else than what it is declared with."""
         return not _is_fixed(constant) and self.folder.objects.file_scope.is_changed(name, env)
 
-    def _file_env(self, file: File, env: Env) -> Env:
+    def at_file(self, file: File, env: Env) -> Env:
+        """Return a place at which the names of a file are known; the one at hand where the file has none."""
         func = next((f for f in self.folder.program.functions_in(file) if f.fact.name == "<module>"), None)
         return Env(func) if func is not None else env
 
@@ -178,7 +179,7 @@ class NameFolder:
             return _of_outside(self.folder.program.canonical(dotted, env.func.file)) if found is None else ()
         if not found.constant.scope:
             return self._of_module(found.constant.name, found.file, env)
-        inner = Env(self._file_env(found.file, env).func, depth=env.depth + 1)
+        inner = Env(self.at_file(found.file, env).func, depth=env.depth + 1)
         return demoted(self.folder.fold(found.constant.value, inner))
 
 
