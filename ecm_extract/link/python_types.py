@@ -48,7 +48,7 @@ class PythonTypes:
             return TypeFound(None, frozenset({expr.id}))
         ways = self.folder.flow.ways(expr, env)
         if ways:
-            return self._first((held for way in ways for held in way), env, role)
+            return self._only((held for way in ways for held in way), env, role)
         return self._starred(expr.id, env, role)
 
     def _attribute(self, expr: Member, env: Env, role: Role) -> TypeFound:
@@ -57,7 +57,7 @@ class PythonTypes:
         if expr.base != Name("this") or cls is None:
             return UNKNOWN_TYPE
         given = (held for held, _ in self.folder.members.sources(expr.name, cls, env))
-        found = self._first(given, env, role)
+        found = self._only(given, env, role)
         return found if found.name is not None or found.open else self._declared(expr.name, env, role)
 
     def _declared(self, name: str, env: Env, role: Role) -> TypeFound:
@@ -70,15 +70,16 @@ class PythonTypes:
                 return self.types.expression(default, Env(place.func, depth=env.depth + 1), role)
         return UNKNOWN_TYPE
 
-    def _first(self, given: Iterable[Held], env: Env, role: Role) -> TypeFound:
-        """The first type that a variable holds, else what that depends on."""
-        found = list(self._held(given, env, role))
-        known = (entry for entry in found if entry.name is not None)
-        return next(known, None) or next((entry for entry in found if entry.open), UNKNOWN_TYPE)
+    def _only(self, given: Iterable[Held], env: Env, role: Role) -> TypeFound:
+        """The type that a variable surely holds, else what that depends on."""
+        found = dict.fromkeys(self._held(given, env, role))
+        return next(iter(found)) if len(found) == 1 else next((entry for entry in found if entry.open), UNKNOWN_TYPE)
 
     def _held(self, given: Iterable[Held], env: Env, role: Role) -> Iterator[TypeFound]:
         for held in given:
-            if held.how == "value" and held.expr is not None and held.env is not None:
+            if held.how != "value" or held.expr is None or held.env is None:
+                yield UNKNOWN_TYPE
+            else:
                 yield self.types.expression(held.expr, held.env.deeper(env.depth + 1), role)
 
     def _starred(self, name: str, env: Env, role: Role) -> TypeFound:
