@@ -146,7 +146,7 @@ class Objects:
         if depth > 8:
             return None
         for written in made.cls.fact.bases:
-            parent = self.program.class_named(plain(written), made.cls.file, made.cls.qualified)
+            parent = self.program.class_named(plain(written), made.cls.file, made.cls.fact.scope)
             if parent is None or base not in self.program.ancestry(parent):
                 continue
             return self.part(self.base_instance(made, parent, written), base, depth + 1)

@@ -278,13 +278,13 @@ class Sites:
             *places, env = self._inside(site, root)
             yield replace(site, env=env, owner=derived, places=tuple(places))
         for call in self.calls.get(cls.fact.name, ()):
-            if call.func.cls is cls or (own and self._is_base_of(call, cls)):
+            if call.func.cls is cls or (own and self.is_base_of(call, cls)):
                 continue
             if self.makes(call, cls) and call not in site.chain:
                 for outer, certain in self._places(self.root_env(call.func, call.at)):
                     yield self._made_at(replace(site, certain=site.certain and certain), cls, call, at, outer)
 
-    def _is_base_of(self, call: Invocation, cls: Cls) -> bool:
+    def is_base_of(self, call: Invocation, cls: Cls) -> bool:
         """Tell whether a call makes the base of a derived object, which is no object of its own."""
         maker = call.func.cls
         return call.statement.kind == "init" and maker is not None and cls in self.program.ancestry(maker)
