@@ -316,10 +316,12 @@ class ListFolder:
             return [Bound(args[0], env)]
         if len(args) == 1 and (isinstance(args[0], Items) or self.items(args[0], env) is not None):
             return self.items(args[0], env)
+        texts = "string" in "".join(call.types) or "string" in call.statement.type
+        if len(args) == 2 and texts and any(map(_steps_on, args)):
+            return None
         if len(args) == 2:
             count = [value.data for value in self.folder.fold(args[0], env)]
             if len(count) == 1 and isinstance(count[0], int) and not isinstance(count[0], bool):
-                texts = "string" in "".join(call.types) or "string" in call.statement.type
                 return [Bound(args[1], env)] * count[0] if texts and 0 <= count[0] <= MAX_ITEMS else None
         iterates = any(
             isinstance(arg, Call) and isinstance(arg.callee, Member) and arg.callee.name in _ENDS for arg in args
@@ -419,6 +421,11 @@ class ListFolder:
             given = env.args[expr.id]
             return self.flat(given.expr, given.env.before(given.env.at))
         return [Bound(expr, env)]
+
+
+def _steps_on(expr: Expr) -> bool:
+    """Whether an expression is a place in an array, and no text: `argv + 1`."""
+    return isinstance(expr, Op) and expr.op in {"+", "-"} and any(isinstance(part, Number) for part in expr.operands)
 
 
 def _slice(found: Any, bounds: Sequence[Any], kind: type) -> Any:

@@ -16,6 +16,7 @@ from ecm_extract.link.call_index import call_index
 from ecm_extract.link.call_targets import CallTargets
 from ecm_extract.link.calls import Invocation
 from ecm_extract.link.closures import captured
+from ecm_extract.link.emplaced import EMPLACING, emplaced
 from ecm_extract.link.env import Env, Instance, bind
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.match import Matcher, name_argument, positions
@@ -67,8 +68,10 @@ class Sites:
         self._names: dict[Site, tuple[Value, ...]] = {}
         self.openness = Openness(self.folder, types, program.derived)
         self._aliases = program.aliases.meaning(program.classes, matcher.forms)
-        wanted = {*matcher.forms, *program.functions, *program.classes, *_ALSO, *also}
+        wanted = {*matcher.forms, *program.functions, *program.classes, *_ALSO, *EMPLACING, *also}
         self.calls = call_index(program, wanted, self._aliases)
+        for name, call in list(emplaced(self.calls, self.folder.objects)):
+            self.calls[name].append(call)
         self._calls_of = CallTargets(self.folder, self.calls, self._place)
         self.folder.states.callers.find = self._calling
 
