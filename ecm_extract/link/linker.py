@@ -20,6 +20,7 @@ from ecm_extract.link.endpoint_types import EndpointTypes, role_of
 from ecm_extract.link.fallbacks import fallback
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.forms import FormTable
+from ecm_extract.link.frames import frame_of
 from ecm_extract.link.generated import GeneratedParameters
 from ecm_extract.link.handles import Handle, Handles
 from ecm_extract.link.host_arguments import HostArguments
@@ -258,7 +259,7 @@ class Linker:
                 raw_name=name.raw,
                 type=kind,
                 qos=self._qos(site, ros),
-                frame=self._frame(site),
+                frame=frame_of(site, self.folder),
                 confidence=confidence,
                 evidence=evidence,
                 default=None if data is UNKNOWN else data,
@@ -321,12 +322,6 @@ class Linker:
             flags = [flag for flag in positions(form.latch, site.call) if not is_callback(flag)]
             return self.qos.depth(given, flags[0] if flags else None, site.env)
         return self.qos.read(given or (Name(form.profile) if form.profile else None), site.env)
-
-    def _frame(self, site: Site) -> str | None:
-        if not site.form.frame:
-            return None
-        frames = [self.folder.fold(expr, site.env)[0].text for expr in positions(site.form.frame, site.call)]
-        return " <- ".join(frames) if frames else None
 
 
 def _is_absolute(site: Site) -> bool:
