@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Set
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.flow import Block, statements
@@ -54,6 +54,8 @@ class Memory:
     def _seen_by_others(self, key: str, held: Held) -> Held:
         """What a variable holds that a lambda or a pointer may change any time."""
         if not self.is_open(key):
+            if self.frame.python and key not in self.frame.outline.bound_inside:
+                return Held("handed", key, before=(held,))
             return Held("shared" if self.frame.outline.is_module else "lost", key, before=(held,))
         self.frame.run.shown[key].append(held)
         return Held("shared", key)
@@ -88,7 +90,15 @@ class Memory:
         if held.length >= MAX_LENGTH:
             self.frame.judge.settle(held)
         ways = (held,)
-        return self.lost(state, others).having(dict.fromkeys(alike, ways))
+        return self.reached(others, state).having(dict.fromkeys(alike, ways))
+
+    def reached(self, keys: Set[str], state: State) -> State:
+        """The state after somebody changed what variables mean or hold: a text of Python stays what it is."""
+        if not self.frame.python:
+            return self.lost(state, keys)
+        fixed = [key for key in keys if key in state.holds and key not in self.frame.outline.bound_inside]
+        handed = {key: (Held("handed", key, before=state.holds[key]),) for key in fixed}
+        return self.lost(state, keys).having(handed)
 
     def show(self, keys: Iterable[str], state: State) -> None:
         """Note what variables hold while other functions run."""
