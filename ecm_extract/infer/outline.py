@@ -64,6 +64,17 @@ class Outline:
     def _assigned(self, statement: Statement) -> Iterator[str]:
         return self.bound_keys(statement.target) if statement.kind != "do" else iter(())
 
+    def is_one(self, key: str) -> bool:
+        """Tell whether a name of C++ means one local variable throughout the body: no block hides it by another."""
+        return self._declared[key] == 1
+
+    @cached_property
+    def _declared(self) -> Counter[str]:
+        """Variable -> how many declarations of that name the function has, parameters included."""
+        lets = (entry for entry in self.func.fact.body if entry.kind in {"let", "each"})
+        declared = Counter(key for entry in lets for key in self.bound_keys(entry.target))
+        return declared + Counter(parameter.name for parameter in self.func.fact.params)
+
     @cached_property
     def rebound(self) -> Set[str]:
         """The variables of Python that come to mean another object; `x += y` may change the one that they mean."""
