@@ -12,11 +12,15 @@ from ecm_extract.link.carriers import carriers
 from ecm_extract.link.env import Bound, Env, bind, invocation_of
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.given_handles import given_namespace
+from ecm_extract.link.host_arguments import HostArguments
 from ecm_extract.link.spelling import by_value, last_name, plain, pointee
 from ecm_extract.link.texts import is_text
+from ecm_extract.link.units import Func
 from ecm_extract.link.values import Value, is_known, joined, literal, unknown
 
 MAX_DEPTH = 12
+_HOST_DEPTH = 4
+"""What a host counts for: hosts of hosts have several calls each."""
 _PRIVATE = frozenset({"getPrivateNodeHandle", "getMTPrivateNodeHandle"})
 _PUBLIC = frozenset({"getNodeHandle", "getMTNodeHandle"})
 _NODES = frozenset({"Node", "LifecycleNode"})
@@ -46,10 +50,16 @@ OWN = Handle(literal(""))
 
 
 class Handles:
-    """Evaluates receivers of endpoint calls. A handle that nothing in the tree makes is None within, and is told."""
+    """Evaluates receivers of endpoint calls. A handle that nothing in the tree makes is None within, and is told.
 
-    def __init__(self, folder: Folder) -> None:
+    Args:
+        folder: gives values and types.
+        hosts: tells what hosts in the tree give to plugins.
+    """
+
+    def __init__(self, folder: Folder, hosts: HostArguments) -> None:
         self.folder = folder
+        self.hosts = hosts
 
     def of(self, expr: Expr | None, env: Env) -> Handle:
         """Return the handle that an expression is.
@@ -97,7 +107,7 @@ class Handles:
             return self._variable(expr, env, depth)
         cls = self.folder.objects.class_of(expr.base, env)
         if cls is None:
-            return self._declared(expr, env)
+            return self._declared(expr, env, depth)
         return self._variable(Member(_THIS, expr.name), Env(env.func, env.at, this=cls, depth=env.depth + 1), depth)
 
     def _variable(self, expr: Name | Member, env: Env, depth: int) -> Handle | None:
@@ -109,7 +119,7 @@ class Handles:
         ]
         found = [self._given(expr, value, inner, depth) for value, inner in given if value is not None]
         if not found:
-            return self._declared(expr, env)
+            return self._declared(expr, env, depth)
         return _agreed(found)
 
     def _given(self, expr: Name | Member, value: Expr, env: Env, depth: int) -> Handle | None:
@@ -121,19 +131,26 @@ class Handles:
             return self._known(value, env, depth + 1)
         return self._node_handle(_initialised_with(expr, value), env, depth)
 
-    def _declared(self, expr: Name | Member, env: Env) -> Handle | None:
+    def _declared(self, expr: Name | Member, env: Env, depth: int) -> Handle | None:
         """A parameter is its default; a handle that is held and never made otherwise is the node's, as is no handle."""
         if isinstance(expr, Name):
             for parameter in env.func.fact.params:
                 if parameter.name == expr.id and parameter.default is not None:
                     return self._known(parameter.default, Env(env.func, 0), 1)
                 if parameter.name == expr.id and self._is_handle(parameter.type, env):
-                    below = given_namespace(env.func, expr.id, self.folder.program)
-                    return Handle(below) if below is not None else None
+                    return self._handed(expr.id, env.func, depth)
         written = self.folder.objects.type_of(expr, env)
         if not written or plain(written) == "auto":
             return None if not self._is_text(expr, env) else OWN
         return OWN if by_value(written) or not self._is_handle(written, env) else None
+
+    def _handed(self, parameter: str, func: Func, depth: int) -> Handle | None:
+        """What a library, or the hosts in the tree, give a method that they call without knowing its class."""
+        below = given_namespace(func, parameter, self.folder.program)
+        if below is not None:
+            return Handle(below)
+        given = self.hosts.of(func, parameter)
+        return _agreed([self._known(bound.expr, bound.env, depth + _HOST_DEPTH) for bound in given])
 
     def _is_handle(self, written: str, env: Env) -> bool:
         bare = plain(pointee(written))
