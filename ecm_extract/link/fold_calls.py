@@ -146,7 +146,8 @@ class CallFolder:
         if call.receiver is not None and call.last in _PROPERTY_READS:
             return self._property(call.receiver, env) or (unknown(call.last),)
         if call.receiver is not None and call.last in formats.VALUE_READS:
-            return self._read_from(call.receiver, call.last, env)
+            entry = self._element(call, env) if call.args else None  # `table.get(key)` is no read of a whole value
+            return self._read_from(call.receiver, call.last, env) if entry is None else entry
         known = self._of_library(call, env)
         if known is not None:
             return known

@@ -6,7 +6,7 @@ for a class that passes a constructor argument or template argument on: each pla
 
 from __future__ import annotations
 
-from collections import deque
+from collections import defaultdict, deque
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 
@@ -119,7 +119,15 @@ class Sites:
                 pending.extend(wider)
             else:
                 closed.extend(self._in_each_state(current))
-        return closed
+        return self._alike_in_all_states(closed)
+
+    def _alike_in_all_states(self, sites: Sequence[Site]) -> list[Site]:
+        """What has one name in all states in which the same calls lead to it has that name, whichever state it is."""
+        names: dict[tuple[Invocation, ...], set[tuple[Value, ...]]] = defaultdict(set)
+        for site in sites if not all(site.certain for site in sites) else ():
+            names[site.chain].add(self.names(site))
+        single = {chain for chain, found in names.items() if len(found) == 1 and all(len(each) == 1 for each in found)}
+        return [replace(site, certain=site.certain or site.chain in single) for site in sites]
 
     def _in_each_state(self, site: Site) -> Iterator[Site]:
         """A site once for each state in which its call is reached; none where its arguments keep it from that."""
