@@ -19,13 +19,14 @@ import msgspec
 from stored_draw import Drawn
 
 from ecm_extract.discover import IGNORE_MARKERS
+from ecm_extract.lint.catalogue import catalogue
 
 LAUNCHES: Final = 2
 """Launch files of a release whose systems are asked for."""
 FOLDERS: Final = 1
 """Packages of a release that are linted with the others as documents."""
-OF_ONE_TREE: Final = frozenset({"LNT037", "LNT041"})
-"""Rules on what one repository holds, and on the order in which one workspace is built: documents are of neither."""
+OF_ONE_TREE: Final = frozenset(entry.rule.id for entry in catalogue() if entry.rule.of_one_tree)
+"""Rules that are not asked of documents, which `lint` says."""
 _Each = TypeVar("_Each")
 _JSON: Final = ("--format", "json")
 

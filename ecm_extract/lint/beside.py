@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping
 import msgspec
 from ecm_checker.finding import Finding
 from ecm_checker.hub.package import Package
+from ecm_checker.hub.requirement import Requirement
 from ecm_checker.hub.running import Running, RunningModule
 
 from ecm_extract.report.places import FOREIGN, is_foreign
@@ -18,6 +19,18 @@ from ecm_extract.report.places import FOREIGN, is_foreign
 def running_beside(documents: Iterable[Package]) -> Mapping[str, Running]:
     """Return what runs of each package whose document tells it, with marked lines."""
     return {each.name: _marked(each.running, f"{FOREIGN}{each.name}/") for each in documents if each.running}
+
+
+def foreign_requirements(documents: Iterable[Package], own: frozenset[str]) -> Iterator[tuple[str, Requirement]]:
+    """Yield what packages require that only documents tell of, by name of the package, with marked lines."""
+    for package in documents:
+        if package.name not in own:
+            yield from ((package.name, _marked_lines(package.name, each)) for each in package.requires)
+
+
+def _marked_lines(package: str, requirement: Requirement) -> Requirement:
+    lines = (msgspec.structs.replace(at, path=f"{FOREIGN}{package}/{at.path}") for at in requirement.evidence)
+    return msgspec.structs.replace(requirement, evidence=tuple(lines))
 
 
 def of_tree(findings: Iterable[Finding]) -> Iterator[Finding]:

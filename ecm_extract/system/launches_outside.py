@@ -27,7 +27,7 @@ def launches_outside(entries: Sequence[Entry], owned: Collection[str]) -> list[E
 
 
 def _is_read(path: str, around: Collection[str]) -> bool:
-    return path.endswith(_READ) and not around.isdisjoint({"", *folders_of(path)})
+    return path.endswith(_READ) and any(folder in around for folder in ("", *folders_of(path)))
 
 
 def _around(path: str) -> str:
