@@ -229,9 +229,10 @@ def test_build_files_are_parsed_once(tmp_path: Path, monkeypatch: pytest.MonkeyP
 
 def test_a_header_that_only_a_document_includes(tmp_path: Path) -> None:
     """LNT058: who includes a header that is not installed may be known by a document; its line is marked."""
+    build = "project(driver)\nadd_library(a a.cpp)\ninstall(TARGETS a DESTINATION lib)\nament_package()\n"
     provider = {
         "driver/package.xml": MANIFEST.format("driver", "<buildtool_depend>ament_cmake</buildtool_depend>"),
-        "driver/CMakeLists.txt": "project(driver)\nadd_library(a a.cpp)\ninstall(TARGETS a DESTINATION lib)\n",
+        "driver/CMakeLists.txt": build,
         "driver/include/driver/arm.hpp": "class Arm {};\n",
     }
     user = {"user/package.xml": MANIFEST.format("user", ""), "user/src/a.cpp": "#include <driver/arm.hpp>\n"}

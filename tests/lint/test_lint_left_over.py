@@ -43,3 +43,25 @@ def test_a_missing_file_is_one_cause_wherever_its_package_lies(workspace: Worksp
         for root in (workspace.root, workspace.root / "pkg")
     )
     assert whole == alone != set()
+
+
+def test_packages_that_use_each_other(workspace: Workspace) -> None:
+    """LNT004: only one of two can ask for the other, so that neither is told to; who is used alone is asked for."""
+    for name, used in (("arm", "hand"), ("hand", "arm"), ("robot", "arm")):
+        launch = f'<launch><include file="$(find {used})/launch/a.launch"/></launch>'
+        workspace.package({"launch/a.launch": launch}, 1, name)
+    found = {(each.subjects[0], each.severity) for each in lint(workspace.root) if each.rule == "LNT004"}
+    assert found == {("arm", "info"), ("hand", "info"), ("robot", "warning")}
+
+
+BASE = '<launch><node pkg="move_base" type="move_base" name="ROBOT"/></launch>'
+PLANNER = '<launch><node pkg="planner" type="planner" name="a"><remap from="/goal" to="/ROBOT/goal"/></node></launch>'
+
+
+@pytest.mark.parametrize(("included", "severity"), [(("base", "planner"), "warning"), (("planner",), "info")])
+def test_a_node_that_is_started_elsewhere(included: tuple[str, ...], severity: str, workspace: Workspace) -> None:
+    """LNT042: a node that no launch starts together with who is told its name may be called so by chance."""
+    lines = "".join(f'<include file="$(find pkg)/launch/{name}.launch"/>' for name in included)
+    files = {"base.launch": BASE, "planner.launch": PLANNER, "all.launch": f"<launch>{lines}</launch>"}
+    workspace.package({f"launch/{name}": text for name, text in files.items()}, 1)
+    assert severities(workspace, "LNT042") == [severity]

@@ -163,7 +163,7 @@ def _not_asked(known: Outside) -> Iterator[str]:
 
     if known.documents:
         rules = " and ".join(entry.rule.id for entry in catalogue() if entry.rule.of_one_tree)
-        yield f"not asked of documents: {rules}, which compare the packages of one tree; launches that lie in documents"
+        yield f"not asked of documents: {rules}, which compare packages of one tree; launches and descriptions in them"
 
 
 def _selected(texts: tuple[str, ...]) -> frozenset[str]:
