@@ -69,6 +69,12 @@ class Outline:
         return frozenset(key for func in handed for key in self._changed_inside(func))
 
     @cached_property
+    def waiting(self) -> Set[int]:
+        """The statements with a call that may let callbacks of the program run."""
+        waits = self.effects.calls.waits
+        return frozenset(at for at, calls in enumerate(self.func.calls) if any(waits(call) for call in calls))
+
+    @cached_property
     def captured(self) -> Mapping[Func, Set[str]]:
         """The functions within it that it does nothing with but call, with the variables that they change."""
         if self.func.fact.name == "<module>":  # whose functions anybody can call

@@ -22,6 +22,7 @@ from ecm_extract.link.fold import Folder
 from ecm_extract.link.forms import FormTable
 from ecm_extract.link.generated import GeneratedParameters
 from ecm_extract.link.handles import Handle, Handles
+from ecm_extract.link.host_arguments import HostArguments
 from ecm_extract.link.made import units_of
 from ecm_extract.link.match import Matcher, handle_argument, is_callback, name_argument, positions
 from ecm_extract.link.merging import merged
@@ -97,11 +98,11 @@ class Linker:
         self.folder = Folder(self.program, Scope(self.program), self.parameters)
         self.types = Types(self.folder)
         self.qos = QosReader(self.folder)
-        self.handles = Handles(self.folder)
         matcher = Matcher(forms, self.folder)
         self.registry = registry = build_registry(self.program, packages)
         also, plugins = (*observation_forms(), *SUMMARIES), plugins_of(self.program, registry)
         self.sites = Sites(self.program, matcher, self.types, self.parameters, also, plugins)
+        self.handles = Handles(self.folder, HostArguments(self.sites))
         self.typing = EndpointTypes(self.folder, self.types)
         self.names = NodeNames(self.folder, self.sites)
         self.generated = GeneratedParameters(self.program, packages)
@@ -233,7 +234,7 @@ class Linker:
 
     def _interfaces(self, site: Site, node: str | None, origin: str | None) -> Iterator[tuple[Interface, str]]:
         ros = site.root.file.ros
-        handle = self._handle(site)
+        handle = self.handles.of(handle_argument(site.form, site.call), site.env)
         evidence = tuple(Evidence(path, line) for path, line in dict.fromkeys(site.lines()))
         when = self.conditions.of(site)
         for named, default in self._named(site):
@@ -271,9 +272,6 @@ class Linker:
             return RosName(value.text, value.text)
         make = parameter_name if site.form.role == "parameter" else endpoint_name
         return make(value, handle, node, ros)
-
-    def _handle(self, site: Site) -> Handle:
-        return self.handles.of(handle_argument(site.form, site.call), site.env)
 
     def _named(self, site: Site) -> list[tuple[Value, Expr | None]]:
         """Return the names of a site with the expression of each default."""

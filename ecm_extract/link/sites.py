@@ -290,12 +290,23 @@ class Sites:
         return call.statement.kind == "init" and maker is not None and cls in self.program.ancestry(maker)
 
     def _made_at(self, site: Site, cls: Cls, call: Invocation, at: int, outer: Env) -> Site:
+        return self._widened(site, call, outer, self._in_made(Env(site.root, at), cls, call, outer))
+
+    def _in_made(self, place: Env, cls: Cls, call: Invocation, outer: Env) -> Env:
+        """A statement of a method, of an object that a call makes."""
+        func = place.func
         constructor = self.folder.objects.constructor(cls, len(call.args))
         args = bind(constructor, call, outer) if constructor is not None else {}
         types = self._class_types(cls, call, outer)
-        own = args if site.root.is_constructor and site.root.cls is cls else {}
-        root = Env(site.root, at, own, types, cls, Instance(cls, args, types, constructor))
-        return self._widened(site, call, outer, root)
+        own = args if func.is_constructor and func.cls is cls else {}
+        return Env(func, place.at, own, types, cls, Instance(cls, args, types, constructor))
+
+    def makings(self, func: Func, at: int) -> Iterator[Env]:
+        """Yield a place once for each call in the tree that makes the object at hand; nothing for functions."""
+        cls = func.holder
+        for call in self.calls.get(cls.fact.name, ()) if cls is not None else ():
+            if cls is not None and call.func.cls is not cls and self.makes(call, cls):
+                yield self._in_made(Env(func, at), cls, call, self.root_env(call.func, call.at))
 
     def makes(self, call: Invocation, cls: Cls) -> bool:
         """Tell whether a call makes an object of a class."""
