@@ -27,7 +27,7 @@ ROLES_TOLD: Final = {
 
 OTHER_KINDS: Final = {
     "ecm_extract/cmake/blocks.py": "blocks of CMake",
-    "ecm_extract/cmake/exports.py": "targets of CMake",
+    "ecm_extract/cmake/installs.py": "targets of CMake",
     "ecm_extract/cmake/targets.py": "targets of CMake",
     "ecm_extract/entities/packaging.py": "targets of CMake",
     "ecm_extract/entities/program_files.py": "targets of CMake",
