@@ -173,7 +173,7 @@ def told_of(folder: Path) -> Told:
 
 def _files(items: tuple[str, ...], base: str, listed: set[str]) -> Iterator[str]:
     for item in items:
-        path = normpath(join(base, item))
+        path = item if item.startswith("${") else normpath(join(base, item))
         if "*" in path or "[" in path:
             yield from (name for name in listed if fnmatch(name, path))
         else:
