@@ -57,9 +57,10 @@ class Assigning:
         return state.having(handed)
 
     def _refer(self, target: Expr | None, value: Expr | None, at: int, env: Env, state: State) -> State:
-        """`auto & x = y;` is another name of what it refers to: neither is followed once one of them changes."""
-        self.memory.sharing.refer(self.frame.effects.key(target), self.frame.effects.root(value))
-        return self.bind(target, Held("value", "", value, env, at), state)
+        """`auto & x = y;` is another name of what it refers to, or of a part of it, which that leaves as it is."""
+        key = self.frame.effects.key(target)
+        self.memory.sharing.refer(key, self.frame.effects.root(value), self.frame.effects.key(value))
+        return self.memory.hold(key, Held("value", key, value, env, at), self.memory.parts_lost(key, state))
 
     def bind(self, target: Expr | None, held: Held, state: State) -> State:
         """Give a variable, a field, an element or several variables what a statement gives them."""
@@ -84,10 +85,9 @@ class Assigning:
         """In C++ a reference that is assigned writes through, and references to what is assigned see it."""
         if self.frame.python:
             return state
-        touched = self.memory.sharing.roots({key}) | {
-            name for name in self.memory.sharing.parts(key) if name in state.holds
-        }
-        return self.memory.lost(state, touched) if touched else state
+        same = self.memory.sharing.names_of(key)
+        touched = self.memory.sharing.touched(same, state)
+        return self.memory.lost(state, touched).having(dict.fromkeys(same, state.holds[key]))
 
     def _unpack(self, target: Items, held: Held, state: State) -> State:
         """`a, b = value`: each gets its part, all of them at once."""

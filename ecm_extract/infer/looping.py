@@ -54,11 +54,11 @@ class Looping:
 
     def _round(self, loop: Loop, state: State) -> State | None:
         """Run the body once; what comes after a way out that may have been taken is not certain any more."""
-        broken = self.exits.broken()
+        before = self.exits.broken() + self.exits.ways_out
         after = self.blocks.run(loop.body, state)
         after = joined_states([after, *self.exits.next_round()])
         after = self.blocks.run(loop.step, after) if after is not None else None
-        left = self.exits.broken() > broken or self.exits.has_left
+        left = self.exits.broken() + self.exits.ways_out > before
         return self.frame.undecided(after) if after is not None and left else after
 
     def _exit(self, loop: Loop, state: State | None) -> State | None:

@@ -221,7 +221,7 @@ class HeldFolder:
             return None
         invocation = invocation_of(call, env)
         callee = self.folder.calls.meant(invocation, env)
-        if callee is None:
+        if callee is None or held.name in self.folder.flow.outline(callee).rebound:
             return None
         inner = self.folder.calls.entered(callee, invocation, bind(callee, invocation, env), env)
         run = self.folder.flow.run(inner)
@@ -230,6 +230,8 @@ class HeldFolder:
         return run.end.holds.get(held.name) or (Held("given", held.name),), inner
 
     def _written(self, held: Held, env: Env) -> tuple[Value, ...]:
+        if env.func.file.language == "python":  # where a function cannot give the variables of its caller other texts
+            return self._before(held, env)
         found = self.out(held, env)
         if found is None:
             return (unknown(_label(held.name)),)

@@ -18,13 +18,13 @@ from ecm_parsers.source.expr import (
     Table,
 )
 
-from ecm_extract.infer.compute import NULL, UNKNOWN
+from ecm_extract.infer.compute import NULL, UNKNOWN, method
 from ecm_extract.infer.held import Held, State
 from ecm_extract.link.calls import Invocation
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, invocation_of
 from ecm_extract.link.fold_tables import is_plain_table
 from ecm_extract.link.open_lists import OpenLists
-from ecm_extract.link.python_lists import LIST_CALLS, MAX_ITEMS
+from ecm_extract.link.python_lists import LIST_CALLS, MAX_ITEMS, SPLITS
 from ecm_extract.link.spelling import plain
 from ecm_extract.link.units import Cls
 from ecm_extract.link.values import (
@@ -96,6 +96,10 @@ class ListFolder:
             return demoted(self.fold(items[data], env))
         if items is not None and data is UNKNOWN:
             return self._folded(items, env) or (unknown("item"),)
+        if items is None and isinstance(expr, Call) and isinstance(data, int):
+            split = self._part_of_text(invocation_of(expr, env), data, env)
+            if split is not None:
+                return split
         if items is None and isinstance(data, int):
             text = self.folder.combined([self.folder.fold(expr, env)], lambda found: _character(found[0], data), "item")
             if not any(value.confidence == "pattern" for value in text):
@@ -103,6 +107,13 @@ class ListFolder:
         some, _ = self._some(expr, env) if items is None else ([], True)
         rest = self.open.element(expr, env)
         return alternatives((*self._folded(some, env), *rest)) if some else rest
+
+    def _part_of_text(self, call: Invocation, at: int, env: Env) -> tuple[Value, ...] | None:
+        """`text.split("/")[-1]` of each of the texts that it may be; None for other calls."""
+        if env.func.file.language != "python" or call.last not in SPLITS or call.receiver is None or call.keywords:
+            return None
+        options = [self.folder.fold(part, env) for part in (call.receiver, *call.args)]
+        return self.folder.combined(options, lambda data: _part(method(call.last, data[0], data[1:], True), at), "item")
 
     def _sliced_text(self, expr: Expr | None, index: Op, env: Env) -> tuple[Value, ...]:
         bounds = [self.folder.fold(bound, env) for bound in index.operands]
@@ -439,3 +450,8 @@ def _slice(found: Any, bounds: Sequence[Any], kind: type) -> Any:
 
 def _character(text: Any, at: Any) -> Any:
     return text[at] if isinstance(text, str) and -len(text) <= at < len(text) else UNKNOWN
+
+
+def _part(parts: object, at: int) -> object:
+    listed = isinstance(parts, list | tuple) and -len(parts) <= at < len(parts)
+    return parts[at] if isinstance(parts, list | tuple) and listed else UNKNOWN

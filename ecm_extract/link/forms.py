@@ -16,7 +16,7 @@ from importlib import resources
 from typing import Literal
 
 import msgspec
-from ecm_checker.contract import Role
+from ecm_checker.hub.roles import Role, RoleKind, roles
 
 _POSITION = re.compile(
     r"(?:arg|text|template|callback|service_callback|receiver|variable):\d+|kw:\w+|field:\d+(?:\.\w+)+"
@@ -95,6 +95,11 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
                 known = "arg:N, kw:NAME, text:N, template:N, callback:N or field:N.a.b"
                 message = f"'{column}' is no position: write {known}"
                 raise ValueError(message)
+
+    @property
+    def row(self) -> RoleKind:
+        """What its role is to others."""
+        return roles()[self.role]
 
     @property
     def last(self) -> str:

@@ -11,8 +11,8 @@ from ecm_extract.link.calls import Invocation, invocations
 from ecm_extract.link.client_libraries import is_client_library
 from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
-from ecm_extract.link.fold_calls import RESOLVERS
 from ecm_extract.link.forms import Form, FormTable
+from ecm_extract.link.naming_calls import is_resolver
 from ecm_extract.link.spelling import last_name, plain, pointee
 from ecm_extract.link.texts import text_arguments
 from ecm_extract.link.undeclared import takes_undeclared
@@ -163,7 +163,7 @@ def name_argument(form: Form, call: Invocation) -> Expr | None:
 
 def _resolves(expr: Expr | None) -> bool:
     """Tell whether an argument is a name that a handle resolves: `nh.resolveName("image")`."""
-    return isinstance(expr, Call) and isinstance(expr.callee, Member) and expr.callee.name in RESOLVERS
+    return isinstance(expr, Call) and isinstance(expr.callee, Member) and is_resolver(expr.callee.name)
 
 
 def is_callback(expr: Expr) -> bool:

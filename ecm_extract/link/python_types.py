@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
-from ecm_checker.contract import Role
+from ecm_checker.hub.roles import Role, roles
 from ecm_parsers.source.expr import Member, Name
 
 from ecm_extract.infer.held import Held
 from ecm_extract.link.calls import dotted_name
 from ecm_extract.link.env import MAX_DEPTH, Env
-from ecm_extract.link.type_found import ROLE_KIND, UNKNOWN_TYPE, TypeFound
+from ecm_extract.link.type_found import ACTION, UNKNOWN_TYPE, TypeFound
 
 if TYPE_CHECKING:
     from ecm_extract.link.types import Types
@@ -85,7 +85,8 @@ class PythonTypes:
     def _starred(self, name: str, env: Env, role: Role) -> TypeFound:
         """What the one star import of types brings; of several, any can bring the name."""
         starred = {entry.module for entry in env.func.file.facts.imports if entry.name == "*"}
-        wanted = {"action", "msg"} if role.startswith("action") else {ROLE_KIND.get(role, "msg")}
+        shape = roles()[role].shape
+        wanted = {ACTION, "msg"} if shape == ACTION else {shape or "msg"}
         found = [module for module in starred if module.rsplit(".", 1)[-1] in wanted]
         return (
             TypeFound(self.types.full("::".join([*found[0].split("."), name]), role))

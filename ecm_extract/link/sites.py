@@ -6,7 +6,7 @@ for a class that passes a constructor argument or template argument on: each pla
 
 from __future__ import annotations
 
-from collections import deque
+from collections import defaultdict, deque
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 
@@ -90,7 +90,7 @@ class Sites:
         env = self.root_env(func, call.at)
         call = spread(call)
         for form in self.matcher.fitting(call, env):
-            if (form.role == "parameter") is parameters:
+            if form.row.value is parameters:
                 yield Site(form, prefixed(call, form), env, (), func.holder, func)
 
     def root_env(self, func: Func, at: int) -> Env:
@@ -119,7 +119,15 @@ class Sites:
                 pending.extend(wider)
             else:
                 closed.extend(self._in_each_state(current))
-        return closed
+        return self._alike_in_all_states(closed)
+
+    def _alike_in_all_states(self, sites: Sequence[Site]) -> list[Site]:
+        """What has one name in all states in which the same calls lead to it has that name, whichever state it is."""
+        names: dict[tuple[Invocation, ...], set[tuple[Value, ...]]] = defaultdict(set)
+        for site in sites if not all(site.certain for site in sites) else ():
+            names[site.chain].add(self.names(site))
+        single = {chain for chain, found in names.items() if len(found) == 1 and all(len(each) == 1 for each in found)}
+        return [replace(site, certain=site.certain or site.chain in single) for site in sites]
 
     def _in_each_state(self, site: Site) -> Iterator[Site]:
         """A site once for each state in which its call is reached; none where its arguments keep it from that."""
@@ -139,7 +147,7 @@ class Sites:
         params, made = self.openness.of(site, self.names(site))
         given = {parameter.name.lstrip("*") for parameter in site.root.fact.params}
         if params & (given | set(site.root.fact.template)):
-            if site.form.role == "parameter" and site.root not in self._remembered:
+            if site.form.row.value and site.root not in self._remembered:
                 self._remembered.add(site.root)
                 self._remember_wrapper(site)
             callers = list(self._callers(site))
@@ -293,12 +301,23 @@ class Sites:
         return call.statement.kind == "init" and maker is not None and cls in self.program.ancestry(maker)
 
     def _made_at(self, site: Site, cls: Cls, call: Invocation, at: int, outer: Env) -> Site:
+        return self._widened(site, call, outer, self._in_made(Env(site.root, at), cls, call, outer))
+
+    def _in_made(self, place: Env, cls: Cls, call: Invocation, outer: Env) -> Env:
+        """A statement of a method, of an object that a call makes."""
+        func = place.func
         constructor = self.folder.objects.constructor(cls, len(call.args))
         args = bind(constructor, call, outer) if constructor is not None else {}
         types = self._class_types(cls, call, outer)
-        own = args if site.root.is_constructor and site.root.cls is cls else {}
-        root = Env(site.root, at, own, types, cls, Instance(cls, args, types, constructor))
-        return self._widened(site, call, outer, root)
+        own = args if func.is_constructor and func.cls is cls else {}
+        return Env(func, place.at, own, types, cls, Instance(cls, args, types, constructor))
+
+    def makings(self, func: Func, at: int) -> Iterator[Env]:
+        """Yield a place once for each call in the tree that makes the object at hand; nothing for functions."""
+        cls = func.holder
+        for call in self.calls.get(cls.fact.name, ()) if cls is not None else ():
+            if cls is not None and call.func.cls is not cls and self.makes(call, cls):
+                yield self._in_made(Env(func, at), cls, call, self.root_env(call.func, call.at))
 
     def makes(self, call: Invocation, cls: Cls) -> bool:
         """Tell whether a call makes an object of a class."""

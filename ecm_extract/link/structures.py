@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 import msgspec
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op
 from ecm_parsers.source.facts import Statement
 
+from ecm_extract.infer.held import Held
 from ecm_extract.link.calls import Invocation, Step, construction, dotted_name
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, Instance, bind
 from ecm_extract.link.overloads import NO, score
@@ -89,8 +91,7 @@ class StructureFolder:
 
     def _is_changed(self, expr: Name | Member, env: Env) -> bool:
         """Tell whether an object was given a value that does not show what it is made from."""
-        helds = [held for way in self.folder.flow.ways(expr, env) for held in way]
-        given = any(held.how not in _DECLARED for held in helds)
+        given = any(held.how not in _DECLARED for held in self._helds(expr, env))
         given = given or (isinstance(expr, Member) and self._part(expr, env) is not None)
         return given and self._parts(expr, env) is None
 
@@ -148,11 +149,21 @@ class StructureFolder:
             return self._origin(bound.expr, bound.env.deeper(env.depth + 1))
         return bound
 
+    def _helds(self, expr: Name | Member, env: Env) -> set[Held]:
+        """What a variable may hold: by the function at hand, else, of a member of its object, by all methods."""
+        key = self.folder.flow.effects(env.func).key(expr)
+        helds = {held for way in self.folder.flow.ways(expr, env) for held in way}
+        cls = env.this or env.func.cls
+        if helds or cls is None or not key.startswith(".") or key.count(".") > 1:
+            return helds
+        found = self.folder.members.sources(key.removeprefix("."), cls, env)
+        return {held if held.env is not None else replace(held, env=place) for held, place in found}
+
     def _made(self, expr: Expr, env: Env) -> Bound | None:
         """Return what an object is made from: of a variable its value, of a parameter what is passed for it."""
         if not isinstance(expr, Name | Member):
             return None
-        helds = {held for way in self.folder.flow.ways(expr, env) for held in way}
+        helds = self._helds(expr, env)
         if all(held.how == "given" for held in helds):
             return env.args.get(expr.id) if isinstance(expr, Name) else self._part(expr, env)
         held = helds.pop()

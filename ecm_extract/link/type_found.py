@@ -1,23 +1,8 @@
-"""What is found of a type, and which kind of type an endpoint of a role has."""
+"""What is found of a type."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from types import MappingProxyType
 from typing import Final, NamedTuple
-
-from ecm_checker.contract import Role
-
-ROLE_KIND: Final[Mapping[Role, str]] = MappingProxyType(
-    {
-        "publisher": "msg",
-        "subscriber": "msg",
-        "service_server": "srv",
-        "service_client": "srv",
-        "action_server": "action",
-        "action_client": "action",
-    }
-)
 
 
 class TypeFound(NamedTuple):
@@ -27,4 +12,6 @@ class TypeFound(NamedTuple):
     open: frozenset[str] = frozenset()
 
 
-UNKNOWN_TYPE = TypeFound(None)
+UNKNOWN_TYPE: Final = TypeFound(None)
+ACTION: Final = "action"
+"""The kind of type that a package has in two folders: ROS 1 generates messages of actions."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from ecm_checker.contract import Role
+from ecm_checker.hub.roles import Role, roles
 from ecm_checker.match.generated import snake
 from ecm_parsers.source.expr import Call, Expr, Lambda, Member, Name, Op, Text
 
@@ -15,7 +15,7 @@ from ecm_extract.link.fold import Folder
 from ecm_extract.link.python_types import PythonTypes
 from ecm_extract.link.sent_as import sent_as
 from ecm_extract.link.spelling import plain, pointee, template_arguments
-from ecm_extract.link.type_found import ROLE_KIND, UNKNOWN_TYPE, TypeFound
+from ecm_extract.link.type_found import ACTION, UNKNOWN_TYPE, TypeFound
 from ecm_extract.link.units import Cls, Func
 
 _KINDS = ("msg", "srv", "action")
@@ -155,8 +155,8 @@ class Types:
     def _in_lower_case(self, bare: str, env: Env, role: Role) -> str | None:
         """`my_pkg::cloud_info`: a message named against the convention, told by the header that generation makes."""
         package, _, name = bare.partition("::")
-        kind = ROLE_KIND.get(role)
-        if not name[:1].islower() or "::" in name or kind is None:
+        kind = roles()[role].shape
+        if not name[:1].islower() or "::" in name or not kind:
             return None
         header = f"{package}/{name}.h"
         files = (env.func.file, *self.program.included(env.func.file))
@@ -195,11 +195,11 @@ class Types:
             if kind in parts[1:-1]:
                 at = parts.index(kind, 1)
                 name = parts[-1].rstrip("_") if len(parts) > at + 1 else ""
-                if kind == "msg" and ROLE_KIND.get(role) == "action":
-                    kind = "action"  # ROS 1 generates actions as messages
+                if kind == "msg" and roles()[role].shape == ACTION:
+                    kind = ACTION  # ROS 1 generates actions as messages
                 return f"{parts[at - 1]}/{kind}/{_action(name, kind)}" if name[:1].isalpha() else None
-        wanted = ROLE_KIND.get(role)
-        if wanted is None or len(parts) != 2 or not parts[1][:1].isupper():
+        wanted = roles()[role].shape
+        if not wanted or len(parts) != 2 or not parts[1][:1].isupper():
             return None
         return f"{parts[0]}/{wanted}/{_action(parts[1].rstrip('_'), wanted)}"
 
@@ -272,7 +272,7 @@ def _not_ros(name: str) -> bool:
 
 
 def _action(name: str, kind: str) -> str:
-    return _ACTION_PART.sub("", name) if kind == "action" and name != "Action" else name
+    return _ACTION_PART.sub("", name) if kind == ACTION and name != "Action" else name
 
 
 def _argument(call: Invocation, index: int) -> Expr | None:
