@@ -60,6 +60,9 @@ class Assigning:
         """`auto & x = y;` is another name of what it refers to, or of a part of it, which that leaves as it is."""
         key = self.frame.effects.key(target)
         self.memory.sharing.refer(key, self.frame.effects.root(value), self.frame.effects.key(value))
+        if key in self.memory.escaped:  # who changes it any time changes what it refers to
+            self.memory.escaped.add(self.frame.effects.root(value))
+            state = self.memory.lost(state, {self.frame.effects.root(value)})
         return self.memory.hold(key, Held("value", key, value, env, at), self.memory.parts_lost(key, state))
 
     def bind(self, target: Expr | None, held: Held, state: State) -> State:

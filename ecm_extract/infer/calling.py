@@ -75,7 +75,9 @@ class Calling:
         if len(changing) > 1 or not self.frame.whole:
             return self.memory.lost(state, {key for _, keys in changing for key in keys})
         for call, keys in changing:
-            state = state.having({key: (self._after(key, key, call, at, env, state),) for key in keys})
+            after = {key: self._after(key, key, call, at, env, state) for key in keys}
+            for key, held in after.items():
+                state = state.having({key: (held,)}) if self.frame.python else self.memory.in_place(key, held, state)
         return state
 
     def _at_hand(self, call: Call, env: Env) -> str | None:
@@ -113,6 +115,8 @@ class Calling:
         return replace(state, called=True)
 
     def _apply(self, effect: Effect, at: int, env: Env, state: State) -> State:
+        if effect.kind == "swapped":
+            return self.memory.exchanged(effect.key, self.memory.known(effect.name, env.state or state, env), state)
         before = self.memory.known(effect.key, state, env)
         if effect.kind == "handed" and all(self._keeps_its_text(held) for held in before):
             return state

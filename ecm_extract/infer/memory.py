@@ -92,6 +92,15 @@ class Memory:
         ways = (held,)
         return self.reached(others, state).having(dict.fromkeys(alike, ways))
 
+    def exchanged(self, key: str, ways: tuple[Held, ...], state: State) -> State:
+        """Give a variable of C++ what another one held; who may be changed any time is not known any more."""
+        alike = self.sharing.names_of(key)
+        others = {name for name in self.sharing.touched(alike, state) if name in state.holds}
+        if self.escaped & alike or any(self.is_open(name) for name in alike):
+            return self.lost(state, others | alike)
+        state = self.lost(self.parts_lost(key, state), others)
+        return state.having(dict.fromkeys(alike, ways))
+
     def reached(self, keys: Set[str], state: State) -> State:
         """The state after somebody changed what variables mean or hold: a text of Python stays what it is."""
         if not self.frame.python:

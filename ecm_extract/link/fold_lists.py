@@ -23,6 +23,7 @@ from ecm_extract.infer.held import Held, State
 from ecm_extract.link.calls import Invocation
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, invocation_of
 from ecm_extract.link.fold_tables import is_plain_table
+from ecm_extract.link.numbers import kind_of_type
 from ecm_extract.link.open_lists import OpenLists
 from ecm_extract.link.python_lists import LIST_CALLS, MAX_ITEMS, SPLITS
 from ecm_extract.link.spelling import plain
@@ -337,7 +338,16 @@ class ListFolder:
         iterates = any(
             isinstance(arg, Call) and isinstance(arg.callee, Member) and arg.callee.name in _ENDS for arg in args
         )
-        return None if iterates else [Bound(arg, env) for arg in args]
+        copies = len(args) == 1 and not self._is_element(args[0], env)
+        return None if iterates or copies else [Bound(arg, env) for arg in args]
+
+    def _is_element(self, arg: Expr, env: Env) -> bool:
+        """Tell whether what a list is made from is no other list, which it may be a copy of: a text or a number."""
+        written = self.folder.objects.type_of(arg, env)
+        if kind_of_type(written):
+            return True
+        listed = _CONTAINER.search(plain(written)) is not None or (not written and isinstance(arg, Name | Member))
+        return not listed and all(value.confidence != "pattern" for value in self.folder.fold(arg, env))
 
     def _returned(self, call: Invocation, env: Env) -> list[Bound] | None:
         """What a function of the tree returns, where one return is reached."""
