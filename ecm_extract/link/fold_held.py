@@ -10,14 +10,13 @@ from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.compute import UNKNOWN, changed
 from ecm_extract.infer.held import Held, How
+from ecm_extract.link.declared_numbers import as_declared
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, bind, invocation_of
-from ecm_extract.link.numbers import NUMBERS, as_number
 from ecm_extract.link.spelling import last_name, plain
 from ecm_extract.link.units import Func
 from ecm_extract.link.values import (
     Value,
     alternatives,
-    constant,
     demoted,
     given_holes,
     is_setting,
@@ -95,7 +94,7 @@ class HeldFolder:
         statement = _statement(held)
         if statement is not None and is_name_of_node(inner.func, statement):
             return (node_name(),)
-        values = _as_declared(demoted(self.folder.fold(held.expr, inner)), statement)
+        values = as_declared(demoted(self.folder.fold(held.expr, inner)), statement)
         return self._by_default(held, env) or values if all(map(is_setting, values)) else values
 
     def _element(self, held: Held, env: Env) -> tuple[Value, ...]:
@@ -329,21 +328,6 @@ def _label(key: str) -> str:
 def _statement(held: Held) -> Statement | None:
     body = held.env.func.fact.body if held.env is not None else ()
     return body[held.at] if 0 <= held.at < len(body) else None
-
-
-def _as_declared(values: tuple[Value, ...], statement: Statement | None) -> tuple[Value, ...]:
-    """Numbers as the declared type of a variable holds them: `double x = 1` is 1.0."""
-    name = plain(statement.type).rsplit("::", 1)[-1] if statement is not None and statement.kind == "let" else ""
-    if name not in NUMBERS:
-        return values
-    return tuple([_cast(value, name) for value in values])
-
-
-def _cast(value: Value, name: str) -> Value:
-    data = as_number(value.data, name)
-    return (
-        value if data is value.data else constant(data)._replace(confidence=value.confidence, template=value.template)
-    )
 
 
 def _with_character(data: list[object]) -> object:
