@@ -27,10 +27,12 @@ class Calling:
 
     def after(self, at: int, state: State, env: Env) -> State:
         """Return the state after the calls of a statement."""
+        calls = self.frame.env.func.calls[at]
+        if not calls:
+            return state
         for effect in self.frame.effects.of(at):
             state = self._apply(effect, at, env, state)
-        calls = self.frame.env.func.calls[at]
-        waits = any(self.frame.effects.calls.waits(call) for call in calls)
+        waits = at in self.frame.outline.waiting
         own = self.frame.judge.own_calls(env)
         state = self._methods(at, [] if waits else own, env, state)
         state = self._inner(at, calls, env, state)
@@ -73,7 +75,9 @@ class Calling:
         if len(changing) > 1 or not self.frame.whole:
             return self.memory.lost(state, {key for _, keys in changing for key in keys})
         for call, keys in changing:
-            state = state.having({key: (self._after(key, key, call, at, env, state),) for key in keys})
+            after = {key: self._after(key, key, call, at, env, state) for key in keys}
+            for key, held in after.items():
+                state = state.having({key: (held,)}) if self.frame.python else self.memory.in_place(key, held, state)
         return state
 
     def _at_hand(self, call: Call, env: Env) -> str | None:
@@ -111,6 +115,8 @@ class Calling:
         return replace(state, called=True)
 
     def _apply(self, effect: Effect, at: int, env: Env, state: State) -> State:
+        if effect.kind == "swapped":
+            return self.memory.exchanged(effect.key, self.memory.known(effect.name, env.state or state, env), state)
         before = self.memory.known(effect.key, state, env)
         if effect.kind == "handed" and all(self._keeps_its_text(held) for held in before):
             return state

@@ -17,7 +17,7 @@ from ecm_extract.infer.places import key_of, root_of
 if TYPE_CHECKING:
     from ecm_extract.link.units import Func
 
-Kind = Literal["changed", "lost", "out", "handed"]
+Kind = Literal["changed", "lost", "out", "handed", "swapped"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,7 +39,11 @@ class Calls:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Effect:
-    """A variable, by its key, that a call changes or may change; `name`: the parameter that it is there, of `out`."""
+    """A variable, by its key, that a call changes or may change.
+
+    Attributes:
+        name: the parameter that it is there, of `out`; the variable that it changes places with, of `swapped`.
+    """
 
     kind: Kind
     key: str
@@ -118,6 +122,9 @@ class Effects:
 
     def _of_call(self, call: Call, at: int, statement: Statement) -> Iterator[Effect]:
         callee = call.callee
+        if self._swaps(call):
+            yield from self._swapped(call)
+            return
         if isinstance(callee, Member):
             yield from self._on_receiver(call, callee, statement)
         path = callee.name if isinstance(callee, Member) else callee.id if isinstance(callee, Name) else ""
@@ -137,6 +144,23 @@ class Effects:
             yield from self._given(call, arg, target, param.name if param is not None else "", last)
         for name, arg in named:
             yield from self._given(call, arg, target, name, last)
+
+    def _swaps(self, call: Call) -> bool:
+        """Whether a call is `std::swap(a, b)` or `a.swap(b)`, and none of a function of the tree."""
+        callee = call.callee
+        name = callee.name if isinstance(callee, Member) else callee.id if isinstance(callee, Name) else ""
+        given = 1 if isinstance(callee, Member) else 2
+        return not self.python and name in {"swap", "std::swap"} and len(call.args) == given
+
+    def _swapped(self, call: Call) -> Iterator[Effect]:
+        """Both change places at once; who is only a part of something leaves that unknown."""
+        both = [call.callee.base, *call.args] if isinstance(call.callee, Member) else list(call.args)
+        keys = [self.key(arg) for arg in both]
+        if all(keys) and not any("." in key[1:] for key in keys):
+            yield Effect("swapped", keys[0], call, keys[1])
+            yield Effect("swapped", keys[1], call, keys[0])
+            return
+        yield from (Effect("lost", root, call) for arg in both if (root := self.root(arg)))
 
     def _on_receiver(self, call: Call, callee: Member, statement: Statement) -> Iterator[Effect]:
         if callee.name not in self.calls.changing:

@@ -46,7 +46,7 @@ class Looping:
         for item in items:
             if current is None:
                 break
-            current = self.assigning.bind(each.target, Held("value", "", item.expr, item.env, loop.each), current)
+            current = self.assigning.known_element(each.target, item, loop.each, current)
             current = self._round(loop, current)
         if not items:
             self.blocks.unreached(loop.body, self.assigning.element(each, loop.each, state))
@@ -54,11 +54,11 @@ class Looping:
 
     def _round(self, loop: Loop, state: State) -> State | None:
         """Run the body once; what comes after a way out that may have been taken is not certain any more."""
-        broken = self.exits.broken()
+        before = self.exits.broken() + self.exits.ways_out
         after = self.blocks.run(loop.body, state)
         after = joined_states([after, *self.exits.next_round()])
         after = self.blocks.run(loop.step, after) if after is not None else None
-        left = self.exits.broken() > broken or self.exits.has_left
+        left = self.exits.broken() + self.exits.ways_out > before
         return self.frame.undecided(after) if after is not None and left else after
 
     def _exit(self, loop: Loop, state: State | None) -> State | None:

@@ -22,11 +22,10 @@ from ecm_extract.link.env import Bound, Env, bind, invocation_of
 from ecm_extract.link.handing_on import THIS
 from ecm_extract.link.limits import limit
 from ecm_extract.link.naming_calls import gives_name, is_resolver
-from ecm_extract.link.numbers import NUMBERS, as_number
+from ecm_extract.link.numbers import NUMBERS, as_number, kind_of_type
 from ecm_extract.link.object_states import is_own
 from ecm_extract.link.overloads import score
 from ecm_extract.link.placing import CAMERA_INFO, placed
-from ecm_extract.link.spelling import plain
 from ecm_extract.link.units import Func
 from ecm_extract.link.values import (
     PARENT_NAMESPACE,
@@ -146,7 +145,8 @@ class CallFolder:
         if call.receiver is not None and call.last in _PROPERTY_READS:
             return self._property(call.receiver, env) or (unknown(call.last),)
         if call.receiver is not None and call.last in formats.VALUE_READS:
-            return self._read_from(call.receiver, call.last, env)
+            entry = self._element(call, env) if call.args else None  # `table.get(key)` is no read of a whole value
+            return self._read_from(call.receiver, call.last, env) if entry is None else entry
         known = self._of_library(call, env)
         if known is not None:
             return known
@@ -430,14 +430,6 @@ class CallFolder:
 
 def _is_unknown(value: Value) -> bool:
     return len(value.parts) == 1 and isinstance(value.parts[0], Hole) and value.parts[0].kind == "unknown"
-
-
-def kind_of_type(written: str) -> str:
-    """Return whether a type is one of texts or of numbers, nothing for others."""
-    last = plain(written).rsplit("::", 1)[-1]
-    if last in {"string", "string_view"} or (last == "char" and "*" in written):
-        return "text"
-    return "number" if last in NUMBERS or last == "bool" else ""
 
 
 def _takes(func: Func, kinds: Sequence[str]) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import reduce
 
 from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Member, Name, Number, Op, Text
 
@@ -140,6 +141,9 @@ def positions(text: str, call: Invocation) -> Iterator[Expr]:
             yield keywords[index]
         elif kind == "arg" and int(index) < len(call.args):
             yield call.args[int(index)]
+        elif kind == "field":
+            base, *names = index.split(".")
+            yield from (reduce(Member, names, arg) for arg in call.args[int(base) : int(base) + 1])
         elif kind == "text":
             texts = text_arguments(call)
             if int(index) < len(texts):

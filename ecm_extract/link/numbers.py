@@ -8,6 +8,8 @@ from typing import Any
 
 from ecm_parsers.numbers import truncated
 
+from ecm_extract.link.spelling import plain
+
 NUMBERS: Mapping[str, str] = MappingProxyType(
     dict.fromkeys(("int", "uint", "long", "short", "unsigned", "size_t"), "integer")
     | {f"{sign}int{bits}_t": "integer" for sign in ("", "u") for bits in (8, 16, 32, 64)}
@@ -22,3 +24,11 @@ def as_number(value: Any, name: str) -> Any:
     kind = NUMBERS.get(name)
     whole = truncated(value) if kind == "integer" else None
     return float(value) if kind == "double" else value if whole is None else whole
+
+
+def kind_of_type(written: str) -> str:
+    """Return whether a type is one of texts or of numbers, nothing for others."""
+    last = plain(written).rsplit("::", 1)[-1]
+    if last in {"string", "string_view"} or (last == "char" and "*" in written):
+        return "text"
+    return "number" if last in NUMBERS or last == "bool" else ""
