@@ -13,7 +13,7 @@ from ecm_extract.infer.memory import Memory
 from ecm_extract.infer.run import Frame
 
 if TYPE_CHECKING:
-    from ecm_extract.link.env import Env
+    from ecm_extract.link.env import Bound, Env
 
 
 class Assigning:
@@ -101,6 +101,8 @@ class Assigning:
                 part = Held("value", "", value.items[index], env, held.at)
             elif held.how == "value" and value is not None:
                 part = Held("value", "", Op("[]", (value, Number(index))), env, held.at)
+            elif held.how in {"each", "part"}:
+                part = Held("part", "", value, env, held.at)
             else:
                 part = Held("lost", "", None, env, held.at)
             state = self.bind(item, part, state)
@@ -118,6 +120,11 @@ class Assigning:
     def element(self, each: Statement, at: int, state: State) -> State:
         """Return the state in which a loop has bound its variable to any element."""
         return self.bind(each.target, Held("each", "", each.value, self.frame.place(state), at), state)
+
+    def known_element(self, target: Expr | None, item: Bound, at: int, state: State) -> State:
+        """Return the state in which a loop has bound its variable to an element that is known."""
+        own = item.env.func is self.frame.env.func  # the place of a statement means something in its function only
+        return self.bind(target, Held("value", "", item.expr, item.env, at if own else -1), state)
 
 
 def _braces(value: Expr | None) -> list[Items]:

@@ -14,7 +14,7 @@ from ecm_parsers.source.flow import Block, Later, Leave, Step, blocks
 from ecm_extract.infer.effects import Effect, Effects, Targets, is_plain
 from ecm_extract.infer.inner import only_called
 from ecm_extract.infer.places import own_names
-from ecm_extract.link.walk import children
+from ecm_extract.link.walk import children, comprehensions
 
 if TYPE_CHECKING:
     from ecm_extract.link.units import Func
@@ -90,6 +90,12 @@ class Outline:
         return frozenset(key for func in handed for key in self._changed_inside(func))
 
     @cached_property
+    def waiting(self) -> Set[int]:
+        """The statements with a call that may let callbacks of the program run."""
+        waits = self.effects.calls.waits
+        return frozenset(at for at, calls in enumerate(self.func.calls) if any(waits(call) for call in calls))
+
+    @cached_property
     def bound_inside(self) -> Set[str]:
         """The variables of a function of Python that functions within it give something else (`nonlocal x`)."""
         found = {key for func in self.inner for key in self._changed_inside(func, bound=True)}
@@ -127,10 +133,19 @@ class Outline:
         found: set[int] = set()
         for step in self.block:
             if isinstance(step, int):
-                found.add(step)
+                found.update(() if self._repeats(step) else (step,))
             elif self._may_end(step):
                 break
         return found
+
+    def _repeats(self, at: int) -> bool:
+        """Whether a statement calls something for each element that a comprehension runs over."""
+        found = self.func.calls[at] if self._has_rounds else ()
+        return bool(found) and any(comprehensions(self.func.fact.body[at].value))
+
+    @cached_property
+    def _has_rounds(self) -> bool:
+        return any(statement.kind == "each" for statement in self.func.fact.body)
 
     def _may_end(self, step: Step) -> bool:
         """Whether the function may be left within a step."""

@@ -15,8 +15,10 @@ from ecm_extract.infer.interpreter import Interpreter
 from ecm_extract.infer.outline import Outline
 from ecm_extract.infer.run import Run
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, invocation_of
+from ecm_extract.link.naming_calls import leaves_arguments
 from ecm_extract.link.own_calls import OwnCalls
 from ecm_extract.link.run_keys import RunKeys
+from ecm_extract.link.spelling import last_name
 from ecm_extract.link.truths import Truths
 from ecm_extract.link.units import Cls, File, Func
 
@@ -225,9 +227,9 @@ class Flow:
         env = Env(func, at, this=func.cls)
         return self.folder.objects.callee(invocation_of(call, env), env)
 
-    def keeps(self, name: str) -> bool:
-        """Tell whether a call of that name is one of a client library, which leaves what it gets as it is."""
-        return self.folder.reads.knows(name)
+    def keeps(self, path: str) -> bool:
+        """Tell whether a call that is written so is one of a client library, which leaves what it gets as it is."""
+        return self.folder.reads.knows(last_name(path)) or leaves_arguments(path)
 
     def changes(self, func: Func, name: str) -> bool:
         """Tell whether a function may change what its parameter consists of."""

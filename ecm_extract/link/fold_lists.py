@@ -24,6 +24,7 @@ from ecm_extract.link.calls import Invocation
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, invocation_of
 from ecm_extract.link.fold_tables import is_plain_table
 from ecm_extract.link.numbers import kind_of_type
+from ecm_extract.link.open_lists import OpenLists
 from ecm_extract.link.python_lists import LIST_CALLS, MAX_ITEMS, SPLITS
 from ecm_extract.link.spelling import plain
 from ecm_extract.link.units import Cls
@@ -33,15 +34,11 @@ from ecm_extract.link.values import (
     data_in,
     demoted,
     is_proved,
-    set_by,
     unknown,
 )
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
-
-
-_WHOLE_PARAMETER = re.compile(r"\$\{([^={}]+)=(?:[^{}]|\{[^{}]*\})*\}")
 
 
 _CONTAINER = re.compile(r"(?:vector|deque|array|list|map|set)$")
@@ -55,6 +52,7 @@ class ListFolder:
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
+        self.open = OpenLists(folder)
         self._searching: set[tuple[Cls | None, str]] = set()
 
     def elements(self, expr: Expr | None, env: Env, index: Expr | None = None) -> tuple[Value, ...]:
@@ -65,7 +63,7 @@ class ListFolder:
         if items is not None:
             return self._folded(items, env) or (unknown("item"),)
         some, _ = self._some(expr, env)
-        rest = self._of_parameter(expr, env)
+        rest = self.open.element(expr, env)
         return alternatives((*self._folded(some, env), *rest)) if some else rest
 
     def _folded(self, items: Iterable[Bound], env: Env) -> tuple[Value, ...]:
@@ -108,7 +106,7 @@ class ListFolder:
             if not any(value.confidence == "pattern" for value in text):
                 return text
         some, _ = self._some(expr, env) if items is None else ([], True)
-        rest = self._of_parameter(expr, env)
+        rest = self.open.element(expr, env)
         return alternatives((*self._folded(some, env), *rest)) if some else rest
 
     def _part_of_text(self, call: Invocation, at: int, env: Env) -> tuple[Value, ...] | None:
@@ -122,13 +120,6 @@ class ListFolder:
         bounds = [self.folder.fold(bound, env) for bound in index.operands]
         options = [self.folder.fold(expr, env), *bounds]
         return self.folder.combined(options, lambda data: _slice(data[0], data[1:], str), "item")
-
-    def _of_parameter(self, expr: Expr | None, env: Env) -> tuple[Value, ...]:
-        """An element of a list that a ROS parameter holds: not known here, but a launch may set it."""
-        item = unknown("item")
-        values = self.folder.fold(expr, env) if isinstance(expr, Name | Member) else ()
-        matches = [match for value in values if (match := _WHOLE_PARAMETER.fullmatch(value.template or ""))]
-        return tuple([value for match in matches for value in set_by(match[1], (item,))]) or (item,)
 
     # --- lists -------------------------------------------------------------------------------------------------
 
@@ -182,6 +173,10 @@ class ListFolder:
 
     def _of_subscript(self, expr: Op, env: Env) -> list[Bound] | None:
         base, index = expr.operands
+        entries = self.folder.tables.entries(base, env)
+        if entries is not None:
+            chosen = self.folder.tables.chosen(entries, index, env)
+            return self.items(chosen.expr, chosen.env.deeper(env.depth + 1)) if chosen is not None else None
         items = self.items(base, env)
         if items is None:
             return None
@@ -200,8 +195,8 @@ class ListFolder:
         ways = self.folder.flow.ways(expr, env)
         if ways:
             return self.folder.held.items_of(ways, env)
-        if isinstance(expr, Name) and expr.id in env.args:
-            given = env.args[expr.id]
+        given = self.folder.names.argument(expr.id, env) if isinstance(expr, Name) else None
+        if given is not None:
             return self.items(given.expr, given.env.deeper(env.depth + 1))
         if isinstance(expr, Name) and any(entry.name.lstrip("*") == expr.id for entry in env.func.fact.params):
             return None
@@ -333,10 +328,12 @@ class ListFolder:
             return [Bound(args[0], env)]
         if len(args) == 1 and (isinstance(args[0], Items) or self.items(args[0], env) is not None):
             return self.items(args[0], env)
+        texts = "string" in "".join(call.types) or "string" in call.statement.type
+        if len(args) == 2 and texts and any(map(_steps_on, args)):
+            return None
         if len(args) == 2:
             count = [value.data for value in self.folder.fold(args[0], env)]
             if len(count) == 1 and isinstance(count[0], int) and not isinstance(count[0], bool):
-                texts = "string" in "".join(call.types) or "string" in call.statement.type
                 return [Bound(args[1], env)] * count[0] if texts and 0 <= count[0] <= MAX_ITEMS else None
         iterates = any(
             isinstance(arg, Call) and isinstance(arg.callee, Member) and arg.callee.name in _ENDS for arg in args
@@ -445,6 +442,11 @@ class ListFolder:
             given = env.args[expr.id]
             return self.flat(given.expr, given.env.before(given.env.at))
         return [Bound(expr, env)]
+
+
+def _steps_on(expr: Expr) -> bool:
+    """Whether an expression is a place in an array, and no text: `argv + 1`."""
+    return isinstance(expr, Op) and expr.op in {"+", "-"} and any(isinstance(part, Number) for part in expr.operands)
 
 
 def _slice(found: Any, bounds: Sequence[Any], kind: type) -> Any:

@@ -11,13 +11,18 @@ from ecm_extract.link.calls import Invocation
 
 VALUE_READS = frozenset(
     {"as_string", "as_string_array", "get_parameter_value", "get_value", "string_array_value", "string_value", "value"}
-    | {"c_str", "data", "decode", "encode", "get", "str", "string", "toStdString", "to_string"}
+    | {"as_posix", "c_str", "data", "decode", "encode", "get", "str", "string", "toStdString", "to_string"}
 )
 """Members and methods that give the text of what they are called on."""
 PARAMETER_READS = frozenset(
     {"as_string", "as_string_array", "get_parameter_value", "string_array_value", "string_value"}
 )
 """Those of them that values of parameters alone have."""
+_JOINING = frozenset(
+    {"os.path.join", "rospy.names.ns_join", "pathlib.Path", "pathlib.PosixPath", "pathlib.PurePath"}
+    | {"pathlib.PurePosixPath", "posixpath.join"}
+)
+"""Functions of Python that put `/` between what they get (docs.python.org: os.path, pathlib; rospy.names)."""
 _MAX_INDEX = 6
 """Digits of an index that are read: no call has as many arguments."""
 _PERCENT = re.compile(r"%(?:\((\w+)\))?[-+ #0-9.]*(?:hh|h|ll|l|z)?[a-zA-Z]")
@@ -31,8 +36,15 @@ def formatted(call: Invocation) -> list[Expr | str] | None:
         return braces(receiver.value, args, dict(call.keywords))
     if call.path in {"fmt::format", "std::format"} and args and isinstance(args[0], Text):
         return braces(args[0].value, args[1:], {})
-    if call.path in {"os.path.join", "rospy.names.ns_join"} or call.path.endswith("names::append"):
+    if call.last == "format_map" and isinstance(receiver, Text) and len(args) == 1:
+        named: dict[str, Expr] = {
+            match[1]: Op("[]", (args[0], Text(match[1]))) for match in _BRACES.finditer(receiver.value)
+        }
+        return braces(receiver.value, (), named)
+    if call.path in _JOINING or call.path.endswith("names::append"):
         return _with_separator(args, "/")
+    if call.last == "joinpath" and receiver is not None:
+        return _with_separator((receiver, *args), "/")
     if call.last == "concat" or call.path == "absl::StrCat":
         return list(args)
     return None

@@ -19,8 +19,6 @@ from ecm_extract.link.units import Func
 from ecm_extract.link.values import Value, is_known, joined, literal, unknown
 
 MAX_DEPTH = 12
-_HOST_DEPTH = 4
-"""What a host counts for: hosts of hosts have several calls each."""
 _PRIVATE = frozenset({"getPrivateNodeHandle", "getMTPrivateNodeHandle"})
 _PUBLIC = frozenset({"getNodeHandle", "getMTNodeHandle"})
 _NODES = frozenset({"Node", "LifecycleNode"})
@@ -60,6 +58,7 @@ class Handles:
     def __init__(self, folder: Folder, hosts: HostArguments) -> None:
         self.folder = folder
         self.hosts = hosts
+        self._handing: set[tuple[Func, str]] = set()
 
     def of(self, expr: Expr | None, env: Env) -> Handle:
         """Return the handle that an expression is.
@@ -107,7 +106,7 @@ class Handles:
             return self._variable(expr, env, depth)
         cls = self.folder.objects.class_of(expr.base, env)
         if cls is None:
-            return self._declared(expr, env, depth)
+            return self._declared(expr, env)
         return self._variable(Member(_THIS, expr.name), Env(env.func, env.at, this=cls, depth=env.depth + 1), depth)
 
     def _variable(self, expr: Name | Member, env: Env, depth: int) -> Handle | None:
@@ -119,7 +118,7 @@ class Handles:
         ]
         found = [self._given(expr, value, inner, depth) for value, inner in given if value is not None]
         if not found:
-            return self._declared(expr, env, depth)
+            return self._declared(expr, env)
         return _agreed(found)
 
     def _given(self, expr: Name | Member, value: Expr, env: Env, depth: int) -> Handle | None:
@@ -131,26 +130,31 @@ class Handles:
             return self._known(value, env, depth + 1)
         return self._node_handle(_initialised_with(expr, value), env, depth)
 
-    def _declared(self, expr: Name | Member, env: Env, depth: int) -> Handle | None:
+    def _declared(self, expr: Name | Member, env: Env) -> Handle | None:
         """A parameter is its default; a handle that is held and never made otherwise is the node's, as is no handle."""
         if isinstance(expr, Name):
             for parameter in env.func.fact.params:
                 if parameter.name == expr.id and parameter.default is not None:
                     return self._known(parameter.default, Env(env.func, 0), 1)
                 if parameter.name == expr.id and self._is_handle(parameter.type, env):
-                    return self._handed(expr.id, env.func, depth)
+                    return self._handed(expr.id, env.func)
         written = self.folder.objects.type_of(expr, env)
         if not written or plain(written) == "auto":
             return None if not self._is_text(expr, env) else OWN
         return OWN if by_value(written) or not self._is_handle(written, env) else None
 
-    def _handed(self, parameter: str, func: Func, depth: int) -> Handle | None:
+    def _handed(self, parameter: str, func: Func) -> Handle | None:
         """What a library, or the hosts in the tree, give a method that they call without knowing its class."""
         below = given_namespace(func, parameter, self.folder.program)
         if below is not None:
             return Handle(below)
-        given = self.hosts.of(func, parameter)
-        return _agreed([self._known(bound.expr, bound.env, depth + _HOST_DEPTH) for bound in given])
+        if (func, parameter) in self._handing:
+            return None
+        self._handing.add((func, parameter))
+        try:
+            return _agreed([self._known(bound.expr, bound.env, 0) for bound in self.hosts.of(func, parameter)])
+        finally:
+            self._handing.discard((func, parameter))
 
     def _is_handle(self, written: str, env: Env) -> bool:
         bare = plain(pointee(written))

@@ -16,6 +16,7 @@ from ecm_extract.link.call_index import call_index
 from ecm_extract.link.call_targets import CallTargets
 from ecm_extract.link.calls import Invocation
 from ecm_extract.link.closures import captured
+from ecm_extract.link.emplaced import EMPLACING, emplaced
 from ecm_extract.link.env import Env, Instance, bind
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.match import Matcher, name_argument, positions
@@ -67,8 +68,10 @@ class Sites:
         self._names: dict[Site, tuple[Value, ...]] = {}
         self.openness = Openness(self.folder, types, program.derived)
         self._aliases = program.aliases.meaning(program.classes, matcher.forms)
-        wanted = {*matcher.forms, *program.functions, *program.classes, *_ALSO, *also}
+        wanted = {*matcher.forms, *program.functions, *program.classes, *_ALSO, *EMPLACING, *also}
         self.calls = call_index(program, wanted, self._aliases)
+        for name, call in list(emplaced(self.calls, self.folder.objects)):
+            self.calls[name].append(call)
         self._calls_of = CallTargets(self.folder, self.calls, self._place)
         self.folder.states.callers.find = self._calling
 
@@ -87,7 +90,7 @@ class Sites:
         env = self.root_env(func, call.at)
         call = spread(call)
         for form in self.matcher.fitting(call, env):
-            if (form.role == "parameter") is parameters:
+            if form.row.value is parameters:
                 yield Site(form, prefixed(call, form), env, (), func.holder, func)
 
     def root_env(self, func: Func, at: int) -> Env:
@@ -142,9 +145,9 @@ class Sites:
 
     def _wider(self, site: Site) -> Iterator[Site]:
         params, made = self.openness.of(site, self.names(site))
-        given = {parameter.name for parameter in site.root.fact.params}
+        given = {parameter.name.lstrip("*") for parameter in site.root.fact.params}
         if params & (given | set(site.root.fact.template)):
-            if site.form.role == "parameter" and site.root not in self._remembered:
+            if site.form.row.value and site.root not in self._remembered:
                 self._remembered.add(site.root)
                 self._remember_wrapper(site)
             callers = list(self._callers(site))
@@ -286,13 +289,13 @@ class Sites:
             *places, env = self._inside(site, root)
             yield replace(site, env=env, owner=derived, places=tuple(places))
         for call in self.calls.get(cls.fact.name, ()):
-            if call.func.cls is cls or (own and self._is_base_of(call, cls)):
+            if call.func.cls is cls or (own and self.is_base_of(call, cls)):
                 continue
             if self.makes(call, cls) and call not in site.chain:
                 for outer, certain in self._places(self.root_env(call.func, call.at)):
                     yield self._made_at(replace(site, certain=site.certain and certain), cls, call, at, outer)
 
-    def _is_base_of(self, call: Invocation, cls: Cls) -> bool:
+    def is_base_of(self, call: Invocation, cls: Cls) -> bool:
         """Tell whether a call makes the base of a derived object, which is no object of its own."""
         maker = call.func.cls
         return call.statement.kind == "init" and maker is not None and cls in self.program.ancestry(maker)

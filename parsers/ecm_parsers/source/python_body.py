@@ -7,7 +7,7 @@ value is `let`.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Literal
 
 from tree_sitter import Node
@@ -217,14 +217,14 @@ def _match(scan: Scan, node: Node) -> None:
 
 
 def _case(scan: Scan, clause: Node) -> Case:
-    """A case; a pattern that is no literal may mean anything, a guard is no more than possible."""
+    """A case; a pattern that is no value may mean anything, a guard is no more than possible."""
     patterns = [part for part in parts(clause) if part.type == "case_pattern"]
     guard = clause.child_by_field_name("guard")
     if guard is not None:
         scan.frame.depth += 1
         _calls(scan, guard)
         scan.frame.depth -= 1
-    tests = tuple([_pattern(scan, pattern) for pattern in patterns])
+    tests = tuple([test for pattern in patterns for test in _patterns(scan, pattern)])
     if guard is None and [scan.text(pattern) for pattern in patterns] == ["_"]:
         tests = ()
     elif guard is not None:
@@ -232,10 +232,23 @@ def _case(scan: Scan, clause: Node) -> Case:
     return Case(tests, scan.inner(clause.child_by_field_name("consequence"), 1))
 
 
-def _pattern(scan: Scan, node: Node) -> Expr:
+def _patterns(scan: Scan, node: Node) -> Iterator[Expr]:
+    """What a pattern asks for: the sides of `|` each."""
     inner = parts(node)
-    kind = inner[0].type if len(inner) == 1 else ""
-    return scan.expr(inner[0]) if kind in _LITERALS else scan.opaque(node)
+    only = inner[0] if len(inner) == 1 else node
+    for side in parts(only) if only.type == "union_pattern" else (only,):
+        yield _pattern(scan, side)
+
+
+def _pattern(scan: Scan, node: Node) -> Expr:
+    """Literals and dotted names are values; a name alone is bound by what it meets."""
+    dotted: list[str] = scan.text(node).split(".") if node.type == "dotted_name" else []
+    if len(dotted) > 1:
+        value: Expr = Name(dotted[0])
+        for name in dotted[1:]:
+            value = Member(value, name)
+        return value
+    return scan.expr(node) if node.type in _LITERALS else scan.opaque(node)
 
 
 def _try(scan: Scan, node: Node) -> None:
