@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
+import msgspec
 from ecm_parsers.source.expr import (
     Call,
     Expr,
@@ -130,10 +131,19 @@ class CallFolder:
         read = self.folder.reads.read(call)
         if read is not None:
             return self.parameter_value(*read, env.before(env.at))
-        formatted = formats.formatted(call)
+        formatted = formats.formatted(self._from_root(call, env.before(env.at)))
         if formatted is not None:
             return joined(self.folded_parts(formatted, env))
         return self._computed(call, expr, env.before(env.at))
+
+    def _from_root(self, call: Invocation, env: Env) -> Invocation:
+        """`os.path.join(a, "/b")` drops what stands before a part that begins at the root."""
+        if call.path != "os.path.join":
+            return call
+        args = call.args
+        absolute = [all(value.text.startswith("/") for value in self.folder.fold(arg, env)) for arg in args[1:]]
+        last = max((at for at, rooted in enumerate(absolute, 1) if rooted), default=0)
+        return msgspec.structs.replace(call, args=args[last:])
 
     def _computed(self, call: Invocation, expr: Call, env: Env) -> tuple[Value, ...]:
         """Methods of texts, sizes, functions of the standard library, functions of the tree."""

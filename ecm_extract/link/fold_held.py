@@ -50,7 +50,7 @@ class HeldFolder:
             "stored": self._stored,
             "out": self._written,
             "after": self._after,
-            "entered": self._entered,
+            "entered": lambda held, env: self.of([held.before], env),
         }
 
     def of(self, ways: Iterable[tuple[Held, ...]], env: Env) -> tuple[Value, ...]:
@@ -142,10 +142,6 @@ class HeldFolder:
         values = self.folder.members.initial(name, env.this or cls, env)
         last = plain(self.folder.scope.member_type(name, cls)).rsplit("::", 1)[-1]
         return values or ((literal("")._replace(confidence="folded"),) if last in _TEXTS else ())
-
-    def _entered(self, held: Held, env: Env) -> tuple[Value, ...]:
-        """What a member held where somebody called the method at hand."""
-        return self.of([held.before], env)
 
     def _after(self, held: Held, env: Env) -> tuple[Value, ...]:
         """A member after a method that may have changed it."""

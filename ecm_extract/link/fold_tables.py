@@ -219,8 +219,15 @@ class TableFolder:
             return [*entries, Entry(Bound(args[0], env), Bound(args[1], env))]
         pair = args[0].items if name == "insert" and len(args) == 1 and isinstance(args[0], Items) else args
         if name in {"insert", "emplace", "setdefault", "try_emplace"} and len(pair) == 2:
-            return [Entry(Bound(pair[0], env), Bound(pair[1], env)), *entries]
+            return self._completed(entries, Entry(Bound(pair[0], env), Bound(pair[1], env)), env)
         return None
+
+    def _completed(self, entries: list[Entry], more: Entry, env: Env) -> list[Entry] | None:
+        """The entries with one more behind them, unless a table has its key: Python keeps the order they came in."""
+        found, surely = self._having(entries, more.key.expr, env)
+        if surely or not found:
+            return entries if surely else [*entries, more]
+        return None if env.func.file.language == "python" else [more, *entries]
 
     def distinct(self, entries: list[Entry], env: Env) -> list[Entry] | None:
         """Return the entries that a table has in the end: each key once, in the place where it came first."""

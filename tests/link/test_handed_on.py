@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 
 PYTHON = """
+import os
 import sys
 from rclpy.node import Node
 from std_msgs.msg import String
@@ -50,6 +51,13 @@ PYTHON_ROWS = [
     ),
     ("a key of a table", "t = {'a': 'x'}\npub(t.get('a', 'none'))", {"/x": "folded"}),
     ("no key of a table", "t = {'a': 'x'}\npub(t.get('b', self.own))", {"/own": "folded"}),
+    ("a path from the root", "pub(os.path.join('a', '/b'))", {"/b": "folded"}),
+    ("a path below a path from the root", "pub(os.path.join('a', '/b', 'c'))", {"/b/c": "folded"}),
+    (
+        "the order of a table",
+        "t = {'a': 'x'}\nt.setdefault('c', 'z')\nt.setdefault('a', 'y')\npub('_'.join(t.values()))",
+        {"/x_z": "folded"},
+    ),
     (
         "a part of one of two texts",
         "pub(('a/b' if len(sys.argv) > 1 else 'c').split('/')[-1])",
