@@ -220,10 +220,10 @@ class HeldFolder:
         if not isinstance(call, Call):
             return None
         invocation = invocation_of(call, env)
-        callee = self.folder.calls.meant(invocation, env)
+        callee = self.folder.returns.meant(invocation, env)
         if callee is None or held.name in self.folder.flow.outline(callee).rebound:
             return None
-        inner = self.folder.calls.entered(callee, invocation, bind(callee, invocation, env), env)
+        inner = self.folder.returns.entered(callee, invocation, bind(callee, invocation, env), env)
         run = self.folder.flow.run(inner)
         if run is None or run.end is None:
             return None
@@ -277,8 +277,8 @@ class HeldFolder:
         if before is None:
             return None
         if held.how == "changed" and isinstance(held.expr, Call):
-            return self.folder.lists.changed(before, held.expr, inner)
-        return self.folder.lists.stored(before, held, inner) if held.how == "stored" else None
+            return self.folder.list_changes.changed(before, held.expr, inner)
+        return self.folder.list_changes.stored(before, held, inner) if held.how == "stored" else None
 
     def _items_at_first(self, held: Held, env: Env) -> list[Bound] | None:
         """The elements of a list that the function did not change."""

@@ -37,7 +37,9 @@ def formatted(call: Invocation) -> list[Expr | str] | None:
     if call.path in {"fmt::format", "std::format"} and args and isinstance(args[0], Text):
         return braces(args[0].value, args[1:], {})
     if call.last == "format_map" and isinstance(receiver, Text) and len(args) == 1:
-        named: dict[str, Expr] = {match[1]: Op("[]", (args[0], Text(match[1]))) for match in _BRACES.finditer(receiver.value)}
+        named: dict[str, Expr] = {
+            match[1]: Op("[]", (args[0], Text(match[1]))) for match in _BRACES.finditer(receiver.value)
+        }
         return braces(receiver.value, (), named)
     if call.path in _JOINING or call.path.endswith("names::append"):
         return _with_separator(args, "/")
