@@ -25,6 +25,7 @@ from ecm_parsers.source.expr import (
 
 from ecm_extract.infer.compute import NULL, UNKNOWN, shown
 from ecm_extract.link.assignments import Assignments
+from ecm_extract.link.comprehended import Comprehended
 from ecm_extract.link.env import MAX_DEPTH, Env
 from ecm_extract.link.flow import Flow
 from ecm_extract.link.fold_calls import CallFolder
@@ -34,7 +35,10 @@ from ecm_extract.link.fold_lists import ListFolder
 from ecm_extract.link.fold_members import MemberFolder
 from ecm_extract.link.fold_names import NameFolder
 from ecm_extract.link.fold_operators import OperatorFolder
+from ecm_extract.link.fold_returns import ReturnFolder
 from ecm_extract.link.fold_tables import TableFolder
+from ecm_extract.link.fold_texts import TextFolder
+from ecm_extract.link.list_changes import ListChanges
 from ecm_extract.link.method_effects import MethodEffects
 from ecm_extract.link.object_states import ObjectStates
 from ecm_extract.link.objects import Objects
@@ -79,6 +83,10 @@ class Folder:
         self.calls = CallFolder(self)
         self.assignments = Assignments(self)
         self.lists = ListFolder(self)
+        self.comprehended = Comprehended(self)
+        self.returns = ReturnFolder(self)
+        self.texts = TextFolder(self)
+        self.list_changes = ListChanges(self)
         self.structures = StructureFolder(self)
         self.tables = TableFolder(self)
         self.operators = OperatorFolder(self)

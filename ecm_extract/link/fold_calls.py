@@ -13,33 +13,24 @@ from ecm_parsers.source.expr import (
     Lambda,
     Member,
     Name,
-    Text,
 )
 
 from ecm_extract.infer.compute import UNKNOWN, is_number, method, shown, truth
 from ecm_extract.link import formats
 from ecm_extract.link.calls import Invocation
-from ecm_extract.link.env import Bound, Env, bind, invocation_of
-from ecm_extract.link.handing_on import THIS
+from ecm_extract.link.env import Bound, Env, invocation_of
 from ecm_extract.link.limits import limit
 from ecm_extract.link.naming_calls import gives_name, is_resolver
-from ecm_extract.link.numbers import NUMBERS, as_number, kind_of_type
-from ecm_extract.link.object_states import is_own
-from ecm_extract.link.overloads import score
+from ecm_extract.link.numbers import NUMBERS, as_number
 from ecm_extract.link.placing import CAMERA_INFO, placed
-from ecm_extract.link.units import Func
 from ecm_extract.link.values import (
-    PARENT_NAMESPACE,
     Hole,
     Value,
-    alternatives,
-    below_namespace,
     constant,
     demoted,
     joined,
     literal,
     lowered,
-    node_name,
     node_namespace,
     set_by,
     setting,
@@ -61,9 +52,6 @@ _SAME = frozenset(
         "rclcpp::ParameterValue",
     }
 ) | frozenset(NUMBERS)
-_NAMES = frozenset({"ros::this_node::getName", "rospy.get_name"})
-_NAMESPACES = frozenset({"ros::this_node::getNamespace", "rospy.get_namespace"})
-_LAST_SLASH = frozenset({"rfind", "find_last_of"})
 _STREAMS = frozenset({"stringstream", "ostringstream"})
 _TOPIC_READS = frozenset({"get_topic_name", "getTopic", "get_service_name", "getService"})
 _MAKES_TOPICS = frozenset(
@@ -71,29 +59,8 @@ _MAKES_TOPICS = frozenset(
     | {"create_camera_subscription", "advertise", "subscribe", "advertiseService", "serviceClient"}
     | {"advertiseCamera", "subscribeCamera"}
 )
-MAX_RETURNS = 12
-"""Returns of one call that are looked at."""
 MAX_FILL = 256
 _SIZES = frozenset({"len", "size", "length", "empty"})
-CPP_TEXT_METHODS = frozenset(
-    {"substr", "size", "length", "empty", "find", "rfind", "find_last_of", "find_first_of", "compare", "back", "front"}
-    | {"starts_with", "ends_with"}
-)
-TEXT_METHODS = frozenset(
-    {"lower", "upper", "strip", "lstrip", "rstrip", "replace", "startswith", "endswith", "title", "capitalize", "count"}
-    | {
-        "removeprefix",
-        "removesuffix",
-        "zfill",
-        "find",
-        "rfind",
-        "swapcase",
-        "isdigit",
-        "isalpha",
-        "isidentifier",
-        "index",
-    }
-)
 _PYTHON_FUNCTIONS: Mapping[str, Callable[[list[Any]], Any]] = MappingProxyType(
     {
         "hex": lambda data: hex(data[0]) if len(data) == 1 and isinstance(data[0], int) else UNKNOWN,
@@ -147,7 +114,7 @@ class CallFolder:
 
     def _computed(self, call: Invocation, expr: Call, env: Env) -> tuple[Value, ...]:
         """Methods of texts, sizes, functions of the standard library, functions of the tree."""
-        text = self._of_text(call, env)
+        text = self.folder.texts.value(call, env)
         if text is not None:
             return text
         if call.receiver is not None and call.last in _TOPIC_READS:
@@ -163,7 +130,7 @@ class CallFolder:
         closure = self._closure(expr, call, env)
         if closure is not None:
             return closure
-        return self.folder.guarded(_asked(expr, env), f"{call.path}()", lambda: self._returns(call, env))
+        return self.folder.guarded(_asked(expr, env), f"{call.path}()", lambda: self.folder.returns.values(call, env))
 
     def _read_from(self, receiver: Expr, name: str, env: Env) -> tuple[Value, ...]:
         """What a value of a parameter holds; of one that nothing shows it is what somebody sets."""
@@ -266,37 +233,6 @@ class CallFolder:
             return values
         return joined([(node_namespace(),), (literal("/"),), values])
 
-    def _of_text(self, call: Invocation, env: Env) -> tuple[Value, ...] | None:
-        """Methods of texts: what is appended, joined or cut off; None for other calls."""
-        if call.receiver is None:
-            return None
-        python = env.func.file.language == "python"
-        if call.last == "append" and len(call.args) == 1 and not python:
-            return joined([self.folder.fold(part, env) for part in (call.receiver, call.args[0])])
-        if call.last == "join" and call.args:
-            return self._joined(self.folder.fold(call.receiver, env), call.args[0], env)
-        if _is_above(call):
-            return self._above(call.receiver, env) or (unknown(call.last),)
-        if call.last not in (TEXT_METHODS if python else CPP_TEXT_METHODS) or call.keywords:
-            return None
-        return self._method(call, env, python)
-
-    def _method(self, call: Invocation, env: Env, python: bool) -> tuple[Value, ...] | None:
-        """A method of a text; None where what it is called on is no text."""
-        if call.last in {"size", "length", "empty", "back", "front", "at", "count", "index", "find"}:
-            listed = self.folder.lists.items(call.receiver, env) is not None
-            if listed or (call.receiver is not None and self.folder.tables.entries(call.receiver, env) is not None):
-                return None
-        subject = self.folder.fold(call.receiver, env)
-        if any(value.data is not None for value in subject):
-            return None
-        options = [subject, *(self.folder.fold(arg, env) for arg in call.args)]
-        found = self.folder.combined(options, lambda data: method(call.last, data[0], data[1:], python), call.last)
-        owned = (
-            all(value.confidence == "pattern" for value in found) and self.folder.objects.callee(call, env) is not None
-        )
-        return None if owned else found
-
     def _topic(self, receiver: Expr, env: Env) -> tuple[Value, ...]:
         """The name that a publisher, subscription, service or client was made with."""
         for definition, inner in self.folder.assignments.definitions(receiver, env):
@@ -317,95 +253,10 @@ class CallFolder:
                 return lowered(self.folder.fold(made.args[1], inner), "default") if len(made.args) > 1 else ()
         return ()
 
-    def _above(self, expr: Expr, env: Env) -> tuple[Value, ...]:
-        """The namespace above that of the node, or above a name that is known."""
-        values = self.folder.fold(expr, env)
-        if node_namespace().parts in {value.parts for value in values}:
-            return (node_namespace(PARENT_NAMESPACE),)
-        known = [value for value in values if value.confidence != "pattern"]
-        return tuple([Value((value.text.rpartition("/")[0],), "folded") for value in known])
-
-    def _joined(self, separator: tuple[Value, ...], expr: Expr, env: Env) -> tuple[Value, ...]:
-        items = self.folder.lists.items(expr, env)
-        if items is None:
-            items = self.folder.lists.flat(expr, env)
-            if len(items) == 1 and items[0].expr is expr:
-                return (unknown("join"),)
-        groups: list[tuple[Value, ...]] = []
-        for bound in items:
-            if groups:
-                groups.append(separator)
-            groups.append(self.folder.lists.fold(bound, env))
-        return joined(groups)
-
     def folded_parts(self, parts: Sequence[Expr | str], env: Env) -> list[tuple[Value, ...]]:
         """Return the values of the pieces of a format, in order."""
         inner = env.before(env.at)
         return [(literal(part),) if isinstance(part, str) else self.folder.fold(part, inner) for part in parts]
-
-    def _returns(self, call: Invocation, env: Env) -> tuple[Value, ...]:
-        callee = self.meant(call, env)
-        if callee is None:
-            return (_of_node(call) or unknown(call.last),)
-        found = self.returned(callee, call, env)
-        if not found or len(found) > MAX_RETURNS:
-            return (unknown(call.last),)
-        values = [value for expr, place in found for value in self.folder.fold(expr, place)]
-        open_ = self.may_be_overridden(callee, call, env)
-        listed = _beside_joined(values)
-        return alternatives(demoted((*listed, *([unknown(call.last)] if open_ else []))))
-
-    def meant(self, call: Invocation, env: Env) -> Func | None:
-        """Return the one function that a call means by what is known of its arguments; None where several fit."""
-        fitting = self.folder.objects.callees(call, env)
-        if len(fitting) > 1 and env.func.file.language == "cpp":
-            kinds = [self._kind(arg, env) for arg in call.args]
-            fitting = [func for func in fitting if _takes(func, kinds)]
-            scores = [score(call, func) for func in fitting]
-            fitting = fitting[:1] if scores[1:] and scores[0] > scores[1] and all(kinds) else fitting
-        return fitting[0] if len(fitting) == 1 or (fitting and env.func.file.language == "python") else None
-
-    def _kind(self, arg: Expr, env: Env) -> str:
-        """`text`, `number`, or nothing where that is not known."""
-        values = self.folder.fold(arg, env)
-        if all(value.data is not None for value in values):
-            return "number"
-        if all(value.data is None and any(isinstance(part, str) for part in value.parts) for value in values):
-            return "text"
-        return kind_of_type(self.folder.objects.type_of(arg, env))
-
-    def may_be_overridden(self, callee: Func, call: Invocation, env: Env) -> bool:
-        """Tell whether a class that derives from the one at hand has a method of its own of that name."""
-        cls = env.this or env.func.cls
-        own = call.receiver in {None, Name("this")} and callee.cls is not None and cls is not None
-        concrete = env.made is not None and bool(env.made.args or env.made.types or env.made.maker)
-        if not own or concrete or cls is None or callee.is_constructor:
-            return False
-        derived = self.folder.program.derived(cls)
-        return any(method.fact.name == callee.fact.name for entry in derived for method in entry.methods)
-
-    def returned(self, callee: Func, call: Invocation, env: Env) -> list[tuple[Expr, Env]]:
-        """Return what a call of a function gives back: an expression for each reached return, with its place."""
-        inner = self.entered(callee, call, bind(callee, call, env), env)
-        run = self.folder.flow.run(inner)
-        body = callee.fact.body
-        found = [(body[at].value, inner.within(state, at)) for at, state in run.returns] if run is not None else []
-        return [(value, place) for value, place in found if value is not None]
-
-    def entered(self, callee: Func, call: Invocation, args: Mapping[str, Bound], env: Env) -> Env:
-        """Return the place of evaluation at the entry of a called function."""
-        outer = env if self.folder.flow.enclosing(callee) is env.func else None
-        if callee.cls is None and "lambda" not in callee.fact.traits:
-            return Env(callee, 0, args, depth=env.depth + 1, outer=outer)
-        if is_own(call.receiver):
-            this, made = env.this or env.func.cls or callee.cls, env.made
-            caller = Bound(THIS, env) if self.folder.methods.depends(callee, this) else None
-        else:
-            made = self.folder.states.instance(call.receiver, env) if call.receiver is not None else None
-            this = made.cls if made is not None else callee.cls
-            follows = made is not None and self.folder.methods.depends(callee, this)
-            caller = Bound(call.receiver, env) if follows and call.receiver is not None else None
-        return Env(callee, 0, args, this=this, made=made, depth=env.depth + 1, outer=outer, caller=caller)
 
     def kept_value(self, name: Expr, kept: Sequence[Value], env: Env) -> tuple[Value, ...]:
         """Return what a variable keeps that a parameter is read into which is not set."""
@@ -442,11 +293,6 @@ def _is_unknown(value: Value) -> bool:
     return len(value.parts) == 1 and isinstance(value.parts[0], Hole) and value.parts[0].kind == "unknown"
 
 
-def _takes(func: Func, kinds: Sequence[str]) -> bool:
-    wanted = [kind_of_type(parameter.type) for parameter in func.fact.params]
-    return not any(kind and other and kind != other for kind, other in zip(kinds, wanted, strict=False))
-
-
 def _asked(expr: Call, env: Env) -> tuple[object, ...]:
     """What tells a call with its arguments from the same call with others."""
     return "call", expr, env.func, env.at, env.state, tuple(env.args.values())
@@ -468,22 +314,3 @@ def _filled(data: list[object]) -> object:
 
 def _length(data: list[object]) -> object:
     return len(data[0]) if isinstance(data[0], str) else UNKNOWN
-
-
-def _beside_joined(values: list[Value]) -> list[Value]:
-    """Drop `x` beside `namespace + "/x"`: what a helper joins when it is relative it hands back when it is absolute."""
-    joined_texts = {text for value in values if (text := below_namespace(value)) is not None}
-    return [value for value in values if value.text not in joined_texts or value.text.startswith("/")]
-
-
-def _of_node(call: Invocation) -> Value | None:
-    """`get_name()`, `get_namespace()` of a node and ROS 1 counterparts; functions of the tree were tried before."""
-    if call.last in {"get_name", "get_fully_qualified_name"} or call.path in _NAMES:
-        return node_name()
-    return node_namespace() if call.last == "get_namespace" or call.path in _NAMESPACES else None
-
-
-def _is_above(call: Invocation) -> bool:
-    """`text.substr(0, text.rfind("/"))`: what is above the last part of a name."""
-    end = call.args[1] if call.last == "substr" and len(call.args) == 2 else None
-    return isinstance(end, Call) and getattr(end.callee, "name", "") in _LAST_SLASH and Text("/") in end.args

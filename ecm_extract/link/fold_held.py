@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name
+from ecm_parsers.source.expr import Call, Member
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.compute import UNKNOWN, changed
 from ecm_extract.infer.held import Held, How
 from ecm_extract.link.declared_numbers import as_declared
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, bind, invocation_of
-from ecm_extract.link.spelling import last_name, plain
-from ecm_extract.link.units import Func
+from ecm_extract.link.named_alike import is_name_of_node
+from ecm_extract.link.spelling import plain
 from ecm_extract.link.values import (
     Value,
     alternatives,
@@ -30,7 +30,6 @@ from ecm_extract.link.values import (
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
 
-_NODES = frozenset({"Node", "LifecycleNode"})
 _TEXTS = frozenset({"string", "stringstream", "ostringstream", "QString"})
 _CONTAINERS = frozenset({"vector", "map", "unordered_map", "set", "deque", "list", "unordered_set"})
 
@@ -215,10 +214,10 @@ class HeldFolder:
         if not isinstance(call, Call):
             return None
         invocation = invocation_of(call, env)
-        callee = self.folder.calls.meant(invocation, env)
+        callee = self.folder.returns.meant(invocation, env)
         if callee is None or held.name in self.folder.flow.outline(callee).rebound:
             return None
-        inner = self.folder.calls.entered(callee, invocation, bind(callee, invocation, env), env)
+        inner = self.folder.returns.entered(callee, invocation, bind(callee, invocation, env), env)
         run = self.folder.flow.run(inner)
         if run is None or run.end is None:
             return None
@@ -272,8 +271,8 @@ class HeldFolder:
         if before is None:
             return None
         if held.how == "changed" and isinstance(held.expr, Call):
-            return self.folder.lists.changed(before, held.expr, inner)
-        return self.folder.lists.stored(before, held, inner) if held.how == "stored" else None
+            return self.folder.list_changes.changed(before, held.expr, inner)
+        return self.folder.list_changes.stored(before, held, inner) if held.how == "stored" else None
 
     def _items_at_first(self, held: Held, env: Env) -> list[Bound] | None:
         """The elements of a list that the function did not change."""
@@ -298,23 +297,6 @@ class HeldFolder:
             known = known and items is not None
             found += items or []
         return found, known
-
-
-def is_name_of_node(func: Func, statement: Statement) -> bool:
-    """Tell whether a constructor gives a member what it gives its node as a name: `Node(name), name_(name)`."""
-    if statement.kind != "init" or statement.value is None:
-        return False
-    calls = (entry.value for entry in func.fact.body if entry.kind == "init" and _is_node(entry.target))
-    return any(isinstance(call, Call) and call.args[:1] == (_only(statement.value),) for call in calls)
-
-
-def _is_node(target: Expr | None) -> bool:
-    return isinstance(target, Name) and last_name(target.id) in _NODES
-
-
-def _only(value: Expr) -> Expr:
-    """What an initialiser `x_(value)` holds."""
-    return value.args[0] if isinstance(value, Call) and len(value.args) == 1 else value
 
 
 def _label(key: str) -> str:

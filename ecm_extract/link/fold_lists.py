@@ -42,7 +42,6 @@ if TYPE_CHECKING:
 
 
 _CONTAINER = re.compile(r"(?:vector|deque|array|list|map|set)$")
-_APPENDS = frozenset({"push_back", "emplace_back", "append"})
 _TABLES = frozenset({"map", "unordered_map"})
 _ENDS = frozenset({"begin", "end", "rbegin", "rend", "cbegin", "cend"})
 
@@ -138,7 +137,7 @@ class ListFolder:
         if isinstance(expr, Table):
             return [Bound(key, env) for key, _ in expr.entries] if is_plain_table(expr) else None
         if isinstance(expr, Comprehension):
-            return self.comprehended(expr, inner)
+            return self.folder.comprehended.elements(expr, inner)
         if isinstance(expr, Call):
             return self._called(expr, inner)
         if isinstance(expr, Op):
@@ -266,42 +265,6 @@ class ListFolder:
 
     # --- calls that give lists ---------------------------------------------------------------------------------
 
-    def comprehended(self, expr: Comprehension, env: Env) -> list[Bound] | None:
-        """`[f(x) for x in xs if g(x)]` element by element."""
-        places = [env]
-        for loop in expr.loops:
-            each = env.func.fact.body[loop] if loop < len(env.func.fact.body) else None
-            wider: list[Env] = []
-            for place in places:
-                items = self.items(each.value, place) if each is not None else None
-                if items is None or len(items) * len(places) > MAX_ITEMS:
-                    return None
-                wider += [self._bound_to(each.target, item, place) for item in items if each is not None]
-            places = wider
-        return self._passing(expr, places)
-
-    def _bound_to(self, target: Expr | None, item: Bound, env: Env) -> Env:
-        """A place at which a loop has bound its target to an element."""
-        if isinstance(target, Name):
-            return self.folder.flow.naming(env, {target.id: item})
-        given: dict[str, Bound] = {}
-        for index, part in enumerate(target.items if isinstance(target, Items) else ()):
-            pair = item.expr.items if isinstance(item.expr, Items) else ()
-            value = pair[index] if index < len(pair) else Op("[]", (item.expr, Number(index)))
-            if isinstance(part, Name):
-                given[part.id] = Bound(value, item.env)
-        return self.folder.flow.naming(env, given)
-
-    def _passing(self, expr: Comprehension, places: Iterable[Env]) -> list[Bound] | None:
-        kept: list[Bound] = []
-        for place in places:
-            tests = [self.folder.flow.truth(test, place) for test in expr.tests]
-            if None in tests and False not in tests:
-                return None
-            if False not in tests:
-                kept.append(Bound(expr.element, place))
-        return kept
-
     def _called(self, expr: Call, env: Env) -> list[Bound] | None:
         call = invocation_of(expr, env)
         last = call.last
@@ -351,82 +314,11 @@ class ListFolder:
 
     def _returned(self, call: Invocation, env: Env) -> list[Bound] | None:
         """What a function of the tree returns, where one return is reached."""
-        callee = self.folder.calls.meant(call, env)
+        callee = self.folder.returns.meant(call, env)
         if callee is None:
             return None
-        found = self.folder.calls.returned(callee, call, env)
+        found = self.folder.returns.returned(callee, call, env)
         return self.items(*found[0]) if len(found) == 1 else None
-
-    def _without(self, items: list[Bound], what: Expr, env: Env) -> list[Bound] | None:
-        """A list without the first element that is equal; None where that is not decided."""
-        for at, item in enumerate(items):
-            place = self.folder.flow.naming(env, {"#item": item})
-            same = self.folder.flow.alike(what, Name("#item"), place)
-            if same is not False:
-                return [*items[:at], *items[at + 1 :]] if same else None
-        return None
-
-    # --- changes -----------------------------------------------------------------------------------------------
-
-    def changed(self, items: list[Bound], call: Call, env: Env) -> list[Bound] | None:
-        """Return the elements of a list after a method changed it; None for what is not modelled."""
-        name = call.callee.name if isinstance(call.callee, Member) else ""
-        args = call.args
-        if name in _APPENDS and len(args) == 1:
-            return [*items, Bound(args[0], env)]
-        if name == "emplace_back" and len(args) > 1:
-            return [*items, Bound(Items(args), env)]
-        if name in {"pop", "pop_back"} and not args and items:
-            return items[:-1]
-        if name == "remove" and len(args) == 1 and env.func.file.language == "python":
-            return self._without(items, args[0], env)
-        if name == "clear" and not args:
-            return []
-        if name == "reverse" and not args:
-            return items[::-1]
-        if name == "extend" and len(args) == 1:
-            more = self.items(args[0], env)
-            return None if more is None else [*items, *more]
-        if name == "sort" and not args and not call.keywords:
-            return self.ordered(items, env)
-        return self._at_place(name, items, args, env)
-
-    def _at_place(self, name: str, items: list[Bound], args: tuple[Expr, ...], env: Env) -> list[Bound] | None:
-        at = self._place(args[0], items, env) if args else None
-        if at is None:
-            return None
-        if name == "insert" and len(args) == 2:
-            return [*items[:at], Bound(args[1], env), *items[at:]]
-        inside = -len(items) <= at < len(items)
-        return (
-            [item for index, item in enumerate(items) if index != at % len(items)] if name == "pop" and inside else None
-        )
-
-    def _place(self, expr: Expr, items: list[Bound], env: Env) -> int | None:
-        if isinstance(expr, Call) and isinstance(expr.callee, Member) and not expr.args:
-            return {"begin": 0, "end": len(items)}.get(expr.callee.name)
-        values = self.folder.fold(expr, env)
-        data = values[0].data if len(values) == 1 and is_proved(values[0]) else None
-        return data if isinstance(data, int) and not isinstance(data, bool) else None
-
-    def stored(self, items: list[Bound], held: Held, env: Env) -> list[Bound] | None:
-        """Return the elements of a list after one was given a value."""
-        at = self._place(held.expr, items, env) if held.expr is not None else None
-        if at is None or held.more is None or not -len(items) <= at < len(items):
-            return None
-        changed = list(items)
-        changed[at] = Bound(held.more, env)
-        return changed
-
-    def ordered(self, items: list[Bound], env: Env) -> list[Bound] | None:
-        """Return elements in their order, where each of them is known."""
-        values = [self.fold(item, env) for item in items]
-        if any(len(found) != 1 or not is_proved(found[0]) or data_in(found[0]) is UNKNOWN for found in values):
-            return None
-        data = [data_in(found[0]) for found in values]
-        if len({type(entry) for entry in data}) > 1:
-            return None
-        return [item for _, item in sorted(zip(data, items, strict=True), key=lambda pair: pair[0])]
 
     # --- sequences ---------------------------------------------------------------------------------------------
 

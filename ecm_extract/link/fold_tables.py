@@ -76,7 +76,7 @@ class TableFolder:
         if isinstance(expr, Table):
             return [Entry(Bound(k, env), Bound(v, env)) for k, v in expr.entries] if is_plain_table(expr) else None
         if isinstance(expr, Comprehension) and isinstance(expr.element, Table):
-            rows = self.folder.lists.comprehended(expr, env)
+            rows = self.folder.comprehended.elements(expr, env)
             return None if rows is None else [entry for row in rows for entry in self._entries(row.expr, row.env) or ()]
         if isinstance(expr, Call):
             return self._entries_of_call(expr, env)
@@ -117,8 +117,8 @@ class TableFolder:
         return self._returned_entries(call, env)
 
     def _returned_entries(self, call: Invocation, env: Env) -> list[Entry] | None:
-        callee = self.folder.calls.meant(call, env)
-        found = self.folder.calls.returned(callee, call, env) if callee is not None else []
+        callee = self.folder.returns.meant(call, env)
+        found = self.folder.returns.returned(callee, call, env) if callee is not None else []
         return self.entries(*found[0]) if len(found) == 1 else None
 
     def _pairs(self, expr: Expr, env: Env) -> list[Entry] | None:

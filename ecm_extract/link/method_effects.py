@@ -76,17 +76,17 @@ class MethodEffects:
 
     def begun(self, call: Invocation, env: Env) -> Env | None:
         """Return the beginning of the method that a call runs, or of the function that is declared around the call."""
-        callee = self.folder.calls.meant(call, env)
+        callee = self.folder.returns.meant(call, env)
         if callee is None or callee not in self.folder.flow.outline(env.func).captured:
             return self.entry(call, env)
-        return self.folder.calls.entered(callee, call, bind(callee, call, env), env)
+        return self.folder.returns.entered(callee, call, bind(callee, call, env), env)
 
     def entry(self, call: Invocation, env: Env) -> Env | None:
         """Return the beginning of the one method that a call runs; None where several fit."""
-        callee = self.folder.calls.meant(call, env)
-        if callee is None or callee.cls is None or self.folder.calls.may_be_overridden(callee, call, env):
+        callee = self.folder.returns.meant(call, env)
+        if callee is None or callee.cls is None or self.folder.returns.may_be_overridden(callee, call, env):
             return None
-        return self.folder.calls.entered(callee, call, bind(callee, call, env), env)
+        return self.folder.returns.entered(callee, call, bind(callee, call, env), env)
 
     def _members(self, func: Func, this: Cls | None) -> Set[str] | None:
         asked = (func, this)

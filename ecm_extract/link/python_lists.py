@@ -52,7 +52,7 @@ def _copied(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None
 
 def _sorted(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
     items = _copied(lists, call, env)
-    return None if items is None else lists.ordered(items, env)
+    return None if items is None else lists.folder.list_changes.ordered(items, env)
 
 
 def _reversed(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
