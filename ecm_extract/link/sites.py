@@ -71,6 +71,7 @@ class Sites:
         self.calls = call_index(program, wanted, self._aliases)
         self._calls_of = CallTargets(self.folder, self.calls, self._place)
         self.folder.states.callers.find = self._calling
+        matcher.undeclared.makers = self._making
 
     def find(self, parameters: bool) -> list[Site]:
         """Return the sites of parameters, or of everything else."""
@@ -296,6 +297,9 @@ class Sites:
         own = args if site.root.is_constructor and site.root.cls is cls else {}
         root = Env(site.root, at, own, types, cls, Instance(cls, args, types, constructor))
         return self._widened(site, call, outer, root)
+
+    def _making(self, cls: Cls) -> Iterator[Func]:
+        return (call.func for call in self.calls.get(cls.fact.name, ()) if self.makes(call, cls))
 
     def makes(self, call: Invocation, cls: Cls) -> bool:
         """Tell whether a call makes an object of a class."""
