@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from ecm_parsers.source.flow import Loop
 
 from ecm_extract.infer.assigning import Assigning
@@ -10,6 +12,9 @@ from ecm_extract.infer.calling import Calling
 from ecm_extract.infer.exits import Exits
 from ecm_extract.infer.held import MAX_WAYS, Held, State, joined_states
 from ecm_extract.infer.run import MAX_STEPS, Frame
+
+if TYPE_CHECKING:
+    from ecm_extract.link.env import Bound
 
 MAX_ROUNDS = 64
 """Rounds of a loop that are run one by one."""
@@ -46,11 +51,16 @@ class Looping:
         for item in items:
             if current is None:
                 break
-            current = self.assigning.bind(each.target, Held("value", "", item.expr, item.env, loop.each), current)
+            current = self.assigning.bind(each.target, self._element(item, loop), current)
             current = self._round(loop, current)
         if not items:
             self.blocks.unreached(loop.body, self.assigning.element(each, loop.each, state))
         return self._exit(loop, current)
+
+    def _element(self, item: Bound, loop: Loop) -> Held:
+        """What a round begins with; a list that a caller gave has no statement in the function at hand."""
+        own = item.env.func.fact.body is self.frame.body
+        return Held("value", "", item.expr, item.env, loop.each if own else -1)
 
     def _round(self, loop: Loop, state: State) -> State | None:
         """Run the body once; what comes after a way out that may have been taken is not certain any more."""

@@ -32,6 +32,7 @@ from ecm_extract.link.values import (
     data_in,
     demoted,
     is_proved,
+    left_open,
     set_by,
     unknown,
 )
@@ -112,9 +113,9 @@ class ListFolder:
         return self.folder.combined(options, lambda data: _slice(data[0], data[1:], str), "item")
 
     def _of_parameter(self, expr: Expr | None, env: Env) -> tuple[Value, ...]:
-        """An element of a list that a ROS parameter holds: not known here, but a launch may set it."""
-        item = unknown("item")
+        """An element of a list that a ROS parameter holds, which a launch may set, or one that callers give."""
         values = self.folder.fold(expr, env) if isinstance(expr, Name | Member) else ()
+        item = left_open(values, "item")
         matches = [match for value in values if (match := _WHOLE_PARAMETER.fullmatch(value.template or ""))]
         return tuple([value for match in matches for value in set_by(match[1], (item,))]) or (item,)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal, NamedTuple
 
@@ -133,6 +133,14 @@ def setting(label: str) -> Value:
 def is_setting(value: Value) -> bool:
     """Tell whether a value is no more than what somebody sets."""
     return len(value.parts) == 1 and isinstance(value.parts[0], Hole) and value.parts[0].kind == "setting"
+
+
+def left_open(values: Sequence[Value], label: str) -> Value:
+    """What is not computed: it still depends on the parameters that its parts depend on."""
+    holes = [part for value in values for part in value.parts if isinstance(part, Hole)]
+    open_ = tuple([hole._replace(default=None) for hole in holes if hole.kind in {"param", "made"}])
+    named = next((hole.label for hole in holes), label) if label == "value" else label
+    return Value(open_, "pattern") if open_ else unknown(named)
 
 
 def circular(label: str) -> Value:
