@@ -294,8 +294,10 @@ class Sites:
         constructor = self.folder.objects.constructor(cls, len(call.args))
         args = bind(constructor, call, outer) if constructor is not None else {}
         types = self._class_types(cls, call, outer)
-        own = args if site.root.is_constructor and site.root.cls is cls else {}
-        root = Env(site.root, at, own, types, cls, Instance(cls, args, types, constructor))
+        made = Instance(cls, args, types, constructor)
+        made = made if site.root is constructor else self.folder.objects.delegated(made)
+        own = made.args if site.root.is_constructor and site.root.cls is cls else {}
+        root = Env(site.root, at, own, types, cls, made)
         return self._widened(site, call, outer, root)
 
     def _making(self, cls: Cls) -> Iterator[Func]:
