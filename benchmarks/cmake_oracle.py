@@ -10,8 +10,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-_KINDS = {"EXECUTABLE": "executable", "INTERFACE_LIBRARY": "interface"}
-_NOT_BUILT = frozenset({"UTILITY"})
+_KINDS = {"EXECUTABLE": "executable"}
+_NOT_BUILT = frozenset({"UTILITY", "INTERFACE_LIBRARY"})
+_PREFIX = "/prefix"
+_RULE = ".rule"
+"""Suffix of a file that stands for a command in a list of sources."""
 _STUBS = {
     "ament_cmake": """
 option(BUILD_TESTING "" ON)
@@ -24,6 +27,41 @@ function(ament_add_gtest name)
 endfunction()
 """,
     "rclcpp": "",
+    "ament_cmake_auto": """
+macro(_auto_sources)
+  cmake_parse_arguments(ARG "NO_TARGET_LINK_LIBRARIES" "DIRECTORY" "" ${ARGN})
+  set(_found "")
+  if(ARG_DIRECTORY)
+    file(GLOB_RECURSE _found RELATIVE ${CMAKE_CURRENT_SOURCE_DIR}
+      ${ARG_DIRECTORY}/*.c ${ARG_DIRECTORY}/*.cc ${ARG_DIRECTORY}/*.cpp ${ARG_DIRECTORY}/*.cxx)
+  endif()
+endmacro()
+macro(ament_auto_add_executable name)
+  _auto_sources(${ARGN})
+  add_executable(${name} ${ARG_UNPARSED_ARGUMENTS} ${_found})
+  list(APPEND ${PROJECT_NAME}_EXECUTABLES ${name})
+endmacro()
+macro(ament_auto_add_library name)
+  _auto_sources(${ARGN})
+  add_library(${name} ${ARG_UNPARSED_ARGUMENTS} ${_found})
+  list(APPEND ${PROJECT_NAME}_LIBRARIES ${name})
+endmacro()
+macro(ament_auto_package)
+  cmake_parse_arguments(_A "INSTALL_TO_PATH" "" "INSTALL_TO_SHARE" ${ARGN})
+  if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/include)
+    install(DIRECTORY include/ DESTINATION include)
+  endif()
+  install(TARGETS ${${PROJECT_NAME}_LIBRARIES} ARCHIVE DESTINATION lib LIBRARY DESTINATION lib RUNTIME DESTINATION bin)
+  set(_where lib/${PROJECT_NAME})
+  if(_A_INSTALL_TO_PATH)
+    set(_where bin)
+  endif()
+  install(TARGETS ${${PROJECT_NAME}_EXECUTABLES} DESTINATION ${_where})
+  foreach(_dir ${_A_INSTALL_TO_SHARE})
+    install(DIRECTORY ${_dir} DESTINATION share/${PROJECT_NAME})
+  endforeach()
+endmacro()
+""",
     "rclcpp_components": """
 function(rclcpp_components_register_node target)
 endfunction()
@@ -129,17 +167,15 @@ class Oracle:
         if self.platform is not None:
             # What CMake found of the compiler once holds for all projects.
             shutil.copytree(self.platform, build / "CMakeFiles" / self.platform.name)
-        trace = build / "trace.json"
-        command = [self.program, "-S", str(source), "-B", str(build), "-G", "Ninja", "--trace-expand"]
-        command += ["--trace-format=json-v1", f"--trace-redirect={trace}", "-Wno-dev", "-Wno-deprecated"]
+        command = [self.program, "-S", str(source), "-B", str(build), "-G", "Ninja", "-Wno-dev", "-Wno-deprecated"]
         command += [f"-D{name}_DIR={self.stubs / name}" for name in _STUBS]
-        command += ["-DCMAKE_INSTALL_PREFIX=/prefix", "-DCMAKE_POLICY_VERSION_MINIMUM=3.5"]
+        command += [f"-DCMAKE_INSTALL_PREFIX={_PREFIX}", "-DCMAKE_POLICY_VERSION_MINIMUM=3.5"]
         command += [f"-DCMAKE_PROJECT_TOP_LEVEL_INCLUDES={self.stand_in}"] if is_fixture else []
         done = subprocess.run(command, check=False, capture_output=True, text=True)
         if done.returncode:
             return " ".join(done.stderr.split())[:300]
         self._keep_platform(build)
-        return _truth(build, source, trace)
+        return _truth(build)
 
     def _keep_platform(self, build: Path) -> None:
         if self.platform is None:
@@ -148,20 +184,20 @@ class Oracle:
             shutil.copytree(found, self.platform, dirs_exist_ok=True)
 
 
-def _truth(build: Path, source: Path, trace: Path) -> Truth:
+def _truth(build: Path) -> Truth:
     reply = build / ".cmake/api/v1/reply"
     model = json.loads(next(reply.glob("codemodel-v2-*.json")).read_text())
     (configuration,) = model["configurations"]
     truth = Truth()
-    places = _places(trace, source)
     names = {}
     for entry in configuration["targets"]:
         target = json.loads((reply / entry["jsonFile"]).read_text())
         names[entry["id"]] = entry["name"]
         if target["type"] not in _NOT_BUILT:
             kind = _KINDS.get(target["type"], "library")
-            sources = frozenset(posixpath.normpath(each["path"]) for each in target.get("sources", ()))
-            truth.targets[entry["name"]] = Built(kind, sources, places.get(entry["name"], ""))
+            paths = (each["path"] for each in target.get("sources", ()) if not each["path"].endswith(_RULE))
+            sources = frozenset(_source(path, build) for path in paths)
+            truth.targets[entry["name"]] = Built(kind, sources, _place(target))
     for entry in configuration["directories"]:
         folder = json.loads((reply / entry["jsonFile"]).read_text())
         for installer in folder.get("installers", ()):
@@ -169,12 +205,17 @@ def _truth(build: Path, source: Path, trace: Path) -> Truth:
     return truth
 
 
+def _source(path: str, build: Path) -> str:
+    """A path of the project, or one below the folder of the build."""
+    return posixpath.normpath(path).replace(str(build), "${CMAKE_BINARY_DIR}")
+
+
 def _installed(installer: dict[str, Any], names: dict[str, str]) -> set[tuple[str, str, str]]:
-    place = installer["destination"]
+    if installer["type"] not in {"target", "file", "directory"}:
+        return set()
+    place = installer["destination"].removeprefix(f"{_PREFIX}/")
     if installer["type"] == "target":
         return {("targets", names[installer["targetId"]], place)}
-    if installer["type"] not in {"file", "directory"}:
-        return set()
     kind = {"file": "files"}.get(installer["type"], installer["type"])
     found = set()
     for path in installer["paths"]:
@@ -185,8 +226,10 @@ def _installed(installer: dict[str, Any], names: dict[str, str]) -> set[tuple[st
     return found
 
 
-def _places(trace: Path, source: Path) -> dict[str, str]:
-    """File and line of the command that made each target, of the commands that ran."""
-    lines = (json.loads(line) for line in trace.read_text("utf-8").splitlines()[1:])
-    made = (line for line in lines if line.get("cmd", "").lower() in {"add_executable", "add_library"})
-    return {line["args"][0]: f"{line['file'].removeprefix(f'{source}/')}:{line['line']}" for line in made}
+def _place(target: dict[str, Any]) -> str:
+    """File and line of the command that made a target."""
+    if "backtrace" not in target:
+        return ""
+    graph = target["backtraceGraph"]
+    node = graph["nodes"][target["backtrace"]]
+    return f"{graph['files'][node['file']]}:{node.get('line', 0)}"

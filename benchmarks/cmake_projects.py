@@ -10,23 +10,19 @@ from pathlib import Path
 from typing import Final
 
 from cmake_helpers import SHAPES, STEMS, Shape
+from cmake_tree import FOLDERS, Project, put_parts, put_sources
 
-FOLDERS = ("src", "src/core", "nodes")
-_FORMS: Final[Mapping[str, list[str]]] = tomllib.loads(Path(__file__).with_name("cmake_forms.toml").read_text("utf-8"))
+
+def _read(name: str) -> Mapping[str, list[str]]:
+    return tomllib.loads(Path(__file__).with_name(name).read_text("utf-8"))
+
+
+_FORMS: Final = {**_read("cmake_forms.toml"), **_read("cmake_statements.toml")}
 _PLACES: Final = {
     1: {"share": "${CATKIN_PACKAGE_SHARE_DESTINATION}", "programs": "${CATKIN_PACKAGE_BIN_DESTINATION}"},
     2: {"share": "share/${PROJECT_NAME}", "programs": "lib/${PROJECT_NAME}"},
 }
 """Where things are installed, by ROS."""
-
-
-@dataclass
-class Project:
-    """The files of one project, by path."""
-
-    name: str
-    ros: int
-    files: dict[str, str] = field(default_factory=dict)
 
 
 def make(seed: int) -> Project:
@@ -40,10 +36,11 @@ class _Maker:
         self.made = Project(f"pkg_{seed}", rng.choice((1, 2)))
         self.count = 0
         self.options: list[str] = []
+        self.auto = self.made.ros == 2 and rng.random() < 0.3
 
     def project(self) -> Project:
         """Write sources, helpers, subdirectories and the file that binds them."""
-        self._sources()
+        put_sources(self.made)
         lines = self._head()
         helpers = self._helpers()
         lines += helpers.lines
@@ -51,7 +48,8 @@ class _Maker:
             lines += self._statement("", helpers, 0)
         lines += self._installs()
         lines += self._subdirectories(helpers)
-        lines += ["ament_package()"] if self.made.ros == 2 else []
+        lines += put_parts(self.made, self.rng) if self.rng.random() < 0.2 else []
+        lines += [self._end()] if self.made.ros == 2 else []
         self.made.files["CMakeLists.txt"] = "\n".join(lines) + "\n"
         return self.made
 
@@ -60,25 +58,8 @@ class _Maker:
         self.count += 1
         return f"{word}{self.count}"
 
-    def _sources(self) -> None:
-        files = self.made.files
-        for folder in FOLDERS:
-            for stem in STEMS:
-                files[f"{folder}/{stem}.cpp"] = "int main() { return 0; }\n"
-        files["src/alpha.hpp"] = files["include/thing/alpha.hpp"] = "#pragma once\n"
-        for name in ("one", "two"):
-            files[f"scripts/{name}.py"] = "#!/usr/bin/env python3\n"
-            files[f"launch/{name}.launch"] = "<launch/>\n"
-            files[f"config/{name}.yaml"] = "a: 1\n"
-        build = "ament_cmake" if self.made.ros == 2 else "catkin"
-        shape = 3 if self.made.ros == 2 else 2
-        files["package.xml"] = (
-            f'<package format="{shape}"><name>{self.made.name}</name><version>1.0.0</version>'
-            f'<description>d</description><maintainer email="a@b.c">m</maintainer><license>l</license>'
-            f"<buildtool_depend>{build}</buildtool_depend>"
-            + (f"<export><build_type>{build}</build_type></export>" if self.made.ros == 2 else "")
-            + "</package>\n"
-        )
+    def _end(self) -> str:
+        return "ament_auto_package(INSTALL_TO_SHARE launch config)" if self.auto else "ament_package()"
 
     def _head(self) -> list[str]:
         lines = [f"cmake_minimum_required(VERSION {self.rng.choice(('3.5', '3.8', '3.14', '3.16'))})"]
@@ -86,6 +67,7 @@ class _Maker:
         if self.made.ros == 2:
             lines += ["find_package(ament_cmake REQUIRED)", "find_package(rclcpp REQUIRED)"]
             lines += ["find_package(rclcpp_components REQUIRED)"]
+            lines += ["find_package(ament_cmake_auto REQUIRED)"] if self.auto else []
         else:
             lines += ["find_package(catkin REQUIRED COMPONENTS roscpp)", "catkin_package()"]
         for _ in range(self.rng.randint(0, 2)):
@@ -148,6 +130,7 @@ class _Maker:
         """One statement that ends in targets, perhaps inside a condition, a loop or a helper."""
         kinds: list[Callable[[], list[str]]] = [lambda: self._target(below), lambda: self._target(below)]
         kinds += [lambda: self._helper_call(helpers, below), lambda: self._components(below)]
+        kinds += [lambda: self._stated(below)] * 4
         if depth < 2:
             kinds += [
                 lambda: self._if(helpers, depth, below),
@@ -325,6 +308,22 @@ class _Maker:
             f'rclcpp_components_register_node({name} PLUGIN "a::{name}" EXECUTABLE {name}_exe)',
             f"ament_target_dependencies({name} rclcpp)",
         ]
+
+    def _stated(self, below: bool) -> list[str]:
+        """One of the whole statements."""
+        root = self._root(below)
+        given = {
+            "name": self.fresh("st"),
+            "root": root,
+            "absolute": self._absolute(root.removeprefix("./"), below),
+            "number": str(self.rng.randint(0, 9)),
+            "option": self.rng.choice(self.options) if self.options else "UNIX",
+            **dict(zip("abcd", self.rng.sample(STEMS, 4), strict=True)),
+            **_PLACES[self.made.ros],
+        }
+        forms = _FORMS["statements"] + (_FORMS["statements_auto"] * 4 if self.auto and not below else [])
+        form = self.rng.choice(forms)
+        return _written(form.replace("${CMAKE_CURRENT_SOURCE_DIR}/config", "${PROJECT_SOURCE_DIR}/config"), given)
 
     def _helper_call(self, helpers: _Helpers, below: bool) -> list[str]:
         name, shape = self.rng.choice(helpers.calls)

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import argparse
 import random
+import re
 import sys
 import tomllib
 from collections import defaultdict
@@ -22,6 +23,7 @@ from comparisons import Change, changes_between
 FOLDER = Path(__file__).parent / "diff_precision"
 FIGURE = 0.90
 COUNT = 100
+_ALSO = re.compile(r"\(also of ([^)]*)\)")
 
 
 class Judgement(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -93,8 +95,15 @@ def again(sample: Sample, clones: Path, saved: Path | None) -> float:
 
 def _is_told(entry: Judgement, clones: Path, saved: Path | None) -> bool:
     changes = changes_between(clones / f"{entry.project}.git", *entry.refs, saved)
-    wanted = (entry.kind, entry.change, entry.owner, entry.old, entry.new)
-    return any(each.breaking and (each.kind, each.change, each.owner, each.old, each.new) == wanted for each in changes)
+    wanted = (entry.kind, entry.change, entry.old, entry.new)
+    fitting = (each for each in changes if each.breaking and (each.kind, each.change, each.old, each.new) == wanted)
+    return any(entry.owner in _owners(each) for each in fitting)
+
+
+def _owners(each: Change) -> set[str]:
+    """Who a change is told of: one line of several programs is told once, with the others in its reason."""
+    others = _ALSO.search(each.reason)
+    return {each.owner, *(others[1].split(", ") if others else ())}
 
 
 def report(sample: Sample) -> float:

@@ -152,7 +152,7 @@ def told_of(folder: Path) -> Told:
         base = path.rpartition("/")[0]
         told.is_open = told.is_open or bool(file.unknown or file.foreign)
         told.is_open = told.is_open or any("$" in target.name for target in file.targets)
-        for target in file.targets:
+        for target in (each for each in file.targets if each.kind != "interface"):
             if target.by_default is None or target.is_open or "$" in target.name:
                 told.open_targets.add(target.name)
             elif target.by_default:

@@ -2,7 +2,8 @@
 
 Launch files are drawn from clones by a seed and read with their default arguments, by roslaunch's own loader
 (`apt-get install python3-roslaunch`) and by our reader; packages are those of the clone. Nothing is started,
-commands that launch files name are not run. Compared are nodes with their program, remaps and parameters.
+commands that launch files name are not run. Compared are nodes with their program, remaps and parameters. Copies in
+install spaces, and packages that are marked to be ignored, are left out as they are everywhere.
 """
 
 from __future__ import annotations
@@ -71,6 +72,8 @@ def _is_launch_file(path: Path) -> bool:
 
 def _judged(clone: Path, files: list[Path], counts: Counter[str]) -> Iterator[str]:
     read = read_clone(clone, None)
+    folders = [clone / package.root.path for package in read.packages]
+    files = [path for path in files if any(path.is_relative_to(folder) for folder in folders)]
     files = [path for path in files if read.files.ros_of(str(path.relative_to(clone))) != 2]
     read = read_clone(clone, 1)
     with tempfile.TemporaryDirectory() as home:

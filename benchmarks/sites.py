@@ -2,7 +2,7 @@
 
 A site is *found* when an interface of a fitting role has evidence on the lines of the call, *typed* when that
 interface has a type (transforms have none and do not count), *named* when its name is resolved (confidence
-literal, folded or default). Sites come from the regular expressions of site_oracle.py.
+literal, folded or default) and has no hole. Sites come from the regular expressions of site_oracle.py.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 import msgspec
-from extracted import RESOLVED, Index, extract
+from extracted import RESOLVED, Index, Interface, extract
 from site_oracle import EXCLUSIONS, Site, load_rows, scan
 from source_files import IsTest, walk
 
@@ -47,7 +47,12 @@ def judge(site: Site, index: Index) -> Result:
     near = index.overlapping(site.path, site.line, site.end_line)
     fitting = [one for one in near if one.role in site.row.roles]
     typed = any(one.type for one in fitting) if site.row.typed else None
-    return Result(site, bool(fitting), typed, any(one.confidence in RESOLVED for one in fitting))
+    return Result(site, bool(fitting), typed, any(map(is_named, fitting)))
+
+
+def is_named(one: Interface) -> bool:
+    """Tell whether a name is told whole: what is said to be sure and has a hole is not."""
+    return one.confidence in RESOLVED and "{" not in one.name
 
 
 def share(results: Iterable[Result]) -> Share:

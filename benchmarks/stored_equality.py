@@ -156,7 +156,8 @@ def _run(arguments: list[str]) -> bytes:
 def _output(line: list[str]) -> bytes:
     done = subprocess.run(line, capture_output=True, check=False, env=os.environ)
     if done.returncode >= _FAILED and not done.stdout:
-        sys.exit(f"{' '.join(line)} ended with status {done.returncode}:\n{done.stderr.decode()[-2000:]}")
+        message = f"{' '.join(line)} ended with status {done.returncode}:\n{done.stderr.decode()[-2000:]}"
+        raise UnreadableError(message)
     return done.stdout
 
 
@@ -181,7 +182,7 @@ def main() -> None:
     parser.add_argument("--pairs", type=int, default=PAIRS)
     parser.add_argument("--seed", type=int, default=1)
     arguments = parser.parse_args()
-    unequal = asked = 0
+    unequal = asked = skipped = 0
     pairs = drawn(arguments.clones, arguments.pairs, arguments.seed)
     with tempfile.TemporaryDirectory() as folder:
         extractor = Extractor(Path(folder))
@@ -190,11 +191,13 @@ def main() -> None:
                 found = judged(pair, extractor, Path(folder) / "work", arguments.seed)
             except UnreadableError as error:
                 print(f"skipped {pair.name}: {error}", flush=True)
+                skipped += 1
                 continue
             report(found)
             unequal += bool(found.differences)
             asked += found.asked
-    print(f"{len(pairs)} pairs, {len(pairs) - unequal} equal; {asked} questions")
+    compared = len(pairs) - skipped
+    print(f"{compared} pairs, {compared - unequal} equal; {asked} questions; {skipped} skipped")
     sys.exit(1 if unequal else 0)
 
 

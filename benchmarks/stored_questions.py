@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import io
 import random
+import re
 import subprocess
 import tarfile
 from collections.abc import Callable, Iterator, Sequence
@@ -17,12 +18,15 @@ from typing import Any, Final, TypeVar
 import msgspec
 from stored_draw import Drawn
 
+from ecm_extract.discover import IGNORE_MARKERS
+from ecm_extract.lint.catalogue import catalogue
+
 LAUNCHES: Final = 2
 """Launch files of a release whose systems are asked for."""
 FOLDERS: Final = 1
 """Packages of a release that are linted with the others as documents."""
-OF_ONE_TREE: Final = frozenset({"LNT037", "LNT041"})
-"""Rules on what one repository holds, and on the order in which one workspace is built: documents are of neither."""
+OF_ONE_TREE: Final = frozenset(entry.rule.id for entry in catalogue() if entry.rule.of_one_tree)
+"""Rules that are not asked of documents, which `lint` says."""
 _Each = TypeVar("_Each")
 _JSON: Final = ("--format", "json")
 
@@ -123,7 +127,7 @@ def _all(answer: Any) -> Any:
 def lints(pair: Drawn, sides: Sides, chance: random.Random) -> Iterator[Question]:
     """Some packages and the consumer, with everything beside them in the tree and with it as documents."""
     tree = _checked_out(pair, sides.work)
-    manifests = [Path(path).parent for path in _paths(pair) if Path(path).name == "package.xml"]
+    manifests = [Path(path).parent for path in _read(pair) if Path(path).name == "package.xml"]
     folders = [tree / "provider" / path for path in _some(manifests, FOLDERS, chance) if path != Path()]
     if pair.consumer is not None:
         folders.append(tree / "consumer")
@@ -139,7 +143,8 @@ def _lint(tree: Path, folder: Path, sides: Sides) -> Question:
         ("lint", str(folder), *(word for each in form for word in ("--documents", str(each))), *end)
         for form in documents
     )
-    return Question(f"lint {inside}", ("lint", str(tree), *end), stored, _below(f"{inside}/"), _below(""))
+    shown = _below(f"{inside}/", ("provider/", "consumer/"))
+    return Question(f"lint {inside}", ("lint", str(tree), *end), stored, shown, _below("", ('document:[^/"]+/',)))
 
 
 def _beside(folder: Path, sides: Sides) -> Iterator[tuple[Path, Path | None]]:
@@ -148,14 +153,22 @@ def _beside(folder: Path, sides: Sides) -> Iterator[tuple[Path, Path | None]]:
     yield from zip(sides.new.forms, used, strict=True)
 
 
-def _below(folder: str) -> Callable[[Any], Any]:
-    """Findings whose first line is in a folder, the paths in them from there."""
+def _below(folder: str, others: tuple[str, ...]) -> Callable[[Any], Any]:
+    """Findings whose first line is in a folder, the paths in them from there; of other trees without what names these.
+
+    Args:
+        folder: whose findings count.
+        others: patterns of how paths of other trees begin.
+    """
+    begins = re.compile(f'"(?:{"|".join(others)})')
 
     def shown(answer: Any) -> Any:
         told = [each for each in answer["findings"] if each["evidence"] and each["rule"] not in OF_ONE_TREE]
         found = [each for each in told if each["evidence"][0]["path"].startswith(folder)]
         texts = [msgspec.json.encode(each).decode() for each in found]
-        return [msgspec.json.decode(text) for text in sorted(text.replace(folder, "") for text in texts)]
+        return [
+            msgspec.json.decode(text) for text in sorted(begins.sub('"', text.replace(folder, "")) for text in texts)
+        ]
 
     return shown
 
@@ -177,6 +190,13 @@ def _unpack(repo: Path, ref: str, folder: Path) -> None:
 
 def _paths(pair: Drawn) -> list[str]:
     return _git(pair.repo, "ls-tree", "-r", "--name-only", "-z", pair.new).decode("utf-8", "replace").split("\0")
+
+
+def _read(pair: Drawn) -> list[str]:
+    """The paths outside of folders that are left out: whoever lints one of these by its name asks for another tree."""
+    paths = _paths(pair)
+    ignored = {str(Path(path).parent) for path in paths if Path(path).name in IGNORE_MARKERS}
+    return [path for path in paths if ignored.isdisjoint(str(folder) for folder in Path(path).parents)]
 
 
 def _some(found: Sequence[_Each], count: int, chance: random.Random) -> list[_Each]:

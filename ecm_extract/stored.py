@@ -191,5 +191,5 @@ def _interfaces(packages: Sequence[Package]) -> Iterator[tuple[str, Definition]]
 def _reads(packages: Sequence[Package]) -> Iterator[tuple[str, str]]:
     for package in packages:
         for requirement in package.requires:
-            if requirement.use == "reads_parameter":
+            if requirement.row.reads:
                 yield package.name, requirement.name

@@ -10,27 +10,25 @@ from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from functools import cached_property
 from itertools import pairwise
-from typing import Final
 
 import msgspec
 
 from ecm_checker import frames
-from ecm_checker.contract import Interface, Role
+from ecm_checker.contract import Interface
+from ecm_checker.hub.roles import Role, RoleKind, roles
 from ecm_checker.match.packages import Packages
 from ecm_checker.profiles import NO_PROFILES, Call, Profiles
 from ecm_checker.view import View
-
-_TOPIC: Final[tuple[Role, Role]] = ("publisher", "subscriber")
-_SERVICE: Final[tuple[Role, Role]] = ("service_server", "service_client")
-_ACTION: Final[tuple[Role, Role]] = ("action_server", "action_client")
 
 
 class Wire(msgspec.Struct, frozen=True):
     """A name that one module offers and another one uses.
 
-    Several endpoints of one module under one name are alternatives that it chooses from when it runs.
+    Several endpoints of one module under one name are alternatives that it chooses from when it runs. `role` is that of
+    the module that offers.
     """
 
+    role: Role
     name: str
     giver: View
     offered: tuple[Interface, ...]
@@ -90,19 +88,14 @@ class Case:
         return tuple(pairwise(self.modules)) if self.ordered else ()
 
     @cached_property
+    def wires(self) -> tuple[Wire, ...]:
+        """Both sides of each name that two modules share, in the order of the roles."""
+        return tuple(wire for role, row in roles().items() if row.gives and row.peer for wire in self._wires(role, row))
+
+    @cached_property
     def topics(self) -> tuple[Wire, ...]:
         """Publisher and subscriber of one topic."""
-        return tuple(self._wires(_TOPIC))
-
-    @cached_property
-    def services(self) -> tuple[Wire, ...]:
-        """Server and client of one service."""
-        return tuple(self._wires(_SERVICE))
-
-    @cached_property
-    def actions(self) -> tuple[Wire, ...]:
-        """Server and client of one action."""
-        return tuple(self._wires(_ACTION))
+        return tuple(wire for wire in self.wires if roles()[wire.role].writes)
 
     @cached_property
     def claims(self) -> dict[str, tuple[View, ...]]:
@@ -120,7 +113,7 @@ class Case:
         found = list(robot.transforms) if robot is not None else []
         for module in self.modules:
             for entry in module.contract.signature.interfaces:
-                ends = frames.ends(entry.frame) if entry.role == "tf_broadcast" else None
+                ends = frames.ends(entry.frame) if entry.row.tells_transforms else None
                 if ends is not None:
                     found.append(ends)
         return frames.groups(found)
@@ -140,9 +133,9 @@ class Case:
                 found[name].append(module)
         return {name: tuple(owners) for name, owners in found.items()}
 
-    def _wires(self, roles: tuple[Role, Role]) -> Iterator[Wire]:
-        givers = [(module, module.by_role[roles[0]]) for module in self.modules if roles[0] in module.by_role]
-        takers = [(module, module.by_role[roles[1]]) for module in self.modules if roles[1] in module.by_role]
+    def _wires(self, role: Role, row: RoleKind) -> Iterator[Wire]:
+        givers = [(module, module.by_role[role]) for module in self.modules if role in module.by_role]
+        takers = [(module, module.by_role[row.peer]) for module in self.modules if row.peer in module.by_role]
         if not givers or not takers:
             return
         offers: defaultdict[str, list[tuple[View, tuple[Interface, ...]]]] = defaultdict(list)
@@ -153,7 +146,7 @@ class Case:
             for name in named.keys() & offers.keys():
                 for giver, offered in offers[name]:
                     if _same_ros(giver, taker):
-                        yield Wire(name, giver, offered, taker, named[name])
+                        yield Wire(role, name, giver, offered, taker, named[name])
 
 
 def _same_ros(one: View, two: View) -> bool:

@@ -11,20 +11,10 @@ from typing import Any, Literal
 import msgspec
 
 from ecm_checker.hub.condition import Condition
+from ecm_checker.hub.roles import Role, RoleKind, roles
 
 Confidence = Literal["literal", "folded", "default", "one_of", "pattern"]
 Origin = Literal["declared", "observed", "inferred", "default"]
-Role = Literal[
-    "publisher",
-    "subscriber",
-    "service_server",
-    "service_client",
-    "action_server",
-    "action_client",
-    "parameter",
-    "tf_broadcast",
-    "tf_lookup",
-]
 
 
 class Evidence(msgspec.Struct, frozen=True, omit_defaults=True, gc=False):
@@ -85,6 +75,11 @@ class Interface(msgspec.Struct, frozen=True):
     default: Any = None
     inherited_from: str | None = None
     when: tuple[Condition, ...] = ()
+
+    @property
+    def row(self) -> RoleKind:
+        """What its role is to others."""
+        return roles()[self.role]
 
 
 class Source(msgspec.Struct, frozen=True):

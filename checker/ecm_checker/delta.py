@@ -9,9 +9,9 @@ from typing import Final
 
 import msgspec
 
-from ecm_checker.contract import Evidence, Interface, Role
+from ecm_checker.contract import Evidence, Interface
 from ecm_checker.endpoint_types import types
-from ecm_checker.hub.roles import roles
+from ecm_checker.hub.roles import Role, roles
 from ecm_checker.terms import Field
 from ecm_checker.view import View
 

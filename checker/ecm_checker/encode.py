@@ -19,6 +19,7 @@ from typing import Any, TypeAlias
 import msgspec
 
 from ecm_checker.contract import Contract, Identity
+from ecm_checker.hub.roles import roles
 from ecm_checker.json_data import record_data
 from ecm_checker.wire import MANIFEST_SCHEMA, Ecm, Module
 
@@ -68,6 +69,6 @@ def _section(section: msgspec.Struct) -> Plain:
 
 
 def _without_unset(interface: Plain) -> Plain:
-    absent = {"inherited_from"} if interface["role"] == "parameter" else {"inherited_from", "default"}
+    absent = {"inherited_from"} if roles()[interface["role"]].value else {"inherited_from", "default"}
     told = {key: value for key, value in interface.items() if value is not None or key not in absent}
     return told if told["when"] else {key: value for key, value in told.items() if key != "when"}

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from ecm_checker.case import Wire
+from ecm_checker.case import Case
 from ecm_checker.contract import Interface
 from ecm_checker.finding import Entity, Finding
+from ecm_checker.hub.roles import roles
 from ecm_checker.qos import certainty_of, is_named, sources
 from ecm_checker.rule import Rule
 
@@ -17,14 +18,18 @@ def types(endpoints: Iterable[Interface]) -> set[str] | None:
     return None if None in found else {kind for kind in found if kind is not None and "{" not in kind}
 
 
-def mismatches(rule: Rule, wires: Iterable[Wire], kind: str, verbs: tuple[str, str]) -> Iterator[Finding]:
-    """Findings of a rule for wires whose sides have no type in common."""
-    for wire in wires:
+def mismatches(rule: Rule, case: Case) -> Iterator[Finding]:
+    """Findings of a rule that rows of roles name, for wires whose sides have no type in common."""
+    for wire in case.wires:
+        row = roles()[wire.role]
+        if row.mismatch != rule.id:
+            continue
         offered, wanted = types(wire.offered), types(wire.wanted)
         if not offered or not wanted or not offered.isdisjoint(wanted):
             continue
         gives, takes = "|".join(sorted(offered)), "|".join(sorted(wanted))
-        text = f"{kind} {wire.name}: {wire.giver.id} {verbs[0]} {gives}, {wire.taker.id} {verbs[1]} {takes}"
+        kind, asks = row.provides, roles()[row.peer].does
+        text = f"{kind} {wire.name}: {wire.giver.id} {row.does} {gives}, {wire.taker.id} {asks} {takes}"
         yield rule.finding(
             text,
             Entity(kind, wire.name, f"{gives} {takes}"),

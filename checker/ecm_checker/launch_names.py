@@ -13,7 +13,7 @@ _HOLE = "{"
 
 def launched(packages: Packages) -> Iterator[Provision]:
     """Yield the nodes that launch files name."""
-    return (each for each in packages.provisions.of_kind("node") if each.facet == LAUNCHED)
+    return (each for each in packages.provisions.that(lambda row: row.runs) if each.facet == LAUNCHED)
 
 
 def required(packages: Packages, *words: str) -> Iterator[tuple[str, Requirement]]:

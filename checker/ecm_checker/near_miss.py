@@ -6,9 +6,10 @@ from collections.abc import Iterator
 from typing import Final, NamedTuple
 
 from ecm_checker.case import Case
-from ecm_checker.contract import Evidence, Role
+from ecm_checker.contract import Evidence
 from ecm_checker.endpoint_types import types
 from ecm_checker.finding import Entity, Finding, Severity
+from ecm_checker.hub.roles import Role, roles
 from ecm_checker.names import NearNames, Nearness
 from ecm_checker.rule import Rule
 from ecm_checker.view import View
@@ -16,8 +17,15 @@ from ecm_checker.view import View
 _FEW: Final = 3
 
 
-def near_misses(case: Case, rule: Rule, giver: Role, taker: Role) -> Iterator[Finding]:
-    """Findings of a rule for each name that is only used.
+def near_misses(case: Case, rule: Rule) -> Iterator[Finding]:
+    """Findings of a rule that rows of roles name, for each name that is only used."""
+    for giver, row in roles().items():
+        if row.near == rule.id and row.peer:
+            yield from _of_role(case, rule, giver, row.peer)
+
+
+def _of_role(case: Case, rule: Rule, giver: Role, taker: Role) -> Iterator[Finding]:
+    """Findings for names of one role.
 
     Graded: a warning where the spelling differs, a hint where only the namespace does, as launch files set that.
     A near name of another type is another thing.

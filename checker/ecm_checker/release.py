@@ -13,6 +13,7 @@ import msgspec
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Dimension, digest
+from ecm_checker.hub.kinds import Kind, row_of
 from ecm_checker.versions import BUMPS, Bump
 
 CompatibilityClass = Literal[
@@ -88,6 +89,11 @@ class Change(msgspec.Struct, frozen=True, kw_only=True):
     old_value: str | None = None
     new_value: str | None = None
     cause: str | None = None
+
+    @property
+    def row(self) -> Kind:
+        """What its kind is to others."""
+        return row_of(self.kind)
 
 
 def fingerprint_of(change: Change) -> str:

@@ -6,14 +6,14 @@ Made once per contract, so that a check of a pair only compares.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, Final
 
 import msgspec
 
 from ecm_checker import terms
-from ecm_checker.contract import Contract, Evidence, Interface, Role, Value
-from ecm_checker.hub.roles import roles
+from ecm_checker.contract import Contract, Evidence, Interface, Value
+from ecm_checker.hub.roles import Role, roles, writing_roles
 from ecm_checker.names import is_known, near_keys
 from ecm_checker.predicates import Predicate, parse
 
@@ -61,6 +61,11 @@ class View(msgspec.Struct, frozen=True, kw_only=True):
     def endpoints(self, role: Role) -> Endpoints:
         """Endpoints of a role whose name is known, by name."""
         return self.by_role.get(role, _NONE)
+
+    @property
+    def written(self) -> Iterator[Interface]:
+        """What it gives to whoever listens, under names that are known."""
+        return (each for role in writing_roles() for named in self.endpoints(role).values() for each in named)
 
     def evidence(self, *paths: str) -> tuple[Evidence, ...]:
         """Where fields (`section.field`) were read."""

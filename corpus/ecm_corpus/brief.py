@@ -127,7 +127,7 @@ def _side(title: str, contracts: Sequence[Contract]) -> list[str]:
 
 def _endpoint(entry: Interface) -> str:
     parts = [entry.role.replace("_", " "), entry.name, entry.type or "of a type that is not known"]
-    if entry.role == "parameter" and entry.default is not None:
+    if entry.row.value and entry.default is not None:
         parts.append(f"default {entry.default}")
     if entry.frame is not None:
         parts.append(f"frame {entry.frame}")

@@ -6,8 +6,9 @@ from collections.abc import Iterable, Sequence
 
 import msgspec
 from ecm_checker.contract import Behavior, Evidence, Interface, Value
+from ecm_checker.hub.roles import roles
 
-from ecm_extract.assemble.evidence import inferred, number_of, of_interfaces, parameters_where
+from ecm_extract.assemble.evidence import inferred, last_told, number_of, of_interfaces, parameters_where
 from ecm_extract.link.linker import LinkedModule
 from ecm_extract.link.observe import Observation
 
@@ -22,7 +23,9 @@ _WAITS = {
     "wait_action": "action_server_available",
     "wait_message": "message_received",
 }
-_CLIENTS = {"wait_service": "service_client", "wait_action": "action_client"}
+
+_RESULT = "result"
+"""How an action ends."""
 
 
 def behavior_of(entry: LinkedModule) -> Behavior:
@@ -46,7 +49,7 @@ def _preconditions(entry: LinkedModule) -> Value | None:
         if seen.kind in _WAITS and seen.beginning:
             found.setdefault(_awaited(seen, entry.interfaces), seen.evidence)
     for edge in entry.interfaces:
-        if edge.role == "tf_lookup" and edge.frame and "{" not in edge.frame:
+        if edge.row.hears_transforms and edge.frame and "{" not in edge.frame:
             found.setdefault(f"transform {edge.frame} available", edge.evidence[0])
     if entry.lifecycle:
         found.setdefault("lifecycle_state == active", Evidence(entry.module.path, entry.module.line))
@@ -58,23 +61,19 @@ def _awaited(seen: Observation, interfaces: Iterable[Interface]) -> str:
     word = _WAITS[seen.kind]
     if seen.name:
         return f"{word} {seen.name}"
-    names = {entry.name for entry in interfaces if entry.role == _CLIENTS.get(seen.kind)}
+    names = {entry.name for entry in interfaces if entry.row.calls and roles()[entry.row.peer].awaited == word}
     return f"{word} {names.pop()}" if len(names) == 1 else word
 
 
 def _postconditions(interfaces: Sequence[Interface]) -> Value | None:
     """An action that succeeds has sent its result."""
-    served = [entry for entry in interfaces if entry.role == "action_server" and "{" not in entry.name]
+    served = [entry for entry in interfaces if entry.row.ends == _RESULT and "{" not in entry.name]
     return of_interfaces([f"{entry.name} result == succeeded" for entry in served], served)
 
 
 def _completion(interfaces: Sequence[Interface]) -> Value | None:
     """An action is done with its result, a service with its response; publishers stream."""
-    for role, meaning in (("action_server", "result"), ("service_server", "response"), ("publisher", "stream")):
-        found = [entry for entry in interfaces if entry.role == role]
-        if found:
-            return of_interfaces(meaning, found)
-    return None
+    return last_told(interfaces, lambda row: row.ends)
 
 
 def _rates(entry: LinkedModule) -> Value | None:

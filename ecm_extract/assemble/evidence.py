@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 from ecm_checker.contract import Confidence, Evidence, Interface, Value
+from ecm_checker.hub.roles import RoleKind, roles
 
 MAX_LINES = 20
 _WATCHDOG = re.compile(
@@ -28,9 +29,18 @@ def of_interfaces(value: Any, interfaces: Sequence[Interface]) -> Value | None:
     return inferred(value, (entry.evidence[0] for entry in interfaces if entry.evidence), confidence)
 
 
+def last_told(interfaces: Sequence[Interface], told: Callable[[RoleKind], str]) -> Value | None:
+    """Return what the last row of the roles of a module tells of it, with its endpoints of that role."""
+    for role, row in reversed(roles().items()):
+        found = [entry for entry in interfaces if entry.role == role] if told(row) else []
+        if found:
+            return of_interfaces(told(row), found)
+    return None
+
+
 def parameters_where(interfaces: Iterable[Interface], wanted: Callable[[str], bool]) -> list[Interface]:
     """Return the parameters whose last name part is wanted, shortest names first."""
-    found = [entry for entry in interfaces if entry.role == "parameter" and wanted(last_part(entry.name))]
+    found = [entry for entry in interfaces if entry.row.value and wanted(last_part(entry.name))]
     return sorted(found, key=lambda entry: (len(entry.name), entry.name))
 
 

@@ -16,7 +16,7 @@ from ecm_extract.entities.collect import public_entities
 from ecm_extract.entities.inner import InnerNames
 from ecm_extract.entities.interfaces import interface_name
 from ecm_extract.entities.launch import launch_files
-from ecm_extract.entities.listed import listed, shared_files
+from ecm_extract.entities.listed import listed
 from ecm_extract.entities.notes import read_notes
 from ecm_extract.entities.python import bound_names, quoted_names
 from ecm_extract.entities.told_of_build import Surroundings, surroundings, told_of_build
@@ -69,13 +69,14 @@ class _Kept(msgspec.Struct, frozen=True):
 def _kept(workspace: Workspace, composition: Composition) -> _Kept:
     entries = listed(workspace.tree, workspace.packages)
     owned = {entry.path for facts in workspace.packages for entry in facts.root.files}
+    shared = tuple(entry.path for entry in entries if entry.path not in owned)
     return _Kept(
         blobs={entry.path: entry.identity for entry in entries if entry.identity},
         notes=read_notes(workspace.tree, [entry.path for entry in entries]),
-        shared=tuple(entry.path for entry in shared_files(workspace.tree, owned)),
+        shared=shared,
         around=surroundings(workspace.tree, workspace.packages),
         running=running_of(workspace.packages, workspace.linked, composition),
-        texts=kept_texts(workspace.tree, workspace.texts, workspace.packages),
+        texts=kept_texts(workspace.tree, workspace.texts, workspace.packages, shared),
     )
 
 
@@ -99,5 +100,5 @@ def _hub(facts: PackageFacts, entities: Sequence[Provision], required: Sequence[
 
 
 def _running(facts: PackageFacts, kept: _Kept) -> Running:
-    paths = sorted(entry.path for entry in facts.root.files if entry.path in kept.texts)
+    paths = sorted({*(entry.path for entry in facts.root.files), *kept.shared} & kept.texts.keys())
     return msgspec.structs.replace(kept.running[facts.name], texts={path: kept.texts[path] for path in paths})

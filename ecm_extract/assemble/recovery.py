@@ -94,7 +94,7 @@ def _safe_stop(interfaces: Iterable[Interface]) -> Value | None:
 
 def _escalation(module: LinkedModule, facts: PackageFacts) -> Value | None:
     """Who publishes or fills diagnostics tells of failures; an aggregator of the package passes them on."""
-    found = [entry for entry in module.interfaces if entry.role == "publisher" and entry.name in _ALARMS]
+    found = [entry for entry in module.interfaces if entry.row.writes and entry.name in _ALARMS]
     lines = [entry.evidence[0] for entry in found] or [told.evidence for told in module.diagnoses[:1]]
     names = sorted({entry.name for entry in found}) or [_FIRST_ALARM][: len(lines)]
     steps = [f"failure -> {name}" for name in names]

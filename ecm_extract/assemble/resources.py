@@ -42,7 +42,7 @@ class HardwareTable(msgspec.Struct, frozen=True):
 
     def moved(self, role: str, kind: str | None, name: str) -> str | None:
         """Return what an endpoint of this role, type and name moves; None when it moves nothing for sure."""
-        actuator = self.actuators.get(kind or "") if role != "parameter" else None
+        actuator = self.actuators.get(kind or "") if not roles()[role].value else None
         return actuator.part if actuator is not None and _is_command(actuator, role, name) else None
 
 
@@ -85,7 +85,7 @@ def actuators_of(entry: LinkedModule) -> Value | None:
 
 def _is_command(actuator: Actuator, role: str, name: str) -> bool:
     """Where a type is also a measurement, only the topic tells."""
-    words = actuator.commands + (actuator.obeys if role == "subscriber" else ())
+    words = actuator.commands + (actuator.obeys if roles()[role].reads else ())
     return not actuator.commands or not set(words).isdisjoint(_BETWEEN_WORDS.split(name))
 
 

@@ -6,29 +6,24 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from ecm_checker.contract import Interface, Role, Signature, Value
-from ecm_checker.hub.roles import roles
+from ecm_checker.contract import Interface, Signature, Value
+from ecm_checker.hub.roles import Role, roles
 
 from ecm_extract.assemble.definitions import Definitions
 from ecm_extract.assemble.evidence import (
     inferred,
     is_watchdog,
     last_part,
+    last_told,
     number_of,
     of_interfaces,
     parameters_where,
 )
 from ecm_extract.link.linker import LinkedModule
 
-_CALLED = frozenset({"service", "action"})
 _FRAME = re.compile(r"(?:^|_)frame(?:_id|_name)?$")
 _OWN_FRAME = ("frame_id", "global_frame", "world_frame", "base_frame_id", "base_frame", "robot_base_frame")
 _TIMEOUT = re.compile(r"(?:^|_)timeout(?:_ms|_s|_sec|_seconds)?$")
-_MODES = (
-    ("action_server", "asynchronous"),
-    ("service_server", "synchronous"),
-    ("subscriber", "event_triggered"),
-)
 
 
 def signature_of(entry: LinkedModule, definitions: Definitions) -> Signature:
@@ -100,7 +95,7 @@ def _timeout(interfaces: Sequence[Interface]) -> Value | None:
         for entry in parameters_where(interfaces, _is_timeout)
         if (number := number_of(entry)) is not None and number > 0
     ]
-    if not named or not any(roles()[entry.role].channel in _CALLED for entry in interfaces):
+    if not named or not any(entry.row.serves or entry.row.calls for entry in interfaces):
         return None
     values = [number if _in_milliseconds(entry) else number * 1000 for entry, number in named]
     return inferred(max(values), (entry.evidence[0] for entry, _ in named), "default")
@@ -112,8 +107,4 @@ def _in_milliseconds(entry: Interface) -> bool:
 
 
 def _mode(interfaces: Sequence[Interface]) -> Value | None:
-    for role, mode in _MODES:
-        found = [entry for entry in interfaces if entry.role == role]
-        if found:
-            return of_interfaces(mode, found)
-    return None
+    return last_told(interfaces, lambda row: row.timing)

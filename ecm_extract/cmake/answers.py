@@ -22,7 +22,8 @@ class Answers:
         by_default = self._run.targets.get(name, False)
         if by_default is True:
             return True
-        return None if self._run.outside.has_any or by_default is None else False
+        may_be = by_default is None or bool(self._run.found.unread) or self._run.brought.may_make(name)
+        return None if may_be else False
 
     def is_command(self, name: str) -> bool | None:
         """Tell whether a command is there."""
@@ -30,6 +31,10 @@ class Answers:
         if lower in commands() | _MAKERS or lower in self._run.functions:
             return True
         return None if self._run.outside.has_any else False
+
+    def oldest_cmake(self) -> str | None:
+        """Return the version that the files ask for."""
+        return ".".join(map(str, self._run.minimum)) or None
 
     def exists(self, path: str) -> bool | None:
         """Tell whether a file or folder is there."""

@@ -12,11 +12,13 @@ from ecm_parsers.cmake_blocks import Block, Branch
 from ecm_parsers.cmake_tokens import Argument
 
 from ecm_extract.cmake.answers import Answers
-from ecm_extract.cmake.conditions import holds
+from ecm_extract.cmake.conditions import Judged, holds, judged
 from ecm_extract.cmake.functions import Function
+from ecm_extract.cmake.keywords import split
 from ecm_extract.cmake.known import known
 from ecm_extract.cmake.lists import items
 from ecm_extract.cmake.look import Look, Outcomes
+from ecm_extract.cmake.patterns import MATCH
 from ecm_extract.cmake.run import Arm, Place, Run
 from ecm_extract.cmake.state import both, opposite
 from ecm_extract.cmake.text import all_values
@@ -39,7 +41,7 @@ def run_block(run: Run, block: Block, place: Place) -> bool:
     if block.kind in {"function", "macro"}:
         _define(run, block)
         return True
-    return run.steps(branch.body, inside)
+    return _scoped(run, branch, inside)
 
 
 def _define(run: Run, block: Block) -> None:
@@ -49,6 +51,20 @@ def _define(run: Run, block: Block) -> None:
     if name and (run.state.path.by_default is not False or name not in run.functions):
         params = tuple(argument.text for argument in branch.header[1:])
         run.functions[name] = Function(block.kind == "macro", params, branch.body)
+
+
+def _scoped(run: Run, branch: Branch, place: Place) -> bool:
+    """`block([SCOPE_FOR [POLICIES] [VARIABLES]] [PROPAGATE names...])`: variables that go when it ends."""
+    words = run.worlds(lambda look: tuple(all_values(branch.header, look))).first
+    groups = split(words, frozenset({"SCOPE_FOR", "PROPAGATE"}))
+    if groups.get("SCOPE_FOR") == ["POLICIES"]:
+        return run.steps(branch.body, place)
+    run.state.scopes.append(dict(run.state.variables))
+    goes_on = run.steps(branch.body, place)
+    inner = run.state.scopes.pop()
+    for name in groups.get("PROPAGATE", []):
+        run.state.assign(name, inner.get(name, Value((None,))))
+    return goes_on
 
 
 # -- conditions
@@ -102,14 +118,26 @@ def _arms(run: Run, block: Block, place: Place) -> Iterator[Arm]:
 
 def _verdict(run: Run, header: tuple[Argument, ...]) -> _Verdict:
     answers = Answers(run)
-    outcomes = run.worlds(lambda look: holds(header, look, answers))
-    return _Verdict(outcomes.first, outcomes.others, outcomes.sure, _asks_for_tests(run, header, outcomes))
+    outcomes = run.worlds(lambda look: judged(header, look, answers))
+    _remember(run, {outcomes.first.matched, *(each.matched for each in outcomes.others)})
+    others = tuple(each.verdict for each in outcomes.others)
+    return _Verdict(outcomes.first.verdict, others, outcomes.sure, _asks_for_tests(run, header, outcomes))
 
 
-def _asks_for_tests(run: Run, header: tuple[Argument, ...], outcomes: Outcomes[bool | None]) -> bool:
+def _remember(run: Run, matches: set[tuple[tuple[str, str], ...] | None]) -> None:
+    """Keep what MATCHES leaves in variables; where that may be several things it is not known."""
+    (found,) = matches if len(matches) == 1 else (None,)
+    for name, text in found or ():
+        run.set(name, text)
+    stale = [name for name in run.state.variables if name.startswith(MATCH)] if found is None else []
+    for name in stale:
+        run.set(name, unknown(name))
+
+
+def _asks_for_tests(run: Run, header: tuple[Argument, ...], outcomes: Outcomes[Judged]) -> bool:
     """Tell whether a condition cannot hold in a build without tests."""
     switches = known().tests.names & outcomes.reads
-    if not switches or outcomes.first is False:
+    if not switches or outcomes.first.verdict is False:
         return False
     off = Look(run.state.variables, dict.fromkeys(switches, "OFF"), run.outside.may_set)
     return holds(header, off, Answers(run)) is False

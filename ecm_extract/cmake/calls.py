@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import posixpath
+from typing import Final
 
 import msgspec
 
 from ecm_extract.cmake.files import absolute, tree_path
 from ecm_extract.cmake.values import BINARY, PREFIX, SOURCE, is_known, written
+
+_BUILD: Final = "${CMAKE_BINARY_DIR}"
 
 
 class Call(msgspec.Struct, frozen=True):
@@ -65,8 +68,13 @@ class Call(msgspec.Struct, frozen=True):
         return relative(place, posixpath.dirname(self.path)) + slash
 
 
+def is_of_build(path: str) -> bool:
+    """Tell whether a path as people write it is that of a file which the build makes."""
+    return path.startswith(_BUILD) and "$" not in path.removeprefix(_BUILD)
+
+
 def _named(text: str) -> str:
-    return text.replace(BINARY, "${CMAKE_BINARY_DIR}").replace(PREFIX, "${CMAKE_INSTALL_PREFIX}")
+    return text.replace(BINARY, _BUILD).replace(PREFIX, "${CMAKE_INSTALL_PREFIX}")
 
 
 def relative(path: str, folder: str) -> str:

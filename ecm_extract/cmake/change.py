@@ -8,15 +8,16 @@ from typing import TypeAlias
 import msgspec
 
 from ecm_extract.cmake.look import Look
+from ecm_extract.cmake.state import Where
 from ecm_extract.cmake.values import unknown
 
 
 class Change(msgspec.Struct, frozen=True):
-    """A variable that a command sets, or unsets (`text` None); `outside` is PARENT_SCOPE."""
+    """A variable that a command sets, or unsets (`text` None), and which scopes see it."""
 
     name: str
     text: str | None
-    outside: bool = False
+    where: Where = "here"
 
 
 Setter: TypeAlias = Callable[[list[str], Look], Sequence[Change]]

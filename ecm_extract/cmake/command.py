@@ -42,6 +42,8 @@ def run_command(run: Run, command: Command, place: Place) -> bool:
         return special(
             run, Command(command.name, command.args, place.caller_line or command.line), outcomes.first, place
         )
+    if command.name not in commands():
+        run.brought.run(command.name, outcomes.first)
     if command.name not in commands() or command.name in known().openers.names:
         _touch(run, outcomes.first)
     return True
@@ -78,28 +80,37 @@ def _makes_shared(run: Run) -> bool | None:
 
 def _set_variables(run: Run, command: Command) -> None:
     setter = run.setters[command.name]
+    if command.name == "set":
+        _begin(run, command)
     outcomes = run.worlds(lambda look: tuple(setter(all_values(command.args, look), look)))
     _apply(run, outcomes)
     if _is_switch(command):
         for change in outcomes.first:
             other = "OFF" if is_true(change.text or "") else "ON"
-            run.state.assign(change.name, Value((change.text, other)))
+            run.state.assign(change.name, Value((change.text, other), outcomes.sure), change.where)
+
+
+def _begin(run: Run, command: Command) -> None:
+    """`set(X ${X} more)`: a variable that nothing set before is empty, unless others set it."""
+    (name, *_) = (*all_values(command.args[:1], run.look()), "")
+    if name and is_known(name) and name not in run.state.variables and not run.outside.may_set(name):
+        run.state.assign(name, Value((None,)))
 
 
 def _is_switch(command: Command) -> bool:
     """Tell whether a command makes a switch that may be turned from the command line."""
     words = [argument.text for argument in command.args]
     is_cached = command.name == "set" and "CACHE" in words[:-1] and words[words.index("CACHE") + 1] == "BOOL"
-    return command.name == "option" or is_cached
+    return command.name in {"option", "cmake_dependent_option"} or is_cached
 
 
 def _apply(run: Run, outcomes: Outcomes[tuple[Change, ...]]) -> None:
-    results = [{(each.name, each.outside): each.text for each in one} for one in (outcomes.first, *outcomes.others)]
-    for name, outside in dict.fromkeys(key for result in results for key in result):
+    results = [{(each.name, each.where): each.text for each in one} for one in (outcomes.first, *outcomes.others)]
+    for name, where in dict.fromkeys(key for result in results for key in result):
         value = run.state.variables.get(name)
         held = value.first if value is not None else None
-        texts = [result.get((name, outside), held) for result in results]
-        run.state.assign(name, one_of(texts, outcomes.sure), outside)
+        texts = [result.get((name, where), held) for result in results]
+        run.state.assign(name, one_of(texts, outcomes.sure), where)
 
 
 def _touch(run: Run, words: Sequence[str]) -> None:

@@ -2,25 +2,26 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Sequence
-from itertools import zip_longest
+from collections.abc import Callable, Iterator, Sequence
 from typing import Final, Protocol
 
 import msgspec
 from ecm_parsers.cmake_tokens import Argument
 
 from ecm_extract.cmake import patterns
+from ecm_extract.cmake.comparisons import COMPARISONS, NUMBER
 from ecm_extract.cmake.lists import items
 from ecm_extract.cmake.look import Look
 from ecm_extract.cmake.state import both, either, opposite
 from ecm_extract.cmake.text import values
-from ecm_extract.cmake.values import is_known, is_placed
+from ecm_extract.cmake.values import is_known, unknown
 
 _TRUE: Final = frozenset({"1", "ON", "YES", "TRUE", "Y"})
 _FALSE: Final = frozenset({"0", "OFF", "NO", "FALSE", "N", "IGNORE", "NOTFOUND", ""})
-_NUMBER: Final = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
-_VERSION: Final = re.compile(r"[0-9]+")
+_VERSION: Final = frozenset({"CMAKE_VERSION", unknown("CMAKE_VERSION")})
+_FROM_THERE: Final = frozenset(f"VERSION_{how}" for how in ("LESS", "GREATER", "LESS_EQUAL", "GREATER_EQUAL"))
+_ENDLESS: Final = "999999"
+"""A version that is newer than all."""
 
 
 class World(Protocol):
@@ -38,24 +39,48 @@ class World(Protocol):
     def is_directory(self, path: str) -> bool | None:
         """Tell whether a folder is there."""
 
+    def oldest_cmake(self) -> str | None:
+        """Return the oldest version of CMake that takes the files."""
+
+
+class Judged(msgspec.Struct, frozen=True):
+    """Whether a condition holds, and what its last match leaves in variables; None is not known."""
+
+    verdict: bool | None
+    matched: tuple[tuple[str, str], ...] | None = ()
+
 
 class _Word(msgspec.Struct, frozen=True):
-    """A word of a condition, or what a part of it came to."""
+    """A word of a condition, or what a part of it came to; `is_name` tells that it is written there as it is."""
 
     text: str
     quoted: bool = False
+    is_name: bool = False
     verdict: bool | None = None
     decided: bool = False
 
 
 def holds(header: Sequence[Argument], look: Look, world: World) -> bool | None:
     """Tell whether a condition holds in one reading of the variables; None where that is not known."""
-    words = [_Word(text, argument.form != "plain") for argument in header for text in values(argument, look)]
-    return _Condition(look, world).value(words)
+    return judged(header, look, world).verdict
+
+
+def judged(header: Sequence[Argument], look: Look, world: World) -> Judged:
+    """Judge a condition in one reading of the variables."""
+    words = [word for argument in header for word in _words(argument, look)]
+    condition = _Condition(look, world)
+    verdict = condition.value(words)
+    return Judged(verdict, condition.matched)
+
+
+def _words(argument: Argument, look: Look) -> Iterator[_Word]:
+    is_name = argument.form == "plain" and "$" not in argument.text
+    is_quoted = argument.form in {"quoted", "bracket"}
+    yield from (_Word(text, is_quoted, is_name) for text in values(argument, look))
 
 
 def _done(verdict: bool | None) -> _Word:
-    return _Word("", True, verdict, True)
+    return _Word("", True, verdict=verdict, decided=True)
 
 
 class _Condition:
@@ -64,6 +89,7 @@ class _Condition:
     def __init__(self, look: Look, world: World) -> None:
         self._look = look
         self._world = world
+        self.matched: tuple[tuple[str, str], ...] | None = ()
 
     def value(self, words: list[_Word]) -> bool | None:
         words = self._binary(self._unary(self._inner(words)))
@@ -109,7 +135,7 @@ class _Condition:
         at = 0
         while at < len(words):
             word = words[at]
-            if word.text in _BINARY and not word.quoted and found and at + 1 < len(words):
+            if word.text in COMPARISONS and not word.quoted and found and at + 1 < len(words):
                 found.append(_done(self._compared(found.pop(), word.text, words[at + 1])))
                 at += 2
             else:
@@ -145,19 +171,44 @@ class _Condition:
         if word.quoted or word.decided:
             return word.text
         if not self._look.has(word.text):
-            return None if self._look.outside(word.text) else word.text
+            return self._of_unset(word)
         held = self._look.get(word.text)
         return word.text if held is None else held if is_known(held) else None
 
+    def _of_unset(self, word: _Word) -> str | None:
+        """A word that names nothing the tree sets stands for itself, unless a build is told a variable of that name."""
+        is_open = self._look.outside(word.text) or (word.is_name and self._look.is_told(word.text))
+        return None if is_open else word.text
+
     def _compared(self, left: _Word, how: str, right: _Word) -> bool | None:
-        one = self._text(left)
+        is_name = left.is_name and left.text.isidentifier() and how != "IN_LIST"
+        one = self._text(msgspec.structs.replace(left, is_name=is_name))
         if how == "IN_LIST":
             held = self._look.get(right.text)
             return None if one is None or not is_known(held or "") else one in items(held or "")
         if how == "MATCHES":
-            return None if one is None or not is_known(right.text) else _matches(one, right.text)
-        other = self._text(right)
-        return None if one is None or other is None else _BINARY[how](one, other)
+            return self._matches(one, right.text)
+        other = self._text(msgspec.structs.replace(right, is_name=False))
+        if left.text in _VERSION and other is not None:
+            return self._of_version(how, other)
+        return None if one is None or other is None else COMPARISONS[how](one, other)
+
+    def _matches(self, text: str | None, expression: str) -> bool | None:
+        self.matched = None
+        compiled = patterns.pattern(expression) if text is not None and is_known(expression) else None
+        if compiled is None or text is None or not patterns.is_cheap(compiled, text):
+            return None
+        match = compiled.search(text)
+        self.matched = tuple(patterns.match_variables(match).items())
+        return match is not None
+
+    def _of_version(self, how: str, other: str) -> bool | None:
+        """CMake itself is at least what the file asks for: what holds from there on is decided."""
+        oldest = self._world.oldest_cmake()
+        if oldest is None or how not in _FROM_THERE:
+            return None
+        first, last = COMPARISONS[how](oldest, other), COMPARISONS[how](_ENDLESS, other)
+        return first if first == last else None
 
     # -- tests of one word
 
@@ -182,6 +233,10 @@ class _Condition:
         text = self._text(word)
         return None if text is None else text.startswith(("/", "~"))
 
+    def is_link(self, word: _Word) -> bool | None:
+        """A folder that has files in the tree is none."""
+        return False if is_known(word.text) and self._world.is_directory(word.text) else None
+
     def is_unknown(self, word: _Word) -> bool | None:
         del word
         return None
@@ -193,7 +248,7 @@ def _constant(text: str) -> bool | None:
         return True
     if upper in _FALSE or upper.endswith("-NOTFOUND"):
         return False
-    return float(text) != 0 if _NUMBER.fullmatch(text) else None
+    return float(text) != 0 if NUMBER.fullmatch(text) else None
 
 
 def _is_something(text: str) -> bool | None:
@@ -201,80 +256,6 @@ def _is_something(text: str) -> bool | None:
     return None if not is_known(text) else _constant(text) is not False
 
 
-def _matches(text: str, expression: str) -> bool | None:
-    compiled = patterns.pattern(expression)
-    if compiled is None or not patterns.is_cheap(compiled, text):
-        return None
-    return compiled.search(text) is not None
-
-
-def _numbers(compare: Callable[[float, float], bool]) -> Callable[[str, str], bool]:
-    def run(one: str, other: str) -> bool:
-        both_numbers = _NUMBER.fullmatch(one) and _NUMBER.fullmatch(other)
-        return bool(both_numbers) and compare(float(one), float(other))
-
-    return run
-
-
-def _texts(compare: Callable[[str, str], bool]) -> Callable[[str, str], bool | None]:
-    def run(one: str, other: str) -> bool | None:
-        # Which of two folders of a machine comes first is not known.
-        return (
-            None
-            if (is_placed(one) or is_placed(other)) and one != other and compare is not _same
-            else compare(one, other)
-        )
-
-    return run
-
-
-def _same(one: str, other: str) -> bool:
-    return one == other
-
-
-def _order(one: str, other: str) -> int:
-    pairs = zip_longest(_components(one), _components(other), fillvalue=0)
-    return next(((left > right) - (left < right) for left, right in pairs if left != right), 0)
-
-
-def _components(text: str) -> list[int]:
-    """Numbers of a version up to the first that is none."""
-    found = []
-    for part in text.split("."):
-        match = _VERSION.match(part)
-        if match is None:
-            break
-        found.append(int(match[0][:18]))
-        if match.end() < len(part):
-            break
-    return found
-
-
-def _versions(holds_for: Callable[[int], bool]) -> Callable[[str, str], bool]:
-    return lambda one, other: holds_for(_order(one, other))
-
-
-_BINARY: Final[dict[str, Callable[[str, str], bool | None]]] = {
-    "EQUAL": _numbers(lambda one, other: one == other),
-    "LESS": _numbers(lambda one, other: one < other),
-    "GREATER": _numbers(lambda one, other: one > other),
-    "LESS_EQUAL": _numbers(lambda one, other: one <= other),
-    "GREATER_EQUAL": _numbers(lambda one, other: one >= other),
-    "STREQUAL": _texts(_same),
-    "STRLESS": _texts(lambda one, other: one < other),
-    "STRGREATER": _texts(lambda one, other: one > other),
-    "STRLESS_EQUAL": _texts(lambda one, other: one <= other),
-    "STRGREATER_EQUAL": _texts(lambda one, other: one >= other),
-    "PATH_EQUAL": _texts(_same),
-    "VERSION_EQUAL": _versions(lambda order: order == 0),
-    "VERSION_LESS": _versions(lambda order: order < 0),
-    "VERSION_GREATER": _versions(lambda order: order > 0),
-    "VERSION_LESS_EQUAL": _versions(lambda order: order <= 0),
-    "VERSION_GREATER_EQUAL": _versions(lambda order: order >= 0),
-    "IS_NEWER_THAN": lambda one, other: None,
-    "MATCHES": lambda one, other: None,
-    "IN_LIST": lambda one, other: None,
-}
 _UNARY: Final[dict[str, Callable[[_Condition, _Word], bool | None]]] = {
     "EXISTS": _Condition.exists,
     "IS_DIRECTORY": _Condition.is_directory,
@@ -284,7 +265,7 @@ _UNARY: Final[dict[str, Callable[[_Condition, _Word], bool | None]]] = {
     "DEFINED": _Condition.is_defined,
     "POLICY": _Condition.is_unknown,
     "TEST": _Condition.is_unknown,
-    "IS_SYMLINK": _Condition.is_unknown,
+    "IS_SYMLINK": _Condition.is_link,
     "IS_READABLE": _Condition.is_unknown,
     "IS_WRITABLE": _Condition.is_unknown,
     "IS_EXECUTABLE": _Condition.is_unknown,

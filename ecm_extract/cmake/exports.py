@@ -1,27 +1,22 @@
-"""CMake calls that state what a package offers beside targets: interfaces, plugins, parameters, installs."""
+"""CMake calls that state what a package offers beside targets: interfaces, plugins, parameters."""
 
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
-import msgspec
 from ecm_parsers.cmake_facts import (
     Dependency,
     FileReference,
-    Install,
-    InstallKind,
     InterfaceFile,
     InterfaceKind,
     ParameterLibrary,
     PluginDescription,
-    Target,
 )
 
 from ecm_extract.cmake.calls import Call
+from ecm_extract.cmake.finding import found_packages
 from ecm_extract.cmake.keywords import first, split
-from ecm_extract.cmake.state import both
-from ecm_extract.cmake.values import PREFIX
 
 _INTERFACE_KINDS: dict[str, InterfaceKind] = {
     ".msg": "msg",
@@ -39,30 +34,6 @@ _ROSIDL_WORDS = frozenset(
     {"DEPENDENCIES", "LIBRARY_NAME", "ADD_LINTER_TESTS", "SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK"}
 )
 _PARAMETER_LIBRARIES = frozenset({"generate_parameter_library", "generate_parameter_module"})
-_INSTALL_KINDS: dict[str, InstallKind] = {
-    "TARGETS": "targets",
-    "PROGRAMS": "programs",
-    "DIRECTORY": "directory",
-    "FILES": "files",
-}
-_INSTALL_WORDS = frozenset(
-    {"DESTINATION", "EXPORT", "RUNTIME", "LIBRARY", "ARCHIVE", "INCLUDES", "PERMISSIONS", "PATTERN", "REGEX"}
-    | {"FILES_MATCHING", "USE_SOURCE_PERMISSIONS", "OPTIONAL", "COMPONENT", "RENAME", "FILE_PERMISSIONS"}
-    | {"DIRECTORY_PERMISSIONS", "CONFIGURATIONS", "TYPE", "PUBLIC_HEADER", "BUNDLE", "OBJECTS", "EXCLUDE"}
-)
-_FIND_WORDS = frozenset(
-    {
-        "REQUIRED",
-        "QUIET",
-        "COMPONENTS",
-        "OPTIONAL_COMPONENTS",
-        "CONFIG",
-        "MODULE",
-        "EXACT",
-        "NO_MODULE",
-        "HINTS",
-    }
-)
 _GPU = frozenset({"CUDA", "CUDAToolkit", "TensorRT", "TENSORRT", "CUDNN", "cuda", "tensorrt"})
 
 
@@ -112,90 +83,12 @@ def reconfigure_files(calls: tuple[Call, ...]) -> Iterator[FileReference]:
                 yield FileReference(call.file(path), call.line)
 
 
-_AUTO_TARGETS = frozenset({"ament_auto_add_library", "ament_auto_add_executable"})
-"""What `ament_auto_package` installs by itself."""
-
-
-def installs(calls: tuple[Call, ...], targets: Mapping[str, Target]) -> Iterator[Install]:
-    """Yield what is installed where; targets that go to several folders have a rule for each.
-
-    Args:
-        calls: of one file.
-        targets: of the whole build, by name.
-    """
-    for call in calls:
-        if call.name == "install" and call.args and call.args[0] in _INSTALL_KINDS:
-            for rule in _each(call, _INSTALL_KINDS[call.args[0]]):
-                yield from _parted(rule, call, targets) if rule.kind == "targets" else (rule,)
-        elif call.name == "catkin_install_python":
-            yield from _each(call, "python")
-        elif call.name == "ament_auto_package":
-            made = (other.args[0] for other in calls if other.name in _AUTO_TARGETS and other.args)
-            yield Install("targets", tuple(made), "", call.line)
-
-
-def _each(call: Call, kind: InstallKind) -> Iterator[Install]:
-    """One rule, or one for each of the arguments that builds may have."""
-    for at, texts in enumerate((call.texts, *call.others)):
-        by_default = both(call.by_default, (at == 0) if call.sure else None)
-        yield _install(call, kind, texts[texts[:1] == ("PROGRAMS",) if kind == "python" else 1 :], by_default)
-
-
-def _install(call: Call, kind: InstallKind, args: tuple[str, ...], by_default: bool | None) -> Install:
-    groups = split(args, _INSTALL_WORDS)
-    word = call.word if kind == "targets" else call.file
-    return Install(
-        kind=kind,
-        items=tuple(word(value) for value in groups[""]),
-        destination=_below_prefix(_destination(args), call),
-        line=call.line,
-        conditions=call.conditions,
-        by_default=by_default,
-        words=tuple(word for word in args if word in _INSTALL_WORDS),
-        renamed=call.word(first(groups, "RENAME") or ""),
-    )
-
-
-def _destination(args: tuple[str, ...]) -> str:
-    """Return the folder of programs (RUNTIME) when it is told, else the first one."""
-    found = {args[i - 1]: args[i + 1] for i, arg in enumerate(args[:-1]) if arg == "DESTINATION"}
-    return found.get("RUNTIME") or next(iter(found.values()), "")
-
-
-def _parted(rule: Install, call: Call, targets: Mapping[str, Target]) -> Iterator[Install]:
-    """Programs go where RUNTIME says, shared libraries where LIBRARY does, others where ARCHIVE does."""
-    words = call.texts
-    told = {words[at - 1]: words[at + 1] for at, word in enumerate(words[:-1]) if word == "DESTINATION"}
-    places: dict[str, list[str]] = {}
-    for item in rule.items:
-        place = told.get(_artefact(targets.get(item)))
-        places.setdefault(rule.destination if place is None else _below_prefix(place, call), []).append(item)
-    for place, items in places.items():
-        yield msgspec.structs.replace(rule, items=tuple(items), destination=place)
-
-
-def _artefact(target: Target | None) -> str:
-    if target is None or target.kind != "library":
-        return "RUNTIME"
-    return "ARCHIVE" if target.is_shared is False else "LIBRARY"
-
-
-def _below_prefix(destination: str, call: Call) -> str:
-    return call.word(destination.removeprefix(PREFIX).lstrip("/") if destination.startswith(PREFIX) else destination)
-
-
 def dependencies(calls: tuple[Call, ...]) -> Iterator[Dependency]:
     """Yield the packages that are searched for."""
     for call in calls:
         if call.name not in {"find_package", "ament_auto_find_package"} or not call.args:
             continue
-        names = [call.args[0]]
-        if call.args[0] == "catkin":
-            groups = split(call.args[1:], _FIND_WORDS)
-            # catkin takes components after REQUIRED too.
-            after = ("COMPONENTS", "OPTIONAL_COMPONENTS", "REQUIRED")
-            names += [name for word in after for name in groups.get(word, [])]
-        for name in dict.fromkeys(names):
+        for name in found_packages(call.args):
             yield Dependency(name, call.line, call.is_test)
 
 

@@ -58,7 +58,8 @@ def _argument(argument: Argument, texts: dict[str, str]) -> Argument:
     if argument.form == "bracket":
         return argument
     text = _REFERENCE.sub(lambda match: texts.get(match[1], _left(match)), argument.text)
-    return msgspec.structs.replace(argument, text=text)
+    form = "argument" if argument.form == "plain" else argument.form
+    return msgspec.structs.replace(argument, text=text, form=form)
 
 
 def _left(match: re.Match[str]) -> str:

@@ -8,7 +8,7 @@ from importlib import resources
 
 import msgspec
 
-from ecm_extract.cmake.values import PREFIX, Value
+from ecm_extract.cmake.values import PREFIX, Value, unknown
 
 
 class _Names(msgspec.Struct, frozen=True):
@@ -20,10 +20,16 @@ class Known(msgspec.Struct, frozen=True):
 
     system: dict[str, str]
     absent: _Names
+    settings: _Names
     tests: _Names
     packages: dict[str, dict[str, str]]
     modules: dict[str, dict[str, str]]
     openers: _Names
+    brought: dict[str, tuple[str, ...]]
+    makers: _Names
+    quiet: _Names
+    install_types: dict[str, str]
+    install_artefacts: dict[str, str]
 
 
 @cache
@@ -44,6 +50,7 @@ def at_start() -> dict[str, Value]:
     """Return the variables before the first command: those of a Linux with tests on, unless they are turned off."""
     found = {name: Value((text.format(prefix=PREFIX),)) for name, text in known().system.items()}
     found |= dict.fromkeys(known().absent.names, Value((None,)))
+    found |= {name: Value((None, unknown(name))) for name in known().settings.names}
     return found | dict.fromkeys(known().tests.names, Value(("ON", "OFF")))
 
 

@@ -139,7 +139,12 @@ def _reverse(values: list[str], rest: list[str], look: Look) -> list[str]:
 
 def _sort(values: list[str], rest: list[str], look: Look) -> list[str] | None:
     del look
-    return None if rest else sorted(values, key=str.encode)
+    words = dict(zip(rest[::2], rest[1::2], strict=False))
+    if words.get("COMPARE", "STRING") != "STRING" or words.keys() - {"COMPARE", "CASE", "ORDER"}:
+        return None
+    is_folded = words.get("CASE") == "INSENSITIVE"
+    keys = {value: (value.lower() if is_folded else value).encode() for value in values}
+    return sorted(values, key=keys.__getitem__, reverse=words.get("ORDER") == "DESCENDING")
 
 
 def _filter(values: list[str], rest: list[str], look: Look) -> list[str] | None:

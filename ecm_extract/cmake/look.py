@@ -45,6 +45,12 @@ class Look:
             self.sure = self.sure and value.sure
         return value.first
 
+    def is_told(self, name: str) -> bool:
+        """Tell whether a build is told a variable that nothing of the tree sets; one without settings is not."""
+        if name not in self._chosen:
+            self.several[name] = None
+        return name in self._chosen
+
     def has(self, name: str) -> bool:
         """Tell whether the tree sets or unsets a variable at all."""
         return name in self._scope
@@ -67,7 +73,7 @@ def worlds(scope: Scope, outside: Callable[[str], bool], run: Callable[[Look], R
 def _choices(scope: Scope, look: Look) -> Iterator[Mapping[str, str | None]]:
     count = 1
     for name in look.several:
-        for text in scope[name].texts[1:]:
+        for text in scope[name].texts[1:] if name in scope else (unknown(name),):
             if count < MAX_WORLDS:
                 count += 1
                 yield {name: text}

@@ -13,6 +13,7 @@ from ecm_parsers.cmake_facts import REFUSED, CmakeFile, Command, Option, Subdire
 from ecm_extract.cmake import exports
 from ecm_extract.cmake.calls import Call
 from ecm_extract.cmake.foreign import foreign_words
+from ecm_extract.cmake.installs import installs
 from ecm_extract.cmake.run import Evaluation, Unread
 from ecm_extract.cmake.targets import components, targets
 
@@ -25,14 +26,14 @@ def stated(evaluation: Evaluation) -> dict[str, CmakeFile]:
     calls: dict[str, list[Call]] = {path: [] for path in evaluation.paths}
     for call in evaluation.calls:
         calls[call.path].append(call)
-    made = targets(evaluation.calls)
+    made = targets(evaluation.calls, evaluation.files)
     unread = {path: tuple(each for each in evaluation.unread if each.path == path) for path in calls}
     refused = {path for path, told in evaluation.diagnostics.items() if any(each.code in REFUSED for each in told)}
     by_name = {target.name: target for own in made.values() for target in own}
     files = {path: _file(tuple(own), made.get(path, ()), unread[path]) for path, own in calls.items()}
     return {
         path: msgspec.structs.replace(
-            file, malformed=path in refused, installs=tuple(exports.installs(tuple(calls[path]), by_name))
+            file, malformed=path in refused, installs=tuple(installs(tuple(calls[path]), by_name, evaluation.files))
         )
         for path, file in files.items()
     }

@@ -13,6 +13,9 @@ _LIMITS: Final = ((2, 4_000), (4, 300), (8, 60))
 """How many quantifiers a pattern may have for texts of which length: matching goes back and forth."""
 _NESTED: Final = re.compile(r"[*+?][^()]*\)[*+]")
 _QUANTIFIER: Final = frozenset("*+?")
+_GROUPS: Final = 10
+MATCH: Final = "CMAKE_MATCH_"
+"""How the variables are called that hold the last match."""
 
 
 @cache
@@ -24,6 +27,15 @@ def pattern(text: str) -> re.Pattern[str] | None:
         return re.compile(_translated(text), re.DOTALL)
     except (re.error, IndexError, OverflowError):
         return None
+
+
+def match_variables(match: re.Match[str] | None) -> dict[str, str]:
+    """Return what a match leaves in CMAKE_MATCH_0 and so on; without one these are empty."""
+    texts = (match[0], *match.groups()) if match is not None else ()
+    found = dict.fromkeys((f"{MATCH}{at}" for at in range(_GROUPS)), "")
+    found |= {f"{MATCH}{at}": text or "" for at, text in enumerate(texts[:_GROUPS])}
+    last = max((at for at, text in enumerate(texts) if text is not None), default=0)
+    return {**found, f"{MATCH}COUNT": str(last)}
 
 
 def is_cheap(expression: re.Pattern[str], text: str) -> bool:

@@ -14,6 +14,7 @@ from ecm_parsers.cmake_blocks import Block, Step
 from ecm_parsers.cmake_tokens import Command
 from ecm_parsers.result import Diagnostic
 
+from ecm_extract.cmake.brought import Brought
 from ecm_extract.cmake.calls import Call
 from ecm_extract.cmake.change import Setter
 from ecm_extract.cmake.files import BuildFiles, tree_path
@@ -42,10 +43,12 @@ class Evaluation:
     """What running the files of a package gave.
 
     Attributes:
+        files: of the tree.
         calls: in order. paths: of the files that ran.
         diagnostics: by path. unread: what is not known.
     """
 
+    files: BuildFiles
     calls: list[Call] = field(default_factory=list)
     paths: dict[str, None] = field(default_factory=dict)
     diagnostics: dict[str, list[Diagnostic]] = field(default_factory=dict)
@@ -99,8 +102,9 @@ class Run:
     handlers: Handlers
     setters: dict[str, Setter]
     state: State
-    found: Evaluation = field(default_factory=Evaluation)
+    found: Evaluation
     outside: Outside = field(default_factory=Outside)
+    brought: Brought = field(default_factory=Brought)
     functions: dict[str, Function] = field(default_factory=dict)
     targets: dict[str, bool | None] = field(default_factory=dict)
     guarded: set[str] = field(default_factory=set)

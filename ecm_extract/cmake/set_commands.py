@@ -12,6 +12,7 @@ from ecm_extract.cmake.change import Change, not_known
 from ecm_extract.cmake.look import Look
 
 _ENVIRONMENT: Final = "ENV{"
+_FORCED: Final = frozenset({"FORCE", "INTERNAL"})
 _EXPRESSION: Final = re.compile(r"[0-9a-fA-FxX+\-*/%|&^~()<> \t]{1,200}")
 _BITS: Final = 1 << 64
 _OPERATORS: Final[dict[type[ast.operator], Callable[[int, int], int]]] = {
@@ -34,16 +35,17 @@ def set_variable(args: list[str], look: Look) -> Sequence[Change]:
         return []
     name, values = args[0], args[1:]
     if "CACHE" in values:
-        return _cached(name, ";".join(values[: values.index("CACHE")]), "FORCE" in values, look)
+        at = values.index("CACHE")
+        return _cached(name, ";".join(values[:at]), not _FORCED.isdisjoint(values[at:]), look)
     outside = values[-1:] == ["PARENT_SCOPE"]
     values = values[:-1] if outside else values
-    return [Change(name, ";".join(values) if values else None, outside)]
+    return [Change(name, ";".join(values) if values else None, "outside" if outside else "here")]
 
 
 def _cached(name: str, text: str, forced: bool, look: Look) -> Sequence[Change]:
     """A normal variable of that name hides the one in the cache."""
     held = look.get(name) if look.has(name) else None
-    return [] if held is not None and not forced else [Change(name, text)]
+    return [] if held is not None and not forced else [Change(name, text, "cache")]
 
 
 def unset_variable(args: list[str], look: Look) -> Sequence[Change]:
@@ -51,14 +53,14 @@ def unset_variable(args: list[str], look: Look) -> Sequence[Change]:
     del look
     if not args or args[0].startswith(_ENVIRONMENT):
         return []
-    return [Change(args[0], None, "PARENT_SCOPE" in args[1:])]
+    return [Change(args[0], None, "outside" if "PARENT_SCOPE" in args[1:] else "here")]
 
 
 def option(args: list[str], look: Look) -> Sequence[Change]:
     """`option(NAME text [value])`; one that is set already keeps its value (CMP0077)."""
     if not args or (look.has(args[0]) and look.get(args[0]) is not None):
         return []
-    return [Change(args[0], args[2] if len(args) > 2 else "OFF")]
+    return [Change(args[0], args[2] if len(args) > 2 else "OFF", "cache")]
 
 
 def math(args: list[str], look: Look) -> Sequence[Change]:

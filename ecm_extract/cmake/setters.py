@@ -9,7 +9,18 @@ from ecm_extract.cmake.change import Setter
 from ecm_extract.cmake.file_commands import aux_source_directory, file_command, get_filename_component
 from ecm_extract.cmake.files import BuildFiles
 from ecm_extract.cmake.list_commands import run_list
-from ecm_extract.cmake.property_commands import get_property, set_property
+from ecm_extract.cmake.option_commands import dependent_option
+from ecm_extract.cmake.path_commands import run_path
+from ecm_extract.cmake.property_commands import (
+    add_executable,
+    add_library,
+    get_directory_property,
+    get_property,
+    get_target_property,
+    set_property,
+    set_target_properties,
+    target_sources,
+)
 from ecm_extract.cmake.set_commands import math, option, set_variable, unset_variable
 from ecm_extract.cmake.string_commands import run_string
 
@@ -25,8 +36,19 @@ _SETTERS: Final[dict[str, Setter]] = {
     "separate_arguments": separate_arguments,
     "set_property": set_property,
     "get_property": get_property,
+    "get_target_property": get_target_property,
+    "get_directory_property": get_directory_property,
+    "set_target_properties": set_target_properties,
+    "add_executable": add_executable,
+    "add_library": add_library,
+    "target_sources": target_sources,
+    "cmake_path": run_path,
+    "cmake_dependent_option": dependent_option,
 }
-ALSO_CALLS: Final = frozenset({"option", "set_property", "file"})
+ALSO_CALLS: Final = frozenset(
+    {"option", "cmake_dependent_option", "set_property", "set_target_properties", "file"}
+    | {"add_executable", "add_library", "target_sources"}
+)
 """Setters that state something beside."""
 
 

@@ -6,10 +6,12 @@ import posixpath
 from collections.abc import Callable
 from typing import Final
 
+import msgspec
 from ecm_parsers.cmake_blocks import Step, nest
 from ecm_parsers.cmake_tokens import Argument, Command, parse_commands
 
 from ecm_extract.cmake.files import absolute, placed, tree_path
+from ecm_extract.cmake.finding import found_packages
 from ecm_extract.cmake.known import known
 from ecm_extract.cmake.lists import items
 from ecm_extract.cmake.run import Place, Run
@@ -59,20 +61,26 @@ def _include(run: Run, command: Command, args: tuple[str, ...], place: Place) ->
         _know(run, module)
         return True
     path = _included(run, name)
+    _tell_found(run, args, path)
     if path is not None:
         return run_file(run, path, place)
-    if "OPTIONAL" not in args and ("/" in name or not is_known(name)):
+    run.brought.find([name])
+    if "OPTIONAL" not in args and ("/" in name or "." in name or not is_known(name)):
         run.open(place, command.line, f"include of {written(name)}")
     return True
 
 
+def _tell_found(run: Run, args: tuple[str, ...], path: str | None) -> None:
+    """`include(name RESULT_VARIABLE found)`: the path, or that there is none."""
+    for name in args[args.index("RESULT_VARIABLE") + 1 :][:1] if "RESULT_VARIABLE" in args else ():
+        run.set(name, placed(path) if path is not None else "NOTFOUND" if "/" in args[0] else unknown(name))
+
+
 def _included(run: Run, name: str) -> str | None:
-    """Path of an included file or module; None of one that is not in the tree."""
-    wanted = [absolute(name, run.folder())]
-    if "/" not in name and not name.endswith(".cmake"):
-        folders = items(run.look().get("CMAKE_MODULE_PATH") or "")
-        wanted = [f"{absolute(folder, run.folder())}/{name}.cmake" for folder in folders]
-    paths = [tree_path(each) for each in wanted]
+    """Path of an included module or file, in this order; None of one that is not in the tree."""
+    folders = items(run.look().get("CMAKE_MODULE_PATH") or "") if "/" not in name else []
+    wanted = [f"{absolute(folder, run.folder())}/{name}.cmake" for folder in folders]
+    paths = [tree_path(each) for each in (*wanted, absolute(name, run.folder()))]
     return next((path for path in paths if path is not None and run.files.has(path)), None)
 
 
@@ -102,6 +110,7 @@ def _subdirectory(run: Run, command: Command, args: tuple[str, ...], place: Plac
 def _find_package(run: Run, command: Command, args: tuple[str, ...], place: Place) -> bool:
     del command, place
     run.outside.add(args)
+    run.brought.find(found_packages(args))
     for name in args:
         _know(run, known().packages.get(name, {}))
     return True
@@ -110,6 +119,7 @@ def _find_package(run: Run, command: Command, args: tuple[str, ...], place: Plac
 def _pkg_config(run: Run, command: Command, args: tuple[str, ...], place: Place) -> bool:
     del command, place
     run.outside.add(args[:1])
+    run.brought.find(args[:1])
     return True
 
 
@@ -167,12 +177,20 @@ def _target(run: Run, command: Command, args: tuple[str, ...], place: Place) -> 
 
 
 def _language(run: Run, command: Command, args: tuple[str, ...], place: Place) -> bool:
-    """`cmake_language(CALL name args...)`; other forms run what only the build has."""
+    """`cmake_language(CALL name args...)` and `(EVAL CODE text...)`; other forms run what only the build has."""
     if args[:1] == ("CALL",) and len(args) > 1:
         words = tuple(Argument(text, command.line, "bracket") for text in args[2:])
         return run.handlers.command(run, Command(args[1].lower(), words, command.line), place)
+    if args[:2] == ("EVAL", "CODE") and all(map(is_known, args)):
+        return _code(run, " ".join(args[2:]), msgspec.structs.replace(place, caller_line=command.line))
     run.open(place, command.line, "cmake_language")
     return True
+
+
+def _code(run: Run, text: str, place: Place) -> bool:
+    """Run a text as if it stood in the file."""
+    parsed = parse_commands(text.encode())
+    return run.steps(nest(parsed.facts, list(parsed.diagnostics)), place.deeper())
 
 
 def _fetched(run: Run, command: Command, args: tuple[str, ...], place: Place) -> bool:

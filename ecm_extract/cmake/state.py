@@ -13,6 +13,8 @@ from ecm_extract.cmake.values import Value, joined
 MAX_VARIABLES: Final = 5_000
 Scope = dict[str, Value]
 Leave = Literal["return", "break", "continue", "stop"]
+Where = Literal["here", "outside", "cache", "everywhere"]
+"""Which scopes see what is set: the innermost, the one outside of it, those where no variable hides it, or all."""
 
 
 class Path(msgspec.Struct, frozen=True):
@@ -66,11 +68,21 @@ class State:
         """Go back to a snapshot; it may be restored again."""
         self.scopes = [dict(scope) for scope in snapshot.scopes]
 
-    def assign(self, name: str, value: Value, outside: bool = False) -> None:
-        """Set a variable, of the scope outside if told so."""
-        scope = self.scopes[-2] if outside and len(self.scopes) > 1 else self.scopes[-1]
-        if name in scope or len(scope) < MAX_VARIABLES:
-            scope[name] = value
+    def assign(self, name: str, value: Value, where: Where = "here") -> None:
+        """Set a variable in the scopes that see it."""
+        if where == "cache":
+            value = msgspec.structs.replace(value, cached=True)
+        for scope in self._seen_in(name, where):
+            if name in scope or len(scope) < MAX_VARIABLES:
+                scope[name] = value
+
+    def _seen_in(self, name: str, where: Where) -> list[Scope]:
+        if where == "outside" and len(self.scopes) > 1:
+            return [self.scopes[-2]]
+        outer = self.scopes[:-1]
+        if where == "cache":
+            outer = [scope for scope in outer if name not in scope or scope[name].cached]
+        return [*outer, self.scopes[-1]] if where in {"cache", "everywhere"} else [self.scopes[-1]]
 
     def leave(self, how: Leave) -> None:
         """Keep what holds here for the place where this path goes on."""

@@ -121,24 +121,35 @@ def _configure(args: list[str], look: Look) -> Sequence[Change]:
     return _told(args[1], _AT.sub(lambda match: look.get(match[1]) or "", text))
 
 
+def _last_match_gone(look: Look) -> Sequence[Change]:
+    """Which match was the last one is not followed here."""
+    names = [f"{patterns.MATCH}{at}" for at in (*range(10), "COUNT")]
+    return [change for name in names if look.has(name) for change in not_known(name)]
+
+
 def _regex(args: list[str], look: Look) -> Sequence[Change]:
-    del look
     action, expression = args[0], args[1]
     if action == "REPLACE":
         text = "".join(args[4:])
-        return _told(args[3], patterns.replaced(expression, args[2], text), expression, args[2], text)
+        replaced = _told(args[3], patterns.replaced(expression, args[2], text), expression, args[2], text)
+        return [*_last_match_gone(look), *replaced]
     text = "".join(args[3:])
-    return _told(args[2], _matched(action, expression, text), expression, text)
-
-
-def _matched(action: str, expression: str, text: str) -> str | None:
-    compiled = patterns.pattern(expression)
+    compiled = patterns.pattern(expression) if is_known(expression + text) else None
     if compiled is None or not patterns.is_cheap(compiled, text):
-        return None
+        return [*_last_match_gone(look), *not_known(args[2])]
     if action == "MATCH":
-        match = compiled.search(text)
-        return match[0] if match is not None else ""
-    if action != "MATCHALL" or "^" in expression.replace("[^", ""):
+        return _match(args[2], compiled.search(text))
+    found = _all_matches(compiled, expression, text) if action == "MATCHALL" else None
+    return [*_last_match_gone(look), *_told(args[2], found)]
+
+
+def _match(name: str, match: re.Match[str] | None) -> Sequence[Change]:
+    left = [Change(each, text) for each, text in patterns.match_variables(match).items()]
+    return [*left, Change(name, match[0] if match is not None else "")]
+
+
+def _all_matches(compiled: re.Pattern[str], expression: str, text: str) -> str | None:
+    if "^" in expression.replace("[^", ""):
         return None
     found = [match[0] for match in compiled.finditer(text)]
     return ";".join(found) if all(found) else None

@@ -9,8 +9,10 @@ from dataclasses import dataclass, field
 import msgspec
 from ecm_parsers.cmake_facts import Component, Target, TargetKind
 
-from ecm_extract.cmake.calls import Call
-from ecm_extract.cmake.genex import has_genex
+from ecm_extract.cmake.auto_package import auto_sources
+from ecm_extract.cmake.calls import Call, is_of_build
+from ecm_extract.cmake.files import BuildFiles, absolute
+from ecm_extract.cmake.genex import decided, has_genex, objects_used, without_objects
 from ecm_extract.cmake.include_folders import include_folders
 from ecm_extract.cmake.keywords import first, split
 from ecm_extract.cmake.state import both, either
@@ -33,6 +35,7 @@ _LIBRARY_WORDS = frozenset(
 _STATIC = frozenset({"STATIC", "OBJECT", "INTERFACE"})
 _SKIPPED = frozenset({"IMPORTED", "ALIAS"})
 _VISIBILITY = frozenset({"PUBLIC", "PRIVATE", "INTERFACE", "LINK_PUBLIC", "LINK_PRIVATE", "LINK_INTERFACE_LIBRARIES"})
+_FOR_USERS = frozenset({"INTERFACE", "LINK_INTERFACE_LIBRARIES"})
 _LINK_WORDS = _VISIBILITY | {"SYSTEM", "debug", "optimized", "general"}
 _BUILDERS: dict[str, TargetKind] = {
     "add_executable": "executable",
@@ -82,11 +85,11 @@ _COMPONENT_WORDS = frozenset(
 _REGISTRARS = frozenset({"rclcpp_components_register_node", "rclcpp_components_register_nodes"})
 
 
-def targets(calls: Sequence[Call]) -> dict[str, tuple[Target, ...]]:
+def targets(calls: Sequence[Call], files: BuildFiles) -> dict[str, tuple[Target, ...]]:
     """Return the targets that the calls build, in order, with their links and later sources, by file."""
     found: dict[str, _Growing] = {}
     for call in calls:
-        for target in _built(call):
+        for target in _built(call, files):
             _add(found, target, call)
         for name in _grown(call):
             if name in found:
@@ -94,6 +97,7 @@ def targets(calls: Sequence[Call]) -> dict[str, tuple[Target, ...]]:
     for call in calls:
         if call.name == "include_directories":
             _look_in(call, found.values())
+    hand_on(found)
     by_path: dict[str, list[Target]] = {}
     for growing in found.values():
         by_path.setdefault(growing.call.path, []).append(growing.target())
@@ -104,6 +108,8 @@ def _grown(call: Call) -> tuple[str, ...]:
     """Names of the targets that a call says more of."""
     if call.name == "set_target_properties" and "PROPERTIES" in call.args:
         return call.args[: call.args.index("PROPERTIES")]
+    if call.name == "set_property" and call.args[:1] == ("TARGET",) and "SOURCES" in call.args:
+        return call.args[1:]
     return call.args[:1] if call.name in _GROWING else ()
 
 
@@ -117,12 +123,14 @@ def _look_in(call: Call, made: Iterable[_Growing]) -> None:
 
 @dataclass
 class _Growing:
-    """A target whose sources and links may still be added."""
+    """A target whose sources and links may still be added; `given` are sources for those that use it."""
 
     first: Target
     call: Call
     sources: _Sources
     links: list[str] = field(default_factory=list)
+    uses: list[str] = field(default_factory=list)
+    given: list[str] = field(default_factory=list)
     output: str = ""
     include_folders: list[str] = field(default_factory=list)
 
@@ -130,7 +138,7 @@ class _Growing:
         """Return what all calls together say."""
         return msgspec.structs.replace(
             self.first,
-            links=tuple(dict.fromkeys(self.links)),
+            links=tuple(dict.fromkeys((*self.first.links, *self.links))),
             sources=tuple(self.sources.every),
             optional=tuple(path for path in self.sources.every if path not in self.sources.default),
             is_open=self.sources.is_open,
@@ -150,7 +158,7 @@ class _Sources:
     def add(self, paths: tuple[str, ...], by_default: bool | None) -> None:
         """Add sources that builds have, those without settings if `by_default`."""
         self.every.update(dict.fromkeys(paths))
-        self.is_open = self.is_open or by_default is None or any("$" in path for path in paths)
+        self.is_open |= by_default is None or any("$" in path and not is_of_build(path) for path in paths)
         if by_default:
             self.default.update(paths)
 
@@ -174,16 +182,26 @@ def _add(found: dict[str, _Growing], target: Target, call: Call) -> None:
 def _grow(target: _Growing, call: Call) -> None:
     if call.name in _LINKERS:
         target.links += _without(call.args[1:], _LINK_WORDS)
+        groups = split(call.args[1:], _VISIBILITY)
+        target.uses += [name for word, names in groups.items() if word not in _FOR_USERS for name in names]
     elif call.name == "target_sources":
         for at, texts in enumerate((call.texts, *call.others)):
             by_default = both(call.by_default, (at == 0) if call.sure else None)
             # Before 3.13 a path is relative to the folder of the target, not of the call (CMP0076).
             folder = call.folder if call.minimum >= _OWN_FOLDER else target.call.folder
             place = msgspec.structs.replace(call, folder=folder, path=target.call.path)
-            added = _sources(_added(texts[1:]), place)
+            given = _added(texts[1:])
+            target.links += objects_used(given)
+            target.given += [absolute(text, folder) for text in _for_users(texts[1:])]
+            items = decided(without_objects(given))
+            added = _sources(items, place)
             relative = by_default if target.first.by_default else True if by_default is not None else None
             target.sources.add(added, relative)
-            target.sources.is_open |= any(has_genex(text) or not is_known(text) for text in texts)
+            target.sources.is_open |= any(map(_is_open, items))
+    elif call.name == "set_property":
+        sources = split(call.texts, frozenset({"SOURCES"}))["SOURCES"]
+        target.sources.add(_sources(decided(sources), call), call.by_default)
+        target.sources.is_open |= any(map(_is_open, sources)) or "APPEND" not in call.args
     elif call.name == "target_include_directories":
         target.include_folders += include_folders(call.texts[1:], call, target.call.path)
     elif call.name == "set_target_properties":
@@ -194,6 +212,22 @@ def _added(texts: tuple[str, ...]) -> list[str]:
     """Sources that `target_sources` gives the target itself: those after INTERFACE are for who links it."""
     groups = split(texts, _VISIBILITY | _SOURCE_WORDS)
     return [text for word in ("", "PUBLIC", "PRIVATE", "FILES") for text in groups.get(word, [])]
+
+
+def _for_users(texts: tuple[str, ...]) -> list[str]:
+    """Sources that `target_sources` gives to those that link the target."""
+    groups = split(texts, _VISIBILITY | _SOURCE_WORDS)
+    return [text for word in ("PUBLIC", "INTERFACE") for text in groups.get(word, [])]
+
+
+def hand_on(found: dict[str, _Growing]) -> None:
+    """Give the sources of a linked target to who links it; through several targets they are not followed."""
+    for target in found.values():
+        linked = [found[name] for name in target.uses if name in found]
+        texts = [text for each in linked for text in each.given]
+        target.sources.add(_sources(decided(texts), target.call), True)
+        behind = [name for each in linked for name in each.links if name in found and found[name].given]
+        target.sources.is_open |= bool(behind) or any(map(_is_open, decided(texts)))
 
 
 def makes_target(command: str) -> bool:
@@ -223,7 +257,7 @@ def components(calls: tuple[Call, ...]) -> tuple[Component, ...]:
     return tuple(found)
 
 
-def _built(call: Call) -> Iterator[Target]:
+def _built(call: Call, files: BuildFiles) -> Iterator[Target]:
     """Yield the targets that a call makes: one, or one for each of the arguments that builds may have."""
     kind = _BUILDERS.get(call.name)
     is_test = kind is None and _TEST.fullmatch(call.name) is not None
@@ -231,22 +265,23 @@ def _built(call: Call) -> Iterator[Target]:
         by_default = both(call.by_default, (at == 0) if call.sure else None)
         target = None
         if texts:
-            target = _ordinary(call, texts, kind) if kind is not None else _test(call, texts)
+            target = _ordinary(call, texts, kind, files) if kind is not None else _test(call, texts)
         if target is not None:
             yield msgspec.structs.replace(target, by_default=by_default)
 
 
-def _ordinary(call: Call, texts: tuple[str, ...], kind: TargetKind) -> Target | None:
+def _ordinary(call: Call, texts: tuple[str, ...], kind: TargetKind, files: BuildFiles) -> Target | None:
     rest = texts[1:]
     if _SKIPPED & set(rest):
         return None
     if kind == "library" and "INTERFACE" in rest[:1]:
         kind = "interface"
-    sources = _auto_sources(rest) if call.name.startswith("ament_auto_") else list(rest)
+    sources = auto_sources(rest, call, files) if call.name.startswith("ament_auto_") else list(rest)
     return _target(call, texts[0], kind, sources)
 
 
-def _target(call: Call, name: str, kind: TargetKind, sources: list[str]) -> Target:
+def _target(call: Call, name: str, kind: TargetKind, given: list[str]) -> Target:
+    sources = decided(without_objects(given))
     return Target(
         name=call.word(name),
         kind=kind,
@@ -255,8 +290,14 @@ def _target(call: Call, name: str, kind: TargetKind, sources: list[str]) -> Targ
         is_test=kind == "test" or call.is_test,
         conditions=call.conditions,
         is_shared=_is_shared(call) if kind == "library" else False,
-        is_open=any(has_genex(text) or not is_known(text) for text in sources),
+        is_open=any(map(_is_open, sources)),
+        links=tuple(objects_used(given)),
     )
+
+
+def _is_open(text: str) -> bool:
+    """Tell whether a source is one that only a build knows."""
+    return has_genex(text) or not is_known(text)
 
 
 def _is_shared(call: Call) -> bool | None:
@@ -264,12 +305,6 @@ def _is_shared(call: Call) -> bool | None:
     if words & _STATIC:
         return False
     return True if words & {"SHARED", "MODULE"} else call.makes_shared
-
-
-def _auto_sources(args: tuple[str, ...]) -> list[str]:
-    """`ament_auto_add_*` takes all sources of the folders after DIRECTORY."""
-    groups = split(args, frozenset({"DIRECTORY"}))
-    return groups[""] + [f"{folder.rstrip('/')}/*" for folder in groups.get("DIRECTORY", [])]
 
 
 def _test(call: Call, texts: tuple[str, ...]) -> Target | None:
@@ -282,7 +317,7 @@ def _test(call: Call, texts: tuple[str, ...]) -> Target | None:
 
 def _sources(values: list[str], call: Call) -> tuple[str, ...]:
     """Return source paths, without the words and generator expressions among them."""
-    kept = (value for value in values if value not in _LIBRARY_WORDS and not value.startswith("$<"))
+    kept = (value for value in values if value not in _LIBRARY_WORDS and value and not has_genex(value))
     return tuple(dict.fromkeys(call.file(value) for value in kept))
 
 

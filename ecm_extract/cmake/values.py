@@ -30,10 +30,12 @@ class Value(msgspec.Struct, frozen=True):
     Attributes:
         texts: the possible ones; None is a variable that is not set.
         sure: whether the first one is that of a build without settings of its own.
+        cached: whether it is what the cache holds; a variable of a scope hides that.
     """
 
     texts: tuple[str | None, ...]
     sure: bool = True
+    cached: bool = False
 
     @property
     def first(self) -> str | None:

@@ -11,7 +11,7 @@ from importlib import resources
 from typing import Literal
 
 import msgspec
-from ecm_checker.contract import Role
+from ecm_checker.hub.roles import Role
 
 from ecm_extract.description.model import Description, Sensor, SimulatorPlugin, Where
 

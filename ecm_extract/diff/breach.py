@@ -5,15 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from ecm_checker.finding import Certainty
-from ecm_checker.hub.kinds import uses
 from ecm_checker.hub.provision import Form
 from ecm_checker.hub.requirement import Requirement
-from ecm_checker.match.consumer import Consumer
-from ecm_checker.match.fit import is_future, misfit
+from ecm_checker.match.consumer import HEADER, SYMBOL, Consumer
+from ecm_checker.match.fit import AGAIN, FORM, NAMES, is_future, misfit
 
 from ecm_extract.diff.broken_names import GONE, BrokenNames
 from ecm_extract.diff.effects import placed
-from ecm_extract.diff.model import ENDPOINTS, Located
+from ecm_extract.diff.model import Located
 
 
 def breach(requirement: Requirement, consumer: Consumer, located: Located, broken: BrokenNames) -> Certainty | None:
@@ -25,7 +24,7 @@ def breach(requirement: Requirement, consumer: Consumer, located: Located, broke
         located: the change.
         broken: all changes, and what the new side provides.
     """
-    row, word = uses()[requirement.use], located.change.change
+    row, word = requirement.row, located.change.change
     if _names_successor(requirement, located, consumer):
         return None
     if word == "deprecated":
@@ -42,7 +41,7 @@ def breach(requirement: Requirement, consumer: Consumer, located: Located, broke
 def _is_warned(requirement: Requirement, located: Located) -> bool:
     """Of a method only the form that a line overrides may be deprecated."""
     new, given = located.pair.new, requirement.given
-    if requirement.use != "overrides" or new is None or given is None:
+    if requirement.row.fit != FORM or new is None or given is None:
         return True
     return any(form.deprecated and form.types == given.types for form in new.forms)
 
@@ -51,15 +50,15 @@ def _lost(requirement: Requirement, consumer: Consumer, located: Located, broken
     old, new = located.pair.old, located.pair.new
     if old is None or _is_other(requirement, located):
         return None
-    if old.kind == "launch_file" and new is not None and new.name == old.name:
+    if old.row.is_placed and new is not None and new.name == old.name:
         return requirement.needs if _is_by_path(requirement, old.path) else None
-    if requirement.use == "includes" and new is not None and new.name == requirement.name:
+    if requirement.row.tells == HEADER and new is not None and new.name == requirement.name:
         # another package answers the include now, and must be depended on
         return None if broken.brought.reaches(consumer, new.package) else "likely"
-    if requirement.use == "names_symbol" and new is not None and new.name == old.name:
+    if requirement.row.tells == SYMBOL and new is not None and new.name == old.name:
         return None  # the include that brought it is what is gone
     for entity in broken.after.named(requirement, consumer):
-        if requirement.use == "remaps" and entity.facet != old.facet:
+        if requirement.row.leads and entity.facet != old.facet:
             continue  # a remap leads to a side; who listens does not take the place of who spoke
         known = entity.package == old.package or not entity.is_computed or entity.name == old.name
         if known and misfit(requirement, entity) is None:
@@ -77,9 +76,9 @@ def _names_successor(requirement: Requirement, located: Located, consumer: Consu
     new, path = located.change.new, requirement.evidence[0].path
     if new is None or new == requirement.name:
         return False
-    if requirement.use == "includes":
+    if requirement.row.tells == HEADER:
         return new in consumer.headers_of(path)
-    return requirement.use == "names_symbol" and any(
+    return requirement.row.tells == SYMBOL and any(
         name == new or name.startswith(f"{new}::") for name in consumer.symbols_of(path)
     )
 
@@ -87,7 +86,7 @@ def _names_successor(requirement: Requirement, located: Located, consumer: Consu
 def _is_other(requirement: Requirement, located: Located) -> bool:
     """Whether it is another topic of that name: a message that moved to another package keeps its own name."""
     old = located.pair.old
-    if old is None or old.kind not in ENDPOINTS or None in (requirement.type, old.type):
+    if old is None or not old.is_endpoint or None in (requirement.type, old.type):
         return False
     return (requirement.type or "").rpartition("/")[2] != (old.type or "").rpartition("/")[2]
 
@@ -96,9 +95,9 @@ def _retyped(requirement: Requirement, located: Located) -> Certainty | None:
     old, new = located.pair.old, located.pair.new
     if old is None or new is None:
         return None
-    if old.kind in {"message_field", "constant"}:
+    if old.row.wire and old.row.part:
         return "likely"
-    if old.kind == "member":
+    if old.row.symbol:
         inside = requirement.given is not None and requirement.given.inside
         return "likely" if inside else None  # who only names it may do with another type
     was_right = requirement.type is not None and requirement.type == old.type
@@ -109,9 +108,9 @@ def _no_longer_fits(requirement: Requirement, located: Located) -> bool:
     old, new = located.pair.old, located.pair.new
     if old is None or new is None:
         return False
-    if requirement.use == "takes_again":
+    if requirement.row.fit == AGAIN:
         return _is_no_longer_shared(old.forms, new.forms)
-    if requirement.use == "gives_keyword" and requirement.given is not None:
+    if requirement.row.fit == NAMES and requirement.given is not None:
         # `**kwargs` may hand it on to what refuses it, so a name that was told and is not any more is lost
         return not _told(old.forms).intersection(requirement.given.names) <= _told(new.forms)
     return misfit(requirement, old) is None and misfit(requirement, new) is not None

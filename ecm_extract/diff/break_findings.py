@@ -86,7 +86,7 @@ def _message(change: Change, readers: list[Use]) -> str:
         "renamed": f"is now {change.new}",
         "moved": f"is now {change.new}",
         "type_changed": f"has another type: {change.reason}",
-        "signature_changed": f"has another {'layout' if change.kind == 'message' else 'signature'}: {change.reason}",
+        "signature_changed": f"has another {'layout' if change.row.generated else 'signature'}: {change.reason}",
     }.get(change.change, f"changed: {change.reason}")
     told = f"{kind} {change.old or change.new}{of} in {change.package} {happened}: {first}."
     if all(use.remapped for use in readers):
@@ -101,8 +101,9 @@ def _message(change: Change, readers: list[Use]) -> str:
 
 def _is_layout(change: Change) -> bool:
     """Whether only the bytes changed, so that a new build is all that it takes."""
-    added = change.kind == "message_field" and change.change == "added"
-    return added or (change.kind == "message" and change.change == "signature_changed")
+    row = change.row
+    added = row.layout and change.change == "added"
+    return added or (row.generated and change.change == "signature_changed")
 
 
 def _resolution(change: Change) -> str:
@@ -114,7 +115,7 @@ def _resolution(change: Change) -> str:
         return f"follow the new form: {change.reason}"
     if change.change == "deprecated":
         return f"move to what its deprecation names: {change.reason}"
-    if change.kind == "launch_argument" and change.change in {"added", "default_changed"}:
+    if change.row.duty and change.change in {"added", "default_changed"}:
         return f"give {change.new} a value where the file is included"
     return f"stop using {change.old}; {change.reason}"
 

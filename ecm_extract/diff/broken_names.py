@@ -6,25 +6,23 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Final
 
-from ecm_checker.hub.kinds import kinds
+from ecm_checker.hub.kinds import kinds_that
 from ecm_checker.hub.provision import Key, Provision
 from ecm_checker.hub.requirement import Requirement
+from ecm_checker.hub.roles import endpoint_kinds
 from ecm_checker.match.consumer import Consumer
+from ecm_checker.match.fit import NAMES
 from ecm_checker.match.names import called_names
 from ecm_checker.match.provisions import Provisions, Sought
 
 from ecm_extract.diff.brought import Brought
 from ecm_extract.diff.model import Located
-from ecm_extract.diff.pair import CONTAINERS
+from ecm_extract.diff.wholes import wholes_of
 from ecm_extract.entities.side import Side
 
 GONE: Final = frozenset({"removed", "renamed", "moved"})
 _SECOND: Final = frozenset({"type_changed", "default_changed", "signature_changed"})
 """What else changed of a name that is gone: who used the name has that one cause."""
-
-
-_NAMED_ALONE: Final = frozenset({"plugin", "bt_node"})
-"""Kinds that any package may offer, by names that only one has; a topic or parameter may be another's of that name."""
 
 
 class BrokenNames:
@@ -68,12 +66,13 @@ class BrokenNames:
         """Yield by what every requirement is found that a change may concern, and others as well."""
         yield from self._changed.sought()
         yield from Provisions(new for each in self._located if (new := each.pair.new) and _is_looked_for(each)).sought()
-        yield from (Sought("message", name) for name in self._layouts)
+        generated = kinds_that(lambda row: row.generated)
+        yield from (Sought(kind, name) for kind in generated for name in self._layouts)
 
     def meant(self, requirement: Requirement, consumer: Consumer) -> Iterator[Located]:
         """Yield the changes of the names that a requirement may mean."""
         found = self._changed.named(requirement, consumer)
-        if requirement.use == "gives_keyword" and not self._is_one(found, requirement):
+        if requirement.row.fit == NAMES and not self._is_one(found, requirement):
             return
         for entity in found:
             yield from self._changes[entity.key]
@@ -95,7 +94,7 @@ class BrokenNames:
 
 def _is_looked_for(entry: Located) -> bool:
     """Whether its new name tells something: an argument that is asked for now, a name that a remap may lead to."""
-    return entry.change.breaking and entry.change.kind in {"launch_argument", "topic", "service", "action"}
+    return entry.change.breaking and (entry.change.row.duty or entry.change.kind in endpoint_kinds())
 
 
 def _concerns(entry: Located) -> bool:
@@ -105,13 +104,11 @@ def _concerns(entry: Located) -> bool:
 
 def _gone_with_their_whole(located: Iterable[Located], old: Side, new: Side) -> Iterator[tuple[Provision, Located]]:
     """Yield what went with its package, class, message or launch file: one change tells of the whole."""
-    removed = [entry for entry in located if entry.change.change == "removed" and entry.change.kind in CONTAINERS]
+    removed = [entry for entry in located if entry.change.change == "removed" and entry.change.row.contains]
     wholes = {entry.pair.old.key[:4]: entry for entry in removed if entry.pair.old is not None}
     for entity in old.entities.values() if wholes else ():
-        package, owner = entity.package, entity.owner
-        keys = (("package", package, "", package), *((kind, package, "", owner) for kind in CONTAINERS))
-        whole = next((wholes[key] for key in keys if key in wholes), None)
-        alone = kinds()[entity.kind].world == "package" or entity.kind in _NAMED_ALONE
+        whole = next((wholes[key] for key in wholes_of(entity) if key in wholes), None)
+        alone = entity.row.world == "package" or entity.row.alone
         if whole is not None and whole.pair.old is not entity and alone and entity.key not in new.entities:
             yield entity, whole
 
@@ -123,9 +120,9 @@ def _layouts(located: Iterable[Located]) -> dict[str, Located]:
         entity = entry.pair.old or entry.pair.new
         if entity is None or not entry.change.breaking:
             continue
-        if entity.kind == "message_field":
+        if entity.row.layout:
             found.setdefault(entity.owner, entry)
-        elif entity.kind == "message" and entry.change.change == "signature_changed":
+        elif entity.row.generated and entry.change.change == "signature_changed":
             found.setdefault(entity.name, entry)
     return found
 
@@ -134,7 +131,7 @@ def _duties(located: Iterable[Located]) -> dict[tuple[str | None, str], list[Loc
     found: dict[tuple[str | None, str], list[Located]] = defaultdict(list)
     for entry in located:
         old, new = entry.pair.old, entry.pair.new
-        if new is None or new.kind != "launch_argument" or new.default is not None or not entry.change.breaking:
+        if new is None or not new.row.duty or new.default is not None or not entry.change.breaking:
             continue
         if old is None or entry.change.change == "default_changed":
             found[new.package, new.owner].append(entry)

@@ -35,4 +35,4 @@ class Brought:
 
 
 def _depends(consumer: Consumer) -> Iterable[str]:
-    return (each.name for each in consumer.requirements if each.use == "depends")
+    return (each.name for each in consumer.requirements if each.row.brings)

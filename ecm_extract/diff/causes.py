@@ -8,12 +8,12 @@ from typing import Final
 
 import msgspec
 from ecm_checker.hub.provision import Provision
+from ecm_checker.hub.roles import module_kinds
 
 from ecm_extract.diff.model import Located
 from ecm_extract.diff.similarity import last_part
 from ecm_extract.entities.side import Side
 
-_SHARED: Final = frozenset({"topic", "service", "action", "parameter", "qos"})
 _MAX_NAMED: Final = 4
 _TELLING: Final = 12
 Homes = dict[tuple[str, str, str], list[Provision]]
@@ -23,7 +23,7 @@ def one_cause(found: Iterable[Located], new: Side) -> list[Located]:
     """Join changes of one line that reach several modules; hint at the same name elsewhere in its owner."""
     homes: Homes = defaultdict(list)
     for entity in new.entities.values():
-        if entity.kind in _SHARED:
+        if entity.is_of_module:
             homes[entity.kind, entity.facet, last_part(entity.name)].append(entity)
     groups: dict[object, list[Located]] = {}
     for number, located in enumerate(found):
@@ -34,7 +34,7 @@ def one_cause(found: Iterable[Located], new: Side) -> list[Located]:
 def _cause(located: Located) -> object:
     """What makes two changes one: kind, what happened, the end of the name, the lines."""
     change = located.change
-    if change.kind not in _SHARED:
+    if change.kind not in module_kinds() and not change.row.policy:
         return None
     name = last_part(change.old or change.new or "")
     lines = tuple((entity.path, entity.line) for entity in (located.pair.old, located.pair.new) if entity is not None)
@@ -59,7 +59,7 @@ def _is_foreign(located: Located) -> bool:
 
 def _hinted(located: Located, homes: Homes) -> Located:
     change, entity = located.change, located.pair.old
-    if change.change != "removed" or entity is None or entity.kind not in _SHARED:
+    if change.change != "removed" or entity is None or not entity.is_of_module:
         return located
     alike = homes.get((entity.kind, entity.facet, last_part(entity.name)), ())
     found = next((other for other in alike if _is_beside(entity, other)), None)

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 
 import msgspec
 from ecm_checker.contract import Evidence
+from ecm_checker.hub.kinds import kinds_that
 from ecm_checker.hub.provision import Key, Provision
 from ecm_checker.release import Change
 
@@ -14,34 +15,12 @@ from ecm_extract.diff.duties import old_duties
 from ecm_extract.diff.effects import EFFECTS, Difference, added_breaks, no_longer_set, set_now
 from ecm_extract.diff.folding import folded
 from ecm_extract.diff.model import Located, Pair
-from ecm_extract.diff.pair import CONTAINERS
 from ecm_extract.diff.successors import stated_successor
+from ecm_extract.diff.wholes import wholes_of
 from ecm_extract.diff.wire import nested_changes, wire_note
-from ecm_extract.entities.setting import SETTING
 from ecm_extract.entities.side import Side
 
 Names = set[tuple[str, str, str, str]]
-_DECLARED_IN_FILES = frozenset({"frame", "command_interface"})
-_ON_WIRE = frozenset({"message_field", "message", "constant"})
-_REASONS = {
-    "topic": "gone; a peer of it waits for ever, without an error",
-    "service": "gone; a client waits for ever, or its call fails",
-    "action": "gone; a client waits for ever for the server",
-    "parameter": "no longer declared; a value set for it is ignored, mostly without an error",
-    "node": "gone; parameters, remaps and policies that are keyed by its name reach nothing",
-    "message": "gone; code and bags that use it fail",
-    "message_field": "gone; readers and writers of it fail, the layout changes",
-    "constant": "gone; code that names it fails",
-    "plugin": "gone; loading it by this name fails at run time",
-    "executable": "gone; launch files that start it fail",
-    "file": "gone; code that includes or imports it fails",
-    "launch_file": "gone; launch files that include it and people who start it fail",
-    "launch_argument": "gone; a value given for it is ignored or refused",
-    "frame": "gone; transforms to it fail: who looks one up waits, or throws",
-    "command_interface": "gone; controllers that claim it are refused",
-    "bt_node": "gone; behaviour trees that name it fail to load",
-    "bt_port": "gone; behaviour trees that set it fail to load",
-}
 
 
 def changes_of(pairs: Iterable[Pair], old: Side, new: Side) -> list[Located]:
@@ -78,22 +57,21 @@ def _of_pair(pair: Pair, gone: Names, fresh: Names, duties: frozenset[Key]) -> I
 
 def _is_covered(entity: Provision, containers: Names) -> bool:
     """Whether the whole that holds an entity came or went too: one cause, one change."""
-    package = ("package", entity.package, "", entity.package)
-    owners = {(kind, entity.package, "", entity.owner) for kind in CONTAINERS}
-    if entity.kind in _DECLARED_IN_FILES and _file_of(entity) & containers:
+    if entity.row.of_file and _file_of(entity) & containers:
         return True
-    return (entity.kind != "package" and package in containers) or not owners.isdisjoint(containers)
+    return any(whole in containers for whole in wholes_of(entity))
 
 
 def _file_of(entity: Provision) -> Names:
     """The file of an entity under each name that it may have in its package."""
     parts = entity.path.split("/")
-    return {("file", entity.package, "", "/".join(parts[at:])) for at in range(len(parts))}
+    names = ["/".join(parts[at:]) for at in range(len(parts))]
+    return {(kind, entity.package, "", name) for kind in kinds_that(lambda row: row.included) for name in names}
 
 
 def _is_implicit(entity: Provision) -> bool:
     """Whether callers still find a method that went: an override of a base, or a constructor that each class has."""
-    if entity.kind != "method":
+    if not entity.row.called or not entity.row.part:
         return False
     if all(form.override for form in entity.forms):
         return True
@@ -103,15 +81,15 @@ def _is_implicit(entity: Provision) -> bool:
 
 
 def _addition(entity: Provision, why: str | None) -> Difference:
-    if entity.kind == SETTING:
+    if entity.row.sets:
         return set_now(entity)
     return Difference("added", why is not None, why or "new")
 
 
 def _removal(entity: Provision) -> Difference:
-    if entity.kind == SETTING:
+    if entity.row.sets:
         return no_longer_set(entity)
-    reason = _REASONS.get(entity.kind, "gone; code that uses it no longer builds")
+    reason = entity.row.gone
     if entity.deprecated:
         reason = f"{reason}; it was deprecated: {entity.deprecated[:200]}"
     return Difference("removed", True, reason)
@@ -171,15 +149,16 @@ def _nested(pair: Pair, path: str) -> Located:
 def _with_wire(located: Located, old: Side, new: Side) -> Located:
     """Add to a change of an interface what its users see at run time."""
     change, pair = located.change, located.pair
-    kinds = {"message_field"} if change.change in {"removed", "added"} else _ON_WIRE
-    if change.kind not in kinds or (change.kind == "constant" and pair.old is not None and pair.old.ros == 2):
+    row = change.row
+    concerned = row.layout if change.change in {"removed", "added"} else row.wire
+    if not concerned or (row.fixed and pair.old is not None and pair.old.ros == 2):
         return located  # the hash of ROS 2 covers no constants
     entity = pair.old or pair.new
     after = pair.new or pair.old
     if entity is None or after is None or not change.breaking:
         return located
-    before_name = entity.name if entity.kind == "message" else entity.owner
-    after_name = after.name if after.kind == "message" else after.owner
+    before_name = entity.owner if entity.row.part else entity.name
+    after_name = after.owner if after.row.part else after.name
     note = wire_note(before_name, old, new, after_name)
     reason = f"{change.reason}. {note}" if note else change.reason
     return Located(msgspec.structs.replace(change, reason=reason), pair)

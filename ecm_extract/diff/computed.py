@@ -8,7 +8,6 @@ from collections.abc import Iterable
 
 from ecm_checker.hub.provision import HOLE, Provision
 
-_KINDS = frozenset({"topic", "service", "action"})
 _LEAST_KNOWN = 4
 """Letters that a pattern must show: `<*>/a` fits half of all names."""
 
@@ -19,7 +18,7 @@ class Computed:
     def __init__(self, new: Iterable[Provision]) -> None:
         self._index: dict[tuple[str, str, str], list[Provision]] = defaultdict(list)
         for entity in new:
-            if entity.kind in _KINDS:
+            if entity.is_endpoint:
                 self._index[entity.kind, entity.package, entity.facet].append(entity)
 
     def home(self, old: Provision) -> Provision | None:

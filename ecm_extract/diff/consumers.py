@@ -6,7 +6,6 @@ from collections.abc import Iterator, Sequence
 
 import msgspec
 from ecm_checker.finding import Certainty
-from ecm_checker.hub.kinds import uses
 from ecm_checker.hub.provision import Provision
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.match.consumer import Consumer
@@ -91,7 +90,7 @@ def _mark(use: Use) -> _Mark:
 def _breaks(requirement: Requirement, consumer: Consumer, broken: BrokenNames) -> Iterator[_Break]:
     if requirement.certainty == "unknown":
         return
-    row = uses()[requirement.use]
+    row = requirement.row
     if "layout" in row.breaches:
         located = broken.layout_of(requirement.name)
         if located is not None:
@@ -110,10 +109,10 @@ def _breaks(requirement: Requirement, consumer: Consumer, broken: BrokenNames) -
 
 def _told(requirement: Requirement, located: Located, old: Provision, certainty: Certainty) -> _Break:
     """How surely a line breaks, and what it does; a remap of the changed program itself names the changed name."""
-    if old.kind == "package" and requirement.kind != "package":
+    if old.row.released and requirement.kind != old.kind:
         # what went with a whole package may have gone to another repository
         return _Break(located, "likely", requirement.phrase)
-    if requirement.use == "remaps" and is_of_program(requirement, old.package):
+    if requirement.row.leads and is_of_program(requirement, old.package):
         return _Break(located, "proved", f"remaps {requirement.name}")
     return _Break(located, certainty, requirement.phrase)
 
@@ -135,15 +134,15 @@ def _is_forgotten(requirement: Requirement, located: Located) -> bool:
     that it depends on and no longer has is taken from elsewhere.
     """
     entity, change = located.pair.old, located.change
-    if requirement.use == "depends" and change.change == "removed":
+    if requirement.row.brings and change.change == "removed":
         return False
-    if change.kind == "launch_argument":
+    if change.row.duty:
         return True
-    if entity is None or change.change == "deprecated" or uses()[requirement.use].built:
+    if entity is None or change.change == "deprecated" or requirement.row.built:
         return False
     if entity.facet == "subscribed":
         return False
-    return change.change in GONE or entity.kind not in {"message_field", "constant"}
+    return change.change in GONE or not (entity.row.wire and entity.row.part)
 
 
 def _is_answered(requirement: Requirement, found: _Break) -> bool:

@@ -15,15 +15,11 @@ from ecm_checker.release import ChangeWord
 from ecm_extract.diff.conversions import returns_as_well, takes
 from ecm_extract.diff.model import Pair
 from ecm_extract.diff.similarity import words
-from ecm_extract.entities.setting import SETTING
 
 _RELIABILITY: Final = ("best_effort", "reliable")
 _DURABILITY: Final = ("volatile", "transient_local")
 _LATCHED: Final = "transient_local"
-_WITH_DEFAULT: Final = frozenset({"parameter", "constant", "message_field", "launch_argument", "bt_port", SETTING})
-_ENDPOINTS: Final = frozenset({"topic", "service", "action"})
-_GLOBAL: Final = frozenset({"plugin", "frame", "command_interface"})
-"""Names that are the same wherever they are declared."""
+_POLICY_KIND: Final = "qos"
 _RECOVERY: Final = frozenset({"retry", "retries", "recovery", "fallback", "watchdog", "timeout"})
 _RESOURCE: Final = frozenset({"thread", "threads", "gpu", "memory", "cpu"})
 _POLICY: Final = frozenset({"vel", "velocity", "accel", "acceleration", "force", "effort", "torque", "jerk"})
@@ -60,44 +56,44 @@ def moved(old: Provision, new: Provision, pair: Pair) -> Iterator[Difference]:
     """The name is the same, its place is not; a graph name is where it was as long as it is absolute."""
     if pair.how != "moved":
         return
-    harmless = (
-        old.kind in _ENDPOINTS and not old.name.startswith("~") and old.package == new.package
-    ) or old.name.startswith(HOLE)
-    harmless = harmless or pair.kept or (old.kind in _GLOBAL and old.name == new.name)
+    harmless = (old.is_endpoint and not old.name.startswith("~") and old.package == new.package) or old.name.startswith(
+        HOLE
+    )
+    harmless = harmless or pair.kept or (old.row.anywhere and old.name == new.name)
     yield Difference("moved", not harmless, pair.reason)
 
 
 def type_changed(old: Provision, new: Provision, pair: Pair) -> Iterator[Difference]:
     """Message type of an endpoint, type of a parameter, field, member or constant, base class of a plugin."""
-    if old.type is None or new.type is None or old.type == new.type or old.kind in {"message", "class"}:
+    if old.type is None or new.type is None or old.type == new.type or old.row.holds:
         return
-    if (old.kind == "constant" and old.default == new.default) or old.type in new.others or new.type in old.others:
+    if (old.row.fixed and old.default == new.default) or old.type in new.others or new.type in old.others:
         return
-    if pair.how == "renamed" and old.kind in {"member", "constant"}:
+    if pair.how == "renamed" and old.row.symbol and old.row.part:
         return
-    if old.kind == "plugin" and _tail(old.type) == _tail(new.type):
+    if old.row.based and _tail(old.type) == _tail(new.type):
         return
     if old.type.partition("/")[0] == old.package and new.type == old.type.replace(old.package, new.package, 1):
         return  # a type of its own package, which has another name now
     reason = f"type {old.type} became {new.type}"
-    widened = old.kind == "parameter" and (old.type, new.type) == ("integer", "double")
+    widened = old.is_value and (old.type, new.type) == ("integer", "double")
     note = " and YAML integers are refused" if widened else ""
     yield Difference("type_changed", True, reason + note, old_value=old.type, new_value=new.type)
 
 
 def default_changed(old: Provision, new: Provision, pair: Pair) -> Iterator[Difference]:
     """Another value where nobody states one; of a message constant, another meaning of the same number."""
-    if old.default == new.default or old.kind not in _WITH_DEFAULT:
+    if old.default == new.default or not old.row.default:
         return
-    if old.kind == "launch_argument" and new.default is None:
+    if old.row.duty and new.default is None:
         reason = f"default {old.default!r} is gone: a value must be given now"
         yield Difference("default_changed", True, reason, old_value=str(old.default))
         return
     if old.default is None or new.default is None:
         return
-    in_message = old.kind == "constant" and "/" in old.owner
+    in_message = old.row.fixed and "/" in old.owner
     dimension = _dimension(old.name)
-    what = "the value that the file sets" if old.kind == SETTING else "default"
+    what = "the value that the file sets" if old.row.sets else "default"
     reason = f"{what} {old.default!r} became {new.default!r}"
     if in_message:
         reason = f"value {old.default!r} became {new.default!r}: both sides run, each means another thing"
@@ -129,7 +125,7 @@ def qos_changed(old: Provision, new: Provision, pair: Pair) -> Iterator[Differen
             breaking,
             reason,
             "behavior",
-            "qos",
+            _POLICY_KIND,
             f"{old.name} {policy}={before}",
             f"{new.name} {policy}={after}",
         )
@@ -137,7 +133,7 @@ def qos_changed(old: Provision, new: Provision, pair: Pair) -> Iterator[Differen
 
 def latch_changed(old: Provision, new: Provision, pair: Pair) -> Iterator[Difference]:
     """A ROS 1 publisher that no longer keeps its last message leaves out who comes later."""
-    if (old.kind, old.facet, old.ros, new.ros) != ("topic", "published", 1, 1):
+    if not old.is_endpoint or (old.facet, old.ros, new.ros) != ("published", 1, 1):
         return
     before, after = (entity.qos.durability if entity.qos is not None else None for entity in (old, new))
     if before == after or "unknown" in (before, after):
@@ -146,7 +142,7 @@ def latch_changed(old: Provision, new: Provision, pair: Pair) -> Iterator[Differ
     reason = "latched now" if latched else "no longer latched: who subscribes later gets no message until the next one"
     word = {True: "latch=true", False: "latch=false"}
     names = f"{old.name} {word[not latched]}", f"{new.name} {word[latched]}"
-    yield Difference("type_changed", not latched, reason, "behavior", "qos", *names)
+    yield Difference("type_changed", not latched, reason, "behavior", _POLICY_KIND, *names)
 
 
 def deprecated(old: Provision, new: Provision, pair: Pair) -> Iterator[Difference]:
@@ -220,7 +216,7 @@ def _returns_otherwise(new: Form, old: Form) -> bool:
 
 def relocated(old: Provision, new: Provision, pair: Pair) -> Iterator[Difference]:
     """A launch file that keeps its name in another folder: `ros2 launch` finds it, an include by its path does not."""
-    if old.kind != "launch_file" or old.name != new.name or pair.how != "same":
+    if not old.row.is_placed or old.name != new.name or pair.how != "same":
         return
     before, after = placed(old.path), placed(new.path)
     if before != after:
@@ -260,11 +256,11 @@ def set_now(entity: Provision) -> Difference:
 
 def added_breaks(entity: Provision) -> str | None:
     """Return why an addition breaks somebody; None when it does not."""
-    if entity.kind == "message_field":
+    if entity.row.layout:
         return "a new field changes the layout: old and new sides of this type do not talk, bags need migration"
-    if entity.kind == "launch_argument" and entity.default is None:
+    if entity.row.duty and entity.default is None:
         return "a new argument without a default: whoever starts or includes the file must give it"
-    if entity.kind == "method" and any(form.pure for form in entity.forms):
+    if any(form.pure for form in entity.forms):
         return "a new pure virtual method: classes that derive from it no longer build"
     return None
 

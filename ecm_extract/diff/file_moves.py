@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 
+from ecm_checker.hub.kinds import kinds
 from ecm_checker.hub.provision import Provision
 
 from ecm_extract.diff.model import Pair
@@ -23,10 +24,10 @@ def alone_in_moved_files(
     """
     gone, came = _by_place(kind, removed), _by_place(kind, added)
     for place, before in gone.items():
-        target = _folder_moved(place, files) if kind == "package" else files.get(place)
+        target = _folder_moved(place, files) if kinds()[kind].released else files.get(place)
         after = came.get(target, []) if target is not None else []
         if len(before) == 1 and len(after) == 1 and before[0].name != after[0].name:
-            where = "its files move there" if kind == "package" else "its file moves, and declares no other"
+            where = "its files move there" if kinds()[kind].released else "its file moves, and declares no other"
             yield Pair(before[0], after[0], "renamed", _ALONE, f"gone and new; git sees that {where}")
 
 
@@ -34,7 +35,7 @@ def _by_place(kind: str, entities: Iterable[Provision]) -> dict[str, list[Provis
     found: dict[str, list[Provision]] = defaultdict(list)
     for entity in entities:
         if entity.kind == kind:
-            found[_folder(entity.path) if kind == "package" else entity.path].append(entity)
+            found[_folder(entity.path) if kinds()[kind].released else entity.path].append(entity)
     return found
 
 

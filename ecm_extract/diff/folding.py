@@ -2,18 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Final
 
 import msgspec
+from ecm_checker.hub.kinds import Cause
+from ecm_checker.hub.provision import Provision
 from ecm_checker.release import Change
 
 from ecm_extract.diff.model import Located
-from ecm_extract.diff.module_homes import KINDS as ENDPOINTS
 from ecm_extract.diff.similarity import in_package
 
 _GONE: Final = frozenset({"removed", "renamed", "moved"})
-_DECLARED: Final = frozenset({"class", "function", "constant", "method", "member"})
+_PACKAGE: Final = "package"
+_FILE: Final = "file"
+_CALLED: Final[Mapping[Cause, Callable[[Provision], str]]] = {
+    "module": lambda entity: entity.node or "",
+    "program": lambda entity: entity.name,
+    _FILE: lambda entity: entity.path,
+}
+"""What an entity that explains others is called by them."""
 Causes = Mapping[tuple[str, ...], Change]
 
 
@@ -26,7 +34,7 @@ def folded(found: Iterable[Located]) -> list[Located]:
 
 def cause_name(change: Change) -> str:
     """How other changes name a change that explains them: `node arm of robot_driver`."""
-    of = f" of {change.package}" if change.kind != "package" else ""
+    of = f" of {change.package}" if not change.row.released else ""
     return f"{change.kind.replace('_', ' ')} {change.old}{of}"
 
 
@@ -45,15 +53,12 @@ def _explained(located: Located) -> Iterator[tuple[str, ...]]:
     change, old, new = located.change, located.pair.old, located.pair.new
     if old is None or not change.breaking:
         return
-    if change.kind == "package" and change.change == "renamed" and new is not None:
-        yield "package", old.name, new.name
-    elif change.change == "removed":
-        if change.kind == "node" and old.node:
-            yield "module", old.package, old.node
-        elif change.kind == "executable":
-            yield "program", old.package, old.name
-        elif change.kind == "file":
-            yield "file", old.package, old.path
+    cause = change.row.explains
+    if cause == _PACKAGE:
+        if change.change == "renamed" and new is not None:
+            yield _PACKAGE, old.name, new.name
+    elif cause and change.change == "removed" and _CALLED[cause](old):
+        yield cause, old.package, _CALLED[cause](old)
 
 
 def _asked(located: Located) -> Iterator[tuple[str, ...]]:
@@ -62,16 +67,15 @@ def _asked(located: Located) -> Iterator[tuple[str, ...]]:
     if old is None:
         return
     if new is not None and _is_same_but_for_package(old.name, new.name, (old.package, new.package)):
-        yield "package", old.package, new.package
-    if change.change != "removed":
-        return
-    if change.kind == "node":
-        yield "program", old.package, old.node or ""
-    if change.kind in ENDPOINTS and not old.sharers:
-        yield "program", old.package, old.owner
-        yield "module", old.package, old.owner
-    if change.kind in _DECLARED:
-        yield "file", old.package, old.path
+        yield _PACKAGE, old.package, new.package
+    if change.change == "removed" and not old.sharers:
+        for cause in old.row.below:
+            yield cause, old.package, old.path if cause == _FILE else _owner(old)
+
+
+def _owner(entity: Provision) -> str:
+    """The program or module that an entity is of."""
+    return entity.node or "" if entity.row.runs else entity.owner
 
 
 def _is_same_but_for_package(old: str, new: str, packages: tuple[str, str]) -> bool:

@@ -7,38 +7,16 @@ where feasible.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Final, Literal, TypeAlias
+from typing import Literal, TypeAlias
 
 import msgspec
 from ecm_checker.contract import Evidence
+from ecm_checker.hub.kinds import row_of
+from ecm_checker.hub.roles import endpoint_kinds, value_kinds
 from ecm_checker.match.generated import headers, python_names
 from ecm_checker.release import Change
 
 from ecm_extract.diff.formats.phrases import instead
-
-_ENDPOINTS: Final = frozenset({"topic", "service", "action"})
-_SAME: Final[Mapping[str, tuple[str, ...]]] = {
-    "topic": ("cpp", "python", "launch", "yaml"),
-    "service": ("cpp", "python", "launch", "yaml"),
-    "action": ("cpp", "python", "launch", "yaml"),
-    "parameter": ("yaml", "launch", "cpp", "python"),
-    "message_field": ("cpp", "python"),
-    "constant": ("cpp", "python"),
-    "method": ("cpp", "python"),
-    "function": ("cpp", "python"),
-    "class": ("cpp", "python"),
-    "member": ("cpp",),
-    "plugin": ("yaml", "xml", "launch"),
-    "executable": ("launch",),
-    "launch_file": ("launch",),
-    "launch_argument": ("launch",),
-    "frame": ("yaml", "xml", "cpp", "python"),
-    "package": ("package.xml", "cmake", "launch", "python"),
-    "bt_node": ("xml",),
-    "bt_port": ("xml",),
-}
-"""Languages in which consumers write a name as it is."""
-
 
 _Key: TypeAlias = tuple[str, str, str, str, str | None, str | None]
 _Name: TypeAlias = tuple[str, str, str, str | None]
@@ -138,11 +116,11 @@ def _step(change: Change, adapters: Mapping[_Name, Adapter]) -> Step:
 
 
 def _edits(kind: str, old: str, new: str) -> Iterator[Edit]:
-    if kind == "message" and old.count("/") == new.count("/") == 2:
+    if row_of(kind).generated and old.count("/") == new.count("/") == 2:
         pairs = zip(headers(old), headers(new), strict=True)
         yield from (Edit("cpp", before, after) for before, after in pairs)
         yield Edit("python", next(python_names(old)), next(python_names(new)))
-    yield from (Edit(language, old, new) for language in _SAME.get(kind, ()))
+    yield from (Edit(language, old, new) for language in row_of(kind).written_in)
 
 
 def _name_of(change: Change) -> _Name:
@@ -155,8 +133,8 @@ def _adapters(changes: Sequence[Change]) -> Mapping[_Name, Adapter]:
     others |= {
         (each.package, kind, each.owner, each.old)
         for each in changes
-        if each.kind == "qos" and each.breaking
-        for kind in _ENDPOINTS
+        if each.row.policy and each.breaking
+        for kind in endpoint_kinds()
     }
     renamed = (each for each in changes if each.change == "renamed" and _name_of(each) not in others)
     found = ((_name_of(each), _adapter(each)) for each in renamed)
@@ -167,6 +145,6 @@ def _adapter(change: Change) -> Adapter | None:
     old, new = change.old or "", change.new or ""
     if not old or not new or "{" in f"{old}{new}":
         return None
-    if change.kind in _ENDPOINTS:
+    if change.kind in endpoint_kinds():
         return Adapter("remap", old, new)
-    return Adapter("copy_parameter", old, new) if change.kind == "parameter" else None
+    return Adapter("copy_parameter", old, new) if change.kind in value_kinds() else None

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Final, Literal
+from typing import Literal
 
 import msgspec
 from ecm_checker.contract import Evidence
@@ -15,8 +15,6 @@ from ecm_checker.versions import Bump
 from ecm_extract.diff.unread import UnreadPart
 
 How = Literal["same", "moved", "renamed"]
-ENDPOINTS: Final = frozenset({"topic", "service", "action"})
-"""Kinds that a launch file can remap."""
 
 
 class Pair(msgspec.Struct, frozen=True):

@@ -11,7 +11,6 @@ from ecm_checker.hub.provision import HOLE, Provision
 from ecm_extract.diff.model import Pair
 from ecm_extract.diff.nodes import Successions
 
-KINDS: Final = frozenset({"topic", "service", "action", "parameter"})
 _LEAST_SHARED: Final = 2
 _MOST: Final = 0.5
 Module = tuple[str, str]
@@ -25,7 +24,7 @@ def module_homes(pairs: Iterable[Pair]) -> dict[Module, Module]:
     found = {}
     for pair in pairs:
         old, new = pair.old, pair.new
-        if old is not None and new is not None and old.kind == "node" and old.node and new.node:
+        if old is not None and new is not None and old.row.runs and old.node and new.node:
             found[old.package, old.node] = new.package, new.node
     return found
 
@@ -56,7 +55,7 @@ def _offers(entities: Iterable[Provision], files: Mapping[str, str]) -> dict[Mod
     """The file of each name that a module offers."""
     found: dict[Module, dict[Offer, str]] = defaultdict(dict)
     for entity in entities:
-        if entity.kind in KINDS and not entity.name.startswith(HOLE):
+        if entity.is_of_module and not entity.name.startswith(HOLE):
             bare = entity.name.lstrip("~/").replace("/", ".")
             for owner in (entity.owner, *entity.sharers):
                 offer = entity.kind, entity.facet, bare
@@ -73,7 +72,7 @@ def names_after(entity: Provision) -> tuple[str, ...]:
 
     A private parameter of ROS 1 (`~/turbo/steps`) is a parameter of the node in ROS 2 (`turbo.steps`).
     """
-    if entity.kind != "parameter" or entity.ros != 1:
+    if not entity.is_value or entity.ros != 1:
         return (entity.name,)
     own = entity.name.removeprefix("~/")
     return entity.name, own, own.replace("/", ".")

@@ -11,13 +11,6 @@ from ecm_checker.hub.provision import HOLE, Provision
 from ecm_extract.diff.model import Pair
 from ecm_extract.diff.similarity import name_similarity, same_language, shape_equal
 
-_NEVER = frozenset({"member", "method", "package", "library", "bt_port", "launch_argument"})
-_BY_FILE = frozenset({"launch_file", "executable"})
-"""Names that say little by themselves: the same one elsewhere is another thing unless its file moved there."""
-_FILES = frozenset({"file", "launch_file"})
-"""What is its file: one that stood there before is no new home of another."""
-_ENDPOINTS = frozenset({"topic", "service", "action", "parameter"})
-
 
 @dataclass(frozen=True, slots=True)
 class Places:
@@ -47,7 +40,7 @@ def best_home(entity: Provision, homes: Sequence[Provision], places: Places) -> 
         places: what tells whether two places are one.
     """
     files = places.files
-    if entity.kind in _NEVER:
+    if not entity.row.moves:
         return None
     likely = [home for home in homes if _is_likely(entity, home, places)]
     if not likely:
@@ -55,7 +48,7 @@ def best_home(entity: Provision, homes: Sequence[Provision], places: Places) -> 
     best = max(likely, key=lambda home: _nearness(entity, home, files))
     if _is_unmoved(entity, best, places):
         return Pair(entity, best)
-    if entity.kind == "file" and entity.name == best.name and entity.package == best.package:
+    if entity.row.included and entity.name == best.name and entity.package == best.package:
         return Pair(entity, best)
     confidence = 0.97 if _same_file(entity, best, files) else 0.9 if len(likely) == 1 else 0.75
     return Pair(entity, best, "moved", confidence, _reason(entity, best, files))
@@ -64,15 +57,15 @@ def best_home(entity: Provision, homes: Sequence[Provision], places: Places) -> 
 def _is_unmoved(old: Provision, new: Provision, places: Places) -> bool:
     """Whether only our view of the owner changed: the declaration stands where it stood."""
     files = places.files
-    if old.kind == "parameter" and old.path.endswith((".yaml", ".yml")) and _same_file(old, new, files):
+    if old.is_value and old.path.endswith((".yaml", ".yml")) and _same_file(old, new, files):
         return True  # generated for whoever uses the library
-    if old.kind not in _ENDPOINTS or not places.same_package(old, new):
+    if not old.is_of_module or not places.same_package(old, new):
         return False
     if None in (old.node, new.node) or new.owner in old.sharers or old.owner in new.sharers or old.node == new.node:
         return True  # an owner without a node goes by the name of a class or file, which no user writes
     if not _same_file(old, new, files):
         return False
-    return places.same_module(old, new) or old.name.startswith(HOLE) or old.kind != "parameter"
+    return places.same_module(old, new) or old.name.startswith(HOLE) or not old.is_value
 
 
 def is_reshaped(old: Provision, new: Provision) -> bool:
@@ -93,19 +86,19 @@ def is_reshaped(old: Provision, new: Provision) -> bool:
 def _is_likely(old: Provision, new: Provision, places: Places) -> bool:
     if _same_file(old, new, places.files):
         return True
-    if not same_language(old, new) or (old.kind in _FILES and new.path in places.before):
+    if not same_language(old, new) or (old.row.is_file and new.path in places.before):
         return False
-    if old.kind in _ENDPOINTS:
+    if old.is_of_module:
         return places.same_package(old, new) and shape_equal(old, new) >= 0.5 and not old.name.startswith(HOLE)
-    if old.kind == "file":
+    if old.row.included:
         return old.package == new.package or old.name == new.name
-    if old.kind in _BY_FILE and old.package != new.package:
+    if old.row.common and old.package != new.package:
         return False
-    if old.kind == "message_field":
+    if old.row.layout:
         return old.owner == new.owner and old.type == new.type
-    if old.kind == "constant":
+    if old.row.fixed:
         return old.default == new.default and old.type == new.type and old.package == new.package
-    if old.kind in {"function", "class"}:
+    if old.row.symbol and not old.row.part:
         return shape_equal(old, new) > 0 and name_similarity(old.name, new.name) > 0.5 and _same_nest(old, new)
     return True
 

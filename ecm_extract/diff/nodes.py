@@ -51,7 +51,7 @@ def node_pairs(old: Iterable[Provision], new: Iterable[Provision], known: Succes
 
 
 def _nodes(entities: Iterable[Provision]) -> list[Provision]:
-    return [entity for entity in entities if entity.kind == "node"]
+    return [entity for entity in entities if entity.row.runs]
 
 
 def _pair(old: Provision, new: Provision, reason: str, confidence: float) -> Pair:

@@ -11,7 +11,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import msgspec
+from ecm_checker.hub.kinds import containers, kinds, kinds_that
 from ecm_checker.hub.provision import HOLE, LAUNCHED, Key, Provision
+from ecm_checker.hub.roles import module_kinds
 from ecm_checker.match.hierarchy import Bases
 
 from ecm_extract.diff.assignment import assign
@@ -29,15 +31,9 @@ from ecm_extract.diff.scores import score
 from ecm_extract.diff.settings import SettingFiles
 from ecm_extract.diff.similarity import in_package, last_part, same_language
 from ecm_extract.diff.successors import stated_successor
-from ecm_extract.entities.setting import SETTING
 
-CONTAINERS = ("package", "message", "class", "bt_node", "launch_file")
-_FOLLOWING = frozenset({"message_field", "member", "method", "constant", "bt_port", "launch_argument"})
 _GENERATED = "*.yaml"
 _WITH_PACKAGE = 0.95
-_QUALIFIED = frozenset({"message", "class", "function", "plugin"})
-"""What is written with its package or namespace before it: a new place, not another name."""
-_IN_MODULES = frozenset({"topic", "service", "action", "parameter"})
 
 
 @dataclass(slots=True)
@@ -69,11 +65,11 @@ class Pairing:
         self.packages: dict[str, str] = {}
         self.homes: dict[str, str] = {}
         self.bases = Bases(new)
-        self._modules = {(key[0], key[1], key[2]) for key in new if key[0] in _IN_MODULES}
+        self._modules = {(key[0], key[1], key[2]) for key in new if key[0] in module_kinds()}
 
     def run(self) -> list[Pair]:
         """Return the pairs, then what is left as removed and added."""
-        for kind in CONTAINERS:
+        for kind in containers():
             self._moved({kind})
             self._renamed({kind})
             self._by_file(kind)
@@ -83,15 +79,15 @@ class Pairing:
         self._settings()
         self._follow()
         self._with_their_module()
-        kinds = {key[0] for key in self.old} - {*CONTAINERS, "node", SETTING}
+        rest = set(kinds_that(lambda row: not (row.contains or row.runs or row.sets)))
         self._inherited()
         self._reshaped()
         self._endings()
-        self._moved(kinds)
+        self._moved(rest)
         self._computed()
         self._successors()
         self._on_their_lines()
-        self._renamed(kinds)
+        self._renamed(rest)
         self._by_signature()
         pairs = [msgspec.structs.replace(pair, kept=True) if self._is_bound(pair.old) else pair for pair in self.pairs]
         removed = [Pair(entity, None) for entity in self.old.values() if not self._is_there(entity)]
@@ -101,7 +97,7 @@ class Pairing:
         """Whether Python still offers something that is declared elsewhere (`Old = New`), or stands in such a class."""
         if entity is None:
             return False
-        if entity.kind in {"class", "function", "file"}:
+        if entity.row.in_language and not entity.row.part:
             return entity.name in self.evidence.bound
         return entity.owner in self.evidence.bound and entity.owner not in self.owners
 
@@ -109,9 +105,9 @@ class Pairing:
         """Whether what no declaration shows any more is still read, or set by its name."""
         if self._is_bound(entity):
             return True
-        if entity.kind == "parameter":
+        if entity.is_value:
             return (entity.package, entity.name.lstrip("~/")) in self.evidence.reads
-        if entity.kind != "constant" or not entity.is_python:
+        if not entity.row.fixed or not entity.is_python:
             return False
         modules = (entity.owner, entity.owner.rpartition(".")[0])
         return any(f"{module}.{entity.name}" in self.evidence.quoted for module in modules)
@@ -135,7 +131,7 @@ class Pairing:
             self.take(found)
         for side in (self.old, self.new):
             for entity in list(side.values()):
-                if entity.kind == "node" and (entity.facet == LAUNCHED or entity.name == HOLE):
+                if entity.row.runs and (entity.facet == LAUNCHED or entity.name == HOLE):
                     side.pop(entity.key)
 
     def _settings(self) -> None:
@@ -145,19 +141,19 @@ class Pairing:
             self.take(found)
         for side in (self.old, self.new):
             for entity in list(side.values()):
-                if entity.kind == SETTING and files.is_one_sided(entity, side is self.old):
+                if entity.row.sets and files.is_one_sided(entity, side is self.old):
                     side.pop(entity.key)
 
     def _with_their_package(self, kind: str) -> None:
         """What a package offers goes with it under its new name."""
-        for entity in list(self.old.values()) if kind == "package" else ():
+        for entity in list(self.old.values()) if kinds()[kind].released else ():
             package = self.packages.get(entity.package)
-            if package is None or entity.kind in _IN_MODULES:
+            if package is None or entity.is_of_module:
                 continue
             owner, name = (in_package(text, entity.package, package) for text in (entity.owner, entity.name))
             target = self.new.get((entity.kind, package, owner, name, entity.facet))
             if target is not None and same_language(entity, target):
-                how: How = "moved" if name == entity.name or entity.kind in _QUALIFIED else "renamed"
+                how: How = "moved" if name == entity.name or entity.row.qualified else "renamed"
                 self.take(Pair(entity, target, how, _WITH_PACKAGE, f"its package is {package} now"))
 
     def _with_their_module(self) -> None:
@@ -165,7 +161,7 @@ class Pairing:
         known = self._known()
         homes = likely_homes(self.all_old.values(), self.all_new.values(), known) | module_homes(self.pairs)
         for entity in list(self.old.values()):
-            if entity.kind in _IN_MODULES:
+            if entity.is_of_module:
                 package, owner = homes.get((entity.package, entity.owner), (known.package(entity), entity.owner))
                 keys = ((entity.kind, package, owner, name, entity.facet) for name in names_after(entity))
                 target = next((self.all_new[key] for key in keys if key in self.all_new), None)
@@ -179,7 +175,7 @@ class Pairing:
         for pair in self.pairs:
             if pair.old is None or pair.new is None or pair.old.kind != kind or pair.how == "same":
                 continue
-            names = self.packages if kind == "package" else self.owners
+            names = self.packages if kinds()[kind].released else self.owners
             names[pair.old.name] = pair.new.name
             self.homes[pair.old.name] = pair.new.package
 
@@ -187,7 +183,7 @@ class Pairing:
         """Members of a container that moved or was renamed are the same members."""
         for key, entity in list(self.old.items()):
             kind, package, owner, name, facet = key
-            if kind in _FOLLOWING and owner in self.owners:
+            if entity.row.part and owner in self.owners:
                 home = self.owners[owner]
                 others = (package, self.homes.get(owner, package), home.split("/")[0])
                 wanted = {(kind, other, home, name, facet) for other in others}
@@ -199,9 +195,9 @@ class Pairing:
     def _inherited(self) -> None:
         """A method that is now in a base class of its class is still there."""
         for entity in list(self.old.values()):
-            if entity.kind in {"method", "member"}:
+            if entity.row.inherited:
                 owner = self.owners.get(entity.owner, entity.owner)
-                home = self.bases.provider(owner, entity.kind, entity.name)
+                home = self.bases.provider(owner, entity.row.called, entity.name)
                 if home is None and entity.name == entity.owner.rpartition("::")[2]:
                     home = self.bases.constructor(owner)
                 if home is not None:
@@ -220,7 +216,7 @@ class Pairing:
         """
         index = self._parameter_index()
         for entity in list(self.old.values()):
-            if entity.kind == "parameter":
+            if entity.is_value:
                 tail = last_part(entity.name)
                 places = [f"{entity.package}/{entity.owner}", f"{entity.package}/{_GENERATED}"]
                 if len(entity.chain) > 1 or (entity.kind, entity.package, entity.owner) not in self._modules:
@@ -242,20 +238,20 @@ class Pairing:
         """New parameters by owner, by the file that names them, and those of generated libraries."""
         index: dict[tuple[str, str], list[Provision]] = defaultdict(list)
         for entity in self.all_new.values():
-            if entity.kind == "parameter":
+            if entity.is_value:
                 generated = (f"{entity.package}/{_GENERATED}",) if entity.path.endswith((".yaml", ".yml")) else ()
                 for place in (f"{entity.package}/{entity.owner}", entity.path, *generated):
                     index[place, last_part(entity.name)].append(entity)
         return index
 
-    def _moved(self, kinds: set[str]) -> None:
+    def _moved(self, wanted: set[str]) -> None:
         index: dict[tuple[str, str, str], list[Provision]] = defaultdict(list)
         for entity in self.new.values():
-            if entity.kind in kinds:
+            if entity.kind in wanted:
                 index[_move_key(entity)].append(entity)
         places = Places(self.evidence.files, self.packages, self._same_module, self.evidence.before)
         for entity in list(self.old.values()):
-            if entity.kind not in kinds:
+            if entity.kind not in wanted:
                 continue
             homes = [other for other in index.get(_move_key(entity), ()) if other.key in self.new]
             found = best_home(entity, homes, places)
@@ -281,11 +277,11 @@ class Pairing:
         for found in list(same_lines(self.old.values(), self.new.values(), self.evidence.files)):
             self.take(found)
 
-    def _renamed(self, kinds: set[str]) -> None:
+    def _renamed(self, wanted: set[str]) -> None:
         groups: dict[object, tuple[list[Provision], list[Provision]]] = defaultdict(lambda: ([], []))
         for side, entities in enumerate((self.old, self.new)):
             for entity in entities.values():
-                if entity.kind in kinds:
+                if entity.kind in wanted:
                     groups[self._neighbourhood(entity, old=side == 0)][side].append(entity)
         for before, after in groups.values():
             self._assign(before, after)
@@ -303,9 +299,9 @@ class Pairing:
     def _neighbourhood(self, entity: Provision, old: bool) -> object:
         package = self.packages.get(entity.package, entity.package) if old else entity.package
         owner = self.owners.get(entity.owner, entity.owner) if old else entity.owner
-        if entity.kind in _FOLLOWING:
+        if entity.row.part:
             return entity.kind, package, owner, entity.facet
-        return entity.kind, package if entity.kind != "package" else "", entity.facet
+        return entity.kind, package if not entity.row.released else "", entity.facet
 
     def _assign(self, before: list[Provision], after: list[Provision]) -> None:
         if not before or not after:
@@ -315,7 +311,7 @@ class Pairing:
         reasons: dict[tuple[int, int], str] = {}
         for row, old in enumerate(before):
             for column, new in enumerate(after):
-                known = old.kind != "parameter" or (old.owner, new.owner) in kin
+                known = not old.is_value or (old.owner, new.owner) in kin
                 found = score(old, new, self.evidence.files, self.evidence.history, known)
                 if found is not None:
                     scores[row, column], reasons[row, column] = found
@@ -326,12 +322,12 @@ class Pairing:
 
 
 def _move_key(entity: Provision) -> tuple[str, str, str]:
-    name = entity.name
-    if entity.kind in {"class", "function", "plugin"}:
+    name, place = entity.name, entity.row.place
+    if place == "scope":
         name = name.replace("::", ".").replace("/", ".").rsplit(".", 1)[-1]
-    elif entity.kind in {"message", "file"}:
+    elif place == "folder":
         name = name.rsplit("/", 1)[-1]
-    elif entity.kind in {"message_field", "constant"}:
+    elif place == "section":
         return entity.kind, "", name.rsplit(".", 1)[-1]
     return entity.kind, entity.facet, name
 

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from functools import cached_property
-from typing import Final
 
+from ecm_checker.hub.kinds import kinds
 from ecm_checker.hub.requirement import Requirement
+from ecm_checker.hub.roles import endpoint_kinds, endpoint_uses
 from ecm_checker.match.consumer import Consumer
 from ecm_checker.match.spelling import graph_name_matches
 
-from ecm_extract.diff.model import ENDPOINTS, Located
-
-_IN_GRAPH: Final = frozenset({"subscribes", "publishes", "calls_service", "calls_action"})
+from ecm_extract.diff.model import Located
 
 
 class Remaps:
@@ -23,26 +22,26 @@ class Remaps:
 
     def lead_elsewhere(self, requirement: Requirement, package: str) -> bool:
         """Whether a launch file gives or connects the name that a program uses: then that line breaks, or nothing."""
-        if requirement.kind == "node":
+        if kinds()[requirement.kind].runs:
             return requirement.name in self._nodes
-        if requirement.use not in _IN_GRAPH:
+        if requirement.use not in endpoint_uses():
             return False
         return any(each.package == package and _is_own(each.name, requirement.name) for each in self._remaps)
 
     def keep_alive(self, located: Located) -> bool:
         """Whether a remap joins the old and the new name of a topic or service."""
         change = located.change
-        if change.kind not in ENDPOINTS or not change.old or not change.new:
+        if change.kind not in endpoint_kinds() or not change.old or not change.new:
             return False
         return any(_joins(change.old, change.new, remap) for remap in self._remaps)
 
     @cached_property
     def _remaps(self) -> Sequence[Requirement]:
-        return [entry for entry in self._requirements if entry.use == "remaps"]
+        return [entry for entry in self._requirements if entry.row.leads]
 
     @cached_property
     def _nodes(self) -> frozenset[str]:
-        return frozenset(entry.name for entry in self._requirements if entry.use == "names_node")
+        return frozenset(entry.name for entry in self._requirements if entry.row.names_it)
 
 
 def _is_own(remapped: str, used: str) -> bool:

@@ -16,7 +16,6 @@ from ecm_extract.diff.history import History
 from ecm_extract.diff.model import Pair
 from ecm_extract.diff.similarity import name_similarity
 
-_KINDS = frozenset({"method", "function"})
 _LEAST_NAME = 0.5
 _GIVEN_AWAY, _ONLY = 0.8, 0.65
 Signature = frozenset[tuple[tuple[str, ...], str]]
@@ -26,11 +25,11 @@ def given_away(pairs: Iterable[Pair], added: Iterable[Provision]) -> Iterator[tu
     """Yield each pair of one name whose old signature has gone to a new, similar name, with the pair it should be."""
     fresh: dict[tuple[str, str, Signature], list[Provision]] = defaultdict(list)
     for entity in added:
-        if entity.kind in _KINDS:
+        if entity.row.called:
             fresh[entity.kind, entity.owner, signature(entity)].append(entity)
     for pair in pairs:
         old, new = pair.old, pair.new
-        if old is None or new is None or old.kind not in _KINDS or old.name != new.name or not old.forms:
+        if old is None or new is None or not old.row.called or old.name != new.name or not old.forms:
             continue
         if any(accepts(after, before) for before in old.forms for after in new.forms):
             continue
@@ -53,7 +52,7 @@ def only_ones(removed: Iterable[Provision], added: Iterable[Provision], history:
     came: dict[tuple[str, Signature], list[Provision]] = defaultdict(list)
     for entities, groups in ((removed, gone), (added, came)):
         for entity in entities:
-            if entity.kind == "method" and entity.forms:
+            if entity.row.part and entity.forms:
                 groups[entity.owner, signature(entity)].append(entity)
     for key, before in gone.items():
         after = came.get(key, [])

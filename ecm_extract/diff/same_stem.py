@@ -20,8 +20,8 @@ def other_endings(removed: Iterable[Provision], after: Iterable[Provision]) -> I
         removed: what is gone.
         after: all of the new side: the other header may have stood beside the old one for a while.
     """
-    homes = {(entity.package, stem(entity)): entity for entity in after if entity.kind == "file"}
+    homes = {(entity.package, stem(entity)): entity for entity in after if entity.row.included}
     for entity in removed:
-        home = homes.get((entity.package, stem(entity))) if entity.kind == "file" else None
+        home = homes.get((entity.package, stem(entity))) if entity.row.included else None
         if home is not None and home.name != entity.name:
             yield Pair(entity, home, "renamed", _SURE, _REASON)

@@ -26,11 +26,8 @@ _NAME, _SHAPE, _PLACE = 0.5, 0.25, 0.25
 _WRITTEN = 0.12
 _SURE_NAME = 0.85
 _SURE_ALONE = 0.8
-_SURE_LIBRARY = 0.68
-"""Every library of a package stands in the one CMakeLists.txt, so only its name can tell."""
-_OF_A_KIND = frozenset({"class", "plugin"})
-_OF_ONE_FILE = frozenset({"frame", "command_interface"})
-"""Each robot of a package has such names, which say nothing of those of another."""
+_SURE_LISTED = 0.68
+"""Where all of a package stand in one file, as libraries in CMakeLists.txt, only the name can tell."""
 _DESCRIPTIONS = (".urdf", ".xacro")
 _MODEL = re.compile(r"[a-zA-Z]*\d+[a-zA-Z]*")
 _GENERIC = frozenset(
@@ -62,7 +59,7 @@ def score(
     total = _NAME * name + _SHAPE * shape + _PLACE * place
     if _is_other_structure(old, new) or (shape == 0 and (name < _SURE_NAME or _parts(old) != _parts(new))):
         return None
-    if name < _LEAST_WRITTEN or total + _WRITTEN < _THRESHOLD or (old.kind == "library" and name < _SURE_LIBRARY):
+    if name < _LEAST_WRITTEN or total + _WRITTEN < _THRESHOLD or (old.row.listed and name < _SURE_LISTED):
         return None
     if name < _SURE_NAME and not _shared_words(old, new):
         return None
@@ -80,10 +77,10 @@ def score(
 
 def _is_another(old: Provision, new: Provision, place: float) -> bool:
     """Whether two cannot be one whatever their names: the number is what a constant means."""
-    if old.kind == "constant":
+    if old.row.fixed:
         return old.default != new.default and None not in (old.default, new.default)
-    described = old.kind == "file" and old.path.endswith(_DESCRIPTIONS)
-    return (old.kind in _OF_ONE_FILE or described) and (place < 1 or _models(old.name) != _models(new.name))
+    described = old.row.included and old.path.endswith(_DESCRIPTIONS)
+    return (old.row.of_file or described) and (place < 1 or _models(old.name) != _models(new.name))
 
 
 def _models(name: str) -> list[str]:
@@ -93,9 +90,9 @@ def _models(name: str) -> list[str]:
 
 def _shared_words(old: Provision, new: Provision) -> frozenset[str]:
     """The words that tell what both are; those of a common base or folder only tell which kind of thing."""
-    if old.kind == "file":
+    if old.row.included:
         return (words(last_part(stem(old))) & words(last_part(stem(new)))) - _GENERIC
-    if old.kind not in _OF_A_KIND:
+    if not old.row.based:
         return (words(old.name) & words(new.name)) - _GENERIC
     base = words(" ".join((*old.bases, old.type or "")))
     return (words(last_part(old.name)) & words(last_part(new.name))) - _GENERIC - base

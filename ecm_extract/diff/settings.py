@@ -10,7 +10,6 @@ from collections.abc import Iterable, Iterator, Mapping
 from ecm_checker.hub.provision import Key, Provision
 
 from ecm_extract.diff.model import Pair
-from ecm_extract.entities.setting import SETTING
 
 
 class SettingFiles:
@@ -22,14 +21,14 @@ class SettingFiles:
 
     def __init__(self, old: Mapping[Key, Provision], new: Mapping[Key, Provision], moved: Mapping[str, str]) -> None:
         self._moved = moved
-        before = {self._now(entity) for entity in old.values() if entity.kind == SETTING}
-        self._both = before & {entity.path for entity in new.values() if entity.kind == SETTING}
+        before = {self._now(entity) for entity in old.values() if entity.row.sets}
+        self._both = before & {entity.path for entity in new.values() if entity.row.sets}
 
     def pairs(self, old: Iterable[Provision], new: Iterable[Provision]) -> Iterator[Pair]:
         """Yield settings of files that moved, or whose package has another name, with what they became."""
-        after = {(entity.path, entity.name): entity for entity in new if entity.kind == SETTING}
+        after = {(entity.path, entity.name): entity for entity in new if entity.row.sets}
         for entity in old:
-            found = after.get((self._now(entity), entity.name)) if entity.kind == SETTING else None
+            found = after.get((self._now(entity), entity.name)) if entity.row.sets else None
             if found is not None:
                 yield Pair(entity, found)
 

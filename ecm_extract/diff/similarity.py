@@ -11,7 +11,6 @@ _WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
 SEPARATOR = re.compile(r"::|[/.]")
 _ENDING = re.compile(r"(?<=.)\.(?:h|hh|hpp|hxx|ipp|tpp)$")
 _LAST_EQUAL = 0.6
-_SYMBOLS = frozenset({"class", "method", "member", "function", "constant", "file"})
 _PARTS = frozenset({"request.", "response.", "goal.", "result.", "feedback."})
 """Of an interface file: what stands before a field there is no place that people name."""
 
@@ -28,7 +27,7 @@ def last_part(name: str) -> str:
 
 def stem(entity: Provision) -> str:
     """What tells in the name of an entity: of a header all but its ending."""
-    return _ENDING.sub("", entity.name) if entity.kind == "file" and "/" in entity.name else entity.name
+    return _ENDING.sub("", entity.name) if entity.row.included and "/" in entity.name else entity.name
 
 
 def name_similarity(old: str, new: str) -> float:
@@ -60,9 +59,9 @@ def shape_equal(old: Provision, new: Provision) -> float:
         before = {(form.types, form.returns) for form in old.forms}
         after = {(form.types, form.returns) for form in new.forms}
         return 1.0 if before & after else 0.0
-    if old.kind == "launch_argument" and (old.default is None) != (new.default is None):
+    if old.row.duty and (old.default is None) != (new.default is None):
         return 0.0
-    if old.kind == "class" or (old.type is None and new.type is None):
+    if old.row.is_class or (old.type is None and new.type is None):
         return 0.5
     return float(old.type == new.type)
 
@@ -75,4 +74,4 @@ def in_package(name: str, old: str, new: str) -> str:
 
 def same_language(old: Provision, new: Provision) -> bool:
     """Whether two symbols or files can stand for each other: nobody imports a header, or includes a module."""
-    return old.kind not in _SYMBOLS or old.path.endswith(".py") == new.path.endswith(".py")
+    return not old.row.in_language or old.path.endswith(".py") == new.path.endswith(".py")

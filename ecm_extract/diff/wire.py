@@ -57,7 +57,7 @@ def nested_changes(pairs: list[Pair], old: Side, new: Side) -> Iterator[tuple[Pa
     """
     ways = ways_to(_changed_types(old, new), old.interfaces)
     for pair in pairs:
-        if pair.old is None or pair.new is None or pair.old.kind != "message":
+        if pair.old is None or pair.new is None or not pair.old.row.generated:
             continue
         if ways.get(pair.old.name) is not None:
             yield pair, way_text(pair.old.name, ways)

@@ -25,7 +25,6 @@ _DIRECTIVE = re.compile(
 _JOIN = re.compile(r"\\\s|[\"()]+\s*[\"()]+")
 _COMMENT = re.compile(r"^\s*(?://|/\*|\*)")
 _HEADERS = (".h", ".hh", ".hpp", ".hxx")
-_IN_HEADERS = frozenset({"class", "member", "method", "function", "constant"})
 _TEMPLATE = re.compile(r"^\s*template\s*<.*>\s*$")
 _ENDED = re.compile(r"(?i)^#+\s*(?:(?:it|this|the)\b.{0,60}\b(?:is|has been|was)\s+)?(?:deprecated|obsolete)\b")
 _ATTRIBUTE = re.compile(r"\bdeprecated\s*\(((?:\s*\"(?:[^\"\\]|\\.)*\")+)")
@@ -38,8 +37,8 @@ def announced(side: SideTexts, packages: Iterable[PackageFacts], entities: Seque
     """Return the entities, with what their declarations say about their end."""
     texts = _descriptions(packages)
     lines: dict[str, list[str]] = defaultdict(list)
-    headers = {entity.path for entity in entities if entity.kind == "file" and entity.path.endswith(_HEADERS)}
-    texts |= _interface_heads(side, {entity.path for entity in entities if entity.kind == "message"})
+    headers = {entity.path for entity in entities if entity.row.included and entity.path.endswith(_HEADERS)}
+    texts |= _interface_heads(side, {entity.path for entity in entities if entity.row.generated})
     for path, data in side.speaking.items():
         if path in headers:
             lines[path] = data.decode("utf-8", "replace").splitlines()
@@ -92,11 +91,12 @@ def _told(entity: Provision, texts: dict[Line, str], lines: dict[str, list[str]]
     if entity.deprecated:
         text = _attribute(lines.get(entity.path, []), entity.line) if entity.deprecated == MARKED else None
         return msgspec.structs.replace(entity, deprecated=text) if text else entity
-    if entity.kind in {"parameter", "plugin"}:
+    told_at = entity.row.announced
+    if told_at == "line":
         text = texts.get((entity.path, entity.line))
-    elif entity.kind in {"file", "message"}:
+    elif told_at == "head":
         text = texts.get((entity.path, 0))
-    elif entity.kind in _IN_HEADERS and entity.path in lines:
+    elif told_at == "comment" and entity.path in lines:
         if len(entity.forms) > 1:
             return _overloads_told(entity, lines[entity.path])
         text = _comment_above(lines[entity.path], entity.line) or _named(entity, texts.get((entity.path, 0)))

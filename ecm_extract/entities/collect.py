@@ -30,8 +30,6 @@ from ecm_extract.read.facts import PackageFacts
 if TYPE_CHECKING:
     from ecm_extract.entities.workspace import Workspace
 
-_TYPED = frozenset({"topic", "service", "action"})
-
 
 def public_entities(workspace: Workspace) -> dict[Key, Provision]:
     """Return the entities of all packages by key; of two with one key the first by path and line stays."""
@@ -47,7 +45,7 @@ def graph_entities(packages: Sequence[PackageFacts], linked: Sequence[LinkedModu
     """Return the topics, services and actions of all packages by key, without what their files say of their end."""
     modules = _by_package(linked)
     every = [each for facts in packages for each in endpoint_entities({}, facts, modules[facts.name])]
-    return _by_key(at_their_names([each for each in every if each.kind in _TYPED]), packages)
+    return _by_key(at_their_names([each for each in every if each.is_endpoint]), packages)
 
 
 def _by_package(linked: Sequence[LinkedModule]) -> dict[str, list[LinkedModule]]:
@@ -79,7 +77,7 @@ def _joined(first: Provision, other: Provision) -> Provision:
     """
     if first.when != other.when:
         first = msgspec.structs.replace(first, when=())
-    if first.kind in _TYPED and other.type is not None and other.type != first.type:
+    if first.is_endpoint and other.type is not None and other.type != first.type:
         return msgspec.structs.replace(first, others=(*first.others, other.type))
     if not first.forms or not other.forms or first.path == other.path:
         return first
@@ -95,7 +93,7 @@ def _at_home(found: dict[Key, Provision], packages: Sequence[PackageFacts]) -> d
     return {
         key: entity
         for key, entity in found.items()
-        if entity.kind == "bt_port"  # each node has the ports of its base for itself
+        if entity.row.own_copy  # each node has the ports of its base for itself
         or home.get(entity.path) in {None, entity.package}
         or _line(entity) not in offered
     }

@@ -33,7 +33,7 @@ def description_entities(texts: SideTexts, facts: PackageFacts) -> Iterator[Prov
         yield Provision(kind="file", package=facts.name, owner="", name=own, path=path, line=1)
         if _EXAMPLES.isdisjoint(own.split("/")):
             yield from _entities(facts.name, "frame", path, names.links)
-            yield from _entities(facts.name, "command_interface", path, names.commands)
+            yield from _entities(facts.name, "command_interface", path, names.commands, typed=True)
 
 
 def descriptions(texts: SideTexts, facts: PackageFacts) -> Iterator[tuple[str, RobotNames]]:
@@ -67,17 +67,18 @@ def tested(entry: NamedLine) -> tuple[Condition, ...] | None:
     return found
 
 
-def _entities(package: str, kind: str, path: str, names: tuple[NamedLine, ...]) -> Iterator[Provision]:
+def _entities(
+    package: str, kind: str, path: str, names: tuple[NamedLine, ...], *, typed: bool = False
+) -> Iterator[Provision]:
     for entry in names:
         name, when = written_name(entry.name), tested(entry)
         if when is not None and re.search(r"\w", name.replace(HOLE, "")):
-            shape = name.rpartition("/")[2] if kind == "command_interface" else None
             yield Provision(
                 kind=kind,
                 package=package,
                 owner="",
                 name=name,
-                type=shape,
+                type=name.rpartition("/")[2] if typed else None,
                 path=path,
                 line=entry.line,
                 when=when,

@@ -81,7 +81,7 @@ def _node_of(entry: Interface) -> str | None:
     """The node that a private name hangs below, as a plugin that makes a node of its own tells it."""
     rest = entry.raw_name.lstrip("~/")
     above = entry.name.removesuffix(f"/{rest}").rpartition("/")[2] if entry.name.startswith("/") else ""
-    is_told = entry.raw_name.startswith("~") and entry.role != "parameter" and entry.name.endswith(f"/{rest}")
+    is_told = entry.raw_name.startswith("~") and not entry.row.value and entry.name.endswith(f"/{rest}")
     return above if is_told and above and not _HOLE.search(above) else None
 
 
@@ -100,7 +100,7 @@ def _below(entity: Provision, namespace: str) -> Provision:
 def comparable_name(entry: Interface) -> str:
     """Return a name that survives a change of idiom: private names keep `~`, computed parts are `<*>`."""
     name = entry.name
-    if entry.raw_name.startswith("~") and entry.role != "parameter":
+    if entry.raw_name.startswith("~") and not entry.row.value:
         name = "~/" + entry.raw_name[1:].lstrip("/")
     elif entry.raw_name.startswith("~"):
         name = entry.raw_name[1:].lstrip("/") if entry.name.startswith("/") else entry.name

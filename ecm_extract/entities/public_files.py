@@ -43,10 +43,9 @@ def _keeps_headers(facts: PackageFacts) -> bool:
     installs = [entry for file in facts.cmake.values() for entry in file.installs]
     if not installs:
         return False
-    by_itself = any(entry.kind == "targets" and not entry.destination for entry in installs)
     folders = [entry for entry in installs if entry.kind in {"directory", "files"}]
     texts = [text for entry in folders for text in (*entry.items, entry.destination)]
-    return not by_itself and not any("include" in text.lower() or "$" in text for text in texts)
+    return not any("include" in text.lower() or "$" in text for text in texts)
 
 
 def _below_include(path: str) -> str | None:

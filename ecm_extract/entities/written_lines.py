@@ -13,7 +13,6 @@ from ecm_checker.hub.provision import HOLE, Provision
 
 from ecm_extract.tree import Tree
 
-_KINDS: Final = frozenset({"topic", "service", "action", "parameter", "launch_argument"})
 _MAX_LINES: Final = 4
 """A call may go over several lines; its name stands in one of the first."""
 _QUOTED: Final = r"(?<=[\"'/~]){}(?=[\"'])"
@@ -26,7 +25,7 @@ def with_lines(tree: Tree, entities: Sequence[Provision]) -> Iterator[Provision]
     """Yield the entities, those that a telling line declares by a literal name with the hash of that line."""
     wanted: dict[str, list[Provision]] = defaultdict(list)
     for entity in entities:
-        if entity.kind in _KINDS and HOLE not in entity.name:
+        if entity.row.by_line and HOLE not in entity.name:
             wanted[entity.path].append(entity)
         else:
             yield entity

@@ -13,7 +13,7 @@ from ecm_extract.infer.memory import Memory
 from ecm_extract.infer.run import Frame
 
 if TYPE_CHECKING:
-    from ecm_extract.link.env import Env
+    from ecm_extract.link.env import Bound, Env
 
 
 class Assigning:
@@ -57,9 +57,10 @@ class Assigning:
         return state.having(handed)
 
     def _refer(self, target: Expr | None, value: Expr | None, at: int, env: Env, state: State) -> State:
-        """`auto & x = y;` is another name of what it refers to: neither is followed once one of them changes."""
-        self.memory.sharing.refer(self.frame.effects.key(target), self.frame.effects.root(value))
-        return self.bind(target, Held("value", "", value, env, at), state)
+        """`auto & x = y;` is another name of what it refers to, or of a part of it, which that leaves as it is."""
+        key = self.frame.effects.key(target)
+        self.memory.sharing.refer(key, self.frame.effects.root(value), self.frame.effects.key(value))
+        return self.memory.hold(key, Held("value", key, value, env, at), self.memory.parts_lost(key, state))
 
     def bind(self, target: Expr | None, held: Held, state: State) -> State:
         """Give a variable, a field, an element or several variables what a statement gives them."""
@@ -84,10 +85,9 @@ class Assigning:
         """In C++ a reference that is assigned writes through, and references to what is assigned see it."""
         if self.frame.python:
             return state
-        touched = self.memory.sharing.roots({key}) | {
-            name for name in self.memory.sharing.parts(key) if name in state.holds
-        }
-        return self.memory.lost(state, touched) if touched else state
+        same = self.memory.sharing.names_of(key)
+        touched = self.memory.sharing.touched(same, state)
+        return self.memory.lost(state, touched).having(dict.fromkeys(same, state.holds[key]))
 
     def _unpack(self, target: Items, held: Held, state: State) -> State:
         """`a, b = value`: each gets its part, all of them at once."""
@@ -98,6 +98,8 @@ class Assigning:
                 part = Held("value", "", value.items[index], env, held.at)
             elif held.how == "value" and value is not None:
                 part = Held("value", "", Op("[]", (value, Number(index))), env, held.at)
+            elif held.how in {"each", "part"}:
+                part = Held("part", "", value, env, held.at)
             else:
                 part = Held("lost", "", None, env, held.at)
             state = self.bind(item, part, state)
@@ -115,6 +117,11 @@ class Assigning:
     def element(self, each: Statement, at: int, state: State) -> State:
         """Return the state in which a loop has bound its variable to any element."""
         return self.bind(each.target, Held("each", "", each.value, self.frame.place(state), at), state)
+
+    def known_element(self, target: Expr | None, item: Bound, at: int, state: State) -> State:
+        """Return the state in which a loop has bound its variable to an element that is known."""
+        own = item.env.func is self.frame.env.func  # the place of a statement means something in its function only
+        return self.bind(target, Held("value", "", item.expr, item.env, at if own else -1), state)
 
 
 def _braces(value: Expr | None) -> list[Items]:

@@ -27,10 +27,12 @@ class Calling:
 
     def after(self, at: int, state: State, env: Env) -> State:
         """Return the state after the calls of a statement."""
+        calls = self.frame.env.func.calls[at]
+        if not calls:
+            return state
         for effect in self.frame.effects.of(at):
             state = self._apply(effect, at, env, state)
-        calls = self.frame.env.func.calls[at]
-        waits = any(self.frame.effects.calls.waits(call) for call in calls)
+        waits = at in self.frame.outline.waiting
         own = self.frame.judge.own_calls(env)
         state = self._methods(at, [] if waits else own, env, state)
         state = self._inner(at, calls, env, state)

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import replace
 
-from ecm_parsers.source.expr import Comprehension, Expr
+from ecm_parsers.source.expr import Comprehension
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.assigning import Assigning
-from ecm_extract.infer.held import Held, State
+from ecm_extract.infer.held import State
 from ecm_extract.infer.looping import MAX_ROUNDS
 from ecm_extract.infer.run import Frame
-from ecm_extract.link.walk import children
+from ecm_extract.link.walk import comprehensions
 
 
 class Comprehending:
@@ -56,22 +55,10 @@ class Comprehending:
         )
         if items is None or len(items) > MAX_ROUNDS:
             return [self.assigning.element(each, loop, state)]
-        return [self.assigning.bind(each.target, Held("value", "", item.expr, item.env, loop), state) for item in items]
+        return [self.assigning.known_element(each.target, item, loop, state) for item in items]
 
     def _passing(self, entry: Comprehension, state: State) -> State | None:
         found = [self.frame.truth(test, state) for test in entry.tests]
         if False in found:
             return None
         return self.frame.undecided(state) if None in found else state
-
-
-def comprehensions(expr: Expr | None) -> Iterator[Comprehension]:
-    """Yield the comprehensions in an expression, outer ones first."""
-    if expr is None:
-        return
-    if isinstance(expr, Comprehension):
-        yield expr
-        yield from comprehensions(expr.element)
-        return
-    for part in children(expr):
-        yield from comprehensions(part)

@@ -53,8 +53,8 @@ class Targets(Protocol):
     def target(self, call: Call, func: Func, at: int) -> Func | None:
         """Return the function with a body that a call in a statement of a function means."""
 
-    def keeps(self, name: str) -> bool:
-        """Tell whether a call of that name is one of a client library, which leaves what it gets as it is."""
+    def keeps(self, path: str) -> bool:
+        """Tell whether a call that is written so is one of a client library, which leaves what it gets as it is."""
 
     def changes(self, func: Func, name: str) -> bool:
         """Tell whether a function may change what its parameter consists of."""
@@ -120,13 +120,8 @@ class Effects:
         callee = call.callee
         if isinstance(callee, Member):
             yield from self._on_receiver(call, callee, statement)
-        last = (
-            callee.name
-            if isinstance(callee, Member)
-            else callee.id.rsplit("::", 1)[-1]
-            if isinstance(callee, Name)
-            else ""
-        )
+        path = callee.name if isinstance(callee, Member) else callee.id if isinstance(callee, Name) else ""
+        last = path.rsplit("::", 1)[-1]
         passed = [(index, arg) for index, arg in enumerate(call.args) if self._passes(arg)]
         named = [(name, arg) for name, arg in call.keywords if self._passes(arg)]
         changing = isinstance(callee, Member) and last in self.calls.changing
@@ -134,7 +129,7 @@ class Effects:
             return
         target = self.targets.target(call, self.func, at)
         own = isinstance(callee, Name) and callee.id in self.own  # a variable that holds a function is no library's
-        if target is None and not own and self.targets.keeps(last):
+        if target is None and not own and self.targets.keeps(path):
             return
         params = target.fact.params if target is not None else ()
         for index, arg in passed:

@@ -45,9 +45,9 @@ class Exits:
             self._frame.run.returns.append((at, state))
 
     @property
-    def has_left(self) -> bool:
-        """Whether some way has left the function."""
-        return bool(self.left or self._frame.run.returns)
+    def ways_out(self) -> int:
+        """How many ways have left the function so far."""
+        return len(self.left) + len(self._frame.run.returns)
 
     # --- what is around ----------------------------------------------------------------------------------
 

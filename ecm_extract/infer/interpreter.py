@@ -112,12 +112,12 @@ class Interpreter:
         self.memory.escaped |= inside
         again = {key for key in state.holds if self.frame.outline.changes.get(key, 0) > 1}
         shared = {key: (Held("shared", key),) for key in again | inside if self.memory.is_open(key)}
-        start = self.memory.lost(state, inside | again | own).having(shared)
+        start = self.memory.lost(self.memory.reached(inside, state), again | own).having(shared)
         self.frame.later += 1
         with self.exits.within_lambda():
             self.run(step.body, self.frame.undecided(start))
         self.frame.later -= 1
-        return self.memory.lost(state, inside).having({key: ways for key, ways in shared.items() if key in inside})
+        return self.memory.reached(inside, state).having({key: ways for key, ways in shared.items() if key in inside})
 
     # --- statements --------------------------------------------------------------------------------------
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from ecm_parsers.source.flow import Loop
 
 from ecm_extract.infer.assigning import Assigning
@@ -12,9 +10,6 @@ from ecm_extract.infer.calling import Calling
 from ecm_extract.infer.exits import Exits
 from ecm_extract.infer.held import MAX_WAYS, Held, State, joined_states
 from ecm_extract.infer.run import MAX_STEPS, Frame
-
-if TYPE_CHECKING:
-    from ecm_extract.link.env import Bound
 
 MAX_ROUNDS = 64
 """Rounds of a loop that are run one by one."""
@@ -51,24 +46,19 @@ class Looping:
         for item in items:
             if current is None:
                 break
-            current = self.assigning.bind(each.target, self._element(item, loop), current)
+            current = self.assigning.known_element(each.target, item, loop.each, current)
             current = self._round(loop, current)
         if not items:
             self.blocks.unreached(loop.body, self.assigning.element(each, loop.each, state))
         return self._exit(loop, current)
 
-    def _element(self, item: Bound, loop: Loop) -> Held:
-        """What a round begins with; a list that a caller gave has no statement in the function at hand."""
-        own = item.env.func.fact.body is self.frame.body
-        return Held("value", "", item.expr, item.env, loop.each if own else -1)
-
     def _round(self, loop: Loop, state: State) -> State | None:
         """Run the body once; what comes after a way out that may have been taken is not certain any more."""
-        broken = self.exits.broken()
+        before = self.exits.broken() + self.exits.ways_out
         after = self.blocks.run(loop.body, state)
         after = joined_states([after, *self.exits.next_round()])
         after = self.blocks.run(loop.step, after) if after is not None else None
-        left = self.exits.broken() > broken or self.exits.has_left
+        left = self.exits.broken() + self.exits.ways_out > before
         return self.frame.undecided(after) if after is not None and left else after
 
     def _exit(self, loop: Loop, state: State | None) -> State | None:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Set
 from typing import TYPE_CHECKING
 
+from ecm_parsers.source.facts import Statement
 from ecm_parsers.source.flow import Block, statements
 
 from ecm_extract.infer.held import Held, How, State
@@ -54,6 +55,8 @@ class Memory:
     def _seen_by_others(self, key: str, held: Held) -> Held:
         """What a variable holds that a lambda or a pointer may change any time."""
         if not self.is_open(key):
+            if self.frame.python and key not in self.frame.outline.bound_inside:
+                return Held("handed", key, before=(held,))
             return Held("shared" if self.frame.outline.is_module else "lost", key, before=(held,))
         self.frame.run.shown[key].append(held)
         return Held("shared", key)
@@ -75,20 +78,27 @@ class Memory:
 
     def in_place(self, key: str, held: Held, state: State) -> State:
         """Change what a variable consists of, for all names of the same thing."""
-        alike, others = {key}, set()
         if self.frame.python:
             alike = self.sharing.alike(key, state)
-            others = self.sharing.holding(alike, state) - alike
+            others = self.sharing.holding(alike, state) | self.sharing.roots({key})
         else:
-            others = set(self.sharing.parts(key))
-        others |= self.sharing.roots({key})
+            alike = self.sharing.names_of(key)
+            others = self.sharing.touched(alike, state)
         others = {name for name in others - alike if name in state.holds}
         if self.escaped & alike:
             held = self._seen_by_others(key, held)
         if held.length >= MAX_LENGTH:
             self.frame.judge.settle(held)
         ways = (held,)
-        return self.lost(state, others).having(dict.fromkeys(alike, ways))
+        return self.reached(others, state).having(dict.fromkeys(alike, ways))
+
+    def reached(self, keys: Set[str], state: State) -> State:
+        """The state after somebody changed what variables mean or hold: a text of Python stays what it is."""
+        if not self.frame.python:
+            return self.lost(state, keys)
+        fixed = [key for key in keys if key in state.holds and key not in self.frame.outline.bound_inside]
+        handed = {key: (Held("handed", key, before=state.holds[key]),) for key in fixed}
+        return self.lost(state, keys).having(handed)
 
     def show(self, keys: Iterable[str], state: State) -> None:
         """Note what variables hold while other functions run."""
@@ -104,10 +114,18 @@ class Memory:
 
     def changed_in(self, block: Block) -> set[str]:
         """The variables that steps change."""
+        for at in statements(block):
+            self._refer(self.frame.body[at])
         found: set[str] = set()
         for at in statements(block):
             found |= self._changed_by(at)
         return found
+
+    def _refer(self, let: Statement) -> None:
+        """Note a reference of C++ that is declared among steps which may run again."""
+        if let.kind == "let" and let.type.endswith("&") and not self.frame.python:
+            effects = self.frame.effects
+            self.sharing.refer(effects.key(let.target), effects.root(let.value), effects.key(let.value))
 
     def _changed_by(self, at: int) -> set[str]:
         found = self.frame.outline.changed_by(at)

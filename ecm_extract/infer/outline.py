@@ -14,7 +14,7 @@ from ecm_parsers.source.flow import Block, Later, Leave, Step, blocks
 from ecm_extract.infer.effects import Effect, Effects, Targets, is_plain
 from ecm_extract.infer.inner import only_called
 from ecm_extract.infer.places import own_names
-from ecm_extract.link.walk import children
+from ecm_extract.link.walk import children, comprehensions
 
 if TYPE_CHECKING:
     from ecm_extract.link.units import Func
@@ -56,17 +56,50 @@ class Outline:
     def given(self) -> Set[str]:
         """The variables that the body gives something else, by a statement, a method or a function of the tree."""
         found = {key for statement in self.func.fact.body for key in self._assigned(statement)}
+        if self.python:  # where calls may change what a variable consists of, and give it nothing else
+            return frozenset(found | self.escaped)
         effects = (effect for at in range(len(self.func.fact.body)) for effect in self.effects.of(at))
         return frozenset(found | {effect.key for effect in effects if effect.kind != "handed"} | self.escaped)
 
     def _assigned(self, statement: Statement) -> Iterator[str]:
         return self.bound_keys(statement.target) if statement.kind != "do" else iter(())
 
+    def is_one(self, key: str) -> bool:
+        """Tell whether a name of C++ means one local variable throughout the body: no block hides it by another."""
+        return self._declared[key] == 1
+
+    @cached_property
+    def _declared(self) -> Counter[str]:
+        """Variable -> how many declarations of that name the function has, parameters included."""
+        lets = (entry for entry in self.func.fact.body if entry.kind in {"let", "each"})
+        declared = Counter(key for entry in lets for key in self.bound_keys(entry.target))
+        return declared + Counter(parameter.name for parameter in self.func.fact.params)
+
+    @cached_property
+    def rebound(self) -> Set[str]:
+        """The variables of Python that come to mean another object; `x += y` may change the one that they mean."""
+        if not self.python:
+            return frozenset()
+        binding = (entry for entry in self.func.fact.body if not entry.type.endswith("="))
+        return frozenset(key for entry in binding for key in self._assigned(entry))
+
     @cached_property
     def escaped(self) -> Set[str]:
         """The variables that functions which are declared within it change: any time from then on."""
         handed = (func for func in self.inner if func not in self.captured)
         return frozenset(key for func in handed for key in self._changed_inside(func))
+
+    @cached_property
+    def waiting(self) -> Set[int]:
+        """The statements with a call that may let callbacks of the program run."""
+        waits = self.effects.calls.waits
+        return frozenset(at for at, calls in enumerate(self.func.calls) if any(waits(call) for call in calls))
+
+    @cached_property
+    def bound_inside(self) -> Set[str]:
+        """The variables of a function of Python that functions within it give something else (`nonlocal x`)."""
+        found = {key for func in self.inner for key in self._changed_inside(func, bound=True)}
+        return frozenset(found)
 
     @cached_property
     def captured(self) -> Mapping[Func, Set[str]]:
@@ -100,10 +133,19 @@ class Outline:
         found: set[int] = set()
         for step in self.block:
             if isinstance(step, int):
-                found.add(step)
+                found.update(() if self._repeats(step) else (step,))
             elif self._may_end(step):
                 break
         return found
+
+    def _repeats(self, at: int) -> bool:
+        """Whether a statement calls something for each element that a comprehension runs over."""
+        found = self.func.calls[at] if self._has_rounds else ()
+        return bool(found) and any(comprehensions(self.func.fact.body[at].value))
+
+    @cached_property
+    def _has_rounds(self) -> bool:
+        return any(statement.kind == "each" for statement in self.func.fact.body)
 
     def _may_end(self, step: Step) -> bool:
         """Whether the function may be left within a step."""
@@ -136,13 +178,13 @@ class Outline:
         else:
             yield self.effects.key(target) or self.effects.root(target)
 
-    def _changed_inside(self, func: Func) -> Iterator[str]:
+    def _changed_inside(self, func: Func, bound: bool = False) -> Iterator[str]:
         own = own_names(func.fact, self.python)
         inner = Effects(func, own, self.effects.targets)
         for at, statement in enumerate(func.fact.body):
             targets = [statement.target] if statement.kind in {"set", "each"} else []
             keys = [inner.key(target) or inner.root(target) for target in targets]
-            keys += [effect.key for effect in inner.of(at) if not self._is_text(effect)]
+            keys += [effect.key for effect in inner.of(at) if not bound and not self._is_text(effect)]
             for key in keys:
                 if key.split(".")[0] not in own:
                     own_or_dotted = key in self.effects.own or "." in key

@@ -19,11 +19,30 @@ class Sharing:
         self.outline = outline
         self.effects = outline.effects
         self._roots: dict[str, str] = {}
+        self._same: dict[str, str] = {}
 
-    def refer(self, key: str, root: str) -> None:
-        """Note that a variable is a reference to another, or into it."""
+    def refer(self, key: str, root: str, whole: str = "") -> None:
+        """Note that a variable is a reference into another, `whole`: to all of that."""
         if key and root:
             self._roots[key] = root
+            self._same.pop(key, None)
+        if key and whole and not self.outline.python and self.outline.is_one(key) and self.outline.is_one(whole):
+            self._same[key] = whole
+
+    def names_of(self, key: str) -> set[str]:
+        """Return all names of the variable of C++ that a name means."""
+        first = key
+        while first in self._same and self._same[first] != key:
+            first = self._same[first]
+        names = {first, key}
+        while more := {name for name, other in self._same.items() if other in names and name not in names}:
+            names |= more
+        return names
+
+    def touched(self, names: Set[str], state: State) -> set[str]:
+        """Return what else changes with a variable of C++, by its names: what they lie in, and references into them."""
+        parts = {part for name in names for part in self.parts(name) if part in state.holds}
+        return (self.roots(names) | parts) - names
 
     def enter(self, each: Statement) -> None:
         """Note that the variable of a loop is a part of what the loop is over."""

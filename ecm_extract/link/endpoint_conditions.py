@@ -78,7 +78,7 @@ class EndpointConditions:
     def note(self, module: Module, site: Site, entry: Interface) -> None:
         """Remember the topic that a variable of a module publishes."""
         target = site.call.statement.target
-        if entry.role == "publisher" and target is not None:
+        if entry.row.writes and target is not None:
             self._topics[module][key_of(target)] = entry.name
 
     def named(self, module: Module, entries: Iterable[Interface]) -> tuple[Interface, ...]:
@@ -105,7 +105,7 @@ def _by_name(entries: Iterable[Interface]) -> Mapping[str, str]:
     """The parameters of a module by all that its source may call them; a name of two of them means none."""
     found: dict[str, set[str]] = defaultdict(set)
     for entry in entries:
-        if entry.role == "parameter":
+        if entry.row.value:
             for name in (entry.name, entry.raw_name, entry.raw_name.lstrip("~/"), entry.name.rpartition("/")[2]):
                 found[name].add(entry.name)
     return {name: next(iter(meant)) for name, meant in found.items() if len(meant) == 1}

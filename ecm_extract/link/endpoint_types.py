@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from ecm_checker.hub.roles import Role, roles
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Op, Text
 
 from ecm_extract.link.asked_types import asked_type
@@ -31,7 +32,7 @@ class EndpointTypes:
 
     def of(self, site: Site, default: Expr | None) -> tuple[str | None, Any]:
         """Return the type of a site, and the default of a parameter as data, `UNKNOWN` when nothing shows it."""
-        if site.form.role != "parameter":
+        if not site.form.row.value:
             return self.types.at(site.form.type, site.call, site.env, site.form.role).name, UNKNOWN
         stated = stated_type(default) or self._bound_stated(default, site.env) or self._held_stated(default, site.env)
         data = UNKNOWN if stated else self._data(default, site.env)
@@ -159,3 +160,12 @@ _HELD = {"double": "double", "integer": "int"}
 _ARRAYS = {"double_array": "double"}
 """Parameter type -> a type of C++ that holds its numbers."""
 _CASTS = {"bool": "bool", "float": "double", "int": "integer", "str": "string"}
+
+
+def role_of(role: Role, kind: str | None) -> Role:
+    """Return the role of an endpoint by its type.
+
+    A client that a template makes for an action type is an action client, whatever the helper is called.
+    """
+    asking = ((name, row) for name, row in roles().items() if row.calls and row.behind == role)
+    return next((name for name, row in asking if kind is not None and f"/{row.shape}/" in kind), role)

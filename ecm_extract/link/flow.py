@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import sys
 from collections import defaultdict
-from collections.abc import Collection, Hashable, Mapping, Sequence
+from collections.abc import Collection, Hashable, Mapping, Sequence, Set
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Call, Expr, Name
+from ecm_parsers.source.expr import Call, Expr, Member, Name
 
 from ecm_extract.infer.effects import Effects
 from ecm_extract.infer.held import Held, State, joined_states
@@ -15,8 +15,10 @@ from ecm_extract.infer.interpreter import Interpreter
 from ecm_extract.infer.outline import Outline
 from ecm_extract.infer.run import Run
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, invocation_of
+from ecm_extract.link.naming_calls import leaves_arguments
 from ecm_extract.link.own_calls import OwnCalls
 from ecm_extract.link.run_keys import RunKeys
+from ecm_extract.link.spelling import last_name
 from ecm_extract.link.truths import Truths
 from ecm_extract.link.units import Cls, File, Func
 
@@ -168,8 +170,24 @@ class Flow:
 
     def _entered(self, key: str, env: Env) -> list[tuple[Held, ...]]:
         """What a member holds that the function has left as its callers did, where they are known."""
+        if env.outer is not None and self._is_shared(key, env):
+            return self.ways(_as_written(key), env.outer)
         held = self.folder.states.entered(key, env)
         return [(held,)] if held is not None else []
+
+    def _is_shared(self, key: str, env: Env) -> bool:
+        """Whether a variable is that of the object, or of the file, for a function and for the one that declares it."""
+        if key.count(".") > 1:
+            return False
+        return key.startswith(".") or ("." not in key and key not in self._names_around(env))
+
+    def _names_around(self, env: Env) -> Set[str]:
+        names: set[str] = set()
+        place: Env | None = env
+        while place is not None:
+            names |= self.effects(place.func).own
+            place = place.outer
+        return names
 
     def outline(self, func: Func) -> Outline:
         """Return what is known of a function before it runs."""
@@ -209,9 +227,9 @@ class Flow:
         env = Env(func, at, this=func.cls)
         return self.folder.objects.callee(invocation_of(call, env), env)
 
-    def keeps(self, name: str) -> bool:
-        """Tell whether a call of that name is one of a client library, which leaves what it gets as it is."""
-        return self.folder.reads.knows(name)
+    def keeps(self, path: str) -> bool:
+        """Tell whether a call that is written so is one of a client library, which leaves what it gets as it is."""
+        return self.folder.reads.knows(last_name(path)) or leaves_arguments(path)
 
     def changes(self, func: Func, name: str) -> bool:
         """Tell whether a function may change what its parameter consists of."""
@@ -314,3 +332,8 @@ class Flow:
         if held.env is not None:
             self.folder.held.values(held, held.env)
             self.folder.held.items(held, held.env)
+
+
+def _as_written(key: str) -> Expr:
+    """A variable of the object, or one outside of functions, as a function of its own names writes it."""
+    return Member(Name("this"), key[1:]) if key.startswith(".") else Name(key)

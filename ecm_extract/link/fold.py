@@ -47,13 +47,13 @@ from ecm_extract.link.structures import StructureFolder
 from ecm_extract.link.values import (
     MAX_ALTERNATIVES,
     TOO_MANY,
+    Hole,
     Value,
     alternatives,
     computed,
     constant,
     data_in,
     joined,
-    left_open,
     literal,
     unknown,
     weaker,
@@ -199,13 +199,21 @@ class Folder:
         for values in islice(product(*options), MAX_ALTERNATIVES + 1):
             data = [data_in(value) for value in values]
             result = None if UNKNOWN in data else computed(work(data))
-            found.append(left_open(values, label) if result is None else _as_sure(result, values))
+            found.append(_left_open(values, label) if result is None else _as_sure(result, values))
         return alternatives(found) if len(found) > 1 else tuple(found) or (unknown(label),)
 
     def shown(self, values: tuple[Value, ...], env: Env) -> tuple[Value, ...]:
         """Return values as texts: numbers and truth values as the language writes them."""
         python = env.func.file.language == "python"
         return tuple([_shown(value, python) for value in values])
+
+
+def _left_open(values: Sequence[Value], label: str) -> Value:
+    """What is not computed: it still depends on the parameters that its parts depend on."""
+    holes = [part for value in values for part in value.parts if isinstance(part, Hole)]
+    open_ = tuple([hole._replace(default=None) for hole in holes if hole.kind in {"param", "made"}])
+    named = next((hole.label for hole in holes), label) if label == "value" else label
+    return Value(open_, "pattern") if open_ else unknown(named)
 
 
 def _as_sure(result: Value, values: Sequence[Value]) -> Value:

@@ -21,6 +21,7 @@ from ecm_extract.link.calls import Invocation
 from ecm_extract.link.env import Bound, Env, bind, invocation_of
 from ecm_extract.link.handing_on import THIS
 from ecm_extract.link.limits import limit
+from ecm_extract.link.naming_calls import gives_name, is_resolver
 from ecm_extract.link.numbers import NUMBERS, as_number
 from ecm_extract.link.object_states import is_own
 from ecm_extract.link.overloads import score
@@ -60,13 +61,6 @@ _SAME = frozenset(
         "rclcpp::ParameterValue",
     }
 ) | frozenset(NUMBERS)
-_TIDIED = ("names::clean", "names::remap")
-"""Functions that give a name as it is passed, but for slashes and remaps."""
-RESOLVERS = frozenset(
-    {"resolve_topic_or_service_name", "resolve_topic_name", "resolve_service_name", "resolveName", "resolve_name"}
-    | {"expand_topic_or_service_name"}
-)
-"""Functions that apply remaps and namespaces at run time: the name itself is what was passed."""
 _NAMES = frozenset({"ros::this_node::getName", "rospy.get_name"})
 _NAMESPACES = frozenset({"ros::this_node::getNamespace", "rospy.get_namespace"})
 _LAST_SLASH = frozenset({"rfind", "find_last_of"})
@@ -125,7 +119,7 @@ class CallFolder:
         call = invocation_of(expr, env)
         if call.path.endswith("names::resolve") and len(call.args) == 1:
             return self._absolute(call.args[0], env.before(env.at))
-        tidied = call.last in RESOLVERS or call.path.endswith(_TIDIED)
+        tidied = is_resolver(call.last) or gives_name(call.path)
         plainly = call.receiver is None and (call.path in _SAME or call.last in _STREAMS)
         if tidied and call.args:
             return self.folder.fold(call.args[0], env.before(env.at))
@@ -152,7 +146,8 @@ class CallFolder:
         if call.receiver is not None and call.last in _PROPERTY_READS:
             return self._property(call.receiver, env) or (unknown(call.last),)
         if call.receiver is not None and call.last in formats.VALUE_READS:
-            return self._read_from(call.receiver, call.last, env)
+            entry = self._element(call, env) if call.args else None  # `table.get(key)` is no read of a whole value
+            return self._read_from(call.receiver, call.last, env) if entry is None else entry
         known = self._of_library(call, env)
         if known is not None:
             return known

@@ -19,6 +19,7 @@ from ecm_extract.link.values import (
     alternatives,
     constant,
     demoted,
+    given_holes,
     is_setting,
     joined,
     literal,
@@ -43,6 +44,7 @@ class HeldFolder:
         self._asked: set[Held] = set()
         self._work: Mapping[How, Callable[[Held, Env], tuple[Value, ...]]] = {
             "each": self._element,
+            "part": self._part,
             "read": self._read,
             "made": self._made,
             "changed": self._changed,
@@ -98,6 +100,11 @@ class HeldFolder:
 
     def _element(self, held: Held, env: Env) -> tuple[Value, ...]:
         return self.folder.lists.elements(held.expr, env)
+
+    def _part(self, held: Held, env: Env) -> tuple[Value, ...]:
+        """A part of an element of a list of which not all is known: who knows the list knows it."""
+        values = self.folder.lists.open.element(held.expr, env)
+        return values if any(map(given_holes, values)) else (unknown(_label(held.name)),)
 
     def _by_default(self, held: Held, env: Env) -> tuple[Value, ...]:
         """What a member holds that somebody sets through a parameter, as long as nobody does."""
@@ -214,7 +221,7 @@ class HeldFolder:
             return None
         invocation = invocation_of(call, env)
         callee = self.folder.calls.meant(invocation, env)
-        if callee is None:
+        if callee is None or held.name in self.folder.flow.outline(callee).rebound:
             return None
         inner = self.folder.calls.entered(callee, invocation, bind(callee, invocation, env), env)
         run = self.folder.flow.run(inner)
@@ -223,6 +230,8 @@ class HeldFolder:
         return run.end.holds.get(held.name) or (Held("given", held.name),), inner
 
     def _written(self, held: Held, env: Env) -> tuple[Value, ...]:
+        if env.func.file.language == "python":  # where a function cannot give the variables of its caller other texts
+            return self._before(held, env)
         found = self.out(held, env)
         if found is None:
             return (unknown(_label(held.name)),)

@@ -18,12 +18,13 @@ from ecm_parsers.source.expr import (
     Table,
 )
 
-from ecm_extract.infer.compute import NULL, UNKNOWN
+from ecm_extract.infer.compute import NULL, UNKNOWN, method
 from ecm_extract.infer.held import Held, State
 from ecm_extract.link.calls import Invocation
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, invocation_of
 from ecm_extract.link.fold_tables import is_plain_table
-from ecm_extract.link.python_lists import LIST_CALLS, MAX_ITEMS
+from ecm_extract.link.open_lists import OpenLists
+from ecm_extract.link.python_lists import LIST_CALLS, MAX_ITEMS, SPLITS
 from ecm_extract.link.spelling import plain
 from ecm_extract.link.units import Cls
 from ecm_extract.link.values import (
@@ -32,16 +33,11 @@ from ecm_extract.link.values import (
     data_in,
     demoted,
     is_proved,
-    left_open,
-    set_by,
     unknown,
 )
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
-
-
-_WHOLE_PARAMETER = re.compile(r"\$\{([^={}]+)=(?:[^{}]|\{[^{}]*\})*\}")
 
 
 _CONTAINER = re.compile(r"(?:vector|deque|array|list|map|set)$")
@@ -55,6 +51,7 @@ class ListFolder:
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
+        self.open = OpenLists(folder)
         self._searching: set[tuple[Cls | None, str]] = set()
 
     def elements(self, expr: Expr | None, env: Env, index: Expr | None = None) -> tuple[Value, ...]:
@@ -65,7 +62,7 @@ class ListFolder:
         if items is not None:
             return self._folded(items, env) or (unknown("item"),)
         some, _ = self._some(expr, env)
-        rest = self._of_parameter(expr, env)
+        rest = self.open.element(expr, env)
         return alternatives((*self._folded(some, env), *rest)) if some else rest
 
     def _folded(self, items: Iterable[Bound], env: Env) -> tuple[Value, ...]:
@@ -99,25 +96,29 @@ class ListFolder:
             return demoted(self.fold(items[data], env))
         if items is not None and data is UNKNOWN:
             return self._folded(items, env) or (unknown("item"),)
+        if items is None and isinstance(expr, Call) and isinstance(data, int):
+            split = self._part_of_text(invocation_of(expr, env), data, env)
+            if split is not None:
+                return split
         if items is None and isinstance(data, int):
             text = self.folder.combined([self.folder.fold(expr, env)], lambda found: _character(found[0], data), "item")
             if not any(value.confidence == "pattern" for value in text):
                 return text
         some, _ = self._some(expr, env) if items is None else ([], True)
-        rest = self._of_parameter(expr, env)
+        rest = self.open.element(expr, env)
         return alternatives((*self._folded(some, env), *rest)) if some else rest
+
+    def _part_of_text(self, call: Invocation, at: int, env: Env) -> tuple[Value, ...] | None:
+        """`text.split("/")[-1]` of each of the texts that it may be; None for other calls."""
+        if env.func.file.language != "python" or call.last not in SPLITS or call.receiver is None or call.keywords:
+            return None
+        options = [self.folder.fold(part, env) for part in (call.receiver, *call.args)]
+        return self.folder.combined(options, lambda data: _part(method(call.last, data[0], data[1:], True), at), "item")
 
     def _sliced_text(self, expr: Expr | None, index: Op, env: Env) -> tuple[Value, ...]:
         bounds = [self.folder.fold(bound, env) for bound in index.operands]
         options = [self.folder.fold(expr, env), *bounds]
         return self.folder.combined(options, lambda data: _slice(data[0], data[1:], str), "item")
-
-    def _of_parameter(self, expr: Expr | None, env: Env) -> tuple[Value, ...]:
-        """An element of a list that a ROS parameter holds, which a launch may set, or one that callers give."""
-        values = self.folder.fold(expr, env) if isinstance(expr, Name | Member) else ()
-        item = left_open(values, "item")
-        matches = [match for value in values if (match := _WHOLE_PARAMETER.fullmatch(value.template or ""))]
-        return tuple([value for match in matches for value in set_by(match[1], (item,))]) or (item,)
 
     # --- lists -------------------------------------------------------------------------------------------------
 
@@ -171,6 +172,10 @@ class ListFolder:
 
     def _of_subscript(self, expr: Op, env: Env) -> list[Bound] | None:
         base, index = expr.operands
+        entries = self.folder.tables.entries(base, env)
+        if entries is not None:
+            chosen = self.folder.tables.chosen(entries, index, env)
+            return self.items(chosen.expr, chosen.env.deeper(env.depth + 1)) if chosen is not None else None
         items = self.items(base, env)
         if items is None:
             return None
@@ -189,8 +194,8 @@ class ListFolder:
         ways = self.folder.flow.ways(expr, env)
         if ways:
             return self.folder.held.items_of(ways, env)
-        if isinstance(expr, Name) and expr.id in env.args:
-            given = env.args[expr.id]
+        given = self.folder.names.argument(expr.id, env) if isinstance(expr, Name) else None
+        if given is not None:
             return self.items(given.expr, given.env.deeper(env.depth + 1))
         if isinstance(expr, Name) and any(entry.name.lstrip("*") == expr.id for entry in env.func.fact.params):
             return None
@@ -322,10 +327,12 @@ class ListFolder:
             return [Bound(args[0], env)]
         if len(args) == 1 and (isinstance(args[0], Items) or self.items(args[0], env) is not None):
             return self.items(args[0], env)
+        texts = "string" in "".join(call.types) or "string" in call.statement.type
+        if len(args) == 2 and texts and any(map(_steps_on, args)):
+            return None
         if len(args) == 2:
             count = [value.data for value in self.folder.fold(args[0], env)]
             if len(count) == 1 and isinstance(count[0], int) and not isinstance(count[0], bool):
-                texts = "string" in "".join(call.types) or "string" in call.statement.type
                 return [Bound(args[1], env)] * count[0] if texts and 0 <= count[0] <= MAX_ITEMS else None
         iterates = any(
             isinstance(arg, Call) and isinstance(arg.callee, Member) and arg.callee.name in _ENDS for arg in args
@@ -427,6 +434,11 @@ class ListFolder:
         return [Bound(expr, env)]
 
 
+def _steps_on(expr: Expr) -> bool:
+    """Whether an expression is a place in an array, and no text: `argv + 1`."""
+    return isinstance(expr, Op) and expr.op in {"+", "-"} and any(isinstance(part, Number) for part in expr.operands)
+
+
 def _slice(found: Any, bounds: Sequence[Any], kind: type) -> Any:
     if not isinstance(found, kind) or any(bound is UNKNOWN for bound in bounds):
         return UNKNOWN
@@ -438,3 +450,8 @@ def _slice(found: Any, bounds: Sequence[Any], kind: type) -> Any:
 
 def _character(text: Any, at: Any) -> Any:
     return text[at] if isinstance(text, str) and -len(text) <= at < len(text) else UNKNOWN
+
+
+def _part(parts: object, at: int) -> object:
+    listed = isinstance(parts, list | tuple) and -len(parts) <= at < len(parts)
+    return parts[at] if isinstance(parts, list | tuple) and listed else UNKNOWN

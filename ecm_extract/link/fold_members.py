@@ -24,6 +24,7 @@ from ecm_extract.link.values import (
     alternatives,
     circular,
     demoted,
+    given_holes,
     is_circle,
     lowered,
     set_by,
@@ -62,7 +63,14 @@ class MemberFolder:
             return self.folder.fold(expr.base, env.before(env.at))
         dotted = dotted_name(expr)
         found = self.folder.names.imported(dotted, env) if dotted and env.func.file.language == "python" else ()
-        return found or part or self._field(expr, env) or self._option(expr, env) or (unknown(expr.name),)
+        known = found or part or self._field(expr, env) or self._option(expr, env)
+        return known or self._of_given(expr, env) or (unknown(expr.name),)
+
+    def _of_given(self, expr: Member, env: Env) -> tuple[Value, ...]:
+        """A part of what callers pass, of which Python need not say the type."""
+        if env.func.file.language != "python" or not isinstance(expr.base, Name):
+            return ()
+        return next(filter(None, (_taken_of(value, expr.name) for value in self.folder.fold(expr.base, env))), ())
 
     def _option(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """`args.name` of argparse: the option's default."""
@@ -84,7 +92,9 @@ class MemberFolder:
         values = self.member_value(expr.name, cls, Env(env.func, env.at, depth=env.depth + 1, this=cls))
         asked = _is_plain(cls) or any(value.confidence == "pattern" for value in values)
         given = self.folder.structures.given(expr.base, env) if asked else None
-        return (given,) if given is not None and values else values
+        if given is None or not values:
+            return _taken_of(given, expr.name) if given is not None else values
+        return (given,)
 
     def _library_parameter(self, expr: Member, env: Env) -> tuple[Value, ...] | None:
         """`params_.a.b` of generate_parameter_library: the default of parameter `a.b`."""
@@ -215,6 +225,12 @@ def _is_plain(cls: Cls) -> bool:
     return cls.file.language == "cpp" and not any(method.is_constructor for method in cls.methods)
 
 
+def _taken_of(value: Value, name: str) -> tuple[Value, ...]:
+    """A field of what callers, or the makers of the object, know; nothing of other values."""
+    holes = tuple([hole.of(name) for hole in given_holes(value)])
+    return (Value(holes, "pattern"),) if holes else ()
+
+
 def _makes(held: Held) -> bool:
     """Tell whether a value does not depend on what was there before."""
-    return held.how in {"value", "each"}
+    return held.how in {"value", "each", "part"}

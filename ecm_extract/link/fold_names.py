@@ -90,13 +90,18 @@ class NameFolder:
             return ()
         return self.folder.members.member_value(name, cls, env)
 
-    def _parameter(self, name: str, env: Env) -> tuple[Value, ...]:
+    def argument(self, name: str, env: Env) -> Bound | None:
+        """Return what is passed for a parameter of the function at hand, where its caller or maker is known."""
         bound = env.args.get(name)
+        if bound is not None or not env.func.is_constructor or env.made is None or env.func.cls is None:
+            return bound
+        instance = self.folder.objects.part(env.made, env.func.cls)
+        return instance.args.get(name) if instance is not None else None
+
+    def _parameter(self, name: str, env: Env) -> tuple[Value, ...]:
+        bound = self.argument(name, env)
         if bound is not None:
             return demoted(self.folder.fold(bound.expr, bound.env.before(bound.env.at)))
-        made = self._constructor_argument(name, env)
-        if made:
-            return made
         default = next((entry.default for entry in env.func.fact.params if entry.name == name), None)
         if default is not None and env.args:
             return lowered(self.folder.fold(default, env.before(0)), "default")
@@ -107,14 +112,6 @@ class NameFolder:
         value = self.folder.fold(default, Env(env.func, 0, depth=env.depth + 1))[0] if default is not None else None
         known = value is not None and value.confidence != "pattern" and value.text != "null"
         return value.text if value is not None and known else None
-
-    def _constructor_argument(self, name: str, env: Env) -> tuple[Value, ...]:
-        func = env.func
-        if not func.is_constructor or env.made is None or func.cls is None:
-            return ()
-        instance = self.folder.objects.part(env.made, func.cls)
-        bound = instance.args.get(name) if instance is not None else None
-        return demoted(self.folder.fold(bound.expr, bound.env.before(bound.env.at))) if bound is not None else ()
 
     def _outside(self, name: str, env: Env) -> tuple[Value, ...]:
         if env.func.file.language == "python":
@@ -130,14 +127,15 @@ class NameFolder:
         constant, file = found
         if constant.value is None:
             return (Value((f"{constant.scope}::{constant.name}",), "literal", None, Enumerator(constant)),)
-        values = demoted(self.folder.fold(constant.value, Env(self._file_env(file, env).func, depth=env.depth + 1)))
+        values = demoted(self.folder.fold(constant.value, Env(self.at_file(file, env).func, depth=env.depth + 1)))
         return alternatives((*values, unknown(name))) if self.may_change(name, constant, env) else values
 
     def may_change(self, name: str, constant: Constant, env: Env) -> bool:
         """Tell whether a variable of a namespace may hold something else than what it is declared with."""
         return not _is_fixed(constant) and self.folder.objects.file_scope.is_changed(name, env)
 
-    def _file_env(self, file: File, env: Env) -> Env:
+    def at_file(self, file: File, env: Env) -> Env:
+        """Return a place at which the names of a file are known; the one at hand where the file has none."""
         func = next((f for f in self.folder.program.functions_in(file) if f.fact.name == "<module>"), None)
         return Env(func) if func is not None else env
 
@@ -181,7 +179,7 @@ class NameFolder:
             return _of_outside(self.folder.program.canonical(dotted, env.func.file)) if found is None else ()
         if not found.constant.scope:
             return self._of_module(found.constant.name, found.file, env)
-        inner = Env(self._file_env(found.file, env).func, depth=env.depth + 1)
+        inner = Env(self.at_file(found.file, env).func, depth=env.depth + 1)
         return demoted(self.folder.fold(found.constant.value, inner))
 
 

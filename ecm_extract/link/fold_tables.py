@@ -45,6 +45,14 @@ class TableFolder:
         default = self.folder.fold(rest[0], env) if rest else (constant(NULL),)
         return alternatives(demoted(found if surely else (*found, *default)))
 
+    def chosen(self, entries: list[Entry], key: Expr, env: Env) -> Bound | None:
+        """Return what a table surely has for a key; None where that is not decided."""
+        for entry in reversed(entries):
+            alike = self.folder.flow.alike(key, Name("#key"), self.folder.flow.naming(env, {"#key": entry.key}))
+            if alike is not False:
+                return entry.value if alike else None
+        return None
+
     def _having(self, entries: list[Entry], key: Expr, env: Env) -> tuple[list[Value], bool]:
         """The values of the entries that may have a key, the last first, and whether one of them surely has it."""
         found: list[Value] = []
@@ -78,8 +86,8 @@ class TableFolder:
         if ways:
             states = list(dict.fromkeys(ways))
             return self.held_entries(states[0][0], env) if len(states) == 1 and len(states[0]) == 1 else None
-        if isinstance(expr, Name) and expr.id in env.args:
-            given = env.args[expr.id]
+        given = self.folder.names.argument(expr.id, env) if isinstance(expr, Name) else None
+        if given is not None:
             return self.entries(given.expr, given.env.deeper(env.depth + 1))
         found = self.folder.lists.sources(expr, env)
         if found:

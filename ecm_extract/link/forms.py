@@ -1,7 +1,8 @@
 """The table of forms: which call declares what, and where its type, name, QoS and default stand.
 
 Rows live in `forms/<framework>.toml`; users add rows in `ecm.toml`. A position is `arg:N` (from 0), `kw:NAME`,
-`template:N`, `callback:N` (the message type of the callback in argument N) or several joined by `|`.
+`template:N`, `callback:N` (the message type of the callback in argument N), `field:N.a.b` (a field of argument N) or
+several joined by `|`.
 """
 
 from __future__ import annotations
@@ -15,9 +16,11 @@ from importlib import resources
 from typing import Literal
 
 import msgspec
-from ecm_checker.contract import Role
+from ecm_checker.hub.roles import Role, RoleKind, roles
 
-_POSITION = re.compile(r"(?:arg|text|template|callback|service_callback|receiver|variable):\d+|kw:\w+")
+_POSITION = re.compile(
+    r"(?:arg|text|template|callback|service_callback|receiver|variable):\d+|kw:\w+|field:\d+(?:\.\w+)+"
+)
 
 Match = Literal["method", "function", "construct"]
 
@@ -90,8 +93,14 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         )
         for column in columns:
             if column and not _is_position(column):
-                message = f"'{column}' is no position: write arg:N, kw:NAME, text:N, template:N or callback:N"
+                known = "arg:N, kw:NAME, text:N, template:N, callback:N or field:N.a.b"
+                message = f"'{column}' is no position: write {known}"
                 raise ValueError(message)
+
+    @property
+    def row(self) -> RoleKind:
+        """What its role is to others."""
+        return roles()[self.role]
 
     @property
     def last(self) -> str:

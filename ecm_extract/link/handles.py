@@ -12,8 +12,10 @@ from ecm_extract.link.carriers import carriers
 from ecm_extract.link.env import Bound, Env, bind, invocation_of
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.given_handles import given_namespace
+from ecm_extract.link.host_arguments import HostArguments
 from ecm_extract.link.spelling import by_value, last_name, plain, pointee
 from ecm_extract.link.texts import is_text
+from ecm_extract.link.units import Func
 from ecm_extract.link.values import Value, is_known, joined, literal, unknown
 
 MAX_DEPTH = 12
@@ -46,10 +48,17 @@ OWN = Handle(literal(""))
 
 
 class Handles:
-    """Evaluates receivers of endpoint calls. A handle that nothing in the tree makes is None within, and is told."""
+    """Evaluates receivers of endpoint calls. A handle that nothing in the tree makes is None within, and is told.
 
-    def __init__(self, folder: Folder) -> None:
+    Args:
+        folder: gives values and types.
+        hosts: tells what hosts in the tree give to plugins.
+    """
+
+    def __init__(self, folder: Folder, hosts: HostArguments) -> None:
         self.folder = folder
+        self.hosts = hosts
+        self._handing: set[tuple[Func, str]] = set()
 
     def of(self, expr: Expr | None, env: Env) -> Handle:
         """Return the handle that an expression is.
@@ -128,12 +137,24 @@ class Handles:
                 if parameter.name == expr.id and parameter.default is not None:
                     return self._known(parameter.default, Env(env.func, 0), 1)
                 if parameter.name == expr.id and self._is_handle(parameter.type, env):
-                    below = given_namespace(env.func, expr.id, self.folder.program)
-                    return Handle(below) if below is not None else None
+                    return self._handed(expr.id, env.func)
         written = self.folder.objects.type_of(expr, env)
         if not written or plain(written) == "auto":
             return None if not self._is_text(expr, env) else OWN
         return OWN if by_value(written) or not self._is_handle(written, env) else None
+
+    def _handed(self, parameter: str, func: Func) -> Handle | None:
+        """What a library, or the hosts in the tree, give a method that they call without knowing its class."""
+        below = given_namespace(func, parameter, self.folder.program)
+        if below is not None:
+            return Handle(below)
+        if (func, parameter) in self._handing:
+            return None
+        self._handing.add((func, parameter))
+        try:
+            return _agreed([self._known(bound.expr, bound.env, 0) for bound in self.hosts.of(func, parameter)])
+        finally:
+            self._handing.discard((func, parameter))
 
     def _is_handle(self, written: str, env: Env) -> bool:
         bare = plain(pointee(written))

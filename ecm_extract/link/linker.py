@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TypeVar
 
-from ecm_checker.contract import Evidence, Interface, Qos, Role
+from ecm_checker.contract import Evidence, Interface, Qos
 from ecm_parsers.source.expr import Expr, Items, Name, Text
 
 from ecm_extract.link.activation import Activation
@@ -16,12 +16,14 @@ from ecm_extract.link.claims import Claim, claims_of
 from ecm_extract.link.data import UNKNOWN, stated_type
 from ecm_extract.link.diagnoses import SUMMARIES, Diagnosis, diagnoses
 from ecm_extract.link.endpoint_conditions import EndpointConditions
-from ecm_extract.link.endpoint_types import EndpointTypes
+from ecm_extract.link.endpoint_types import EndpointTypes, role_of
 from ecm_extract.link.fallbacks import fallback
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.forms import FormTable
+from ecm_extract.link.frames import frame_of
 from ecm_extract.link.generated import GeneratedParameters
 from ecm_extract.link.handles import Handle, Handles
+from ecm_extract.link.host_arguments import HostArguments
 from ecm_extract.link.implied_names import fixed_name, place_at
 from ecm_extract.link.made import units_of
 from ecm_extract.link.match import Matcher, handle_argument, is_callback, name_argument, positions
@@ -98,11 +100,11 @@ class Linker:
         self.folder = Folder(self.program, Scope(self.program), self.parameters)
         self.types = Types(self.folder)
         self.qos = QosReader(self.folder)
-        self.handles = Handles(self.folder)
         matcher = Matcher(forms, self.folder)
         self.registry = registry = build_registry(self.program, packages)
         also, plugins = (*observation_forms(), *SUMMARIES), plugins_of(self.program, registry)
         self.sites = Sites(self.program, matcher, self.types, self.parameters, also, plugins)
+        self.handles = Handles(self.folder, HostArguments(self.sites))
         self.typing = EndpointTypes(self.folder, self.types)
         self.names = NodeNames(self.folder, self.sites)
         self.generated = GeneratedParameters(self.program, packages)
@@ -234,14 +236,14 @@ class Linker:
 
     def _interfaces(self, site: Site, node: str | None, origin: str | None) -> Iterator[tuple[Interface, str]]:
         ros = site.root.file.ros
-        handle = self._handle(site)
+        handle = self.handles.of(handle_argument(site.form, site.call), site.env)
         evidence = tuple(Evidence(path, line) for path, line in dict.fromkeys(site.lines()))
         when = self.conditions.of(site)
         for named, default in self._named(site):
             value = of_node(named, node, ros)
             local = local_name(settled(named), handle)
             name, confidence = self._name(site, value, handle, node, ros), value.confidence
-            if is_never_made(value, name) and site.form.role != "parameter":
+            if is_never_made(value, name) and not site.form.row.value:
                 continue
             kind, data = self.typing.of(site, default)
             if is_below_node(value):
@@ -250,15 +252,15 @@ class Linker:
                 confidence = weaker(confidence, "one_of")
             if is_below_handle(value) and not is_proved(handle.prefix):
                 confidence = weaker(confidence, handle.prefix.confidence)
-            if (value.text == "" and site.form.role != "parameter") or "{" in name.resolved:
+            if (value.text == "" and not site.form.row.value) or "{" in name.resolved:
                 confidence = "pattern"  # a name that has no text, or a handle of which not all is known
             interface = Interface(
-                role=_role(site.form.role, kind),
+                role=role_of(site.form.role, kind),
                 name=name.resolved,
                 raw_name=name.raw,
                 type=kind,
                 qos=self._qos(site, ros),
-                frame=self._frame(site),
+                frame=frame_of(site, self.folder),
                 confidence=confidence,
                 evidence=evidence,
                 default=None if data is UNKNOWN else data,
@@ -270,11 +272,8 @@ class Linker:
     def _name(self, site: Site, value: Value, handle: Handle, node: str | None, ros: int | None) -> RosName:
         if _is_absolute(site):
             return RosName(value.text, value.text)
-        make = parameter_name if site.form.role == "parameter" else endpoint_name
+        make = parameter_name if site.form.row.value else endpoint_name
         return make(value, handle, node, ros)
-
-    def _handle(self, site: Site) -> Handle:
-        return self.handles.of(handle_argument(site.form, site.call), site.env)
 
     def _named(self, site: Site) -> list[tuple[Value, Expr | None]]:
         """Return the names of a site with the expression of each default."""
@@ -311,19 +310,13 @@ class Linker:
 
     def _qos(self, site: Site, ros: int | None) -> Qos | None:
         form = site.form
-        if form.role not in {"publisher", "subscriber"} and (ros == 1 or not form.profile):
+        if not form.row.streams and (ros == 1 or not form.profile):
             return None
         given = next((expr for expr in positions(form.qos, site.call) if not is_callback(expr)), None)
         if ros == 1:
             flags = [flag for flag in positions(form.latch, site.call) if not is_callback(flag)]
             return self.qos.depth(given, flags[0] if flags else None, site.env)
         return self.qos.read(given or (Name(form.profile) if form.profile else None), site.env)
-
-    def _frame(self, site: Site) -> str | None:
-        if not site.form.frame:
-            return None
-        frames = [self.folder.fold(expr, site.env)[0].text for expr in positions(site.form.frame, site.call)]
-        return " <- ".join(frames) if frames else None
 
 
 def _is_absolute(site: Site) -> bool:
@@ -334,11 +327,6 @@ def _is_absolute(site: Site) -> bool:
 def _key(interface: Interface) -> tuple[str, str, str | None]:
     """What an endpoint is found by in `LinkedModule.local`."""
     return interface.role, interface.name, interface.type
-
-
-def _role(role: Role, kind: str | None) -> Role:
-    """A client that a template makes for an action type is an action client, whatever the helper is called."""
-    return "action_client" if role == "service_client" and kind is not None and "/action/" in kind else role
 
 
 def _ordered(modules: Iterable[Module]) -> list[Module]:

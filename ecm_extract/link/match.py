@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import reduce
 
 from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Member, Name, Number, Op, Text
 
@@ -10,8 +11,8 @@ from ecm_extract.link.calls import Invocation, invocations
 from ecm_extract.link.client_libraries import is_client_library
 from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
-from ecm_extract.link.fold_calls import RESOLVERS
 from ecm_extract.link.forms import Form, FormTable
+from ecm_extract.link.naming_calls import is_resolver
 from ecm_extract.link.spelling import last_name, plain, pointee
 from ecm_extract.link.texts import text_arguments
 from ecm_extract.link.undeclared import Undeclared
@@ -130,6 +131,9 @@ def positions(text: str, call: Invocation) -> Iterator[Expr]:
             yield keywords[index]
         elif kind == "arg" and int(index) < len(call.args):
             yield call.args[int(index)]
+        elif kind == "field":
+            base, *names = index.split(".")
+            yield from (reduce(Member, names, arg) for arg in call.args[int(base) : int(base) + 1])
         elif kind == "text":
             texts = text_arguments(call)
             if int(index) < len(texts):
@@ -149,7 +153,7 @@ def name_argument(form: Form, call: Invocation) -> Expr | None:
 
 def _resolves(expr: Expr | None) -> bool:
     """Tell whether an argument is a name that a handle resolves: `nh.resolveName("image")`."""
-    return isinstance(expr, Call) and isinstance(expr.callee, Member) and expr.callee.name in RESOLVERS
+    return isinstance(expr, Call) and isinstance(expr.callee, Member) and is_resolver(expr.callee.name)
 
 
 def is_callback(expr: Expr) -> bool:

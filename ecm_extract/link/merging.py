@@ -22,7 +22,7 @@ def merged(interfaces: Iterable[Interface]) -> tuple[Interface, ...]:
     frames, types = _first_frames(entries), _first_types(entries)
     by_key: dict[_Key, Interface] = {}
     for entry in (_undecided(each, unsure) for each in entries):
-        kind = entry.type or types.get(entry.name) if entry.role == "parameter" else entry.type
+        kind = entry.type or types.get(entry.name) if entry.row.value else entry.type
         key = _Key(entry.role, entry.name, kind, entry.frame or frames.get((entry.role, entry.name)))
         known = by_key.get(key)
         if known is None:
@@ -60,7 +60,7 @@ def _first_types(entries: Iterable[Interface]) -> dict[str, str]:
     """The types of parameters that are told first of each name: who only reads one may not show it."""
     found: dict[str, str] = {}
     for entry in entries:
-        if entry.role == "parameter" and entry.type is not None and "{" not in entry.name:
+        if entry.row.value and entry.type is not None and "{" not in entry.name:
             found.setdefault(entry.name, entry.type)
     return found
 
@@ -69,13 +69,13 @@ def _of_several_defaults(entries: Iterable[Interface]) -> frozenset[str]:
     """Names of the parameters for which lines give different defaults."""
     defaults: dict[str, list[Any]] = defaultdict(list)
     for entry in entries:
-        if entry.role == "parameter" and entry.default is not None and entry.default not in defaults[entry.name]:
+        if entry.row.value and entry.default is not None and entry.default not in defaults[entry.name]:
             defaults[entry.name].append(entry.default)
     return frozenset(name for name, found in defaults.items() if len(found) > 1)
 
 
 def _undecided(entry: Interface, unsure: Collection[str]) -> Interface:
-    if entry.role != "parameter" or entry.name not in unsure:
+    if not entry.row.value or entry.name not in unsure:
         return entry
     return msgspec.structs.replace(entry, default=None)
 

@@ -109,11 +109,11 @@ class Modules:
         """A class of the tree that others derive from and that nobody makes is a base, not a module."""
         if any("pure" in method.fact.traits for method in cls.methods):
             return False
-        if not self.references.sites.program.derived(cls):
+        sites = self.references.sites
+        if not sites.program.derived(cls):
             return not cls.fact.template
-        return any(
-            self.references.sites.makes(call, cls) for call in self.references.sites.calls.get(cls.fact.name, ())
-        )
+        calls = (call for call in sites.calls.get(cls.fact.name, ()) if not sites.is_base_of(call, cls))
+        return any(sites.makes(call, cls) for call in calls)
 
     def owners(self, unit: Unit) -> tuple[Module, ...]:
         """Return the modules that have the endpoints of a unit: itself, those that use it, or the library."""

@@ -149,7 +149,7 @@ class Objects:
         if depth > 8:
             return None
         for written in made.cls.fact.bases:
-            parent = self.program.class_named(plain(written), made.cls.file, made.cls.qualified)
+            parent = self.program.class_named(plain(written), made.cls.file, made.cls.fact.scope)
             if parent is None or base not in self.program.ancestry(parent):
                 continue
             return self.part(self.base_instance(made, parent, written), base, depth + 1)
@@ -177,6 +177,8 @@ class Objects:
         """Return how a derived class makes its direct base."""
         types = dict(zip(parent.fact.template, template_arguments(written), strict=False))
         types = {key: made.types.get(value) or self._meant(value, made.cls) for key, value in types.items()}
+        if made.maker is not None and made.maker.cls is not made.cls:
+            return Instance(parent, made.args, types, made.maker)  # a constructor that is inherited
         for func in made.cls.methods:
             if not func.is_constructor:
                 continue
@@ -217,8 +219,9 @@ class Objects:
         return None
 
     def constructor(self, cls: Cls, count: int) -> Func | None:
-        """Return the constructor that takes `count` arguments best."""
-        makers = [func for func in cls.methods if func.is_constructor and "deleted" not in func.fact.traits]
+        """Return the constructor that takes `count` arguments best; a class without any has that of its base."""
+        lineage = ([each for each in owner.methods if each.is_constructor] for owner in self.program.ancestry(cls))
+        makers = [func for func in next(filter(None, lineage), ()) if "deleted" not in func.fact.traits]
         fitting = [func for func in makers if len(func.params) >= count]
         defined = sorted(fitting or makers, key=lambda f: ("declaration" in f.fact.traits, abs(len(f.params) - count)))
         return min(defined, key=lambda f: abs(len(f.params) - count), default=None)

@@ -36,11 +36,7 @@ class Openness:
         for value in names:
             params |= value.open("param")
             made |= value.open("made")
-        found = (
-            self.types.at(site.form.type, site.call, site.env, site.form.role)
-            if site.form.role != "parameter"
-            else None
-        )
+        found = self.types.at(site.form.type, site.call, site.env, site.form.role) if not site.form.row.value else None
         if found is not None and found.open:
             params |= found.open
             made |= found.open

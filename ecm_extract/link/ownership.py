@@ -10,6 +10,7 @@ from ecm_extract.link.references import Unit
 from ecm_extract.link.site import Site
 from ecm_extract.link.sites import Sites, overrides
 from ecm_extract.link.units import Cls, Func
+from ecm_extract.link.values import Hole, Value
 
 
 class Ownership:
@@ -57,7 +58,12 @@ class Ownership:
         if site.root.is_constructor or overrides(site.root) or site.form.fixed or site.form.items:
             return False
         values = self.sites.names(site)
-        given = {parameter.name for parameter in site.root.fact.params}
-        return any(
-            value.open("param") & given and all(not isinstance(part, str) for part in value.parts) for value in values
-        )
+        return any(_is_passed(value, site.root) for value in values)
+
+
+def _is_passed(value: Value, func: Func) -> bool:
+    """Tell whether a name is a parameter of a function, and no part of one."""
+    given = {parameter.name for parameter in func.fact.params}
+    holes = [part for part in value.parts if isinstance(part, Hole)]
+    whole = any(hole.kind == "param" and hole.label in given and not hole.part for hole in holes)
+    return whole and len(holes) == len(value.parts)

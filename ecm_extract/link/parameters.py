@@ -26,7 +26,7 @@ class Parameters:
 
     def __init__(self, forms: FormTable) -> None:
         self.forms = forms
-        self._names = {name for name, rows in forms.items() if any(row.role == "parameter" for row in rows)}
+        self._names = {name for name, rows in forms.items() if any(form.row.value for form in rows)}
         self._written: dict[Func, dict[str, list[tuple[int, Expr, Expr | None]]]] = {}
         self._by_class: dict[Cls, dict[str, list[tuple[Func, int, Expr, Expr | None]]]] = {}
         self._defaults: dict[tuple[Home, str], tuple[Expr, Env] | str] = {}
@@ -47,7 +47,7 @@ class Parameters:
 
     def _form(self, call: Invocation) -> Form | None:
         for form in self.forms.get(call.last, ()):
-            declares = form.role == "parameter" and form.language == call.func.file.language and not form.items
+            declares = form.row.value and form.language == call.func.file.language and not form.items
             if declares and (form.match == "method" or call.path.endswith(form.callee)):
                 return form
         return None

@@ -17,6 +17,8 @@ from ecm_extract.link.values import data_in, is_proved
 if TYPE_CHECKING:
     from ecm_extract.link.fold_lists import ListFolder
 
+SPLITS = frozenset({"split", "rsplit", "partition", "rpartition"})
+"""Methods of texts that give a list of its parts."""
 MAX_ITEMS = 256
 """Elements of a list that are looked at one by one."""
 _Giver: TypeAlias = "Callable[[ListFolder, Invocation, Env], list[Bound] | None]"
@@ -113,10 +115,7 @@ LIST_CALLS: Final[Mapping[str, _Giver]] = MappingProxyType(
         "keys": _table_part("keys"),
         "values": _table_part("values"),
         "items": _table_part("items"),
-        "split": _split,
-        "rsplit": _split,
-        "partition": _split,
-        "rpartition": _split,
+        **dict.fromkeys(SPLITS, _split),
     }
 )
 """Calls of Python that give lists, as functions or as methods."""

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Final, NamedTuple
 
 from ecm_parsers.source import expr as expressions
-from ecm_parsers.source.expr import Call, Expr, Member, Name, Text
+from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Text
 from ecm_parsers.source.facts import Constant, Statement
 
 from ecm_extract.infer.held import Held
@@ -224,6 +224,7 @@ def _touched(method: Func) -> set[str]:
     own = {parameter.name for parameter in method.fact.params}
     own |= {s.target.id for s in method.fact.body if s.kind == "let" and isinstance(s.target, Name)}
     targets: list[Expr | None] = [s.target for s in method.fact.body if s.kind != "let"]
+    targets += [part for target in targets if isinstance(target, Items) for part in target.items]
     for call in (call for calls in method.calls for call in calls):
         targets += [call.callee.base if isinstance(call.callee, Member) else None, *call.args]
     return {name for target in targets if (name := _reached(target, own))}

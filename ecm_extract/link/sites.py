@@ -6,7 +6,7 @@ for a class that passes a constructor argument or template argument on: each pla
 
 from __future__ import annotations
 
-from collections import deque
+from collections import defaultdict, deque
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 
@@ -16,6 +16,7 @@ from ecm_extract.link.call_index import call_index
 from ecm_extract.link.call_targets import CallTargets
 from ecm_extract.link.calls import Invocation
 from ecm_extract.link.closures import captured
+from ecm_extract.link.emplaced import EMPLACING, emplaced
 from ecm_extract.link.env import Env, Instance, bind
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.match import Matcher, name_argument, positions
@@ -67,8 +68,10 @@ class Sites:
         self._names: dict[Site, tuple[Value, ...]] = {}
         self.openness = Openness(self.folder, types, program.derived)
         self._aliases = program.aliases.meaning(program.classes, matcher.forms)
-        wanted = {*matcher.forms, *program.functions, *program.classes, *_ALSO, *also}
+        wanted = {*matcher.forms, *program.functions, *program.classes, *_ALSO, *EMPLACING, *also}
         self.calls = call_index(program, wanted, self._aliases)
+        for name, call in list(emplaced(self.calls, self.folder.objects)):
+            self.calls[name].append(call)
         self._calls_of = CallTargets(self.folder, self.calls, self._place)
         self.folder.states.callers.find = self._calling
         matcher.undeclared.makers = self._making
@@ -88,7 +91,7 @@ class Sites:
         env = self.root_env(func, call.at)
         call = spread(call)
         for form in self.matcher.fitting(call, env):
-            if (form.role == "parameter") is parameters:
+            if form.row.value is parameters:
                 yield Site(form, prefixed(call, form), env, (), func.holder, func)
 
     def root_env(self, func: Func, at: int) -> Env:
@@ -117,7 +120,15 @@ class Sites:
                 pending.extend(wider)
             else:
                 closed.extend(self._in_each_state(current))
-        return closed
+        return self._alike_in_all_states(closed)
+
+    def _alike_in_all_states(self, sites: Sequence[Site]) -> list[Site]:
+        """What has one name in all states in which the same calls lead to it has that name, whichever state it is."""
+        names: dict[tuple[Invocation, ...], set[tuple[Value, ...]]] = defaultdict(set)
+        for site in sites if not all(site.certain for site in sites) else ():
+            names[site.chain].add(self.names(site))
+        single = {chain for chain, found in names.items() if len(found) == 1 and all(len(each) == 1 for each in found)}
+        return [replace(site, certain=site.certain or site.chain in single) for site in sites]
 
     def _in_each_state(self, site: Site) -> Iterator[Site]:
         """A site once for each state in which its call is reached; none where its arguments keep it from that."""
@@ -135,9 +146,9 @@ class Sites:
 
     def _wider(self, site: Site) -> Iterator[Site]:
         params, made = self.openness.of(site, self.names(site))
-        given = {parameter.name for parameter in site.root.fact.params}
+        given = {parameter.name.lstrip("*") for parameter in site.root.fact.params}
         if params & (given | set(site.root.fact.template)):
-            if site.form.role == "parameter" and site.root not in self._remembered:
+            if site.form.row.value and site.root not in self._remembered:
                 self._remembered.add(site.root)
                 self._remember_wrapper(site)
             callers = list(self._callers(site))
@@ -279,26 +290,37 @@ class Sites:
             *places, env = self._inside(site, root)
             yield replace(site, env=env, owner=derived, places=tuple(places))
         for call in self.calls.get(cls.fact.name, ()):
-            if call.func.cls is cls or (own and self._is_base_of(call, cls)):
+            if call.func.cls is cls or (own and self.is_base_of(call, cls)):
                 continue
             if self.makes(call, cls) and call not in site.chain:
                 for outer, certain in self._places(self.root_env(call.func, call.at)):
                     yield self._made_at(replace(site, certain=site.certain and certain), cls, call, at, outer)
 
-    def _is_base_of(self, call: Invocation, cls: Cls) -> bool:
+    def is_base_of(self, call: Invocation, cls: Cls) -> bool:
         """Tell whether a call makes the base of a derived object, which is no object of its own."""
         maker = call.func.cls
         return call.statement.kind == "init" and maker is not None and cls in self.program.ancestry(maker)
 
     def _made_at(self, site: Site, cls: Cls, call: Invocation, at: int, outer: Env) -> Site:
+        return self._widened(site, call, outer, self._in_made(Env(site.root, at), cls, call, outer))
+
+    def _in_made(self, place: Env, cls: Cls, call: Invocation, outer: Env) -> Env:
+        """A statement of a method, of an object that a call makes."""
+        func = place.func
         constructor = self.folder.objects.constructor(cls, len(call.args))
         args = bind(constructor, call, outer) if constructor is not None else {}
         types = self._class_types(cls, call, outer)
         made = Instance(cls, args, types, constructor)
-        made = made if site.root is constructor else self.folder.objects.delegated(made)
-        own = made.args if site.root.is_constructor and site.root.cls is cls else {}
-        root = Env(site.root, at, own, types, cls, made)
-        return self._widened(site, call, outer, root)
+        made = made if func is constructor else self.folder.objects.delegated(made)
+        own = made.args if func.is_constructor and func.cls is cls else {}
+        return Env(func, place.at, own, types, cls, made)
+
+    def makings(self, func: Func, at: int) -> Iterator[Env]:
+        """Yield a place once for each call in the tree that makes the object at hand; nothing for functions."""
+        cls = func.holder
+        for call in self.calls.get(cls.fact.name, ()) if cls is not None else ():
+            if cls is not None and call.func.cls is not cls and self.makes(call, cls):
+                yield self._in_made(Env(func, at), cls, call, self.root_env(call.func, call.at))
 
     def _making(self, cls: Cls) -> Iterator[Func]:
         return (call.func for call in self.calls.get(cls.fact.name, ()) if self.makes(call, cls))

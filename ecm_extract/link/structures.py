@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
+import msgspec
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op
 from ecm_parsers.source.facts import Statement
 
-from ecm_extract.link.calls import Step, construction
+from ecm_extract.infer.held import Held
+from ecm_extract.link.calls import Invocation, Step, construction, dotted_name
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, Instance, bind
 from ecm_extract.link.overloads import NO, score
 from ecm_extract.link.units import Cls, Func
@@ -30,20 +33,31 @@ class StructureFolder:
 
     def field(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """Return the values of a field; empty when it is not known what the object is made from."""
-        parts = self._parts(expr.base, env)
-        cls = self.folder.objects.class_of(expr.base, env) if parts is not None else None
-        if parts and cls is not None and _makers(cls):
-            return self._constructed(expr.name, cls, parts)
+        made = self._constructed(expr, env)
+        if made:
+            return made
         bound = self._part(expr, env)
         if bound is None:
             return ()
         return demoted(self.folder.fold(bound.expr, bound.env.deeper(env.depth + 1)))
 
-    def _constructed(self, name: str, cls: Cls, parts: Sequence[Bound]) -> tuple[Value, ...]:
-        """What the constructor that takes the parts best gives a member of the object."""
-        env = parts[0].env
-        step = Step(env.func, env.at, Statement("do", cls.fact.line, None))
-        call = construction(step, cls.fact.name, tuple([part.expr for part in parts]), cls.fact.line)
+    def _constructed(self, expr: Member, env: Env) -> tuple[Value, ...]:
+        """What the constructor that takes the arguments of an object best gives its member; empty without one."""
+        bound = self._origin(expr.base, env)
+        call = bound.expr if bound is not None else None
+        if bound is None or not isinstance(call, Items | Call):
+            return ()
+        cls = self._class_made(call, expr.base, bound.env, env)
+        if cls is None or not _makers(cls):
+            return ()
+        return self._by_best(expr.name, cls, _construction(cls, call, bound.env), bound.env)
+
+    def _class_made(self, made: Items | Call, base: Expr, place: Env, env: Env) -> Cls | None:
+        if isinstance(made, Items):
+            return self.folder.objects.class_of(base, env) if made.items else None
+        return self._class_called(made, place)
+
+    def _by_best(self, name: str, cls: Cls, call: Invocation, env: Env) -> tuple[Value, ...]:
         scores = {maker: score(call, maker) for maker in _makers(cls)}
         best = max(scores.values())
         fitting = [maker for maker, points in scores.items() if points == best != NO]
@@ -77,8 +91,7 @@ class StructureFolder:
 
     def _is_changed(self, expr: Name | Member, env: Env) -> bool:
         """Tell whether an object was given a value that does not show what it is made from."""
-        helds = [held for way in self.folder.flow.ways(expr, env) for held in way]
-        given = any(held.how not in _DECLARED for held in helds)
+        given = any(held.how not in _DECLARED for held in self._helds(expr, env))
         given = given or (isinstance(expr, Member) and self._part(expr, env) is not None)
         return given and self._parts(expr, env) is None
 
@@ -92,46 +105,78 @@ class StructureFolder:
     def _part(self, expr: Member, env: Env) -> Bound | None:
         parts = self._parts(expr.base, env)
         named = dict(_named(parts or ()))
-        if named:
-            return named.get(expr.name)
+        if expr.name in named:
+            return named[expr.name]
         at = self._place(expr, env) if parts is not None else None
         return parts[at] if parts is not None and at is not None and at < len(parts) else None
 
     def _place(self, expr: Member, env: Env) -> int | None:
         """Return the place of a field among the values that its object is made from; an entry of a map is a pair."""
-        cls = self.folder.objects.class_of(expr.base, env)
+        cls = self._class_at(expr.base, env)
         names = [field.name for field in cls.fact.fields] if cls is not None else []
         if expr.name in names:
             return names.index(expr.name)
         return _PAIR.index(expr.name) if env.func.file.language == "cpp" and expr.name in _PAIR else None
 
+    def _class_at(self, expr: Expr, env: Env) -> Cls | None:
+        """The class of an object: that which is called to make it, else its declared one."""
+        bound = self._origin(expr, env)
+        made = self._class_called(bound.expr, bound.env) if bound is not None else None
+        return made or self.folder.objects.class_of(expr, env)
+
+    def _class_called(self, made: Expr, env: Env) -> Cls | None:
+        written = dotted_name(made.callee) if isinstance(made, Call) else ""
+        return self.folder.objects.class_written(written, env) if written else None
+
     def _parts(self, expr: Expr, env: Env) -> list[Bound] | None:
         """Return the values that an object is made from, in order."""
-        bound = self._made(expr, env) if env.depth < MAX_DEPTH else None
-        if bound is None:
+        bound = self._origin(expr, env)
+        made = bound.expr if bound is not None else None
+        if bound is None or not isinstance(made, Items | Call):
             return None
-        made = bound.expr
-        if isinstance(made, Name | Member):
-            return self._parts(made, bound.env.deeper(env.depth + 1))
         if isinstance(made, Items):
             return [Bound(item, bound.env) for item in made.items]
-        if not isinstance(made, Call) or not isinstance(made.callee, Name) or made.keywords:
+        cls = self._class_called(made, bound.env)
+        if cls is None or any(method.is_constructor for method in cls.methods):
             return None
-        cls = self.folder.objects.class_written(made.callee.id, bound.env)
-        simple = cls is not None and not any(method.is_constructor for method in cls.methods)
-        return [Bound(item, bound.env) for item in made.args] if simple else None
+        named = [Op(".=", (Name(key), value)) for key, value in made.keywords]
+        return [Bound(item, bound.env) for item in (*made.args, *named)]
+
+    def _origin(self, expr: Expr, env: Env) -> Bound | None:
+        """Return the expression that makes an object, through the variables that it is handed on by."""
+        bound = self._made(expr, env) if env.depth < MAX_DEPTH else None
+        if bound is not None and isinstance(bound.expr, Name | Member):
+            return self._origin(bound.expr, bound.env.deeper(env.depth + 1))
+        return bound
+
+    def _helds(self, expr: Name | Member, env: Env) -> set[Held]:
+        """What a variable may hold: by the function at hand, else, of a member of its object, by all methods."""
+        key = self.folder.flow.effects(env.func).key(expr)
+        helds = {held for way in self.folder.flow.ways(expr, env) for held in way}
+        cls = env.this or env.func.cls
+        if helds or cls is None or not key.startswith(".") or key.count(".") > 1:
+            return helds
+        found = self.folder.members.sources(key.removeprefix("."), cls, env)
+        return {held if held.env is not None else replace(held, env=place) for held, place in found}
 
     def _made(self, expr: Expr, env: Env) -> Bound | None:
         """Return what an object is made from: of a variable its value, of a parameter what is passed for it."""
         if not isinstance(expr, Name | Member):
             return None
-        helds = {held for way in self.folder.flow.ways(expr, env) for held in way}
+        helds = self._helds(expr, env)
         if all(held.how == "given" for held in helds):
             return env.args.get(expr.id) if isinstance(expr, Name) else self._part(expr, env)
         held = helds.pop()
         if helds or held.how != "value" or held.env is None or held.expr is None:
             return None
         return Bound(held.expr, held.env)
+
+
+def _construction(cls: Cls, made: Items | Call, env: Env) -> Invocation:
+    """The call of a constructor: braces and parentheses say the same."""
+    step = Step(env.func, env.at, Statement("do", cls.fact.line, None))
+    call = construction(step, cls.fact.name, made.items if isinstance(made, Items) else made.args, cls.fact.line)
+    return call if isinstance(made, Items) else msgspec.structs.replace(call, keywords=made.keywords)
 
 
 def _named(parts: Sequence[Bound]) -> Iterator[tuple[str, Bound]]:

@@ -78,9 +78,7 @@ class Truths:
     def _is_exposed(self, test: Expr, func: Func) -> bool:
         """Whether a condition asks for a variable that somebody may write in a way that is not followed."""
         outline = self._outline(func)
-        if outline.effects.key(test) in outline.exposed:
-            return True
-        return any(self._is_exposed(part, func) for part in children(test))
+        return bool(outline.exposed) and _names_any(test, outline)
 
     def _all_of(self, test: Op, env: Env, counts: Callable[[Value], bool]) -> bool | None:
         ends = test.op == "||"
@@ -105,3 +103,9 @@ def _same(one: Value, other: Value, python: bool) -> bool | None:
         return None
     found = operate("==", data_in(one), data_in(other), python)
     return None if found is UNKNOWN else bool(found)
+
+
+def _names_any(test: Expr, outline: Outline) -> bool:
+    if outline.effects.key(test) in outline.exposed:
+        return True
+    return any(_names_any(part, outline) for part in children(test))

@@ -4,28 +4,21 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from typing import NamedTuple
 
-from ecm_checker.contract import Role
+from ecm_checker.hub.roles import Role, roles
 from ecm_checker.match.generated import snake
 from ecm_parsers.source.expr import Call, Expr, Lambda, Member, Name, Op, Text
 
-from ecm_extract.link.calls import Invocation, dotted_name
+from ecm_extract.link.calls import Invocation
 from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
+from ecm_extract.link.python_types import PythonTypes
 from ecm_extract.link.sent_as import sent_as
 from ecm_extract.link.spelling import plain, pointee, template_arguments
+from ecm_extract.link.type_found import ACTION, UNKNOWN_TYPE, TypeFound
 from ecm_extract.link.units import Cls, Func
 
 _KINDS = ("msg", "srv", "action")
-_ROLE_KIND: dict[Role, str] = {
-    "publisher": "msg",
-    "subscriber": "msg",
-    "service_server": "srv",
-    "service_client": "srv",
-    "action_server": "action",
-    "action_client": "action",
-}
 _POINTER = re.compile(r"(?:::)?(?:Const)?(?:Shared|Unique)?(?:Const)?Ptr$")
 _EVENT = re.compile(r"^(?:const\s+)?(?:ros::)?(?:Message|Service)Event\s*<(.*)>\s*&?$")
 _REQUEST = re.compile(r"(::\w+)Request\b(?!\s*::)")
@@ -37,22 +30,13 @@ _FUNCTION = re.compile(r"\bfunction\s*<\s*void\s*\(([^()]+)\)\s*>")
 """The parameters of a callback that a variable holds: `std::function<void(const M &)>`."""
 
 
-class TypeFound(NamedTuple):
-    """A type, and the template parameters in it that callers know."""
-
-    name: str | None
-    open: frozenset[str] = frozenset()
-
-
-UNKNOWN_TYPE = TypeFound(None)
-
-
 class Types:
     """Resolves types at call sites."""
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
         self.program = folder.program
+        self.python = PythonTypes(self)
 
     def at(self, positions: str, call: Invocation, env: Env, role: Role) -> TypeFound:
         """Return the type that the first fitting position of a form's row gives."""
@@ -85,10 +69,9 @@ class Types:
     def expression(self, expr: Expr, env: Env, role: Role) -> TypeFound:
         """Return the type that an expression names: a Python class, or text `pkg/Name`."""
         if isinstance(expr, Text):
-            return TypeFound(self._full(expr.value.replace("/", "::"), role))
-        dotted = dotted_name(expr)
-        if dotted and env.func.file.language == "python":
-            return self._python(dotted, expr, env, role)
+            return TypeFound(self.full(expr.value.replace("/", "::"), role))
+        if env.func.file.language == "python" and isinstance(expr, Name | Member):
+            return self.python.of(expr, env, role)
         bound = env.args.get(expr.id) if isinstance(expr, Name) else None
         if bound is not None:
             return self.expression(bound.expr, bound.env, role)
@@ -96,32 +79,8 @@ class Types:
             values = self.folder.fold(expr, env)
             text = values[0].text
             if "/" in text and "{" not in text:
-                return TypeFound(self._full(text.replace("/", "::"), role))
+                return TypeFound(self.full(text.replace("/", "::"), role))
             return TypeFound(None, values[0].open("param") | values[0].open("made"))
-        return UNKNOWN_TYPE
-
-    def _python(self, dotted: str, expr: Expr, env: Env, role: Role) -> TypeFound:
-        head, *rest = dotted.split(".")
-        imported = env.func.file.imported.get(head)
-        if imported is not None:
-            full = self._full("::".join([*imported.split("."), *rest]), role)
-            outside = self.program.outside(dotted, env.func.file) if full is None else ""
-            return TypeFound(full or self._full(outside.replace(".", "::"), role))
-        bound = env.args.get(head) if not rest else None
-        if bound is not None:
-            return self.expression(bound.expr, bound.env, role)
-        if not rest and any(parameter.name == head for parameter in env.func.fact.params):
-            return TypeFound(None, frozenset({head}))
-        if isinstance(expr, Name):
-            for definition in self.folder.scope.local(Name(head), env):
-                value = definition.statement.value
-                if value is not None:
-                    return self.expression(value, env.before(definition.at), role)
-            starred = {entry.module for entry in env.func.file.facts.imports if entry.name == "*"}
-            wanted = {"action", "msg"} if role.startswith("action") else {_ROLE_KIND.get(role, "msg")}
-            found = [module for module in starred if module.rsplit(".", 1)[-1] in wanted]
-            if len(found) == 1:  # of several, any can bring the name
-                return TypeFound(self._full("::".join([*found[0].split("."), head]), role))
         return UNKNOWN_TYPE
 
     def written(self, text: str, env: Env, role: Role, depth: int = 0) -> TypeFound:
@@ -164,7 +123,7 @@ class Types:
         owners = self.program.seen_classes(head, env.func.file) if tail and "::" not in tail else ()
         if owners:
             return self._of_classes(owners, tail, env, role, depth)
-        full = self._full(bare, role) if "::" in bare else self._unqualified(bare, env, role)
+        full = self.full(bare, role) if "::" in bare else self._unqualified(bare, env, role)
         return TypeFound(full or self._in_lower_case(bare, env, role))
 
     def _of_classes(self, owners: Sequence[Cls], name: str, env: Env, role: Role, depth: int) -> TypeFound:
@@ -176,7 +135,7 @@ class Types:
     def _in_namespace(self, bare: str, env: Env, role: Role) -> TypeFound:
         """`msg::Name`: a namespace around it is the package; what is no name of a package is none in ROS 2."""
         whole = self.program.message_named(bare, env.func.file, self._scope(env)) or self._outermost(bare, env)
-        return TypeFound(self._full(whole, role)) if whole is not None else UNKNOWN_TYPE
+        return TypeFound(self.full(whole, role)) if whole is not None else UNKNOWN_TYPE
 
     def _outermost(self, bare: str, env: Env) -> str | None:
         """Generated types stand in the outermost namespace; a header that is not seen may bring them."""
@@ -196,8 +155,8 @@ class Types:
     def _in_lower_case(self, bare: str, env: Env, role: Role) -> str | None:
         """`my_pkg::cloud_info`: a message named against the convention, told by the header that generation makes."""
         package, _, name = bare.partition("::")
-        kind = _ROLE_KIND.get(role)
-        if not name[:1].islower() or "::" in name or kind is None:
+        kind = roles()[role].shape
+        if not name[:1].islower() or "::" in name or not kind:
             return None
         header = f"{package}/{name}.h"
         files = (env.func.file, *self.program.included(env.func.file))
@@ -211,10 +170,10 @@ class Types:
                 parts = entry.module.split("/")
                 stem = parts[-1].rsplit(".", 1)[0]
                 if len(parts) in {2, 3} and (stem == name or (len(parts) == 3 and stem == snake(name))):
-                    return self._full("::".join([*parts[:-1], name]), role)
+                    return self.full("::".join([*parts[:-1], name]), role)
         for using in (entry.namespace for entry in env.func.file.facts.usings):
             if using.rsplit("::", 1)[-1] in _KINDS or using.endswith("_msgs"):
-                return self._full(f"{using}::{name}", role)
+                return self.full(f"{using}::{name}", role)
         return None
 
     def _scope(self, env: Env) -> str:
@@ -227,7 +186,7 @@ class Types:
             names.update(env.func.cls.fact.template)
         return names - {""}
 
-    def _full(self, text: str, role: Role) -> str | None:
+    def full(self, text: str, role: Role) -> str | None:
         """`sensor_msgs::msg::Imu`, `sensor_msgs::Imu_<A>`, `sensor_msgs::msg::dds_::Imu_` -> `sensor_msgs/msg/Imu`."""
         parts = [part for part in _whole(text).split("::") if part and part != "_" + part]
         if len(parts) >= 3 and parts[-2].startswith("_"):
@@ -236,11 +195,11 @@ class Types:
             if kind in parts[1:-1]:
                 at = parts.index(kind, 1)
                 name = parts[-1].rstrip("_") if len(parts) > at + 1 else ""
-                if kind == "msg" and _ROLE_KIND.get(role) == "action":
-                    kind = "action"  # ROS 1 generates actions as messages
+                if kind == "msg" and roles()[role].shape == ACTION:
+                    kind = ACTION  # ROS 1 generates actions as messages
                 return f"{parts[at - 1]}/{kind}/{_action(name, kind)}" if name[:1].isalpha() else None
-        wanted = _ROLE_KIND.get(role)
-        if wanted is None or len(parts) != 2 or not parts[1][:1].isupper():
+        wanted = roles()[role].shape
+        if not wanted or len(parts) != 2 or not parts[1][:1].isupper():
             return None
         return f"{parts[0]}/{wanted}/{_action(parts[1].rstrip('_'), wanted)}"
 
@@ -313,7 +272,7 @@ def _not_ros(name: str) -> bool:
 
 
 def _action(name: str, kind: str) -> str:
-    return _ACTION_PART.sub("", name) if kind == "action" and name != "Action" else name
+    return _ACTION_PART.sub("", name) if kind == ACTION and name != "Action" else name
 
 
 def _argument(call: Invocation, index: int) -> Expr | None:

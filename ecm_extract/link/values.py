@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any, Literal, NamedTuple
 
@@ -26,12 +26,17 @@ class Hole(NamedTuple):
     `param`: a parameter of the function at hand, which its callers know; `made`: a parameter of the constructor,
     which whoever makes the object knows; `node`: the name of the node at hand; `space`: its namespace, or the one above
     that; `circle`: what is asked for itself; `setting`: the value of a parameter that somebody
-    sets; `unknown`: nobody does.
+    sets; `unknown`: nobody does. `part` is what is taken of it: an element or a field; empty where it is the whole.
     """
 
     label: str
     kind: Literal["param", "made", "node", "space", "circle", "setting", "unknown"] = "unknown"
     default: str | None = None
+    part: str = ""
+
+    def of(self, part: str) -> Hole:
+        """Return an element or a field of the same."""
+        return self._replace(default=None, part=part)
 
 
 TOO_LONG = Hole("too long a text")
@@ -62,7 +67,7 @@ class Value(NamedTuple):
         """The value with holes as `{label}`."""
         if len(self.parts) == 1 and isinstance(self.parts[0], str):
             return self.parts[0]
-        return "".join([part if isinstance(part, str) else f"{{{part.label}}}" for part in self.parts])
+        return "".join([part if isinstance(part, str) else f"{{{part.part or part.label}}}" for part in self.parts])
 
     def open(self, kind: str) -> frozenset[str]:
         """Return the labels of the holes of a kind."""
@@ -135,12 +140,9 @@ def is_setting(value: Value) -> bool:
     return len(value.parts) == 1 and isinstance(value.parts[0], Hole) and value.parts[0].kind == "setting"
 
 
-def left_open(values: Sequence[Value], label: str) -> Value:
-    """What is not computed: it still depends on the parameters that its parts depend on."""
-    holes = [part for value in values for part in value.parts if isinstance(part, Hole)]
-    open_ = tuple([hole._replace(default=None) for hole in holes if hole.kind in {"param", "made"}])
-    named = next((hole.label for hole in holes), label) if label == "value" else label
-    return Value(open_, "pattern") if open_ else unknown(named)
+def given_holes(value: Value) -> tuple[Hole, ...]:
+    """Return the parts of a value that callers, or the makers of the object, know."""
+    return tuple([part for part in value.parts if isinstance(part, Hole) and part.kind in {"param", "made"}])
 
 
 def circular(label: str) -> Value:

@@ -98,3 +98,15 @@ _PARTS: Final[Mapping[type[Expr], Callable[[Any], tuple[Expr, ...]]]] = {
 """What gives the parts of an expression that has some; asked of each expression of a program."""
 _LEAVES = frozenset({Name, Text, Number, Constant, Opaque, Lambda})
 """Expressions that hold no other; half of all are."""
+
+
+def comprehensions(expr: Expr | None) -> Iterator[Comprehension]:
+    """Yield the comprehensions in an expression, outer ones first."""
+    if expr is None:
+        return
+    if isinstance(expr, Comprehension):
+        yield expr
+        yield from comprehensions(expr.element)
+        return
+    for part in children(expr):
+        yield from comprehensions(part)

@@ -6,27 +6,36 @@ Their lines are of another tree: they are marked, so that none is taken for a li
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from typing import Final
 
 import msgspec
 from ecm_checker.finding import Finding
 from ecm_checker.hub.package import Package
+from ecm_checker.hub.requirement import Requirement
 from ecm_checker.hub.running import Running, RunningModule
 
-_MARK: Final = "document:"
+from ecm_extract.report.places import FOREIGN, is_foreign
 
 
 def running_beside(documents: Iterable[Package]) -> Mapping[str, Running]:
     """Return what runs of each package whose document tells it, with marked lines."""
-    return {each.name: _marked(each.running, f"{_MARK}{each.name}/") for each in documents if each.running}
+    return {each.name: _marked(each.running, f"{FOREIGN}{each.name}/") for each in documents if each.running}
+
+
+def foreign_requirements(documents: Iterable[Package], own: frozenset[str]) -> Iterator[tuple[str, Requirement]]:
+    """Yield what packages require that only documents tell of, by name of the package, with marked lines."""
+    for package in documents:
+        if package.name not in own:
+            yield from ((package.name, _marked_lines(package.name, each)) for each in package.requires)
+
+
+def _marked_lines(package: str, requirement: Requirement) -> Requirement:
+    lines = (msgspec.structs.replace(at, path=f"{FOREIGN}{package}/{at.path}") for at in requirement.evidence)
+    return msgspec.structs.replace(requirement, evidence=tuple(lines))
 
 
 def of_tree(findings: Iterable[Finding]) -> Iterator[Finding]:
-    """Yield findings that the tree under lint causes, with its lines alone."""
-    for each in findings:
-        own = tuple(at for at in each.evidence if not at.path.startswith(_MARK))
-        if own[:1] == each.evidence[:1]:
-            yield each if own == each.evidence else msgspec.structs.replace(each, evidence=own)
+    """Yield findings that the tree under lint causes, those whose first line is its own."""
+    return (each for each in findings if not any(map(is_foreign, each.evidence[:1])))
 
 
 def _marked(running: Running, mark: str) -> Running:

@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
-from typing import Final
 
 import msgspec
 from ecm_checker.contract import Evidence
@@ -19,35 +18,6 @@ from ecm_checker.match.packages import Packages
 
 from ecm_extract.lint.near import nearest
 from ecm_extract.system.launch_files import is_aside, is_launch_file
-
-USES: Final = frozenset(
-    {
-        "calls_action",
-        "calls_service",
-        "depends",
-        "describes_class",
-        "exports_headers",
-        "exports_library",
-        "gives_field",
-        "hands_argument",
-        "has_field",
-        "has_field_of",
-        "imports",
-        "imports_module",
-        "includes_launch",
-        "installs_file",
-        "names_file",
-        "names_node",
-        "reads_file",
-        "shows_mesh",
-        "starts",
-        "strips_prefix",
-        "subscribes",
-        "substitutes_argument",
-        "takes_name",
-    }
-)
-"""What rules of lint ask for: what is read off sources for them."""
 
 
 class Asked(msgspec.Struct, frozen=True):
@@ -120,7 +90,7 @@ class Known:
     def needed_by(self, package: str) -> frozenset[str]:
         """Return the packages that one says to depend on."""
         found = self.packages.by_name.get(package)
-        return frozenset(each.name for each in found.requires if each.use == "depends") if found else frozenset()
+        return frozenset(each.name for each in found.requires if each.row.brings) if found else frozenset()
 
     def names(self, package: str, kind: str) -> Sequence[str]:
         """Return the names of a kind that a package provides, or that its build may make."""

@@ -11,6 +11,7 @@ from ecm_checker.hub.requirement import Given, Requirement
 
 from ecm_extract.entities.launch_values import FILE, NAMED, NEEDED, VALUE, is_judged
 from ecm_extract.lint.known import Asked, Known
+from ecm_extract.requires.launch_values import SUBSTITUTES
 
 File = tuple[str, str]
 """A package, and a path from its folder."""
@@ -42,7 +43,7 @@ class LaunchArguments:
         self._provided(known)
         for package in known.packages.by_name.values():
             for row in package.requires:
-                if row.use == "substitutes_argument":
+                if row.use == SUBSTITUTES:
                     self.substituted[package.name, row.owner].setdefault(row.name, row)
         self.includes = [_handing(each) for each in known.asked("includes_launch") if self._is_told(each)]
 

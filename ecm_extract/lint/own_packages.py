@@ -20,7 +20,6 @@ from ecm_extract.entities.nodes import launched_nodes, node_entities
 from ecm_extract.entities.packaging import program_entities
 from ecm_extract.entities.told_of_build import Surroundings, surroundings, told_of_build
 from ecm_extract.link.units import File
-from ecm_extract.lint.known import USES
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.build_files import build_file_requirements
 from ecm_extract.requires.collect import ordered
@@ -49,7 +48,7 @@ class _Together(msgspec.Struct, frozen=True):
 
 
 def own_packages(workspace: Workspace) -> list[Package]:
-    """Return the packages of a workspace with what `known.USES` asks for, and the kinds of names that these mean."""
+    """Return the packages of a workspace with what rules of lint ask for, and the kinds of names that these mean."""
     around = surroundings(workspace.tree, workspace.packages)
     together = _Together(around, _provided(workspace), _of_program(workspace))
     return [_package(facts, workspace, together) for facts in workspace.packages]
@@ -74,7 +73,7 @@ def _of_program(workspace: Workspace) -> Mapping[str, Sequence[Requirement]]:
         found[package].append(each)
     for facts in workspace.packages:
         modules = [entry for entry in workspace.linked if entry.module.package == facts.name]
-        found[facts.name] += (each for each in endpoint_requirements(modules) if each.use in USES)
+        found[facts.name] += (each for each in endpoint_requirements(modules) if each.row.linted)
     return found
 
 

@@ -20,9 +20,15 @@ Tier = Literal["stable", "preview"]
 
 
 class LintRule(AnyRule, frozen=True, kw_only=True):
-    """What a rule file of lint declares beside what every rule does; a preview rule runs with `--preview` only."""
+    """What a rule file of lint declares beside what every rule does; a preview rule runs with `--preview` only.
+
+    Attributes:
+        of_one_tree: it compares packages that one repository holds or one workspace builds; those that are known by
+            their documents are of neither, so that it is not asked of them.
+    """
 
     tier: Tier = "preview"
+    of_one_tree: bool = False
 
     def finding(
         self,

@@ -31,7 +31,7 @@ class WrittenNames:
             for interface in entry.interfaces
             for place in interface.evidence
             if entry.module.kind in _RUNS and PurePosixPath(place.path).stem == PurePosixPath(entry.module.path).stem
-            if interface.role != "parameter" or not _remaps_parameters(workspace, entry.module.package)
+            if not interface.row.value or not _remaps_parameters(workspace, entry.module.package)
             for below in range(CALL_LINES + 1)
         }
 

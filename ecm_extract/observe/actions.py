@@ -6,19 +6,17 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from typing import Final
 
+from ecm_checker.hub.roles import roles
+
 from ecm_extract.observe.model import Endpoint
 
 _HIDDEN: Final = "/_action/"
-_HIDDEN_ROLES: Final = {"service_server": "action_server", "service_client": "action_client"}
-# ROS 1, actionlib: what a server does with each topic of an action; a client does the opposite.
-_SERVER: Final = {
-    "goal": "subscriber",
-    "cancel": "subscriber",
-    "status": "publisher",
-    "feedback": "publisher",
-    "result": "publisher",
-}
-_OPPOSITE: Final = {"publisher": "subscriber", "subscriber": "publisher"}
+# ROS 1, actionlib: what a server of an action listens to and what it tells; a client does the opposite.
+_HEARD: Final = ("goal", "cancel")
+_RESULT: Final = "result"
+_TOLD: Final = ("status", "feedback", _RESULT)
+_Way = tuple[str, bool]
+"""A topic of an action by its last name, and whether a node writes to it."""
 
 
 def with_actions(endpoints: Iterable[Endpoint], ros: int) -> tuple[Endpoint, ...]:
@@ -32,19 +30,19 @@ def _ros2(endpoints: Iterable[Endpoint]) -> Iterator[Endpoint]:
         name, hidden, part = end.name.partition(_HIDDEN)
         if not hidden:
             yield end
-        elif part == "send_goal" and end.role in _HIDDEN_ROLES:
+        elif part == "send_goal":
             kind = (end.type or "").removesuffix("_SendGoal").replace("/srv/", "/action/") or None
-            yield Endpoint(_HIDDEN_ROLES[end.role], name, kind, end.node)
+            yield from (Endpoint(role, name, kind, end.node) for role, row in roles().items() if row.behind == end.role)
 
 
 def _ros1(endpoints: Iterable[Endpoint]) -> Iterator[Endpoint]:
     """A node with all five topics of an action below one name, in the directions of a server or of a client."""
-    groups: defaultdict[tuple[str | None, str], dict[str, Endpoint]] = defaultdict(dict)
+    groups: defaultdict[tuple[str | None, str], dict[_Way, Endpoint]] = defaultdict(dict)
     plain = []
     for end in endpoints:
         name, _, part = end.name.rpartition("/")
-        if part in _SERVER and end.role in _OPPOSITE and name:
-            groups[end.node, name].setdefault(f"{part} {end.role}", end)
+        if part in {*_HEARD, *_TOLD} and end.row.streams and name:
+            groups[end.node, name].setdefault((part, end.row.writes), end)
         else:
             plain.append(end)
     yield from plain
@@ -52,21 +50,20 @@ def _ros1(endpoints: Iterable[Endpoint]) -> Iterator[Endpoint]:
         yield from _folded(node, name, ends)
 
 
-def _folded(node: str | None, name: str, ends: dict[str, Endpoint]) -> Iterator[Endpoint]:
+def _folded(node: str | None, name: str, ends: dict[_Way, Endpoint]) -> Iterator[Endpoint]:
     """One node may be server and client of an action at once."""
     left = dict(ends)
-    for role, direction in (("action_server", _SERVER), ("action_client", _reversed())):
-        keys = [f"{part} {way}" for part, way in direction.items()]
-        if all(key in ends for key in keys):
-            result = ends[f"result {direction['result']}"].type
-            yield Endpoint(role, name, _action_type(result), node)
-            for key in keys:
-                left.pop(key, None)
+    for role, row in roles().items():
+        ways = _ways(server=row.serves) if row.behind else ()
+        if ways and all(way in ends for way in ways):
+            yield Endpoint(role, name, _action_type(ends[_RESULT, row.serves].type), node)
+            for way in ways:
+                left.pop(way, None)
     yield from left.values()
 
 
-def _reversed() -> dict[str, str]:
-    return {part: _OPPOSITE[way] for part, way in _SERVER.items()}
+def _ways(server: bool) -> tuple[_Way, ...]:
+    return (*((part, not server) for part in _HEARD), *((part, server) for part in _TOLD))
 
 
 def _action_type(result: str | None) -> str | None:

@@ -50,7 +50,7 @@ def _opened(watch: Watch, running: Running) -> Iterator[Pair]:
     """Endpoints of the node that no name of its contract means, with the only pattern that can mean them."""
     promises = watch.expected_on.get(running.node, ())
     named = {(each.interface.role, each.name) for each in promises}
-    patterns = [each for each in promises if "{" in each.name and each.interface.role != "parameter"]
+    patterns = [each for each in promises if "{" in each.name and not each.interface.row.value]
     for end in watch.by_node.get(running.node, ()):
         if (end.role, end.name) in named or is_standard(end.role, end.name, running.node):
             continue
@@ -93,6 +93,6 @@ def _rates(watch: Watch, module: View, pairs: Iterable[Pair]) -> dict[str, float
     found = {}
     for pair in pairs:
         stream = streams.get((pair.seen.name, pair.seen.node)) or streams.get((pair.seen.name, None))
-        if pair.seen.role == "publisher" and stream is not None and stream.hz is not None and not stream.latched:
+        if pair.seen.row.writes and stream is not None and stream.hz is not None and not stream.latched:
             found[pair.seen.name] = float(f"{stream.hz:.{_DIGITS}g}")
     return found

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from types import MappingProxyType
+from collections.abc import Iterator
 from typing import Final
 
 import msgspec
+from ecm_checker.hub.roles import roles
 from ecm_checker.predicates import Predicate, fact, settle
 
 from ecm_extract.observe.model import Parameter
@@ -28,40 +28,22 @@ def holds(watch: Watch, node: str, wanted: Predicate) -> Verdict | None:
     A lookup of a transform is a promise of its own and is judged there.
     """
     word, _, name = wanted.text.partition(" ")
-    decide = _BY_WORD.get(word)
-    if decide is not None:
-        return decide(watch, name.strip()) if name.strip() else None
+    awaited = next((role for role, row in roles().items() if row.awaited == word), None)
+    if awaited is not None:
+        return _there(watch, awaited, name.strip()) if name.strip() else None
     known = settle(_facts(watch, node), wanted)
     if known == "unknown":
         return None
     return Verdict(known == "implied", f"{wanted.subject} is otherwise")
 
 
-def _service(watch: Watch, name: str) -> Verdict | None:
-    return _server(watch, "service_server", name)
-
-
-def _action(watch: Watch, name: str) -> Verdict | None:
-    return _server(watch, "action_server", name)
-
-
-def _server(watch: Watch, role: str, name: str) -> Verdict | None:
+def _there(watch: Watch, role: str, name: str) -> Verdict | None:
+    """Whether somebody serves a name, or writes to it: a topic without any publisher can give no message."""
     if role not in watch.seen.senses or "{" in name:
         return None
     found = watch.by_name.get((role, name))
-    return Verdict(bool(found), f"no {role.replace('_', ' ')} of that name was seen")
-
-
-def _message(watch: Watch, name: str) -> Verdict | None:
-    """A topic without any publisher can give no message."""
-    if "publisher" not in watch.seen.senses or "{" in name:
-        return None
-    return Verdict(bool(watch.by_name.get(("publisher", name))), "nobody publishes it")
-
-
-_BY_WORD: Mapping[str, Callable[[Watch, str], Verdict | None]] = MappingProxyType(
-    {"service_available": _service, "action_server_available": _action, "message_received": _message}
-)
+    nobody = "nobody publishes it" if roles()[role].writes else f"no {role.replace('_', ' ')} of that name was seen"
+    return Verdict(bool(found), nobody)
 
 
 def _facts(watch: Watch, node: str) -> Iterator[Predicate]:

@@ -66,10 +66,10 @@ def graph_keys(expected: Expected) -> tuple[Key, ...]:
 
 def _name_on(interface: Interface, node: str | None) -> str:
     raw = interface.raw_name
-    if node is None or interface.role in {"tf_broadcast", "tf_lookup"}:
+    if node is None or interface.row.transform:
         return interface.name
     if raw.startswith("~"):
         return f"{node}/{raw[1:].lstrip('/')}"
-    if interface.role == "parameter" or raw.startswith("/") or interface.name != f"/{raw}":
+    if interface.row.value or raw.startswith("/") or interface.name != f"/{raw}":
         return interface.name
     return f"{node.rpartition('/')[0]}/{raw}"

@@ -2,26 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 import msgspec
 from ecm_checker.contract import Qos
+from ecm_checker.hub.roles import RoleKind, roles
 
 SourceKind = Literal["ros1", "dds", "bag"]
-Sense = Literal[
-    "node",
-    "publisher",
-    "subscriber",
-    "service_server",
-    "service_client",
-    "action_server",
-    "action_client",
-    "parameter",
-    "qos",
-    "rate",
-    "transform",
-    "diagnostic",
-]
+if TYPE_CHECKING:
+    Sense: TypeAlias = str
+else:
+    _SEEN = tuple(role for role, row in roles().items() if not row.transform)
+    Sense = Literal[("node", *_SEEN, "qos", "rate", "transform", "diagnostic")]
+"""What a source can see: endpoints by their role, and more."""
 IncidentKind = Literal["incompatible_qos", "deadline_missed", "liveliness_lost", "message_lost"]
 Level = Literal["ok", "warn", "error", "stale"]
 
@@ -56,6 +49,11 @@ class Endpoint(msgspec.Struct, frozen=True):
     definition: str | None = None
     qos: Qos | None = None
     unseen: tuple[str, ...] = ()
+
+    @property
+    def row(self) -> RoleKind:
+        """What its role is to others."""
+        return roles()[self.role]
 
 
 class Parameter(msgspec.Struct, frozen=True):

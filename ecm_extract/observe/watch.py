@@ -11,6 +11,8 @@ from functools import cached_property
 
 import msgspec
 from ecm_checker.contract import Contract
+from ecm_checker.hub.kinds import row_of
+from ecm_checker.hub.roles import roles, writing_roles
 from ecm_checker.view import View, view
 
 from ecm_extract.observe.expected import Expected, Key, graph_keys, on_node
@@ -156,7 +158,7 @@ class Watch:
     @cached_property
     def visible_roles(self) -> frozenset[str]:
         """Roles that the source sees; of a bag, publishers, though one that is missing means nothing there."""
-        recorded = ("publisher",) if self.seen.source == "bag" else ()
+        recorded = writing_roles() if self.seen.source == "bag" else ()
         return frozenset((*recorded, *self.seen.senses))
 
     @cached_property
@@ -174,7 +176,7 @@ class Watch:
 
     def _is_visible(self, expected: Expected) -> bool:
         """Transforms that are looked up are judged by those that were sent."""
-        if expected.interface.role == "tf_lookup" and self.senses("transform"):
+        if expected.interface.row.hears_transforms and self.senses("transform"):
             return True
         return any(role in self.visible_roles for role, _ in graph_keys(expected))
 
@@ -202,13 +204,13 @@ class Watch:
     @cached_property
     def topics(self) -> tuple[Link, ...]:
         """Every publisher with every subscriber of its topic."""
-        return tuple(self._links("publisher", "subscriber"))
+        return tuple(link for role in writing_roles() for link in self._links(role, roles()[role].peer))
 
     @cached_property
     def hashes(self) -> dict[str, str]:
         """Message type -> hash by the contracts of interface packages."""
         entities = (each for module in self.contracts for each in module.contract.versioning.entities)
-        return {each.name: each.signature for each in entities if each.kind == "message" and each.signature}
+        return {each.name: each.signature for each in entities if row_of(each.kind).generated and each.signature}
 
     def _pairs(self) -> Iterator[Pair]:
         anybody = _by_key(each for module in self.modules for each in on_node(module, None))

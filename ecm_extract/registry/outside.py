@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 import msgspec
+from ecm_checker.hub.kinds import kinds
 from ecm_checker.hub.package import Package
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.match.generated import interface_package
@@ -40,7 +41,7 @@ def _homes(requirement: Requirement) -> Iterator[str]:
     """Packages that may provide a name."""
     generated = interface_package(requirement.name)
     yield from filter(None, (requirement.package, generated))
-    if requirement.kind == "package":
+    if kinds()[requirement.kind].released:
         yield requirement.name
 
 

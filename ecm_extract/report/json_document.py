@@ -47,7 +47,8 @@ def _package(package: PackageContracts, diagnostics: list[dict[str, Any]]) -> di
 
 def package_document(extraction: Extraction, package: PackageContracts) -> bytes:
     """The document of one package as canonical JSON: equal content gives equal bytes."""
-    held = _by_package(extraction).get(package.path, [])
+    by_package = _by_package(extraction)
+    held = [*by_package.get(None, []), *by_package.get(package.path, [])]
     source = record_data(Origin(extraction.path, extraction.commit))
     unread = [json_data(each) for each in extraction.unread if _concerns(each.path, package, extraction)]
     whole = {"schema": PACKAGE_SCHEMA, "source": source, **_package(package, held), "unread": unread}

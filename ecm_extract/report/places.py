@@ -19,6 +19,9 @@ from ecm_extract.tree.git_repo import find_repo
 FROM_REPOSITORY: Final = frozenset({"sarif", "github", "junit", "markdown", "html"})
 """Formats that are read beside a repository; `json` keeps to the tree, `text` to where one stands."""
 
+FOREIGN: Final = "document:"
+"""Begins the path of a line that only a stored document tells: `document:PACKAGE/PATH`."""
+
 Line = Callable[[Evidence], str | None]
 """Gives the text of a line that was read, None where it is not known."""
 
@@ -37,14 +40,16 @@ class Places(msgspec.Struct, frozen=True):
     line: Line = lambda _place: None
 
     def from_here(self, place: Evidence) -> Evidence:
-        """The place as a terminal opens it."""
+        """The place as a terminal opens it; one that only a document tells as it is."""
+        if is_foreign(place):
+            return place
         return msgspec.structs.replace(place, path=str(PurePosixPath(self._home(place)) / place.path))
 
     def from_repository(self, place: Evidence) -> Evidence:
         """The place from the root of the repository around the folder; as it is where it is in none, or outside."""
         root = self.root()
         path = Path(self._home(place)).resolve() / place.path
-        if root is None or not path.is_relative_to(root):
+        if root is None or is_foreign(place) or not path.is_relative_to(root):
             return place
         return msgspec.structs.replace(place, path=path.relative_to(root).as_posix())
 
@@ -58,6 +63,11 @@ class Places(msgspec.Struct, frozen=True):
         return self.homes.get(place, self.folder)
 
 
+def is_foreign(place: Evidence) -> bool:
+    """Tell whether a line is of a tree that only a stored document tells of, so that nobody can open it here."""
+    return place.path.startswith(FOREIGN)
+
+
 def typed_folder(spec: str) -> str:
     """The folder that the paths of a tree begin in: of `DIR`, `DIR@REF` or `DIR@REF:subdir`."""
     if Path(spec).exists():
@@ -67,10 +77,14 @@ def typed_folder(spec: str) -> str:
 
 
 def placed_for(form: str, findings: Iterable[Finding], places: Places) -> list[Finding]:
-    """Findings with the paths that a format needs."""
+    """Findings with the paths that a format needs; a code host is told no line that it cannot open."""
     if form not in FROM_REPOSITORY:
         return list(findings)
-    return [placed(finding, places.from_repository) for finding in findings]
+    return [placed(_opened(finding), places.from_repository) for finding in findings]
+
+
+def _opened(finding: Finding) -> Finding:
+    return msgspec.structs.replace(finding, evidence=tuple(at for at in finding.evidence if not is_foreign(at)))
 
 
 def placed(finding: Finding, where: Callable[[Evidence], Evidence]) -> Finding:

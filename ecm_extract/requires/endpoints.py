@@ -43,7 +43,7 @@ def _of(entry: Interface, place: Place, node: str | None) -> Iterator[Requiremen
         yield required(row.use, name, place, _certainty(entry), owner=owner, type=entry.type, qos=entry.qos, **under)
     if row.verb and entry.type is not None:
         yield required("speaks", entry.type, place, "likely", said=f"{row.verb} {entry.name}")
-    if entry.role == "tf_lookup" and entry.frame:
+    if row.hears_transforms and entry.frame:
         for name in entry.frame.split(_LOOKUP):
             yield required("looks_up", name, place, "likely", **under)
 
@@ -52,5 +52,5 @@ def _certainty(entry: Interface) -> Certainty:
     """A peer that is published to may come from anywhere; a computed name may be any."""
     if entry.confidence == "pattern":
         return "unknown"
-    certain = entry.confidence in {"literal", "folded"} and entry.type is not None and entry.role != "publisher"
+    certain = entry.confidence in {"literal", "folded"} and entry.type is not None and not entry.row.writes
     return "proved" if certain else "likely"

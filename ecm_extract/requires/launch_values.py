@@ -18,7 +18,7 @@ from ecm_extract.entities.public_files import inside
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.place import Place, Reader, required
 
-_USE: Final = "substitutes_argument"
+SUBSTITUTES: Final = "substitutes_argument"
 _ROS_1: Final = 1
 _YAML: Final = (".yaml", ".yml")
 
@@ -38,7 +38,7 @@ def value_requirements(facts: PackageFacts, path: str, file: LaunchFile) -> Iter
         certainty = here if file.ros == _ROS_1 else "unknown"
         place = Place(path, line, f"launch_file {path.rpartition('/')[2]}")
         yield required(
-            _USE, name, place, certainty, package=facts.name, owner=inside(path, facts.root.path), ros=file.ros
+            SUBSTITUTES, name, place, certainty, package=facts.name, owner=inside(path, facts.root.path), ros=file.ros
         )
 
 
@@ -50,7 +50,9 @@ def loaded_value_requirements(read: Reader, facts: PackageFacts) -> Iterator[Req
             continue
         for entry in parse_parameter_yaml(data).facts.sets:
             for name in _variables(f"{entry.name} {entry.value}"):
-                yield required(_USE, name, Place(path, entry.line, f"file {path}"), "unknown", package=facts.name)
+                yield required(
+                    SUBSTITUTES, name, Place(path, entry.line, f"file {path}"), "unknown", package=facts.name
+                )
 
 
 def _variables(text: str) -> Iterator[str]:

@@ -88,7 +88,7 @@ def _clients(linked: Sequence[LinkedModule]) -> dict[tuple[str, int], str]:
     found: dict[tuple[str, int], set[str]] = {}
     for entry in linked:
         for interface in entry.interfaces:
-            if interface.role == "service_client" and interface.type:
+            if interface.row.calls and interface.row.shape == "srv" and interface.type:
                 place = interface.evidence[0]
                 found.setdefault((place.path, place.line), set()).add(interface.type)
     return {place: next(iter(types)) for place, types in found.items() if len(types) == 1}

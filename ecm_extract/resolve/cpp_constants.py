@@ -35,8 +35,11 @@ class CppConstants:
         self._by_name: dict[str, list[Stated]] = defaultdict(list)
 
     def add(self, file: File, constant: Constant) -> None:
-        """Make a constant known."""
-        self._by_name[joined(constant.scope, constant.name)].append(Stated(file, constant))
+        """Make a constant known; a value of an `enum` that is no class is known around that too."""
+        stated = Stated(file, constant)
+        self._by_name[joined(constant.scope, constant.name)].append(stated)
+        if constant.type and "enum" in constant.traits and "scoped" not in constant.traits:
+            self._by_name[joined(constant.scope.rpartition("::")[0], constant.name)].append(stated)
 
     def find(self, name: str, file: File, scope: str) -> Stated | Ambiguous[Stated] | External:
         """Return what a name means in a scope of a file; one that is declared only where no value is known."""

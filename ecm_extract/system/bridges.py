@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Final
 
-from ecm_checker.contract import Role
+from ecm_checker.hub.roles import Role
 from ecm_parsers.gz_bridge import BridgedTopic, bridged_argument, parse_bridge_yaml
 
 from ecm_extract.system.files import Files

@@ -83,7 +83,7 @@ class _Controllers:
     def controller(self, entry: Spawned) -> Controller:
         own = [setting for path in entry.files for setting in _file(path, self.files)]
         settings = [*self.settings, *own]
-        namespace = entry.instance.namespace
+        namespace = entry.namespace
         typed = self._type(entry, settings)
         kind = entry.kind or (str(typed.value) if typed is not None else "")
         parameters = self._parameters(entry.name, namespace, settings)
@@ -104,7 +104,7 @@ class _Controllers:
     def _type(self, entry: Spawned, settings: Iterable[Setting]) -> Setting | None:
         """`<name>.type` of the manager, or `type` of the controller itself (ROS 1 and newer ROS 2)."""
         wanted = {f"{entry.name}.type"}
-        absolute = {join(entry.instance.namespace, f"{entry.name}/type"), join("/", f"{entry.name}/type")}
+        absolute = {join(entry.namespace, f"{entry.name}/type"), join("/", f"{entry.name}/type")}
         for setting in settings:
             if setting.name in wanted or setting.name in absolute:
                 return setting

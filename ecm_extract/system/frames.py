@@ -72,7 +72,7 @@ def _broadcast(nodes: Sequence[SystemNode]) -> Iterator[FrameEdge]:
     for node in nodes:
         for module in node.modules:
             for endpoint in module.endpoints:
-                if endpoint.role == "tf_broadcast" and endpoint.frame and " <- " in endpoint.frame:
+                if endpoint.row.tells_transforms and endpoint.frame and " <- " in endpoint.frame:
                     parent, child = endpoint.frame.split(" <- ", 1)
                     place = Place(endpoint.path, endpoint.line)
                     yield FrameEdge(parent.lstrip("/"), child.lstrip("/"), False, node.name, place)

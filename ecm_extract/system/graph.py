@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import msgspec
 import networkx as nx
-from ecm_checker.hub.roles import ChannelKind, roles
+from ecm_checker.hub.roles import channel_kinds, roles
 
 from ecm_extract.system.node_model import Endpoint, SystemNode
 
@@ -25,7 +25,7 @@ class Channel(msgspec.Struct, frozen=True):
         sources: full names of publishers or clients. targets: of subscribers or servers.
     """
 
-    kind: ChannelKind
+    kind: str
     name: str
     types: tuple[str, ...]
     sources: tuple[str, ...]
@@ -40,7 +40,7 @@ class Edge(NamedTuple):
     type: str
 
 
-def channel_of(endpoint: Endpoint) -> tuple[ChannelKind, str] | None:
+def channel_of(endpoint: Endpoint) -> tuple[str, str] | None:
     """Return kind and name of the channel of an endpoint; None for a lookup that names frames, not the topic."""
     row = roles()[endpoint.role]
     if row.channel is None or (not row.shape and endpoint.type is None):
@@ -50,20 +50,20 @@ def channel_of(endpoint: Endpoint) -> tuple[ChannelKind, str] | None:
 
 def channels(nodes: Iterable[SystemNode]) -> list[Channel]:
     """Return all channels, topics before services before actions, each by name."""
-    found: dict[tuple[ChannelKind, str], list[Endpoint]] = {}
+    found: dict[tuple[str, str], list[Endpoint]] = {}
     for node in nodes:
         for endpoint in node.endpoints:
             key = channel_of(endpoint)
             if key is not None:
                 found.setdefault(key, []).append(endpoint)
-    order = ("topic", "service", "action")
+    order = channel_kinds()
     return [
         _channel(kind, name, entries)
         for (kind, name), entries in sorted(found.items(), key=lambda item: (order.index(item[0][0]), item[0][1]))
     ]
 
 
-def _channel(kind: ChannelKind, name: str, endpoints: list[Endpoint]) -> Channel:
+def _channel(kind: str, name: str, endpoints: list[Endpoint]) -> Channel:
     return Channel(
         kind,
         name,

@@ -65,7 +65,7 @@ class InstanceMaker:
         own = join(made.namespace, made.name or "~")
         yield from (Setting(join(own, each.name.lstrip("/")), each.value, each.place) for each in scope.private)
         for source in node.parameters:
-            yield from self.settings.ros1(source, own)
+            yield from self.settings.ros1(source, own, in_node=True)
         yield from (Setting(join(own, name), value, made.place) for name, value in ros1_given(made.arguments))
 
     def _written(self, node: Node, made: Instance) -> Iterator[Setting]:

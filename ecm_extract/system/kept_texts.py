@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from itertools import accumulate
 from typing import Final
 
 from ecm_extract.entities.side_texts import DESCRIPTIONS, PARAMETERS, SideTexts
@@ -16,34 +17,54 @@ from ecm_extract.system.scope import Scope
 from ecm_extract.tree import Tree
 
 MAX_BYTES: Final = 256_000
-"""Of one file: parameter files and descriptions that people write are smaller by far."""
+"""Of one file, and of all together that lie in no package: what people write is smaller by far."""
 _ENDS: Final = (*DESCRIPTIONS, *PARAMETERS, ".xml", ".srdf", ".sdf", ".gazebo")
 _PYTHON: Final = ".py"
 
 
-def kept_texts(tree: Tree, texts: SideTexts, packages: Sequence[PackageFacts]) -> Mapping[str, str]:
-    """Return the contents, by path, of what launch files are and read; too large and undecodable ones are left out."""
-    listed = {entry.path for facts in packages for entry in facts.root.files}
+def kept_texts(
+    tree: Tree, texts: SideTexts, packages: Sequence[PackageFacts], shared: Sequence[str]
+) -> Mapping[str, str]:
+    """Return the contents, by path, of what launch files are and read; too large and undecodable ones are left out.
+
+    Args:
+        tree: that was read.
+        texts: gives contents of its files.
+        packages: of the tree.
+        shared: paths of what lies outside of packages and concerns all of them.
+    """
+    owned = {entry.path for facts in packages for entry in facts.root.files}
+    listed = owned.union(shared)
     wanted = {path for path in listed if path.endswith(_ENDS) or is_launch_file(path)}
-    wanted |= set(_imported(tree, packages)) & listed
-    decoded = ((path, _text(data)) for path, data in texts.read_many(sorted(wanted)))
+    wanted |= set(_imported(tree, packages, listed)) & listed
+    kept = _decoded(texts, wanted & owned)
+    return kept | _first(_decoded(texts, wanted - owned))
+
+
+def _decoded(texts: SideTexts, paths: Collection[str]) -> dict[str, str]:
+    decoded = ((path, _text(data)) for path, data in texts.read_many(sorted(paths)))
     return {path: text for path, text in decoded if text is not None}
 
 
-def _imported(tree: Tree, packages: Sequence[PackageFacts]) -> Iterator[str]:
+def _first(found: Mapping[str, str]) -> dict[str, str]:
+    """Texts up to the bound: each package's document repeats those that lie in no package."""
+    sizes = accumulate(len(text) for text in found.values())
+    return {path: text for (path, text), size in zip(found.items(), sizes, strict=True) if size <= MAX_BYTES}
+
+
+def _imported(tree: Tree, packages: Sequence[PackageFacts], listed: Collection[str]) -> Iterator[str]:
     """Files that launch files in Python import and open, as they do when nobody gives them an argument."""
     files = Files(tree, folders_read(packages))
-    for facts in packages:
-        for entry in facts.root.files:
-            if entry.path.endswith(_PYTHON) and is_launch_file(entry.path):
-                yield from _read_by(entry.path, facts, files)
+    for path in sorted(listed):
+        if path.endswith(_PYTHON) and is_launch_file(path):
+            yield from _read_by(path, files)
 
 
-def _read_by(path: str, facts: PackageFacts, files: Files) -> Iterator[str]:
+def _read_by(path: str, files: Files) -> Iterator[str]:
     data = files.read(path)
     if data is not None:
         sources = LaunchSources(files, path, Scope(), Budget())
-        read_launch(path, data, facts.ros, sources)
+        read_launch(path, data, files.ros_of(path), sources)
         yield from sources.read
 
 

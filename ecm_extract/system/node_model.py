@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from ecm_checker.contract import Qos, Role
+from ecm_checker.contract import Qos
+from ecm_checker.hub.roles import Role, RoleKind, roles
 from ecm_checker.hub.running import RunningModule
 
 from ecm_extract.system.model import Instance, Place, Remapping
@@ -34,6 +35,11 @@ class Endpoint:
     known: bool
     place: Place
     qos: Qos | None = None
+
+    @property
+    def row(self) -> RoleKind:
+        """What its role is to others."""
+        return roles()[self.role]
 
 
 @dataclass(frozen=True, slots=True)

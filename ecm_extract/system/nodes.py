@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from fnmatch import fnmatchcase
-from typing import Any, Final, NamedTuple
+from typing import Any, NamedTuple
 
-from ecm_checker.contract import Qos, Role
+from ecm_checker.contract import Qos
+from ecm_checker.hub.roles import Role
 from ecm_checker.hub.running import RunningEndpoint, RunningModule
 
 from ecm_extract.description.model import Description
@@ -19,7 +20,7 @@ from ecm_extract.system.model import Instance, Launched, Place, Setting, join
 from ecm_extract.system.modules import Loaded, ModuleIndex
 from ecm_extract.system.names import Around, Resolved, node_matches, resolve
 from ecm_extract.system.node_model import Endpoint, Parameter, SystemNode
-from ecm_extract.system.public_nodes import default_name, public_endpoints
+from ecm_extract.system.public_nodes import default_name, public_endpoints, public_table
 from ecm_extract.system.settings import all_given
 from ecm_extract.system.spawners import spawned
 
@@ -27,12 +28,6 @@ _OWN_NAME = re.compile(r"\{(?:name|plugin_name|plugin|layer_name|prefix|plugin_i
 """Holes that stand for the name under which a plugin is loaded."""
 _OWN_STATE = frozenset({"node", "lifecycle_node", "component"})
 """What a manager hosts has its state changed by calls, not by services."""
-_OF_STATE: Final[Sequence[tuple[Role, str, str]]] = (
-    ("service_server", "change_state", "lifecycle_msgs/srv/ChangeState"),
-    ("service_server", "get_state", "lifecycle_msgs/srv/GetState"),
-    ("publisher", "transition_event", "lifecycle_msgs/msg/TransitionEvent"),
-)
-"""What rclcpp_lifecycle and rclpy.lifecycle make of every managed node (design.ros2.org, "Managed nodes")."""
 _HOLE = re.compile(r"\{[^{}]*\}")
 
 
@@ -103,7 +98,7 @@ class NodeMaker:
             module = self.index.plugin(instance.plugin)
             if module is None:
                 self.unknown.add(instance.plugin)
-            elif any(entry.role != "parameter" for entry in module.endpoints):
+            elif any(not entry.row.value for entry in module.endpoints):
                 yield self._node(instance, Loaded(module), first=True)
 
     def _of(self, instance: Instance) -> Iterator[SystemNode]:
@@ -211,7 +206,7 @@ class NodeMaker:
         seen = set()
         for entry in plugged:
             for declared in entry.module.endpoints:
-                if declared.role == "parameter":
+                if declared.row.value:
                     continue
                 for endpoint in self._resolved(node, entry, declared):
                     key = (endpoint.role, endpoint.name, endpoint.type)
@@ -233,7 +228,7 @@ class NodeMaker:
             (entry.called(_own(each, node)), each.default)
             for entry in plugged
             for each in entry.module.endpoints
-            if each.role == "parameter"
+            if each.row.value
         )
         found = {name: Parameter(name, default, None, declared=True) for name, default in declared.plain.items()}
         for setting in self._settings(node):
@@ -245,10 +240,10 @@ class NodeMaker:
 def _of_state(node: SystemNode, plugged: Sequence[Plugged]) -> Iterator[Endpoint]:
     """The endpoints by which the state of a managed node is changed, read and told."""
     own = next((entry.module for entry in plugged if not entry.name and entry.module.lifecycle), None)
-    for role, leaf, kind in _OF_STATE if own is not None else ():
-        name = join(node.name, leaf)
+    for row in public_table().managed if own is not None else ():
+        name = join(node.name, row.name)
         place = Place(own.path, own.line) if own is not None else node.instance.place
-        yield _endpoint(node, role, kind, Resolved(name, name, None, ()), place)
+        yield _endpoint(node, row.role, row.type, Resolved(name, name, None, ()), place)
 
 
 def _endpoint(

@@ -10,7 +10,7 @@ from importlib import resources
 from typing import Any, NamedTuple
 
 import msgspec
-from ecm_checker.contract import Role
+from ecm_checker.hub.roles import Role
 
 from ecm_extract.system.model import Instance
 from ecm_extract.system.spawners import spawned
@@ -37,10 +37,12 @@ def unset(_: str) -> Any:
 class PublicTable(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Names and rows by `package/executable` (with `#1` or `#2` for one ROS version), rows by type of a controller.
 
-    `silent` are programs whose endpoints nobody connects to by name.
+    `silent` are programs whose endpoints nobody connects to by name, `managed` is what every managed node has below its
+    name.
     """
 
     silent: frozenset[str]
+    managed: tuple[PublicEndpoint, ...]
     name: dict[str, str]
     node: dict[str, tuple[PublicEndpoint, ...]]
     controller: dict[str, tuple[PublicEndpoint, ...]]

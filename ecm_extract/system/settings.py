@@ -71,8 +71,14 @@ class Settings:
         """Tell whether a value of ROS 1 is one of each node that starts after it: `~name` outside of a node."""
         return self.substituter.text(source.name).text.startswith("~")
 
-    def ros1(self, source: ParameterSource, namespace: str) -> Iterator[Setting]:
-        """Yield what a source puts on the parameter server, with absolute names below a namespace."""
+    def ros1(self, source: ParameterSource, namespace: str, in_node: bool = False) -> Iterator[Setting]:
+        """Yield what a source puts on the parameter server, with absolute names below a namespace.
+
+        Args:
+            source: of the parameters.
+            namespace: of the scope, or the name of the node.
+            in_node: whether it stands in a node, where roslaunch takes `<param name="/x">` for one of the node.
+        """
         if self.substituter.truth(source.condition) is False:
             return
         if isinstance(source, ParameterFile):
@@ -85,6 +91,7 @@ class Settings:
         name = self.substituter.text(source.name).text.removeprefix("~")
         if source.typing != "yaml":
             value = self.value(source.value, source.typing)
+            name = name.lstrip("/") if in_node else name
             yield Setting(join(namespace, name), value, Place(self.path, source.line))
             return
         yield from self._written(source, join(namespace, name))

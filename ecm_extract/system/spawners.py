@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from ecm_extract.system.model import Instance
+from ecm_extract.system.model import Instance, join
 
 _WITH_VALUE = frozenset(
     {"-c", "--controller-manager", "-t", "--controller-type", "-p", "--param-file", "-n", "--namespace"}
@@ -27,13 +27,17 @@ _VERBS = frozenset({"spawn", "load", "start", "load_controller", "set_controller
 
 
 class Spawned(NamedTuple):
-    """One controller that is loaded: its name, whether it is activated, and what the command line says of it."""
+    """One controller that is loaded: its name, whether it is activated, and what the command line says of it.
+
+    `namespace` is that of its manager.
+    """
 
     name: str
     active: bool
     kind: str
     files: tuple[str, ...]
     instance: Instance
+    namespace: str
 
 
 def spawned(instances: Sequence[Instance]) -> Iterator[Spawned]:
@@ -63,5 +67,13 @@ def _of_words(words: Sequence[str], instance: Instance) -> Iterator[Spawned]:
     active = not is_loaded and not _INACTIVE & set(words) and values.get("--set-state", ["active"]) != ["inactive"]
     kind = next(iter(values.get("-t", values.get("--controller-type", []))), "")
     files = (*values.get("-p", ()), *values.get("--param-file", ()))
+    manager = next(iter(values.get("-c", values.get("--controller-manager", []))), "")
     for name in names:
-        yield Spawned(name, active, kind, tuple(files), instance)
+        yield Spawned(name, active, kind, tuple(files), instance, _namespace(manager, instance))
+
+
+def _namespace(manager: str, instance: Instance) -> str:
+    """The namespace of a manager by its name, which counts from that of the spawner unless it is absolute."""
+    if not manager or "{" in manager:
+        return instance.namespace
+    return join(instance.namespace, manager).rpartition("/")[0] or "/"

@@ -73,7 +73,7 @@ def _required(use: str, name: str, target: str, instance: Instance, place: Place
     return Requirement(
         use=use,
         kind=uses()[use].of[0],
-        package=instance.package or None if use == "remaps" else None,
+        package=instance.package or None if uses()[use].leads else None,
         owner="",
         name=name,
         type=None,

@@ -33,7 +33,8 @@ class Argument(msgspec.Struct, frozen=True):
     Attributes:
         text: without quotes or brackets; references and escapes are not evaluated.
         line: 1-based.
-        form: `quoted` stays one value, `bracket` is not evaluated at all, `plain` may become several values.
+        form: `quoted` stays one value, `bracket` is not evaluated at all, `plain` may become several values,
+            as may `argument`: one into which an argument of a macro was written.
     """
 
     text: str

@@ -65,7 +65,7 @@ def test_project() -> None:
         ("add_executable(n a.cpp ${GENERATED})", "n", "executable", ("a.cpp", "${GENERATED}")),
         ("add_library(n a.cpp $<TARGET_OBJECTS:o>)", "n", "library", ("a.cpp",)),
         ("add_library(n)\ntarget_sources(n PRIVATE a.cpp)", "n", "library", ("a.cpp",)),
-        ("ament_auto_add_library(n SHARED DIRECTORY src)", "n", "library", ("src/*",)),
+        ("ament_auto_add_library(n DIRECTORY src/sub)", "n", "library", ("src/sub/c.cpp",)),
         ("cuda_add_library(n a.cu)", "n", "library", ("a.cu",)),
         ("pybind11_add_module(n MODULE a.cpp)", "n", "library", ("a.cpp",)),
         ("catkin_add_gtest(n test/a.cpp)", "n", "test", ("test/a.cpp",)),

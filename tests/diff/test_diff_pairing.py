@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from ecm_checker.hub.provision import Form, Provision
+from ecm_checker.hub.provision import ALIAS, Form, Provision
+from ecm_checker.match.hierarchy import Bases
 
 from ecm_extract.diff.effects import type_changed
 from ecm_extract.diff.model import Pair
@@ -207,3 +208,28 @@ def test_an_endpoint_of_two_types_keeps_both() -> None:
     new = entity("topic", "/origin", type="gps_msgs/msg/GPSFix", facet="published", others=(old.type,))
     assert not list(type_changed(old, new, Pair(old, new)))
     assert list(type_changed(old, entity("topic", "/origin", type="gps_msgs/msg/GPSFix"), Pair(old, new)))
+
+
+@pytest.mark.parametrize(
+    "aliases",
+    [
+        pytest.param({"a::Arm": "Arm"}, id="of its own name"),
+        pytest.param({"a::Arm": "Hand", "a::Hand": "Arm"}, id="of each other"),
+        pytest.param({"a::Arm": "Hand", "a::Hand": "Leg", "a::Leg": "Hand"}, id="of each other behind a third"),
+    ],
+)
+def test_aliases_that_stand_for_each_other_have_no_constructor(aliases: dict[str, str]) -> None:
+    """Two packages, or two branches of one header, may name a class after each other: nothing is what they mean."""
+    listed = [entity("class", name, "", type=ALIAS, bases=(target,)) for name, target in aliases.items()]
+    assert Bases({entry.key: entry for entry in listed}).constructor("a::Arm") is None
+
+
+def test_an_alias_of_an_alias_has_the_constructor_of_the_class() -> None:
+    made = entity("method", "Leg", "a::Leg")
+    listed = [
+        entity("class", "a::Arm", "", type=ALIAS, bases=("Hand",)),
+        entity("class", "a::Hand", "", type=ALIAS, bases=("Leg",)),
+        entity("class", "a::Leg", ""),
+        made,
+    ]
+    assert Bases({entry.key: entry for entry in listed}).constructor("a::Arm") == made

@@ -197,7 +197,7 @@ def test_an_unknown_receiver_is_what_it_is_called(workspace: Any, call: str, kin
 NAMESPACES = [
     ("const std::string & ns", "ns", 'Pose pose("arm");', "/arm/out"),
     ("std::string ns", 'ns + "/left"', 'Pose pose("arm");', "/arm/left/out"),
-    ("const std::string & ns", "ns", "Pose pose(argv[1]);", "/{argv}/out"),
+    ("const std::string & ns", "ns", "Pose pose(argv[1]);", "/{item}/out"),
     ("const ros::NodeHandle & ns", "ns", 'Pose pose(ros::NodeHandle("arm"));', "/arm/out"),
 ]
 

@@ -84,3 +84,36 @@ def test_a_member_of_a_listed_object_is_what_its_constructor_gives_it(
     """The constructor that takes the values in the braces best gives the members; of an unknown list nothing is told."""
     found = workspace.package({"src/demo.cpp": LISTED.format(body=body)}).interfaces()
     assert sorted((entry.name, entry.type) for entry in found if entry.role == "parameter") == told
+
+
+HELD = """
+#include <rclcpp/rclcpp.hpp>
+struct Options {{ std::string topic = "scan"; }};
+class Demo : public rclcpp::Node {{
+ public:
+  explicit Demo(const Options & options) : Node("demo"){begun} {{
+    {body}
+    timer_ = create_wall_timer(1s, std::bind(&Demo::tick, this));
+  }}
+  void tick() {{ publisher_ = create_publisher<std_msgs::msg::String>(options_.topic, 1); }}
+  Options options_;
+}};
+"""
+MEMBERS = [
+    ("", "", "/scan", "folded"),
+    (", options_(options)", "", "/{options}", "pattern"),
+    (", options_(outside())", "", "/{options}", "pattern"),
+    ("", "options_ = outside();", "/{options}", "pattern"),
+    ("", 'options_ = Options{"map"};', "/map", "folded"),
+]
+
+
+@pytest.mark.parametrize(
+    ("begun", "body", "name", "confidence"), MEMBERS, ids=[f"{row[0]} {row[1]}" for row in MEMBERS]
+)
+def test_a_member_that_another_method_gives_an_object_is_not_as_its_class_declares_it(
+    workspace: Any, begun: str, body: str, name: str, confidence: str
+) -> None:
+    """A callback reads a structure that the constructor was given: the defaults of its class say nothing of it."""
+    found = workspace.package({"src/demo.cpp": HELD.format(begun=begun, body=body)}).interfaces()
+    assert [(entry.name, entry.confidence) for entry in found if entry.role == "publisher"] == [(name, confidence)]

@@ -151,6 +151,7 @@ def test_documents_are_named_on_the_command_line(tmp_path: Path, capsys: pytest.
     assert (status, [each["rule"] for each in found]) == (1, ["LNT003"])
     assert found[0]["edit"] == {"kind": "rename", "old": "arm_drvier", "new": "arm_driver"}
     assert "known from documents: 1 packages" in err
+    assert "not asked of documents: LNT037 and LNT041" in err
 
 
 def test_libraries_and_nodes_of_another_package_are_known_by_its_document(tmp_path: Path) -> None:
@@ -224,3 +225,22 @@ def test_build_files_are_parsed_once(tmp_path: Path, monkeypatch: pytest.MonkeyP
     workspace = Workspace(open_tree(written(tmp_path, BUILT, OF_BUILDS)), Options(jobs=1))
     assert "LNT059" in {each.rule for each in findings_of(workspace, ("LNT044", "LNT059"))}
     assert len(seen) == len(set(seen)) == 2
+
+
+def test_a_header_that_only_a_document_includes(tmp_path: Path) -> None:
+    """LNT058: who includes a header that is not installed may be known by a document; its line is marked."""
+    build = "project(driver)\nadd_library(a a.cpp)\ninstall(TARGETS a DESTINATION lib)\nament_package()\n"
+    provider = {
+        "driver/package.xml": MANIFEST.format("driver", "<buildtool_depend>ament_cmake</buildtool_depend>"),
+        "driver/CMakeLists.txt": build,
+        "driver/include/driver/arm.hpp": "class Arm {};\n",
+    }
+    user = {"user/package.xml": MANIFEST.format("user", ""), "user/src/a.cpp": "#include <driver/arm.hpp>\n"}
+    both = Workspace(open_tree(written(tmp_path / "both", {**provider, **user})), Options(jobs=1))
+    documents = stored(written(tmp_path / "user", user))
+    alone = Workspace(open_tree(written(tmp_path / "driver", provider)), Options(jobs=1), stored=documents)
+    lines = [
+        [(at.path, at.line) for each in findings_of(one, ("LNT058",)) for at in each.evidence] for one in (both, alone)
+    ]
+    assert lines[0] == [("driver/CMakeLists.txt", 1), ("user/src/a.cpp", 1)]
+    assert lines[1] == [("driver/CMakeLists.txt", 1), ("document:user/user/src/a.cpp", 1)]

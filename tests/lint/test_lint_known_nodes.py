@@ -12,6 +12,7 @@ from ecm_extract.extraction import extract
 from ecm_extract.extraction_model import Options
 from ecm_extract.lint.run import findings_of
 from ecm_extract.lint.workspace import Workspace
+from ecm_extract.report.places import Places, placed_for
 from ecm_extract.stored import package_of
 from ecm_extract.tree import open_tree
 
@@ -100,12 +101,18 @@ def test_nodes_are_known_by_documents(tmp_path: Path) -> None:
 
 
 def test_lines_of_documents_are_none_of_the_tree(tmp_path: Path) -> None:
-    """Another tree may have a file of the same path: its lines stand in no finding."""
+    """Another tree may have a file of the same path: its lines are marked, and no code host is sent to them."""
     package(tmp_path / "driver", "driver", PUBLISHES)
     folder = user(tmp_path / "user")
     found = linted(folder, *stored(tmp_path / "driver"))
     assert {each.rule for each in found} >= {"LNT005", "LNT015"}
-    assert all((folder / at.path).is_file() for each in found for at in each.evidence)
+    assert all((folder / each.evidence[0].path).is_file() for each in found if each.evidence)
+    others = {at.path for each in found for at in each.evidence if not (folder / at.path).is_file()}
+    assert others == {"document:driver/driver/src/main.cpp"}
+    places = Places(str(folder))
+    for form, shown in (("json", others), ("text", others), ("sarif", set())):
+        paths = (places.from_here(at).path for each in placed_for(form, found, places) for at in each.evidence)
+        assert {path for path in paths if path.startswith("document:")} == shown
 
 
 def test_names_of_a_node_in_a_namespace_are_known_by_its_document(tmp_path: Path) -> None:

@@ -185,11 +185,11 @@ def test_ros1_parameters_have_absolute_names(tmp_path: Path) -> None:
     """Private ones stand below their node, others below the namespace."""
     text = (
         '<launch><param name="a" value="1"/><group ns="g"><rosparam>b: {c: 2}</rosparam>'
-        '<node pkg="p" type="t" name="n"><param name="d" value="3"/></node></group></launch>'
+        '<node pkg="p" type="t" name="n"><param name="d" value="3"/><param name="/e" value="4"/></node></group></launch>'
     )
     found = launch(tmp_path, {"a.launch": text})
     assert [(entry.name, entry.value) for entry in found.globals] == [("/a", 1), ("/g/b/c", 2)]
-    assert [(entry.name, entry.value) for entry in found.instances[0].settings] == [("/g/n/d", 3)]
+    assert [(entry.name, entry.value) for entry in found.instances[0].settings] == [("/g/n/d", 3), ("/g/n/e", 4)]
 
 
 @pytest.mark.parametrize(

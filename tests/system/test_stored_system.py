@@ -107,6 +107,27 @@ def test_what_no_document_keeps_is_told(
     assert "/talker" in out
 
 
+@pytest.mark.parametrize("marker", ["aside/COLCON_IGNORE", "aside/README"])
+def test_launch_files_of_no_package_are_in_documents(
+    marker: str, workspace: Workspace, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A launch file in a folder that the build ignores, or in none of a package, is started with what it reads."""
+    text = '<launch><node pkg="pkg" exec="talker" name="talker"><param from="$(dirname)/../config/a.yaml"/></node></launch>'
+    workspace.package({"launch/b.launch.xml": "<launch/>"}, 2)
+    config = "talker: {ros__parameters: {loud: true}}\n"
+    for path, content in ((marker, ""), ("aside/launch/a.launch.xml", text), ("aside/config/a.yaml", config)):
+        (workspace.root / path).parent.mkdir(parents=True, exist_ok=True)
+        (workspace.root / path).write_text(content, "utf-8")
+    document = stored(workspace.root, tmp_path, capsys)
+    assert run(["extract", str(workspace.root), "--quiet", "-o", str(tmp_path / "stored")]) == 0
+    launch = ("aside/launch/a.launch.xml", "--format", "json")
+    from_sources = said(capsys, *launch, "--workspace", str(workspace.root))
+    assert '"loud"' in from_sources[1]
+    assert ("ignored-folder" in from_sources[1]) == marker.endswith("COLCON_IGNORE")
+    assert said(capsys, str(document), *launch) == from_sources
+    assert said(capsys, str(tmp_path / "stored"), *launch) == from_sources
+
+
 def test_a_document_that_does_not_tell_what_runs_is_refused(
     workspace: Workspace, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -64,7 +64,7 @@ class Hub(msgspec.Struct, frozen=True, kw_only=True):
         quoted: dotted names that its Python modules give by text, as a class decorator does.
         interfaces: what its interface files declare, by `package/msg|srv|action/Name`.
         files: git blob id of each file by path, empty where it is not known; files that concern all packages of the
-            tree, as its changelogs do, are of each.
+            tree, as its changelogs and launch files outside of packages do, are of each.
         notes: sentences of changelogs, by path.
         possible: names by kind that its build may make beside what it provides, such as programs that it does not
             install; of files, below its share folder, a path that ends in a slash stands for all below it.
@@ -99,7 +99,9 @@ class Package(Hub, frozen=True, kw_only=True):
     Attributes:
         name: as in package.xml. version: None when it declares none.
         path: of its folder in the tree. ros: 1 or 2; None when no artefact tells.
-        modules: their contracts. unread: what was not read of it, or of its tree outside of packages.
+        modules: their contracts.
+        diagnostics: what was said of its files; in a document of its own also what was said of none of any package.
+        unread: what was not read of it, or of its tree outside of packages.
     """
 
     name: str

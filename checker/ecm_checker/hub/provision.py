@@ -8,6 +8,8 @@ import msgspec
 
 from ecm_checker.contract import Confidence, Qos
 from ecm_checker.hub.condition import Condition
+from ecm_checker.hub.kinds import Kind, kinds
+from ecm_checker.hub.roles import endpoint_kinds, module_kinds, value_kinds
 
 HOLE: Final = "<*>"
 """A computed part of a name."""
@@ -103,6 +105,26 @@ class Provision(msgspec.Struct, frozen=True, kw_only=True, gc=False):
     open: bool = False
     written: str = ""
     when: tuple[Condition, ...] = ()
+
+    @property
+    def row(self) -> Kind:
+        """What its kind is to others."""
+        return kinds()[self.kind]
+
+    @property
+    def is_endpoint(self) -> bool:
+        """Whether a module talks by it."""
+        return self.kind in endpoint_kinds()
+
+    @property
+    def is_value(self) -> bool:
+        """Whether a node keeps it, as a parameter."""
+        return self.kind in value_kinds()
+
+    @property
+    def is_of_module(self) -> bool:
+        """Whether a module has it by its code: an endpoint or a value."""
+        return self.kind in module_kinds()
 
     @property
     def key(self) -> Key:

@@ -9,7 +9,7 @@ import msgspec
 from ecm_checker.contract import Evidence, Qos
 from ecm_checker.finding import Certainty
 from ecm_checker.hub.condition import Condition, text_of
-from ecm_checker.hub.kinds import uses
+from ecm_checker.hub.kinds import UseKind, uses
 
 ONE_VALUE: Final = "1 value"
 
@@ -85,9 +85,14 @@ class Requirement(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True,
     when: tuple[Condition, ...] = ()
 
     @property
+    def row(self) -> UseKind:
+        """What its use is."""
+        return uses()[self.use]
+
+    @property
     def phrase(self) -> str:
         """What the line does, in words, and under which condition."""
-        does = uses()[self.use].phrase.format(
+        does = self.row.phrase.format(
             name=self.name,
             owner=self.owner,
             package=self.package,

@@ -9,7 +9,8 @@ from typing import Any
 
 import msgspec
 
-from ecm_checker.contract import Qos, Role
+from ecm_checker.contract import Qos
+from ecm_checker.hub.roles import Role, RoleKind, roles
 
 
 class RunningEndpoint(msgspec.Struct, frozen=True, omit_defaults=True, gc=False):
@@ -33,6 +34,11 @@ class RunningEndpoint(msgspec.Struct, frozen=True, omit_defaults=True, gc=False)
     qos: Qos | None = None
     default: Any = None
     frame: str | None = None
+
+    @property
+    def row(self) -> RoleKind:
+        """What its role is to others."""
+        return roles()[self.role]
 
     @property
     def raw_name(self) -> str:

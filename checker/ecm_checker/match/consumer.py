@@ -5,8 +5,13 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from functools import cached_property
+from typing import Final
 
 from ecm_checker.hub.requirement import Requirement
+
+HEADER: Final = "header"
+SYMBOL: Final = "symbol"
+_MODULE: Final = "module"
 
 
 class Consumer:
@@ -22,7 +27,7 @@ class Consumer:
 
     def headers_of(self, path: str) -> frozenset[str]:
         """Return what a C++ file includes, as written."""
-        return self._said("includes").get(path, frozenset())
+        return self._said(HEADER).get(path, frozenset())
 
     def modules_of(self, path: str) -> frozenset[str]:
         """Return the first part of what a Python file imports."""
@@ -30,20 +35,21 @@ class Consumer:
 
     def symbols_of(self, path: str) -> frozenset[str]:
         """Return the names with a namespace that a C++ file has."""
-        return self._said("names_symbol").get(path, frozenset())
+        return self._said(SYMBOL).get(path, frozenset())
 
     @cached_property
-    def _by_use(self) -> Mapping[str, Mapping[str, frozenset[str]]]:
+    def _by_word(self) -> Mapping[str, Mapping[str, frozenset[str]]]:
         found: dict[str, dict[str, set[str]]] = defaultdict(lambda: defaultdict(set))
         for entry in self.requirements:
-            if entry.use in {"includes", "imports", "names_symbol"}:
-                found[entry.use][entry.evidence[0].path].add(entry.name)
-        return {use: {path: frozenset(names) for path, names in paths.items()} for use, paths in found.items()}
+            tells = entry.row.tells
+            if tells:
+                found[tells][entry.evidence[0].path].add(entry.name)
+        return {word: {path: frozenset(names) for path, names in paths.items()} for word, paths in found.items()}
 
-    def _said(self, use: str) -> Mapping[str, frozenset[str]]:
-        return self._by_use.get(use, {})
+    def _said(self, word: str) -> Mapping[str, frozenset[str]]:
+        return self._by_word.get(word, {})
 
     @cached_property
     def _tops(self) -> Mapping[str, frozenset[str]]:
-        imports = self._said("imports")
+        imports = self._said(_MODULE)
         return {path: frozenset(name.partition(".")[0] for name in names) for path, names in imports.items()}

@@ -7,12 +7,12 @@ gone because it is not here (paper, "Contract Model"; DESIGN §3).
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from typing import Final, Literal
+from typing import Literal
 
 import msgspec
 
 from ecm_checker.hub.condition import Condition
-from ecm_checker.hub.kinds import Breach, kinds, uses
+from ecm_checker.hub.kinds import Breach, kinds
 from ecm_checker.hub.provision import Provision
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.match.consumer import Consumer
@@ -20,7 +20,6 @@ from ecm_checker.match.fit import misfit
 from ecm_checker.match.generated import interface_package
 from ecm_checker.match.provisions import Provisions
 
-_GENERATED: Final = frozenset({"message"})
 State = Literal["met", "dangling", "incompatible", "unknown"]
 
 
@@ -75,7 +74,7 @@ def match(requirement: Requirement, consumer: Consumer, provisions: Provisions, 
 
 def _home(requirement: Requirement, provisions: Provisions) -> str | None:
     """The package that alone can provide the name: the one that is named, or that generates what is imported."""
-    if requirement.package is not None or not _GENERATED & set(uses()[requirement.use].of):
+    if requirement.package is not None or not any(kinds()[kind].generated for kind in requirement.row.of):
         return requirement.package
     package = interface_package(requirement.name)
     return package if package in provisions.interface_packages else None
@@ -92,10 +91,10 @@ def _tells_all(requirement: Requirement, provisions: Provisions) -> bool:
 
 def _is_sure(requirement: Requirement, fitting: Sequence[Provision]) -> bool:
     """Whether one of those that fit is surely meant: in one launch a computed name may come to another one."""
-    return not uses()[requirement.use].launched or any(not each.is_computed for each in fitting)
+    return not requirement.row.launched or any(not each.is_computed for each in fitting)
 
 
 def is_open(requirement: Requirement) -> bool:
     """Whether any package of the world may provide the name, as a topic or a plugin; not within one launch."""
-    row = uses()[requirement.use]
+    row = requirement.row
     return not row.launched and any(kinds()[kind].world == "graph" for kind in row.of)

@@ -1,4 +1,4 @@
-"""Whether a use fits what is provided under its name: type, arguments, results, overriding forms."""
+"""Whether a use fits what is provided under its name: one row for each way of the vocabulary."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Mapping
 from typing import Final
 
-from ecm_checker.hub.kinds import Breach, uses
+from ecm_checker.hub.kinds import Breach
 from ecm_checker.hub.provision import Form, Provision
 from ecm_checker.hub.requirement import Given, Requirement
 from ecm_checker.match.class_names import differ, named_in
@@ -14,24 +14,13 @@ from ecm_checker.match.qos_fit import qos_fits
 
 _FUTURE: Final = re.compile(r"future", re.IGNORECASE)
 _SHARED: Final = re.compile(r"shared", re.IGNORECASE)
-_TYPED: Final = frozenset({"topic", "service", "action", "parameter"})
+Fit = Callable[[Requirement, Provision], Breach | None]
 
 
 def misfit(requirement: Requirement, provision: Provision) -> Breach | None:
     """Return in which way a use does not fit; None when it fits, or nothing tells."""
-    if provision.kind in _TYPED:
-        return _other_kind(requirement, provision)
-    if provision.kind == "exported_class":
-        return "type" if _is_of_other_base(requirement, provision) else None
-    if requirement.use == "takes_again":
-        return "signature" if _can_be_taken_once(provision) else None
-    given = requirement.given
-    if given is None or not provision.forms:
-        return None
-    if requirement.use == "calls":
-        return "advice" if left_out(given, provision) else None
-    check = _CHECKS.get(requirement.use)
-    return "signature" if check is not None and not any(check(given, form) for form in provision.forms) else None
+    fit = FITS.get(requirement.row.fit)
+    return fit(requirement, provision) if fit is not None else None
 
 
 def is_future(written: str, shared: bool) -> bool:
@@ -39,10 +28,11 @@ def is_future(written: str, shared: bool) -> bool:
     return _FUTURE.search(written) is not None and (_SHARED.search(written) is not None) is shared
 
 
-def _can_be_taken_once(provision: Provision) -> bool:
-    """Whether a call with one argument gives a future that is not shared."""
+def _again(requirement: Requirement, provision: Provision) -> Breach | None:
+    """A call with one argument that gives a future that is not shared can be taken once."""
     forms = [form for form in provision.forms if form.required <= 1 <= len(form.types)]
-    return bool(forms) and all(is_future(form.returns, False) for form in forms)
+    once = bool(forms) and all(is_future(form.returns, False) for form in forms)
+    return "signature" if once else None
 
 
 def left_out(given: Given, provision: Provision) -> tuple[str, ...]:
@@ -52,19 +42,24 @@ def left_out(given: Given, provision: Provision) -> tuple[str, ...]:
     return tuple(name for name in provision.advised if name not in given.names and places.get(name, -1) >= count)
 
 
-def _other_kind(requirement: Requirement, provision: Provision) -> Breach | None:
+def _advised(requirement: Requirement, provision: Provision) -> Breach | None:
+    given = requirement.given
+    return "advice" if given is not None and left_out(given, provision) else None
+
+
+def _type(requirement: Requirement, provision: Provision) -> Breach | None:
     """Whether what goes over a name is of another type, or less than what is asked for."""
     if _is_other_type(requirement, provision):
         return "type"
-    asked = "qos" in uses()[requirement.use].breaches and requirement.ros != 1
+    asked = "qos" in requirement.row.breaches and requirement.ros != 1
     return "qos" if asked and not qos_fits(provision.qos, requirement.qos) else None
 
 
-def _is_of_other_base(requirement: Requirement, provision: Provision) -> bool:
+def _base(requirement: Requirement, provision: Provision) -> Breach | None:
     """Whether the very class that is described is exported for another base."""
     if requirement.type is None or provision.type is None or provision.name not in named_in(requirement.name):
-        return False
-    return differ(requirement.type, provision.type)
+        return None
+    return "type" if differ(requirement.type, provision.type) else None
 
 
 def _is_other_type(requirement: Requirement, provision: Provision) -> bool:
@@ -90,10 +85,28 @@ def _is_overridden(given: Given, form: Form) -> bool:
     return form.types == given.types and same_result
 
 
-_CHECKS: Final[Mapping[str, Callable[[Given, Form], bool]]] = {
-    "names_symbol": _takes_count,
-    "calls_method": _takes_count,
-    "gives_keyword": _takes_names,
-    "takes_result": _gives,
-    "overrides": _is_overridden,
+def _of_any_form(fits: Callable[[Given, Form], bool]) -> Fit:
+    """A way to fit of what has forms: one of them must do."""
+
+    def fit(requirement: Requirement, provision: Provision) -> Breach | None:
+        given = requirement.given
+        if given is None or not provision.forms:
+            return None
+        return None if any(fits(given, form) for form in provision.forms) else "signature"
+
+    return fit
+
+
+AGAIN: Final = "again"
+FORM: Final = "form"
+NAMES: Final = "names"
+FITS: Final[Mapping[str, Fit]] = {
+    "type": _type,
+    "base": _base,
+    AGAIN: _again,
+    "advised": _advised,
+    "count": _of_any_form(_takes_count),
+    NAMES: _of_any_form(_takes_names),
+    "result": _of_any_form(_gives),
+    FORM: _of_any_form(_is_overridden),
 }

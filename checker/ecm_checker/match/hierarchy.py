@@ -16,12 +16,13 @@ class Bases:
 
     def __init__(self, entities: Mapping[Key, Provision]) -> None:
         self._classes: dict[str, list[Provision]] = defaultdict(list)
-        self._members: dict[tuple[str, str, str], Provision] = {}
+        self._members: dict[tuple[bool, str, str], Provision] = {}
         for entity in entities.values():
-            if entity.kind == "class":
+            row = entity.row
+            if row.is_class:
                 self._classes[entity.name].append(entity)
-            elif entity.kind in {"method", "member"}:
-                self._members[entity.kind, entity.owner, entity.name] = entity
+            elif row.inherited:
+                self._members[row.called, entity.owner, entity.name] = entity
 
     def named(self, name: str) -> Sequence[Provision]:
         """Return the classes of a qualified name."""
@@ -42,32 +43,39 @@ class Bases:
             found[name.rpartition("::")[2]].add(name)
         return {last: frozenset(names) for last, names in found.items()}
 
-    def member(self, cls: str, kind: str, name: str) -> Provision | None:
-        """Return what a class itself has under a name."""
-        return self._members.get((kind, cls, name))
+    def member(self, cls: str, called: bool, name: str) -> Provision | None:
+        """Return what a class itself has under a name, a method where it is called."""
+        return self._members.get((called, cls, name))
 
-    def provider(self, cls: str, kind: str, name: str) -> Provision | None:
+    def provider(self, cls: str, called: bool, name: str) -> Provision | None:
         """Return the member that a class inherits under a name, from its base classes only."""
         for base in self.ancestry(cls)[1:]:
-            found = self._members.get((kind, base, name))
+            found = self._members.get((called, base, name))
             if found is not None:
                 return found
         return None
 
-    def offers(self, cls: str, below: str, kind: str, name: str) -> bool:
-        """Whether a class or one between it and a base of it has a member."""
+    def offers(self, cls: str, below: str, name: str) -> bool:
+        """Whether a class or one between it and a base of it has a method."""
         ancestry = self.ancestry(cls)
         own = ancestry[: ancestry.index(below)] if below in ancestry else ancestry
-        return any((kind, owner, name) in self._members for owner in own)
+        return any((True, owner, name) in self._members for owner in own)
 
     def constructor(self, cls: str) -> Provision | None:
         """Return the constructor of the class that an alias stands for; None of a class, which has its own."""
-        for entity in self._classes.get(cls, ()):
-            target = self.resolve(entity.bases[0], cls) if entity.type == ALIAS else None
-            if target is not None:
-                found = self._members.get(("method", target, target.rpartition("::")[2]))
-                return found or self.constructor(target)
+        for target in self._stands_for(cls):
+            found = self._members.get((True, target, target.rpartition("::")[2]))
+            if found is not None:
+                return found
         return None
+
+    def _stands_for(self, alias: str) -> Sequence[str]:
+        """Return what an alias stands for, through further aliases; those of two trees may stand for each other."""
+        seen = [alias]
+        for name in seen:
+            targets = [self.resolve(each.bases[0], name) for each in self._classes.get(name, ()) if each.type == ALIAS]
+            seen += [target for target in dict.fromkeys(targets) if target is not None and target not in seen]
+        return seen[1:]
 
     def handing_on(self, init: Provision) -> Sequence[str]:
         """Return Python classes of its package that hand what they do not know (`**kwargs`) to an `__init__`."""
@@ -78,7 +86,7 @@ class Bases:
         """Classes whose `__init__` takes any keyword, by package and own name of their bases."""
         found: dict[tuple[str, str], list[str]] = defaultdict(list)
         for name, group in self._classes.items():
-            made = self._members.get(("method", name, "__init__"))
+            made = self._members.get((True, name, "__init__"))
             if made is not None and any(each.startswith("**") for form in made.forms for each in form.names):
                 for entity in group:
                     for base in entity.bases:

@@ -145,7 +145,7 @@ def _parameter(site: Site, entity: Provision) -> bool:
     wanted = site.requirement
     if wanted.package is not None and wanted.package != entity.package:
         return False
-    if entity.ros not in (None, wanted.ros) and wanted.use == "sets_parameter":
+    if entity.ros not in (None, wanted.ros) and wanted.row.same_ros:
         return False
     if not parameter_name_matches(entity.name, wanted.name):
         return False
@@ -189,23 +189,23 @@ def _exported(site: Site, entity: Provision) -> bool:
 
 def _launch(site: Site, entity: Provision) -> bool:
     wanted = site.requirement
-    name = entity.name if entity.kind == "launch_file" else entity.owner
+    name = entity.owner if entity.row.part else entity.name
     return wanted.package == entity.package and wanted.name == name
 
 
 def _header(site: Site, entity: Provision) -> bool:
     """A header of that name, or one that is generated of an interface, which the index has found by its headers."""
-    return entity.kind == "message" or (entity.name == site.requirement.name and not entity.is_python)
+    return entity.row.generated or (entity.name == site.requirement.name and not entity.is_python)
 
 
 def _python(site: Site, entity: Provision) -> bool:
     """A dotted name, also one that a module above the declaring one offers as its own."""
     name = site.requirement.name
-    if entity.kind == "message":
+    if entity.row.generated:
         return name in python_names(entity.name)
     if not entity.is_python:
         return False
-    full = f"{entity.owner}.{entity.name}" if entity.kind == "constant" else entity.name
+    full = f"{entity.owner}.{entity.name}" if entity.row.fixed else entity.name
     if full == name:
         return True
     module, _, last = name.rpartition(".")
@@ -214,7 +214,7 @@ def _python(site: Site, entity: Provision) -> bool:
 
 def called_names(entity: Provision, bases: Bases) -> Iterator[str]:
     """Yield the dotted names that a Python function or constructor is called by."""
-    if entity.kind == "function":
+    if not entity.row.part:
         yield entity.name
     elif entity.name == "__init__":
         yield entity.owner
@@ -245,14 +245,14 @@ def _method(site: Site, entity: Provision) -> bool:
 
 def _cpp(site: Site, entity: Provision) -> bool:
     """A name of a package of which the file includes a header; of a message the type that is generated of it."""
-    if entity.kind == "message":
+    if entity.row.generated:
         return _is_type(entity, site.requirement.name)
     # of a large library nearly all names differ, and whose header is included takes longer to tell
     return not entity.is_python and _is_written(entity, site.requirement.name) and _reaches(site, entity.package)
 
 
 def _is_written(entity: Provision, name: str) -> bool:
-    if entity.kind == "constant":
+    if entity.row.fixed:
         return _is_section(entity, name.rpartition("::")[0])
     return name == entity.name or name.startswith(f"{entity.name}::")
 

@@ -10,7 +10,7 @@ from typing import Final
 import msgspec
 
 from ecm_checker.hub.condition import all_hold
-from ecm_checker.hub.kinds import uses
+from ecm_checker.hub.kinds import kinds, kinds_that
 from ecm_checker.hub.package import Package, folders_of, provisions
 from ecm_checker.hub.provision import Provision
 from ecm_checker.hub.requirement import ONE_VALUE, Requirement
@@ -20,9 +20,6 @@ from ecm_checker.match.generated import headers, interface_package, python_names
 from ecm_checker.match.launch_reach import LaunchReach
 from ecm_checker.match.provisions import Provisions
 
-_PROGRAM: Final = "executable"
-_MESSAGE: Final = "message"
-_FILE: Final = "file"
 _SCRIPT: Final = ".py"
 _HANDS: Final = "hands_argument"
 _ROS_2: Final = 2
@@ -145,28 +142,32 @@ def _possible(package: Package) -> Iterator[tuple[str, Iterable[str]]]:
 
     Below its share folder lies what lies in its own, or is put there.
     """
-    yield from ((kind, names) for kind, names in package.possible.items() if kind != _MESSAGE)
+    files, programs = kinds_that(lambda row: row.included), kinds_that(lambda row: row.started)
     if package.runs_files:
-        yield _PROGRAM, (path.rpartition("/")[2] for path in package.files)
-    yield _FILE, package.shared
-    for name in package.possible.get(_MESSAGE, ()):
-        yield _MESSAGE, python_names(name)
-        yield _FILE, headers(name)
+        yield from ((kind, [path.rpartition("/")[2] for path in package.files]) for kind in programs)
+    yield from ((kind, package.shared) for kind in files)
+    for kind, names in package.possible.items():
+        if not kinds()[kind].generated:
+            yield kind, names
+            continue
+        for name in names:
+            yield kind, python_names(name)
+            yield from ((file, headers(name)) for file in files)
 
 
 def _spellings(requirement: Requirement) -> Iterator[str]:
     """The name; that of a program may have the suffix of a script, a file may lie in a folder that may hold any."""
     yield requirement.name
-    if requirement.kind == _FILE:
+    if kinds()[requirement.kind].included:
         yield from (f"{folder}/" for folder in folders_of(requirement.name))
-    if requirement.kind == _PROGRAM:
+    if kinds()[requirement.kind].started:
         yield requirement.name.removesuffix(_SCRIPT)
         yield f"{requirement.name}{_SCRIPT}"
 
 
 def _is_asked(requirement: Requirement) -> bool:
     """Whether what others provide now decides: one variable takes whatever a function returns."""
-    row, given = uses()[requirement.use], requirement.given
+    row, given = requirement.row, requirement.given
     is_tolerated = row.tolerated != 0 and requirement.ros == row.tolerated
     takes_any = given is not None and given.takes == ONE_VALUE
     return row.stated and not is_open(requirement) and not is_tolerated and not takes_any
@@ -188,5 +189,5 @@ def broken(users: Packages, before: Packages, after: Packages) -> Iterator[Unmet
             if was.state != "met":
                 continue
             now = after.match(requirement, consumer)
-            if now.state != "met" and (now.breach or "gone") in uses()[requirement.use].breaches:
+            if now.state != "met" and (now.breach or "gone") in requirement.row.breaches:
                 yield Unmet(consumer.package, now, was.found, after.may_hide(was.found))

@@ -10,7 +10,7 @@ from typing import Final
 
 import msgspec
 
-from ecm_checker.hub.kinds import kinds, uses
+from ecm_checker.hub.kinds import Kind, kinds, kinds_that
 from ecm_checker.hub.provision import HOLE, Provision
 from ecm_checker.hub.requirement import Requirement
 from ecm_checker.match.consumer import Consumer
@@ -78,7 +78,7 @@ class Provisions:
         """The ways to objects that the whole side declares."""
         if self._whole is not None:
             return self._whole.ways
-        functions = {each.name: each for each in self._entities if each.kind == "function" and not each.is_python}
+        functions = {each.name: each for each in self._entities if _is_function(each) and not each.is_python}
         return Ways(self.bases, functions, field_types(self._entities))
 
     @cached_property
@@ -88,16 +88,16 @@ class Provisions:
             return self._whole.folders
         found: dict[str, set[str]] = defaultdict(set)
         for entity in self._entities:
-            if entity.kind == "file" and "/" in entity.name:
+            if entity.row.included and "/" in entity.name:
                 found[entity.name.partition("/")[0]].add(entity.package)
-            elif entity.kind == "message":  # its header is generated below the name of its package
+            elif entity.row.generated:  # its header is generated below the name of its package
                 found[entity.package].add(entity.package)
         return {folder: frozenset(packages) for folder, packages in found.items()}
 
     @cached_property
     def interface_packages(self) -> frozenset[str]:
         """Packages that generate headers and modules of interface files."""
-        return frozenset(each.package for each in self._entities if each.kind == "message")
+        return frozenset(each.package for each in self._entities if each.row.generated)
 
     def sought(self) -> Iterator[Sought]:
         """Yield by what the requirements are found that may mean what is here."""
@@ -117,6 +117,10 @@ class Provisions:
         """Yield all provisions of a kind."""
         return (each for each in self._entities if each.kind == kind)
 
+    def that(self, holds: Callable[[Kind], bool]) -> Iterator[Provision]:
+        """Yield all provisions of the kinds of which something holds."""
+        return (each for kind in kinds_that(holds) for each in self.of_kind(kind))
+
     def owners(self, package: str | None, name: str) -> list[Provision]:
         """Return the provisions of a package, of any kind, that have a name themselves."""
         named = (each for kind in kinds() for each in self._by_key.get((kind, name), ()))
@@ -124,7 +128,7 @@ class Provisions:
 
     def named(self, requirement: Requirement, consumer: Consumer) -> list[Provision]:
         """Return what a requirement of a consumer may mean, each once."""
-        row = uses()[requirement.use]
+        row = requirement.row
         names = NAMES[row.names]
         keys = tuple(names.keys(requirement))
         found = {each.key: each for kind in row.of for key in keys for each in self.of(kind, key)}
@@ -132,6 +136,10 @@ class Provisions:
             return []
         site = Site(requirement, consumer, self.folders, self.bound, self.bases, self.ways)
         return [each for each in found.values() if row.facet in {"", each.facet} and names.meant(site, each)]
+
+
+def _is_function(entity: Provision) -> bool:
+    return entity.row.called and not entity.row.part
 
 
 def last_part(name: str) -> str:
@@ -146,7 +154,7 @@ def _keys(entity: Provision) -> Iterator[str]:
     last = last_part(entity.name)
     yield entity.name
     yield OPEN if HOLE in last or not last else last
-    more = _MORE.get(entity.kind)
+    more = _MORE.get(entity.row.keys)
     if more is not None:
         yield from more(entity)
 
@@ -178,9 +186,9 @@ def _of_plugin(entity: Provision) -> Iterator[str]:
 
 
 _MORE: Final[Mapping[str, Callable[[Provision], Iterator[str]]]] = {
-    "message": _of_message,
-    "constant": _of_constant,
-    "launch_argument": _of_argument,
-    "method": _of_method,
-    "plugin": _of_plugin,
+    "interface": _of_message,
+    "section": _of_constant,
+    "asked": _of_argument,
+    "constructor": _of_method,
+    "slashes": _of_plugin,
 }

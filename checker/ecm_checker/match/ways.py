@@ -62,9 +62,9 @@ class Ways:
         message = self._fields.get(cls.replace("::", "."))
         if message is not None:
             return message.get(step, "")
-        name, kind = step.removesuffix(CALL), "method" if step.endswith(CALL) else "member"
+        name, called = step.removesuffix(CALL), step.endswith(CALL)
         for owner in self._bases.ancestry(cls) if cls else ():
-            found = self._bases.member(owner, kind, name)
+            found = self._bases.member(owner, called, name)
             if found is not None:
                 return self._of_forms(found.forms, owner) if found.forms else self._named(found.type or "", owner)
         return ""
@@ -89,7 +89,7 @@ def field_types(entities: Iterable[Provision]) -> Mapping[str, Mapping[str, str]
     """
     found: dict[str, dict[str, str]] = defaultdict(dict)
     for entity in entities:
-        if entity.kind == "message_field" and entity.type is not None:
+        if entity.row.layout and entity.type is not None:
             for owner in section_owners(entity.owner, entity.facet):
                 found[owner][entity.own_name] = entity.type.partition("[")[0].replace("/", "::")
     return found

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ecm_checker.case import Case
-from ecm_checker.contract import Role
 from ecm_checker.finding import Entity, Finding
+from ecm_checker.hub.roles import Role, roles
 from ecm_checker.qos import sources
 from ecm_checker.rule import Rule
 from ecm_checker.view import View
@@ -28,8 +28,8 @@ def check(case: Case) -> Iterator[Finding]:
     for wire in case.topics:
         if not wire.giver.rates or not wire.taker.rates or wire.giver is wire.taker:
             continue
-        offered = _rate(wire.giver, "publisher", wire.name)
-        required = _rate(wire.taker, "subscriber", wire.name)
+        offered = _rate(wire.giver, wire.role, wire.name)
+        required = _rate(wire.taker, roles()[wire.role].peer, wire.name)
         if offered is not None and required is not None and offered < required:
             text = f"{wire.name}: {wire.giver.id} publishes {offered:g} Hz, {wire.taker.id} needs {required:g} Hz"
             evidence = (*sources(wire), *wire.giver.evidence("behavior.rates"))

@@ -15,6 +15,7 @@ from typing import Final, NamedTuple
 from ecm_checker.case import Case
 from ecm_checker.contract import Interface
 from ecm_checker.finding import Entity, Finding
+from ecm_checker.launch_names import required
 from ecm_checker.match.qos_fit import level_fits
 from ecm_checker.qos import setting
 from ecm_checker.rule import Rule
@@ -58,25 +59,23 @@ def check(case: Case) -> Iterator[Finding]:
 def _takes_any(reader: Interface) -> bool:
     """Whether topic and type come when it runs, and the source says anything of the policies."""
     asks = reader.qos is not None and set(reader.qos.defaulted) != _ALL
-    return reader.role == "subscriber" and reader.type is None and _ANY.fullmatch(reader.name) is not None and asks
+    return reader.row.reads and reader.type is None and _ANY.fullmatch(reader.name) is not None and asks
 
 
 def _weaker(giver: View, module: View, reader: Interface) -> Iterator[_Offer]:
     if giver.package == module.package or giver.contract.ecm.ros == _ROS1:
         return
-    for offers in giver.endpoints("publisher").values():
-        for offer in offers:
-            for policy in _POLICIES:
-                offered = setting(offer, policy)
-                if offered.sure and not level_fits(offered, setting(reader, policy)):
-                    yield _Offer(giver, offer, policy)
+    for offer in giver.written:
+        for policy in _POLICIES:
+            offered = setting(offer, policy)
+            if offered.sure and not level_fits(offered, setting(reader, policy)):
+                yield _Offer(giver, offer, policy)
 
 
 def _reads_lists(package: str, case: Case) -> bool:
     """Whether a package loads files of settings: the topics may be those that a file lists."""
-    consumers = case.packages.consumers if case.packages is not None else ()
-    own = (each for consumer in consumers if consumer.package == package for each in consumer.requirements)
-    return any(each.use == "calls" and each.name in _loaders() for each in own)
+    calls = required(case.packages, "calls") if case.packages is not None else ()
+    return any(caller == package and each.name in _loaders() for caller, each in calls)
 
 
 def _finding(module: View, reader: Interface, weaker: list[_Offer]) -> Finding:

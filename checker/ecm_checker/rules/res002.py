@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import cache
 from importlib import resources
 from typing import Any
 
 from ecm_checker.case import Case
+from ecm_checker.contract import Interface
 from ecm_checker.finding import Entity, Finding
+from ecm_checker.hub.roles import roles, writing_roles
 from ecm_checker.rule import Rule
 from ecm_checker.view import View
 
@@ -29,19 +31,20 @@ def check(case: Case) -> Iterator[Finding]:
     """Actuation topics with several writers in a set without a multiplexer."""
     topics = _table()["topics"]
     written = {
-        name: writers
-        for name, writers in case.by_name("publisher").items()
+        (role, name): writers
+        for role in writing_roles()
+        for name, writers in case.by_name(role).items()
         if len(writers) > 1 and name.rpartition("/")[2] in topics
     }
     if not written or any(map(_is_multiplexer, case.modules)):
         return
-    for name, writers in written.items():
+    for (role, name), writers in written.items():
         kinds = topics[name.rpartition("/")[2]]
-        active = [each for each in writers if any(_is_command(each, name, kind) for kind in kinds)]
+        active = [each for each in writers if any(_is_command(each.endpoints(role)[name], kind) for kind in kinds)]
         if len(active) > 1:
             text = f"{name} is published by {', '.join(each.id for each in active)}"
-            evidence = [each.endpoints("publisher")[name][0].evidence[0] for each in active]
-            yield RULE.finding(text, Entity("topic", name), active, evidence, certainty="likely")
+            evidence = [each.endpoints(role)[name][0].evidence[0] for each in active]
+            yield RULE.finding(text, Entity(roles()[role].provides, name), active, evidence, certainty="likely")
 
 
 @cache
@@ -49,8 +52,8 @@ def _table() -> dict[str, Any]:
     return tomllib.loads((resources.files("ecm_checker") / "data" / "actuation.toml").read_text("utf-8"))
 
 
-def _is_command(module: View, name: str, kind: str) -> bool:
-    return any(entry.type == kind and entry.evidence for entry in module.endpoints("publisher")[name])
+def _is_command(endpoints: Iterable[Interface], kind: str) -> bool:
+    return any(entry.type == kind and entry.evidence for entry in endpoints)
 
 
 def _is_multiplexer(module: View) -> bool:

@@ -42,7 +42,11 @@ def check(case: Case) -> Iterator[Finding]:
 
 def _pairs(packages: Packages) -> Iterator[tuple[Provision, Provision]]:
     """Methods of one class that take and give back."""
-    methods = {(each.owner, each.name): each for each in packages.provisions.of_kind("method") if not each.is_python}
+    methods = {
+        (each.owner, each.name): each
+        for each in packages.provisions.that(lambda row: row.called and row.part)
+        if not each.is_python
+    }
     for (owner, name), take in methods.items():
         for begin, end in pairs().items():
             give = methods.get((owner, end + name.removeprefix(begin))) if name.startswith(begin) else None

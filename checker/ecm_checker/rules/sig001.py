@@ -24,4 +24,4 @@ RULE = Rule(
 
 def check(case: Case) -> Iterator[Finding]:
     """Types of every topic that two modules share."""
-    return mismatches(RULE, case.topics, "topic", ("publishes", "subscribes to"))
+    return mismatches(RULE, case)

@@ -24,4 +24,4 @@ RULE = Rule(
 
 def check(case: Case) -> Iterator[Finding]:
     """Types of every service that two modules share."""
-    return mismatches(RULE, case.services, "service", ("serves", "calls"))
+    return mismatches(RULE, case)

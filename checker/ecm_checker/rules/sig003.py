@@ -24,4 +24,4 @@ RULE = Rule(
 
 def check(case: Case) -> Iterator[Finding]:
     """Types of every action that two modules share."""
-    return mismatches(RULE, case.actions, "action", ("serves", "calls"))
+    return mismatches(RULE, case)

@@ -6,7 +6,6 @@ from collections.abc import Iterator
 
 from ecm_checker.case import Case
 from ecm_checker.finding import Finding
-from ecm_checker.hub.roles import roles, served_roles
 from ecm_checker.near_miss import near_misses
 from ecm_checker.rule import Rule
 
@@ -24,7 +23,4 @@ RULE = Rule(
 
 def check(case: Case) -> Iterator[Finding]:
     """Clients of services and actions without a server."""
-    for server in served_roles():
-        client = roles()[server].peer
-        if client:
-            yield from near_misses(case, RULE, server, client)
+    return near_misses(case, RULE)

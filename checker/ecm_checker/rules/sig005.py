@@ -23,4 +23,4 @@ RULE = Rule(
 
 def check(case: Case) -> Iterator[Finding]:
     """Subscribers without a publisher."""
-    return near_misses(case, RULE, "publisher", "subscriber")
+    return near_misses(case, RULE)

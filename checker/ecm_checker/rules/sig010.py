@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Literal
 
 from ecm_checker.case import Case
-from ecm_checker.contract import Role
 from ecm_checker.delta import Lost, lost
 from ecm_checker.finding import Certainty, Entity, Finding, Severity
-from ecm_checker.hub.roles import roles
+from ecm_checker.hub.roles import Role, roles
 from ecm_checker.names import is_known
 from ecm_checker.rule import Rule
 from ecm_checker.view import View
@@ -56,6 +54,6 @@ def _finding(case: Case, new: View, each: Lost) -> Iterator[Finding]:
         yield RULE.finding(text, entity, (new,), each.evidence, severity="info")
 
 
-def _peer(kind: str) -> Role | Literal[""]:
+def _peer(kind: str) -> Role:
     """The role of who uses an endpoint; empty for an input or output."""
     return next((row.peer for role, row in roles().items() if role == kind), "")

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from ecm_checker.case import Case, Wire
 from ecm_checker.endpoint_types import types
 from ecm_checker.finding import Entity, Finding
+from ecm_checker.hub.roles import roles
 from ecm_checker.qos import sources
 from ecm_checker.rule import Rule
 
@@ -24,10 +25,9 @@ RULE = Rule(
 
 def check(case: Case) -> Iterator[Finding]:
     """Topics, services and actions that two modules share; a hint when they only could run together."""
-    for kind, wires in (("topic", case.topics), ("service", case.services), ("action", case.actions)):
-        for wire in wires:
-            if wire.giver is not wire.taker and (types(wire.offered) is None or types(wire.wanted) is None):
-                yield _finding(case, kind, wire)
+    for wire in case.wires:
+        if wire.giver is not wire.taker and (types(wire.offered) is None or types(wire.wanted) is None):
+            yield _finding(case, roles()[wire.role].provides, wire)
 
 
 def _finding(case: Case, kind: str, wire: Wire) -> Finding:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, Literal, NamedTuple
@@ -153,8 +153,17 @@ class _Said:
         from ecm_extract.outside import told
         from ecm_extract.report.terminal import one_line
 
-        for line in told(known):
+        for line in (*told(known), *_not_asked(known)):
             click.echo(one_line(line, 1000), err=True)
+
+
+def _not_asked(known: Outside) -> Iterator[str]:
+    """What findings on the packages together would hold, and findings on one with documents of the others do not."""
+    from ecm_extract.lint.catalogue import catalogue
+
+    if known.documents:
+        rules = " and ".join(entry.rule.id for entry in catalogue() if entry.rule.of_one_tree)
+        yield f"not asked of documents: {rules}, which compare packages of one tree; launches and descriptions in them"
 
 
 def _selected(texts: tuple[str, ...]) -> frozenset[str]:

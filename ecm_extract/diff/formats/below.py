@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from typing import Final
 
+from ecm_checker.hub.kinds import row_of
 from ecm_checker.release import Change
 
 from ecm_extract.diff.folding import cause_name
 
-_PLURALS: Final = {"class": "classes", "library": "libraries"}
 With = Callable[[Change], str]
 
 
@@ -32,4 +31,4 @@ def _count(kind: str, number: int) -> str:
     name = kind.replace("_", " ")
     if number == 1:
         return f"1 {name}"
-    return f"{number} {_PLURALS.get(name, f'{name}s')}"
+    return f"{number} {row_of(kind).plural or f'{name}s'}"

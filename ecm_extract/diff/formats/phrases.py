@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 import msgspec
 from ecm_checker.contract import Evidence
+from ecm_checker.hub.kinds import kinds_that
 from ecm_checker.release import Change
 
 from ecm_extract.diff.model import Comparison
@@ -15,22 +16,6 @@ from ecm_extract.report.unread_text import unread_lines
 
 _MOST_NAMED = 4
 _RANK = {"removed": 0, "renamed": 1, "moved": 2, "type_changed": 3, "signature_changed": 4}
-_KINDS = (
-    "package",
-    "message",
-    "message_field",
-    "topic",
-    "service",
-    "action",
-    "qos",
-    "parameter",
-    "parameter_setting",
-    "plugin",
-    "executable",
-    "launch_file",
-    "launch_argument",
-    "frame",
-)
 
 
 def incomplete(comparison: Comparison) -> str:
@@ -56,7 +41,8 @@ def by_package(changes: tuple[Change, ...]) -> list[tuple[str, list[Change]]]:
 
 def weight(change: Change) -> tuple[bool, int, int, str, str]:
     """Order of changes: breaking first, then what reaches most people, then what is gone."""
-    kind = _KINDS.index(change.kind) if change.kind in _KINDS else len(_KINDS)
+    first = kinds_that(lambda row: row.first)
+    kind = first.index(change.kind) if change.kind in first else len(first)
     return not change.breaking, kind, _RANK.get(change.change, 9), change.owner, change.old or change.new or ""
 
 

@@ -34,7 +34,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     _ = workspace.systems  # evaluating launch files reports what is missing
     found: dict[tuple[str, str, bool], list[int]] = {}
     for entry in workspace.diagnostics("launch-include-missing", "launch-file-missing"):
-        name = entry.about
+        name = entry.about.removeprefix("/")  # of a package that is the root of the tree
         if _OPEN & set(name) or name.endswith("/"):
             continue  # the last part is for somebody to give
         late = entry.code == "launch-file-missing" and workspace.files.ros_of(entry.path) == 2
@@ -43,8 +43,16 @@ def check(workspace: Workspace) -> Iterator[Finding]:
         evidence = [Evidence(path, line) for line in lines]
         text = f"{path} names {name}, which is not there"
         package = workspace.package_of(path)
-        yield RULE.finding(text, Entity("file", name), package, evidence, consequence=_AT_START if late else "")
+        entity = Entity("file", _in_package(name, workspace))
+        yield RULE.finding(text, entity, package, evidence, consequence=_AT_START if late else "")
     yield from _relative(workspace)
+
+
+def _in_package(path: str, workspace: Workspace) -> str:
+    """Return a path of the tree as that of a package, which is the same wherever the package lies; else as it is."""
+    name = workspace.package_of(path)
+    root = workspace.by_name[name].root.path if name in workspace.by_name else ""
+    return f"{name}/{path.removeprefix(root).lstrip('/')}" if name else path
 
 
 def tell(known: Known) -> Iterator[Finding]:
@@ -72,7 +80,7 @@ def _relative(workspace: Workspace) -> Iterator[Finding]:
         evidence = [Evidence(entry.path, entry.line)]
         yield RULE.finding(
             text,
-            Entity("file", name),
+            Entity("file", _in_package(name, workspace)),
             workspace.package_of(entry.path),
             evidence,
             certainty="likely",

@@ -55,11 +55,18 @@ class _Reach:
         self._graph: nx.DiGraph[str] = nx.DiGraph()
         self._graph.add_nodes_from(sorted(self._own))
         self._graph.add_edges_from((item.name, entry.name) for item in manifests for entry in item.dependencies)
+        self._wanted = self._graph.copy()
+        edges = ((package.name, used) for package in workspace.packages for used in _used(workspace, package))
+        self._wanted.add_edges_from((name, used) for name, used in edges if {name, used} <= self._own)
 
     def is_absent(self, package: str, used: str) -> bool:
-        """Tell whether `used` is of the tree, is not brought along, and could be asked for without a circle."""
-        pairs = ((package, used), (used, package))
-        return used in self._own and not any(nx.has_path(self._graph, *pair) for pair in pairs)
+        """Tell whether `used` is of the tree, is not brought along, and could be asked for without a circle.
+
+        Two packages that use each other cannot both ask for the other.
+        """
+        if used not in self._own or nx.has_path(self._graph, package, used):
+            return False
+        return not nx.has_path(self._wanted, used, package)
 
 
 def _used(workspace: Workspace, package: PackageFacts) -> dict[str, list[Evidence]]:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
+from ecm_checker.hub.roles import linked_roles
 
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace, evidence_of
@@ -23,7 +24,6 @@ RULE = LintRule(
 )
 _ANY = frozenset({"rospy/msg/AnyMsg", "topic_tools/msg/ShapeShifter"})
 """Types of a side that takes messages as they come."""
-_SIDES = {"publisher": "subscriber", "service_server": "service_client", "action_server": "action_client"}
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
@@ -38,7 +38,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
 
 
 def _channels(system: System) -> Iterator[tuple[str, list[Endpoint], list[Endpoint]]]:
-    for offer, use in _SIDES.items():
+    for offer, use in linked_roles():
         by_name: dict[str, tuple[list[Endpoint], list[Endpoint]]] = {}
         for node in system.nodes:
             for entry in node.endpoints:

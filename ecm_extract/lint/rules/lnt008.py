@@ -51,10 +51,10 @@ def mismatch(offered: Qos | None, asked: Qos | None) -> str | None:
 def _pairs(system: System) -> Iterator[tuple[Endpoint, Endpoint]]:
     every = [entry for node in system.nodes if node.instance.ros == 2 for entry in node.endpoints if entry.known]
     for subscriber in every:
-        if subscriber.role == "subscriber" and subscriber.qos is not None:
+        if subscriber.row.reads and subscriber.qos is not None:
             for publisher in every:
                 same = publisher.name == subscriber.name and publisher.type == subscriber.type
-                if publisher.role == "publisher" and same and publisher.qos is not None:
+                if publisher.row.writes and same and publisher.qos is not None:
                     yield publisher, subscriber
 
 

@@ -50,11 +50,11 @@ def _written(system: System) -> dict[str, list[Endpoint]]:
             continue
         for entry in node.endpoints:
             moves = entry.known and table.moved(entry.role, entry.type, entry.name) is not None
-            if entry.role == "publisher" and moves and not _relays(node, entry.name):
+            if entry.row.writes and moves and not _relays(node, entry.name):
                 found.setdefault(entry.name, []).append(entry)
     return found
 
 
 def _relays(node: SystemNode, topic: str) -> bool:
     """Tell whether a node reads the topic as well: a bridge hands on what the others say."""
-    return any(entry.role == "subscriber" and entry.name == topic for entry in node.endpoints)
+    return any(entry.row.reads and entry.name == topic for entry in node.endpoints)

@@ -50,7 +50,7 @@ def _doubled(workspace: Workspace) -> Iterator[Finding]:
                 continue  # a node may call a parameter as itself
             twice = next((one for one, two in pairwise(parts) if one == two), None)
             place = interface.evidence[0]
-            is_ros1 = interface.role == "parameter" and "/" in interface.name
+            is_ros1 = interface.row.value and "/" in interface.name
             if is_ros1 and twice is not None and "{" not in twice and place not in seen:
                 seen.add(place)
                 text = f"{interface.name} holds {twice} twice"

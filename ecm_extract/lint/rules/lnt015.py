@@ -8,6 +8,7 @@ from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 from ecm_checker.hub.provision import Provision
 from ecm_checker.hub.requirement import Requirement
+from ecm_checker.hub.roles import joining_uses
 from ecm_checker.match.engine import Match
 
 from ecm_extract.lint.near import nearest
@@ -27,7 +28,6 @@ RULE = LintRule(
 CUTOFF = 0.84
 _PEOPLE = frozenset({"/initialpose", "/goal_pose", "/clicked_point", "/move_base_simple/goal"})
 """What people give with the tools of rviz, which need no launch file."""
-_JOINING = frozenset({"hears", "asks", "orders"})
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
@@ -40,11 +40,11 @@ def check(workspace: Workspace) -> Iterator[Finding]:
 
 
 def _of_system(joined: Connections, workspace: Workspace) -> Iterator[Finding]:
-    used: dict[str, set[str]] = {use: set() for use in _JOINING}
+    used: dict[str, set[str]] = {use: set() for use in joining_uses()}
     for each in joined.matches:
         used.get(each.requirement.use, set()).add(each.requirement.name)
     for each in joined.matches:
-        near = _near(each, joined, used) if each.requirement.use in _JOINING else None
+        near = _near(each, joined, used) if each.requirement.use in joining_uses() else None
         if near is not None:
             yield _finding(each.requirement, near, workspace)
 

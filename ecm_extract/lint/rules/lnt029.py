@@ -10,6 +10,7 @@ from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding, Severity
 from ecm_checker.hub.kinds import uses
 from ecm_checker.hub.provision import HOLE, Provision
+from ecm_checker.hub.roles import asking_uses
 
 from ecm_extract.lint.known import Asked, Known
 from ecm_extract.lint.rule import LintRule
@@ -23,7 +24,6 @@ RULE = LintRule(
     consequence="the subscriber or client waits for ever, without an error",
     resolution="use the name that is offered now",
 )
-_USES: Final = ("subscribes", "calls_service", "calls_action")
 _SCRIPT: Final = ".py"
 MAX_PROVIDERS: Final = 3
 _COMPARED: Final = 2
@@ -35,7 +35,7 @@ _NEVER_ROOT: Final = 3
 def tell(known: Known) -> Iterator[Finding]:
     """Report lines of Python none of whose possible names is offered, while one thing of the type ends the same."""
     level: Severity = "info" if _starts_foreign(known) else "warning"
-    for use in _USES:
+    for use in asking_uses():
         offered = _offered(known, use)
         for asked in _lines(known, use).values():
             providers = offered.get(asked[0].requirement.type or "", ())

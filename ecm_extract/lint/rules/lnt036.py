@@ -21,6 +21,7 @@ RULE = LintRule(
     who="source",
     consequence="it no longer builds or starts once the old name is gone",
     resolution="use what replaces it",
+    tier="stable",
 )
 _HEADERS = (".h", ".hh", ".hpp", ".hxx")
 _PRIVATE = "_"

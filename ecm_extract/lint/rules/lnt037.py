@@ -21,6 +21,7 @@ RULE = LintRule(
     who="config",
     consequence="who installs the metapackage gets it only through other packages, or not at all",
     resolution="add an <exec_depend> (<run_depend> in format 1) to the metapackage",
+    of_one_tree=True,
 )
 _MOST = 0.6
 _LEAST = 3

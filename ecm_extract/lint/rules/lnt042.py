@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections import defaultdict
+from collections.abc import Iterator, Mapping
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding, Severity
@@ -35,13 +36,25 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     nodes = [node for system in workspace.systems for node in system.nodes]
     relative = [each.instance for each in nodes if each.instance.namespace == "/" and each.instance.kind not in _HOSTED]
     told = {(node.instance.full_name, remap.target) for node in nodes for remap in node.instance.remaps}
+    beside = _started_with(workspace)
     seen: set[Place] = set()
     for each in reached(nodes, relative):
         for owner in each.nodes:
             is_met = owner.name == each.node.name or (owner.name, each.name) in told  # who is told so is there anywhere
             if not is_met and each.place not in seen:  # one line may name the node of each of many robots
                 seen.add(each.place)
-                yield _finding(each, owner, workspace)
+                yield _finding(each, owner, workspace, together=owner.name in beside[each.place])
+
+
+def _started_with(workspace: Workspace) -> Mapping[Place, frozenset[str]]:
+    """Names of the nodes that some launch starts together with what a line tells a name."""
+    found: dict[Place, frozenset[str]] = defaultdict(frozenset)
+    for system in workspace.systems:
+        names = frozenset(node.name for node in system.nodes)
+        for node in system.nodes:
+            for place in (node.instance.place, *(remap.place for remap in node.instance.remaps)):
+                found[place] |= names
+    return found
 
 
 def _is_written(place: Place, workspace: Workspace) -> bool:
@@ -62,7 +75,8 @@ def _is_given(remap: Remap) -> bool:
     return isinstance(first, Substitution) and first.kind == "arg"
 
 
-def _finding(found: Reached, owner: Provision, workspace: Workspace) -> Finding:
+def _finding(found: Reached, owner: Provision, workspace: Workspace, *, together: bool) -> Finding:
+    """A finding; a node that no launch starts together with what is told may have the name by chance: an info."""
     shared = found.place.path.rpartition("/")[2] in workspace.included and _is_written(found.place, workspace)
     text = f"{found.name} is absolute, and the node {owner.name.lstrip('/')} is started by a relative name"
     return RULE.finding(
@@ -71,5 +85,5 @@ def _finding(found: Reached, owner: Provision, workspace: Workspace) -> Finding:
         workspace.package_of(found.place.path),
         [evidence_of(found.place), Evidence(owner.path, owner.line)],
         certainty="likely",
-        severity=_IN_INCLUDED if shared else None,
+        severity=_IN_INCLUDED if shared and together else None,
     )

@@ -66,7 +66,7 @@ def _started(workspace: Workspace) -> dict[tuple[str, str], set[str]]:
 
 def _is_absolute(interface: Interface) -> bool:
     name = interface.raw_name
-    own = interface.role == "parameter" and name.startswith("/") and interface.confidence != "pattern"
+    own = interface.row.value and name.startswith("/") and interface.confidence != "pattern"
     return own and name not in _SHARED and not name.startswith(_SHARED_PREFIXES)
 
 

@@ -67,7 +67,7 @@ def _readers(workspace: Workspace) -> Iterator[Reader]:
         for interface in entry.interfaces:
             generic = interface.type is None and _ANY.fullmatch(interface.name) is not None
             wide = generic and not _reads_lists(entry.module.package, workspace)
-            if interface.role == "subscriber" and wide and _asks(interface) and _takes_any(interface, workspace):
+            if interface.row.reads and wide and _asks(interface) and _takes_any(interface, workspace):
                 yield Reader(entry.module.package, entry.module.name, interface)
 
 
@@ -111,7 +111,7 @@ def _chooses(statement: Statement) -> bool:
 def _by_package(workspace: Workspace) -> dict[str, list[Interface]]:
     found: dict[str, list[Interface]] = {}
     for entry in workspace.linked:
-        known = [each for each in entry.interfaces if each.role == "publisher" and "{" not in each.name and each.qos]
+        known = [each for each in entry.interfaces if each.row.writes and "{" not in each.name and each.qos]
         found.setdefault(entry.module.package, []).extend(known)
     return found
 

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from ecm_checker.contract import Evidence, Qos
 from ecm_checker.finding import Entity, Finding
+from ecm_checker.hub.roles import roles
 
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace, evidence_of
@@ -40,11 +41,11 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     seen = set()
     for topics in (_written(workspace), *_launched(workspace)):
         for (name, _), ends in sorted(topics.items(), key=str):
-            writers = [end for end in ends if end.role == "publisher"]
+            writers = [end for end in ends if roles()[end.role].writes]
             if not writers or not all(_keeps(end.qos) for end in writers):
                 continue
             for end in ends:
-                late = end.role == "subscriber" and end.owner not in {writer.owner for writer in writers}
+                late = roles()[end.role].reads and end.owner not in {writer.owner for writer in writers}
                 if late and end.qos.durability == "volatile" and end.place not in seen:
                     seen.add(end.place)
                     text = f"{end.owner} reads {name} without what was sent before, and {writers[0].owner} keeps it"

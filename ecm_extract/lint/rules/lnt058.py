@@ -8,6 +8,7 @@ from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding, Severity
 
 from ecm_extract.entities.install_rules import InstallRule, install_rules, is_open, lives_in_devel_space, place_of
+from ecm_extract.lint.beside import foreign_requirements
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
@@ -22,6 +23,7 @@ RULE = LintRule(
     resolution="install(DIRECTORY include/${PROJECT_NAME}/ DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION})",
 )
 _SHOWN = 3
+_INCLUDES = "includes"
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
@@ -60,13 +62,16 @@ def _headers(package: PackageFacts) -> dict[str, str]:
 
 
 def _included(workspace: Workspace) -> dict[str, tuple[str, Evidence]]:
-    """Return what sources include that is a header of another package, with the first that does."""
+    """Return what sources include that is a header of another package, with the first that does; own sources first."""
     owners = {name: package.name for package in workspace.packages for name in _headers(package)}
     found: dict[str, tuple[str, Evidence]] = {}
     for file in workspace.linker.program.files:
         for entry in file.facts.imports if file.language != "python" else ():
             if owners.get(entry.module, file.package) != file.package:
                 found.setdefault(entry.module, (file.package, Evidence(file.path, entry.line)))
+    for name, requirement in foreign_requirements(workspace.stored, frozenset(workspace.by_name)):
+        if requirement.use == _INCLUDES and requirement.name in owners:
+            found.setdefault(requirement.name, (name, requirement.evidence[0]))
     return found
 
 

@@ -11,6 +11,7 @@ from cyclonedds.core import Qos as DdsQos
 from cyclonedds.domain import DomainParticipant
 from cyclonedds.util import duration
 from ecm_checker.contract import Qos
+from ecm_checker.hub.roles import writing_roles
 
 from ecm_extract.observe.dds.discovery import Found
 from ecm_extract.observe.dds.names import meaning, ros_type
@@ -42,7 +43,7 @@ class Listening:
         """Listen to topics with a writer that is new."""
         for end in endpoints:
             told = meaning(end.topic, end.writes)
-            if end.writes and told is not None and told.role == "publisher" and end.topic not in self._readers:
+            if end.writes and told is not None and told.role in writing_roles() and end.topic not in self._readers:
                 self._open(end, told.name)
 
     def take(self) -> None:

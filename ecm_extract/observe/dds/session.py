@@ -9,6 +9,7 @@ from datetime import UTC, datetime
 from typing import Final
 
 from cyclonedds.domain import DomainParticipant
+from ecm_checker.hub.roles import roles
 
 from ecm_extract.observe.actions import with_actions
 from ecm_extract.observe.dds.graph import Graph
@@ -21,15 +22,7 @@ _SETTLE_S: Final = 2.0
 _QUIET_S: Final = 0.5
 _STEP_S: Final = 0.02
 _SHOW_S: Final = 1.0
-_BY_DISCOVERY: Final[tuple[Sense, ...]] = (
-    "publisher",
-    "subscriber",
-    "service_server",
-    "service_client",
-    "action_server",
-    "action_client",
-    "qos",
-)
+_BY_DISCOVERY: Final[tuple[Sense, ...]] = (*(role for role, row in roles().items() if row.peer), "qos")
 _BY_LISTENING: Final[tuple[Sense, ...]] = ("rate", "transform", "diagnostic")
 
 

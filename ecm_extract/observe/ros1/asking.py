@@ -8,6 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import Final, TypeVar
 
 import msgspec
+from ecm_checker.hub.roles import roles
 
 from ecm_extract.observe.model import Endpoint, Parameter
 from ecm_extract.observe.ros1.handshake import Header, service_header, topic_connection
@@ -17,7 +18,6 @@ from ecm_extract.observe.ros1.rpc import call
 from ecm_extract.observe.standard import is_standard, is_tool
 
 _WORKERS: Final = 64
-_MEANS: Final = {"publisher": "msg", "subscriber": "msg", "service_server": "srv"}
 _Key = tuple[str, str, str]
 _Asked = TypeVar("_Asked")
 
@@ -74,9 +74,9 @@ class Answers:
         for each in self.graph.registered:
             header = self._headers.get(_key(each), {})
             told = header.get("type") or self._subscriptions.get(each.node, {}).get(each.name)
-            if told in {None, "*"} and each.role != "service_server":
+            if told in {None, "*"} and not roles()[each.role].serves:
                 told = self.graph.types.get(each.name)
-            kind = full_type(told, _MEANS[each.role])
+            kind = full_type(told, roles()[each.role].shape)
             digest, definition = header.get("md5sum") or None, header.get("message_definition") or None
             yield Endpoint(each.role, each.name, kind, each.node, digest, definition)
 
@@ -85,7 +85,7 @@ class Answers:
 
     def _is_to_be_asked(self, end: Registered) -> bool:
         known = end.node in self._subscriptions and _key(end) not in self._headers
-        tells = end.role != "subscriber" and not is_standard(end.role, end.name, end.node)
+        tells = not roles()[end.role].reads and not is_standard(end.role, end.name, end.node)
         return known and tells and _what(end) not in self.gaps
 
     def _ask_node(self, node: str) -> None:
@@ -100,7 +100,7 @@ class Answers:
         return self.attempt(_what(end), lambda: self._told(end))
 
     def _told(self, end: Registered) -> Publication | None:
-        if end.role == "publisher":
+        if roles()[end.role].writes:
             connection, header = topic_connection(self.addresses[end.node], end.name)
             self._headers[_key(end)] = header
             return Publication(end, header, connection)

@@ -7,6 +7,8 @@ from collections.abc import Iterator
 from datetime import UTC, datetime
 from typing import Final
 
+from ecm_checker.hub.roles import roles
+
 from ecm_extract.errors import InputError
 from ecm_extract.observe.actions import with_actions
 from ecm_extract.observe.hearing.heard import Channel, Heard
@@ -18,14 +20,11 @@ from ecm_extract.observe.ros1.master import Master
 from ecm_extract.observe.ros1.peer import PeerError
 
 _LOOK_AGAIN_S: Final = 1.0
+_UNTOLD: Final = "service_client"
+"""The master knows who serves, not who calls."""
 _BY_ASKING: Final[tuple[Sense, ...]] = (
     "node",
-    "publisher",
-    "subscriber",
-    "service_server",
-    "action_server",
-    "action_client",
-    "parameter",
+    *(role for role, row in roles().items() if not row.transform and role != _UNTOLD),
 )
 _BY_LISTENING: Final[tuple[Sense, ...]] = ("rate", "transform", "diagnostic")
 

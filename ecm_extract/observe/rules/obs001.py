@@ -42,7 +42,7 @@ def _is_missing(watch: Watch, each: Expected, present: set[tuple[str, str]]) -> 
     """A parameter that is at its default need not be set anywhere, so it is never missing."""
     keys = graph_keys(each)
     visible = all(role in watch.seen.senses for role, _ in keys)
-    is_parameter = each.interface.role == "parameter"
+    is_parameter = each.interface.row.value
     return visible and not is_parameter and is_exact(each) and present.isdisjoint(keys)
 
 

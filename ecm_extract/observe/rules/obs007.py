@@ -29,7 +29,7 @@ def check(watch: Watch) -> Iterator[Finding]:
     """Rates that a contract gives a topic, and the only rate of a module that publishes one topic only."""
     streams = {(stream.topic, stream.node): stream for stream in watch.seen.streams}
     for pair in watch.pairs:
-        if pair.seen.role != "publisher":
+        if not pair.seen.row.writes:
             continue
         stream = streams.get((pair.seen.name, pair.seen.node)) or streams.get((pair.seen.name, None))
         wanted = _promised(pair.expected)
@@ -59,7 +59,7 @@ def _promised(expected: Expected) -> tuple[float, Certainty] | None:
 def _only_rate(module: View, rates: Mapping[str, float]) -> tuple[float, Certainty] | None:
     """A module with one rate and one topic has most likely that rate on that topic."""
     different = set(rates.values())
-    published = module.endpoints("publisher")
+    published = {each.name for each in module.written}
     if len(different) == 1 and len(published) == 1:
         return different.pop(), "likely"
     return None

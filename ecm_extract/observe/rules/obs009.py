@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ecm_checker.finding import Certainty, Entity, Finding
+from ecm_checker.hub.roles import roles
 
 from ecm_extract.observe.actuation import moves
 from ecm_extract.observe.model import Endpoint
@@ -27,8 +28,8 @@ def check(watch: Watch) -> Iterator[Finding]:
     for (role, name), ends in watch.by_name.items():
         commands = [end for end in ends if moves(end.name, end.type)]
         writers = sorted({end.node for end in commands if end.node is not None})
-        if role == "publisher" and len(writers) > 1:
-            yield _finding(watch, name, writers, watch.by_name.get(("subscriber", name), ()))
+        if roles()[role].writes and len(writers) > 1:
+            yield _finding(watch, name, writers, watch.by_name.get((roles()[role].peer, name), ()))
 
 
 def _finding(watch: Watch, name: str, writers: list[str], readers: tuple[Endpoint, ...]) -> Finding:

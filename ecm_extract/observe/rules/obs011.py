@@ -30,7 +30,7 @@ def check(watch: Watch) -> Iterator[Finding]:
     for running in watch.present:
         node = running.node
         for each in on_node(running.module, None):
-            ends = frames.ends(each.interface.frame) if each.interface.role == "tf_lookup" else None
+            ends = frames.ends(each.interface.frame) if each.interface.row.hears_transforms else None
             if ends is None or _connected(trees, *ends):
                 continue
             text = f"{node} looks up {ends[0]} <- {ends[1]}: {_reason(trees, *ends)}"

@@ -30,7 +30,7 @@ def check(watch: Watch) -> Iterator[Finding]:
     seen = {(each.node, each.name): each for each in watch.seen.parameters}
     for node, promises in watch.expected_on.items():
         for each in promises:
-            if each.interface.role != "parameter":
+            if not each.interface.row.value:
                 continue
             found = seen.get((node, each.interface.raw_name)) or seen.get((None, each.name))
             if found is not None:

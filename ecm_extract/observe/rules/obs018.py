@@ -28,7 +28,7 @@ def check(watch: Watch) -> Iterator[Finding]:
     """`header.frame_id` of the messages of a publisher whose contract fixes the frame."""
     seen = {(stream.topic, stream.node): stream.frames for stream in watch.seen.streams}
     for pair in watch.pairs:
-        if pair.seen.role == "publisher":
+        if pair.seen.row.writes:
             found = seen.get((pair.seen.name, pair.seen.node)) or seen.get((pair.seen.name, None), ())
             yield from _others(pair, found)
 

@@ -6,6 +6,7 @@ from ecm_extract.system.graph import edges_of, graph_of
 from ecm_extract.system.system import System
 
 _SHAPES = {"node": "ellipse", "topic": "box", "service": "cds", "action": "component"}
+_OTHER = "box"
 
 
 def render(system: System) -> str:
@@ -14,7 +15,7 @@ def render(system: System) -> str:
     lines = ["digraph system {", "  rankdir=LR;", '  node [fontname="sans-serif"];']
     for vertex, data in sorted(graph.nodes(data=True)):
         style = ", style=dashed" if data.get("conditional") else ""
-        lines.append(f"  {_id(vertex)} [label={_quoted(vertex[1])}, shape={_SHAPES[vertex[0]]}{style}];")
+        lines.append(f"  {_id(vertex)} [label={_quoted(vertex[1])}, shape={_SHAPES.get(vertex[0], _OTHER)}{style}];")
     for edge in edges_of(graph):
         label = f" [label={_quoted(edge.type)}]" if edge.type else ""
         lines.append(f"  {_id(edge.start)} -> {_id(edge.end)}{label};")

@@ -6,6 +6,7 @@ from ecm_extract.system.graph import edges_of, graph_of
 from ecm_extract.system.system import System
 
 _BRACKETS = {"node": ("([", "])"), "topic": ("[", "]"), "service": ("[/", "/]"), "action": ("[[", "]]")}
+_OTHER = ("[", "]")
 
 
 def render(system: System) -> str:
@@ -15,7 +16,7 @@ def render(system: System) -> str:
     ids = {vertex: f"v{number}" for number, vertex in enumerate(vertices)}
     lines = ["flowchart LR"]
     for vertex in vertices:
-        left, right = _BRACKETS[vertex[0]]
+        left, right = _BRACKETS.get(vertex[0], _OTHER)
         lines.append(f"  {ids[vertex]}{left}{_quoted(vertex[1])}{right}")
     for edge in edges_of(graph):
         label = f"|{_quoted(edge.type)}|" if edge.type else ""

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import networkx as nx
 from ecm_checker.hub.kinds import Breach
+from ecm_checker.hub.roles import channel_kinds, roles
 from ecm_checker.match.engine import Match
 
 from ecm_extract.report.terminal import one_line
@@ -19,7 +20,6 @@ from ecm_extract.system.node_model import SystemNode
 from ecm_extract.system.origins import Origin, code_of, origin_of
 from ecm_extract.system.system import System
 
-_SIDES = {"topic": ("pub", "sub"), "service": ("client", "server"), "action": ("client", "server")}
 _ORIGINS: Mapping[Origin, str] = {
     "table": "public node, endpoints by table",
     "unknown": "source not in the tree, endpoints not known",
@@ -60,7 +60,7 @@ def _head(system: System, found: list[Channel]) -> Iterator[str]:
     commit = f" ({system.tree.commit[:12]})" if system.tree.commit else ""
     place = "" if system.tree.label == "." and not commit else f"{system.tree.label}{commit}: "
     yield f"{place}{', '.join(system.launched.files[:1])}"
-    kinds = [_counted(sum(1 for entry in found if entry.kind == kind), kind) for kind in _SIDES]
+    kinds = [_counted(sum(1 for entry in found if entry.kind == kind), kind) for kind in channel_kinds()]
     files = _counted(len(system.launched.files), "launch file")
     yield f"{', '.join([_counted(len(system.nodes), 'node'), *kinds])}; {files} read"
     if not system.launched.is_complete:
@@ -121,14 +121,21 @@ def _processes(instances: Iterable[Instance]) -> Iterator[str]:
 
 
 def _channels(found: list[Channel]) -> Iterator[str]:
-    for kind, (source, target) in _SIDES.items():
+    for kind in channel_kinds():
         entries = [entry for entry in found if entry.kind == kind]
         if not entries:
             continue
         yield from ("", f"{kind}s")
+        source, target = _side(kind, sends=True), _side(kind, sends=False)
         for entry in entries:
             yield f"  {entry.name}  {_types(entry)}"
             yield f"      {source}: {', '.join(entry.sources) or '-'}   {target}: {', '.join(entry.targets) or '-'}"
+
+
+def _side(kind: str, *, sends: bool) -> str:
+    """What those on one side of a channel are called."""
+    rows = (row for row in roles().values() if row.channel == kind and row.sends is sends)
+    return next((row.short for row in rows if row.short), "")
 
 
 def _types(entry: Channel) -> str:
@@ -194,14 +201,14 @@ def _wanted(nodes: Iterable[SystemNode], matches: Iterable[Match]) -> Iterator[s
     """What nodes listen to or call, and no node whose endpoints are known offers."""
     wanted: dict[tuple[str, str], list[Match]] = {}
     for each in matches:
-        if not each.found and each.requirement.kind in _SIDES:
+        if not each.found and each.requirement.kind in channel_kinds():
             wanted.setdefault((each.requirement.kind, each.requirement.said), []).append(each)
     if not wanted:
         return
     unknown = sum(1 for node in nodes if origin_of(node) == "unknown")
     who = f" (or from the {_counted(unknown, 'node')} whose endpoints are not known)" if unknown else ""
     yield from ("", f"must come from outside{who}")
-    order = sorted(wanted, key=lambda key: (list(_SIDES).index(key[0]), key[1]))
+    order = sorted(wanted, key=lambda key: (channel_kinds().index(key[0]), key[1]))
     for kind, name in order[:MAX_ENTRIES]:
         yield f"  {kind} {name}  {_wanted_by(wanted[kind, name])}"
     yield from _more(len(wanted))

@@ -265,17 +265,18 @@ class DeclarationReader:
             self.constants.append(Constant(self.expr.text(name), "", read, lines_of(node)[0], "", ("define",)))
 
     def enum(self, node: Node, place: Place) -> None:
-        """An enum: each value is a constant."""
+        """An enum: each value is a constant; those of an `enum class` are known within it only."""
         name, body = node.child_by_field_name("name"), node.child_by_field_name("body")
         if body is None:
             return
         own = self.expr.name(name) if name is not None else ""
         scope = "::".join(part for part in (place.scope, own) if part)
+        scoped = any(child.type in {"class", "struct"} for child in node.children)
+        traits = (*place.traits(), "enum", *(("scoped",) if scoped else ()))
         for child in body.named_children:
             label, value = child.child_by_field_name("name"), child.child_by_field_name("value")
             if child.type == "enumerator" and label is not None:
                 read = self.expr.read(value) if value is not None else None
-                traits = (*place.traits(), "enum")
                 self.constants.append(Constant(self.expr.text(label), scope, read, lines_of(child)[0], own, traits))
 
 

@@ -107,7 +107,10 @@ class Class(_Fact, frozen=True):
 
 
 class Constant(_Fact, frozen=True):
-    """A named value outside functions: namespace constant, static member, `#define`, enum value, module global."""
+    """A named value outside functions: namespace constant, static member, `#define`, enum value, module global.
+
+    A value of an enum has the enum as scope and type, and the trait `scoped` when it is known within that only.
+    """
 
     name: str
     scope: str

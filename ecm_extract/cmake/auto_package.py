@@ -1,0 +1,63 @@
+"""What `ament_auto_add_*` and `ament_auto_package` look for and install by themselves (ament_cmake_auto)."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator, Sequence
+from typing import Final
+
+from ecm_parsers.cmake_facts import Install, InstallKind
+
+from ecm_extract.cmake import globs
+from ecm_extract.cmake.calls import Call
+from ecm_extract.cmake.files import BuildFiles
+from ecm_extract.cmake.keywords import split
+from ecm_extract.cmake.state import both
+
+_SUFFIXES: Final = (".c", ".cc", ".cpp", ".cxx")
+_LIBRARY: Final = "ament_auto_add_library"
+_EXECUTABLE: Final = "ament_auto_add_executable"
+
+
+def auto_sources(args: Sequence[str], call: Call, files: BuildFiles) -> list[str]:
+    """Return the sources that are named, and all that lie below the folder after DIRECTORY."""
+    groups = split(tuple(args), frozenset({"DIRECTORY"}))
+    (folder, *rest) = groups.get("DIRECTORY") or [""]
+    patterns = [f"{folder}/*{suffix}" for suffix in _SUFFIXES] if folder else []
+    found = [globs.found(files, pattern, call.folder, recursive=True) for pattern in patterns]
+    unread = [folder] if any(each is None for each in found) else []
+    return [*groups[""], *rest, *unread, *(path for each in found for path in sorted(each or ()))]
+
+
+def installed_by_auto(call: Call, calls: Sequence[Call], files: BuildFiles) -> Iterator[Install]:
+    """Yield the rules of `ament_auto_package([INSTALL_TO_PATH] [INSTALL_TO_SHARE folders...])`.
+
+    Args:
+        call: of `ament_auto_package`.
+        calls: of its file.
+        files: of the tree.
+    """
+    groups = split(call.texts, frozenset({"INSTALL_TO_PATH", "INSTALL_TO_SHARE"}))
+    project = next((each.args[0] for each in calls if each.name == "project" and each.args), "${PROJECT_NAME}")
+    if files.is_folder(posixpath.join(call.folder, "include")):
+        yield _rule("directory", [call.file("include/")], "include", call)
+    yield from _of_targets(_made(_LIBRARY, calls), "lib", call)
+    programs = "bin" if "INSTALL_TO_PATH" in groups else f"lib/{project}"
+    yield from _of_targets(_made(_EXECUTABLE, calls), programs, call)
+    for folder in groups.get("INSTALL_TO_SHARE", []):
+        yield _rule("directory", [call.file(folder)], f"share/{project}", call)
+
+
+def _made(command: str, calls: Sequence[Call]) -> list[Call]:
+    return [each for each in calls if each.name == command and each.args and "INTERFACE" not in each.args[1:2]]
+
+
+def _of_targets(made: list[Call], place: str, call: Call) -> Iterator[Install]:
+    """A rule for each target: builds have it where they have the target."""
+    for each in made:
+        by_default = both(each.by_default, call.by_default)
+        yield Install("targets", (each.args[0],), place, call.line, conditions=each.conditions, by_default=by_default)
+
+
+def _rule(kind: InstallKind, items: list[str], place: str, call: Call) -> Install:
+    return Install(kind, tuple(items), place, call.line, conditions=call.conditions, by_default=call.by_default)

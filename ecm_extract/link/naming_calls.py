@@ -1,0 +1,31 @@
+"""Functions of client libraries that make a name of another; see naming_calls.toml."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Mapping, Sequence
+from functools import cache
+from importlib import resources
+
+from ecm_extract.link.spelling import last_name
+
+
+@cache
+def _table() -> Mapping[str, Mapping[str, Sequence[str]]]:
+    return tomllib.loads((resources.files("ecm_extract.link") / "naming_calls.toml").read_text("utf-8"))
+
+
+def is_resolver(name: str) -> bool:
+    """Tell whether a function of a last name applies remaps and namespaces at run time."""
+    return name in _table()["resolving"]["names"]
+
+
+def gives_name(path: str) -> bool:
+    """Tell whether a function, as it is written, gives the name that it is passed."""
+    return is_resolver(last_name(path)) or path.endswith(tuple(_table()["tidying"]["paths"]))
+
+
+def leaves_arguments(path: str) -> bool:
+    """Tell whether a function, as it is written, makes a name and leaves what it is given as it is."""
+    reading = _table()["reading"]
+    return gives_name(path) or last_name(path) in reading["names"] or path.endswith(tuple(reading["paths"]))
