@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from ecm_checker.hub.roles import Role, roles
-from ecm_parsers.source.expr import Call, Expr, Member, Name
+from ecm_parsers.source.expr import Call, Expr, Member, Name, Op, Text
 
+from ecm_extract.link.asked_types import asked_type
 from ecm_extract.link.data import UNKNOWN, data_of, declared_type, plain_type, stated_type, type_of_data
 from ecm_extract.link.durations import counted
 from ecm_extract.link.env import Env
@@ -41,7 +42,7 @@ class EndpointTypes:
         declared = self._declared(written, site.env) or stated or self._out_type(out, site.env)
         known = declared or (type_of_data(data) if data is not UNKNOWN else None)
         known = known or self._default_type(default, site.env) or self._target_type(site)
-        known = known or self._read_type(site) or self._described(site)
+        known = known or self._read_type(site) or self._described(site) or asked_type(site.call)
         return known, UNKNOWN if known in _NO_TEXT and isinstance(data, str) else _as_declared(data, known)
 
     def _data(self, default: Expr | None, env: Env) -> Any:
@@ -98,6 +99,8 @@ class EndpointTypes:
         if isinstance(default, Name) and default.id in env.args:
             bound = env.args[default.id]
             return self._default_type(bound.expr, bound.env)
+        if isinstance(default, Op) and default.op == "+" and any(isinstance(part, Text) for part in default.operands):
+            return "string"
         if isinstance(default, Call) and isinstance(default.callee, Name):
             inner = default.args[0] if default.callee.id.endswith("ParameterValue") and default.args else None
             if inner is not None:

@@ -40,7 +40,8 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         receiver: last names of the classes whose objects have the method; empty for any.
         node: position of the node or node handle when it is an argument.
         fixed: the name, when the form implies it; `~/x` is private, or below the handle at `node` where one is given.
-        place: what the endpoint is called where the name that is given is not its own: `{name}/get`, `{parent}/info`.
+        place: what the endpoint is called where the name that is given is not its own: `{name}/get`,
+            `{parent}/info`; `~/{name}` is private where no handle is given.
         beside: the row holds in addition to the one that a call is.
         flag: position of what has to be true for the row to hold.
         profile: preset of the QoS, when the form implies it.

@@ -24,6 +24,7 @@ from ecm_extract.link.frames import frame_of
 from ecm_extract.link.generated import GeneratedParameters
 from ecm_extract.link.handles import Handle, Handles
 from ecm_extract.link.host_arguments import HostArguments
+from ecm_extract.link.implied_names import fixed_name, place_at
 from ecm_extract.link.made import units_of
 from ecm_extract.link.match import Matcher, handle_argument, is_callback, name_argument, positions
 from ecm_extract.link.merging import merged
@@ -278,20 +279,14 @@ class Linker:
         """Return the names of a site with the expression of each default."""
         form, call = site.form, site.call
         if form.fixed:
-            return [(self._fixed(site), None)]
+            return [(fixed_name(site, self.folder), None)]
         default = next(positions(form.default, call), None)
         if form.items:
             return self._listed(site)
         values = self.sites.names(site)
         default = default or fallback(site, site.call.at, self.folder)
-        return [(placed(value, form.place), default) for value in values[:MAX_NAMES]]
-
-    def _fixed(self, site: Site) -> Value:
-        """The name that a row implies: a private one is below the handle that the call is given, if it is given one."""
-        text = site.form.fixed
-        given = next(positions(site.form.node, site.call), None) if text.startswith("~") else None
-        of_handle = given is not None and "NodeHandle" in self.folder.objects.type_of(given, site.env)
-        return literal(text.removeprefix("~").lstrip("/") if of_handle else text)
+        place = place_at(site, self.folder)
+        return [(placed(value, place), default) for value in values[:MAX_NAMES]]
 
     def _listed(self, site: Site) -> list[tuple[Value, Expr | None]]:
         listed = next(positions(site.form.items, site.call), None)

@@ -15,7 +15,7 @@ from ecm_extract.link.forms import Form, FormTable
 from ecm_extract.link.naming_calls import is_resolver
 from ecm_extract.link.spelling import last_name, plain, pointee
 from ecm_extract.link.texts import text_arguments
-from ecm_extract.link.undeclared import takes_undeclared
+from ecm_extract.link.undeclared import Undeclared
 from ecm_extract.link.units import Func
 
 _TRUE = Constant("true")
@@ -27,7 +27,7 @@ class Matcher:
     def __init__(self, forms: FormTable, folder: Folder) -> None:
         self.forms = forms
         self.folder = folder
-        self._taking: dict[Func, bool] = {}
+        self.undeclared = Undeclared(folder)
 
     def fitting(self, call: Invocation, env: Env) -> Iterator[Form]:
         """Yield the rows that a call is: the first that fits, and those that hold beside it."""
@@ -45,7 +45,7 @@ class Matcher:
             return False
         if form.flag and next(positions(form.flag, call), None) != _TRUE:
             return False
-        if form.undeclared and not self._takes_any(call.func):
+        if form.undeclared and not self.undeclared.takes_any(call.func):
             return False
         return self._fits(form, call, env) and self._named(form, call)
 
@@ -62,16 +62,6 @@ class Matcher:
         if form.items:
             return next(positions(form.items, call), None) is not None
         return bool(form.fixed) or name_argument(form, call) is not None
-
-    def _takes_any(self, func: Func) -> bool:
-        """Tell whether the node of a function takes what it does not declare: its class says so, else its file."""
-        known = self._taking.get(func)
-        if known is None:
-            own = self.folder.flow.object_of(func)
-            methods = [each for cls in self.folder.program.ancestry(own) for each in cls.methods] if own else []
-            funcs = (*methods, *self.folder.program.functions_in(func.file))
-            known = self._taking[func] = any(takes_undeclared(each) for each in dict.fromkeys(funcs))
-        return known
 
     def _method(self, form: Form, call: Invocation, env: Env) -> bool:
         if form.receiver:

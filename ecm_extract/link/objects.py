@@ -20,6 +20,9 @@ from ecm_extract.link.units import Cls, File, Func
 _POINTER_SUFFIX = re.compile(r"(?:Const)?(?:Shared|Unique|Weak)?Ptr$")
 _ITSELF = frozenset({"lock", "get", "shared_from_this", "value", "release"})
 
+MAX_DELEGATIONS = 4
+"""Constructors that leave the work to another one, each to the next."""
+
 
 class Objects:
     """Looks up classes, constructors and methods of a program."""
@@ -185,6 +188,19 @@ class Objects:
             if call is not None and constructor is not None:
                 return Instance(parent, bind(constructor, call, env.before(call.at)), types, constructor)
         return Instance(parent, {}, types)
+
+    def delegated(self, made: Instance) -> Instance:
+        """Return how an object is made by the constructor to which its own one leaves that."""
+        for _ in range(MAX_DELEGATIONS):
+            if made.maker is None:
+                break
+            env = Env(made.maker, args=made.args, this=made.cls, made=made)
+            call = self._base_call(made.maker, made.cls, env)
+            target = self.constructor(made.cls, len(call.args)) if call is not None else None
+            if call is None or target is None or target is made.maker:
+                break
+            made = Instance(made.cls, bind(target, call, env.before(call.at)), made.types, target)
+        return made
 
     def _meant(self, written: str, cls: Cls) -> str:
         """What a template argument in the head of a class stands for where the class is."""

@@ -5,14 +5,21 @@ from __future__ import annotations
 from ecm_extract.link.values import Value, joined, literal, unknown
 
 _NAME, _PARENT = "{name}", "{parent}"
+PRIVATE = "~/{name}"
 CAMERA_INFO = f"{_PARENT}/camera_info"
 """Beside an image: image_transport/camera_common.hpp, getCameraInfoTopic."""
 
 
 def placed(value: Value, place: str) -> Value:
-    """Return the name that a row makes of the name that is given: `{name}/get_parameters`, `{parent}/camera_info`."""
+    """Return the name that a row makes of the name that is given.
+
+    `{name}/get_parameters` is below it, `{parent}/camera_info` beside it; `~/{name}` is private unless the name
+    says more.
+    """
     if not place:
         return value
+    if place == PRIVATE:
+        return value if _head(value) else joined([(literal("~/"),), (value,)])[0]
     if place.startswith(_PARENT):
         leaf = place.removeprefix(_PARENT).removeprefix("/")
         return _beside(value, leaf)

@@ -74,6 +74,7 @@ class Sites:
             self.calls[name].append(call)
         self._calls_of = CallTargets(self.folder, self.calls, self._place)
         self.folder.states.callers.find = self._calling
+        matcher.undeclared.makers = self._making
 
     def find(self, parameters: bool) -> list[Site]:
         """Return the sites of parameters, or of everything else."""
@@ -309,8 +310,10 @@ class Sites:
         constructor = self.folder.objects.constructor(cls, len(call.args))
         args = bind(constructor, call, outer) if constructor is not None else {}
         types = self._class_types(cls, call, outer)
-        own = args if func.is_constructor and func.cls is cls else {}
-        return Env(func, place.at, own, types, cls, Instance(cls, args, types, constructor))
+        made = Instance(cls, args, types, constructor)
+        made = made if func is constructor else self.folder.objects.delegated(made)
+        own = made.args if func.is_constructor and func.cls is cls else {}
+        return Env(func, place.at, own, types, cls, made)
 
     def makings(self, func: Func, at: int) -> Iterator[Env]:
         """Yield a place once for each call in the tree that makes the object at hand; nothing for functions."""
@@ -318,6 +321,9 @@ class Sites:
         for call in self.calls.get(cls.fact.name, ()) if cls is not None else ():
             if cls is not None and call.func.cls is not cls and self.makes(call, cls):
                 yield self._in_made(Env(func, at), cls, call, self.root_env(call.func, call.at))
+
+    def _making(self, cls: Cls) -> Iterator[Func]:
+        return (call.func for call in self.calls.get(cls.fact.name, ()) if self.makes(call, cls))
 
     def makes(self, call: Invocation, cls: Cls) -> bool:
         """Tell whether a call makes an object of a class."""
