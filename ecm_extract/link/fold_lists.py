@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import (
     Call,
@@ -18,7 +18,7 @@ from ecm_parsers.source.expr import (
     Table,
 )
 
-from ecm_extract.infer.compute import NULL, UNKNOWN, method
+from ecm_extract.infer.compute import UNKNOWN, method
 from ecm_extract.infer.held import Held, State
 from ecm_extract.link.calls import Invocation
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, invocation_of
@@ -27,6 +27,7 @@ from ecm_extract.link.numbers import kind_of_type
 from ecm_extract.link.open_lists import OpenLists
 from ecm_extract.link.python_lists import LIST_CALLS, MAX_ITEMS, SPLITS
 from ecm_extract.link.spelling import plain
+from ecm_extract.link.subscripts import character_of, part_of, slice_of
 from ecm_extract.link.units import Cls
 from ecm_extract.link.values import (
     Value,
@@ -101,7 +102,9 @@ class ListFolder:
             if split is not None:
                 return split
         if items is None and isinstance(data, int):
-            text = self.folder.combined([self.folder.fold(expr, env)], lambda found: _character(found[0], data), "item")
+            text = self.folder.combined(
+                [self.folder.fold(expr, env)], lambda found: character_of(found[0], data), "item"
+            )
             if not any(value.confidence == "pattern" for value in text):
                 return text
         some, _ = self._some(expr, env) if items is None else ([], True)
@@ -113,12 +116,14 @@ class ListFolder:
         if env.func.file.language != "python" or call.last not in SPLITS or call.receiver is None or call.keywords:
             return None
         options = [self.folder.fold(part, env) for part in (call.receiver, *call.args)]
-        return self.folder.combined(options, lambda data: _part(method(call.last, data[0], data[1:], True), at), "item")
+        return self.folder.combined(
+            options, lambda data: part_of(method(call.last, data[0], data[1:], True), at), "item"
+        )
 
     def _sliced_text(self, expr: Expr | None, index: Op, env: Env) -> tuple[Value, ...]:
         bounds = [self.folder.fold(bound, env) for bound in index.operands]
         options = [self.folder.fold(expr, env), *bounds]
-        return self.folder.combined(options, lambda data: _slice(data[0], data[1:], str), "item")
+        return self.folder.combined(options, lambda data: slice_of(data[0], data[1:], str), "item")
 
     # --- lists -------------------------------------------------------------------------------------------------
 
@@ -182,7 +187,7 @@ class ListFolder:
         if isinstance(index, Op) and index.op == ":":
             bounds = [self.folder.fold(bound, env) for bound in index.operands]
             data = [data_in(values[0]) if len(values) == 1 else UNKNOWN for values in bounds]
-            found = _slice(items, data, list)
+            found = slice_of(items, data, list)
             return found if isinstance(found, list) else None
         data_ = [data_in(value) for value in self.folder.fold(index, env)]
         at = data_[0] if len(data_) == 1 else UNKNOWN
@@ -339,21 +344,3 @@ class ListFolder:
 def _steps_on(expr: Expr) -> bool:
     """Whether an expression is a place in an array, and no text: `argv + 1`."""
     return isinstance(expr, Op) and expr.op in {"+", "-"} and any(isinstance(part, Number) for part in expr.operands)
-
-
-def _slice(found: Any, bounds: Sequence[Any], kind: type) -> Any:
-    if not isinstance(found, kind) or any(bound is UNKNOWN for bound in bounds):
-        return UNKNOWN
-    limits = [None if bound is NULL else bound for bound in bounds]
-    if not all(limit is None or (isinstance(limit, int) and limit is not False) for limit in limits) or 0 in limits[2:]:
-        return UNKNOWN
-    return found[slice(*limits)]  # type: ignore[index]
-
-
-def _character(text: Any, at: Any) -> Any:
-    return text[at] if isinstance(text, str) and -len(text) <= at < len(text) else UNKNOWN
-
-
-def _part(parts: object, at: int) -> object:
-    listed = isinstance(parts, list | tuple) and -len(parts) <= at < len(parts)
-    return parts[at] if isinstance(parts, list | tuple) and listed else UNKNOWN

@@ -1,0 +1,29 @@
+"""What subscripts and slices give of data that is known."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from ecm_extract.infer.compute import NULL, UNKNOWN
+
+
+def slice_of(found: Any, bounds: Sequence[Any], kind: type) -> Any:
+    """Return a part of a text or list between bounds of which none is unknown."""
+    if not isinstance(found, kind) or any(bound is UNKNOWN for bound in bounds):
+        return UNKNOWN
+    limits = [None if bound is NULL else bound for bound in bounds]
+    if not all(limit is None or (isinstance(limit, int) and limit is not False) for limit in limits) or 0 in limits[2:]:
+        return UNKNOWN
+    return found[slice(*limits)]  # type: ignore[index]
+
+
+def character_of(text: Any, at: Any) -> Any:
+    """Return a character of a text."""
+    return text[at] if isinstance(text, str) and -len(text) <= at < len(text) else UNKNOWN
+
+
+def part_of(parts: object, at: int) -> object:
+    """Return an element of a list."""
+    listed = isinstance(parts, list | tuple) and -len(parts) <= at < len(parts)
+    return parts[at] if isinstance(parts, list | tuple) and listed else UNKNOWN
