@@ -93,7 +93,8 @@ class Recorded:
         truth = self._oracle.ask(source)
         if kept is not None:
             kept.parent.mkdir(parents=True, exist_ok=True)
-            kept.write_text(json.dumps(truth if isinstance(truth, str) else truth.document()))
+            text = json.dumps(truth if isinstance(truth, str) else truth.document())
+            kept.write_text(text.replace(f"{self._oracle.folder}/", ""))  # the folder is another one each time
         return truth
 
 
