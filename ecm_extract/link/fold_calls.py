@@ -23,6 +23,7 @@ from ecm_extract.link.limits import limit
 from ecm_extract.link.naming_calls import gives_name, is_resolver
 from ecm_extract.link.numbers import NUMBERS, as_number
 from ecm_extract.link.placing import CAMERA_INFO, placed
+from ecm_extract.link.spelling import last_name
 from ecm_extract.link.values import (
     Hole,
     Value,
@@ -72,6 +73,11 @@ _PYTHON_FUNCTIONS: Mapping[str, Callable[[list[Any]], Any]] = MappingProxyType(
         "max": lambda data: max(data) if len(data) > 1 and all(map(is_number, data)) else UNKNOWN,
     }
 )
+_PROPERTIES = frozenset(
+    {"StringProperty", "RosTopicProperty", "RosFilteredTopicProperty", "RosTopicMultiProperty", "TfFrameProperty"}
+    | {"EnumProperty", "EditableEnumProperty", "FilePickerProperty"}
+)
+"""Properties of rviz_common (rviz_common/properties) and rviz (rviz/properties) that hold a text."""
 _PROPERTY_READS = frozenset({"getStdString", "getTopicStd", "getString"})
 
 
@@ -249,7 +255,7 @@ class CallFolder:
         """An rviz property `new XProperty("Topic", "/default", ...)` is read like a parameter with that default."""
         for definition, inner in self.folder.assignments.definitions(receiver, env):
             made = definition.statement.value
-            if isinstance(made, Call) and isinstance(made.callee, Name) and made.callee.id.endswith("Property"):
+            if isinstance(made, Call) and isinstance(made.callee, Name) and last_name(made.callee.id) in _PROPERTIES:
                 return lowered(self.folder.fold(made.args[1], inner), "default") if len(made.args) > 1 else ()
         return ()
 

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import reduce
 
-from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Member, Name, Number, Op, Text
+from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Member, Name, Number, Op
 
 from ecm_extract.link.calls import Invocation, invocations
 from ecm_extract.link.client_libraries import is_client_library
 from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.forms import Form, FormTable
-from ecm_extract.link.naming_calls import is_resolver
+from ecm_extract.link.module_kinds import is_node_base
 from ecm_extract.link.spelling import last_name, plain, pointee
 from ecm_extract.link.texts import text_arguments
 from ecm_extract.link.undeclared import Undeclared
@@ -73,7 +73,7 @@ class Matcher:
         if not call.simple:
             owner = call.path.rsplit("::", 1)[0]
             known = self.folder.program.class_named(owner, call.func.file, env.scope)
-            return known is not None or owner.endswith("Node")
+            return known is not None or is_node_base(plain(owner))
         callee = self.folder.objects.callee(call, env)
         return callee is None or callee is call.func or (callee.cls is not None and not _forwards(callee))
 
@@ -92,12 +92,12 @@ class Matcher:
         return any(method.fact.name == call.last for entry in own for method in entry.methods)
 
     def _receiver(self, form: Form, call: Invocation, env: Env) -> bool:
+        """Whether the object is of a class of the row; of one of unknown type the message types of the call tell it."""
         if call.receiver is None:
             return False
         written = self.folder.objects.type_of(call.receiver, env)
         if not written:
-            named = _texty(name_argument(form, call)) or bool(call.types) or _resolves(name_argument(form, call))
-            return named and not form.fixed and _is_called_like(call.receiver, form)
+            return bool(call.types) and "template:" in form.type
         bare = plain(pointee(written))
         target = self.folder.program.alias(bare, call.func.file, env.scope) or bare
         last = last_name(plain(pointee(target)))
@@ -151,29 +151,11 @@ def name_argument(form: Form, call: Invocation) -> Expr | None:
     return None if isinstance(found, Number | Constant | Lambda) else found
 
 
-def _resolves(expr: Expr | None) -> bool:
-    """Tell whether an argument is a name that a handle resolves: `nh.resolveName("image")`."""
-    return isinstance(expr, Call) and isinstance(expr.callee, Member) and is_resolver(expr.callee.name)
-
-
 def is_callback(expr: Expr) -> bool:
     """Tell whether an argument is a function: some overloads take the profile after it."""
     if isinstance(expr, Call) and isinstance(expr.callee, Name):
         return last_name(expr.callee.id) in {"bind", "bind_front", "mem_fn"}
     return isinstance(expr, Lambda) or (isinstance(expr, Op) and expr.op == "&")
-
-
-def _is_called_like(expr: Expr, form: Form) -> bool:
-    """Tell by its name whether an object of unknown type is what a row asks for: a node handle or a transport."""
-    if isinstance(expr, Call):
-        return isinstance(expr.callee, Name | Member) and _is_called_like(expr.callee, form)
-    name = expr.id if isinstance(expr, Name) else expr.name if isinstance(expr, Member) else ""
-    bare = name.rsplit("::", 1)[-1].strip("_").lower()
-    if any(entry.endswith("Transport") for entry in form.receiver):
-        return "transport" in bare or bare.split("_")[-1] == "it"
-    return "NodeHandle" in form.receiver and (
-        bare in {"n", "pn"} or any(word in bare for word in ("nh", "node", "handle"))
-    )
 
 
 def _qualified(path: str, callee: str) -> bool:
@@ -182,15 +164,3 @@ def _qualified(path: str, callee: str) -> bool:
         return parts[0] == callee.split(".")[0] and parts[-1] == last_name(callee)
     separator = "::"
     return path == callee or path.endswith(separator + callee)
-
-
-def _texty(expr: Expr | None) -> bool:
-    if isinstance(expr, Name):
-        return (
-            "name" in expr.id.lower()
-            or "topic" in expr.id.lower()
-            or "NAME" in expr.id
-            or "TOPIC" in expr.id
-            or expr.id.isupper()
-        )
-    return isinstance(expr, Text) or (isinstance(expr, Op) and expr.op in {"+", "%", "?:"})

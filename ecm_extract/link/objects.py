@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
+from typing import Final
 
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
 
@@ -18,6 +19,10 @@ from ecm_extract.link.spelling import last_name, plain, pointee, template_argume
 from ecm_extract.link.units import Cls, File, Func
 
 _POINTER_SUFFIX = re.compile(r"(?:Const)?(?:Shared|Unique|Weak)?Ptr$")
+HANDLES_OF_NODELETS: Final = frozenset(
+    {"getNodeHandle", "getPrivateNodeHandle", "getMTNodeHandle", "getMTPrivateNodeHandle"}
+)
+"""Methods of nodelet::Nodelet (nodelet/nodelet.h) that give a handle."""
 _ITSELF = frozenset({"lock", "get", "shared_from_this", "value", "release"})
 
 MAX_DELEGATIONS = 4
@@ -110,7 +115,7 @@ class Objects:
                 return expr.types[0]
             if last in {"dynamic_pointer_cast", "static_pointer_cast"} and expr.types:
                 return expr.types[0]
-            if last.startswith("get") and last.endswith("NodeHandle"):
+            if last in HANDLES_OF_NODELETS:
                 return "ros::NodeHandle"
             return expr.callee.id if self._is_type(last, env.func.file) else self._returned(last, env.func.file)
         dotted = dotted_name(expr.callee)

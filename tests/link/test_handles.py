@@ -176,22 +176,22 @@ def test_below_a_handle_that_is_not_known_every_name_is_a_pattern(workspace: Any
 
 
 UNKNOWN = [
-    ('nh->subscribe("in", 1, &A::seen, this)', "std_msgs/msg/String"),
-    ('pnh->advertise<std_msgs::Bool>("in", 1)', "std_msgs/msg/Bool"),
-    ('it_->subscribe("in", 1, &A::seen, this)', "sensor_msgs/msg/Image"),
-    ('image_transport_->advertise("in", 1)', "sensor_msgs/msg/Image"),
+    ('nh->advertise<std_msgs::Bool>("in", 1)', ["std_msgs/msg/Bool"]),
+    ('it_->advertise<std_msgs::Bool>("in", 1)', ["std_msgs/msg/Bool"]),
+    ('nh->subscribe("in", 1, &A::seen, this)', []),
+    ('image_transport_->advertise("in", 1)', []),
 ]
 
 
-@pytest.mark.parametrize(("call", "kind"), UNKNOWN, ids=[row[0] for row in UNKNOWN])
-def test_an_unknown_receiver_is_what_it_is_called(workspace: Any, call: str, kind: str) -> None:
-    """A node handle is no image transport: what it carries is said by the template or the callback."""
+@pytest.mark.parametrize(("call", "kinds"), UNKNOWN, ids=[row[0] for row in UNKNOWN])
+def test_an_unknown_receiver_is_not_what_it_is_called(workspace: Any, call: str, kinds: list[str]) -> None:
+    """Only what the call itself says counts, as the message type in its template; the name of the object does not."""
     text = (
         "class A : public outside::Nodelet { void seen(const std_msgs::StringConstPtr & m) {}"
         f" void onInit() {{ auto a = {call}; }} }}; PLUGINLIB_EXPORT_CLASS(A, nodelet::Nodelet)"
     )
     found = workspace.package({"src/a.cpp": text}, ros=1).interfaces()
-    assert [entry.type for entry in found] == [kind]
+    assert [entry.type for entry in found] == kinds
 
 
 NAMESPACES = [
