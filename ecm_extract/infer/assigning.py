@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Set
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import Call, Expr, Items, Number, Op, Opaque
@@ -108,14 +109,16 @@ class Assigning:
             state = self.bind(item, part, state)
         return state
 
-    def escape(self, value: Expr | None) -> set[str]:
-        """`p = &x`: from here on `x` may change through `p`."""
+    def escape(self, value: Expr | None) -> Set[str]:
+        """`p = &x`: from here on `x`, and what it refers to or is a part of, may change through `p`."""
         address = not self.frame.python and isinstance(value, Op) and value.op == "&" and len(value.operands) == 1
         key = self.frame.effects.key(value.operands[0]) if address and isinstance(value, Op) else ""
         if key not in self.frame.effects.own:
             return set()
-        self.memory.escaped.add(key)
-        return {key}
+        names = self.memory.sharing.names_of(key)
+        found = self.memory.sharing.with_shared(names)
+        self.memory.escaped |= found
+        return found
 
     def element(self, each: Statement, at: int, state: State) -> State:
         """Return the state in which a loop has bound its variable to any element."""

@@ -136,11 +136,11 @@ class Memory:
             effects = self.frame.effects
             self.sharing.refer(effects.key(let.target), effects.root(let.value), effects.key(let.value))
 
-    def _changed_by(self, at: int) -> set[str]:
+    def _changed_by(self, at: int) -> Set[str]:
         found = self.frame.outline.changed_by(at)
         if self.frame.body[at].kind == "each":  # a loop binds its variable, and changes nothing of what it is over
             return found
-        return found | self.sharing.roots(found)
+        return self.sharing.with_shared(found)
 
     def declared_in(self, block: Block) -> set[str]:
         """The variables that steps declare for themselves."""

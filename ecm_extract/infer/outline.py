@@ -113,7 +113,14 @@ class Outline:
         """Whether what a function within it changes are variables that nobody hands to it as well, by reference."""
         calls = (call for group in self.func.calls for call in group if call.callee == Name(func.fact.name))
         handed = {self.effects.root(arg) for call in calls for arg in call.args} if not self.python else set()
-        return not (keys & handed) and not any(key.startswith(".") for key in keys)
+        shared = (keys & handed) | ((keys | handed) & self._references)
+        return not shared and not any(key.startswith(".") for key in keys)
+
+    @cached_property
+    def _references(self) -> Set[str]:
+        """The variables of C++ that are declared as references, and so may mean what others mean."""
+        lets = (entry for entry in self.func.fact.body if entry.kind in {"let", "each"} and entry.type.endswith("&"))
+        return frozenset(key for entry in lets for key in self.bound_keys(entry.target))
 
     @cached_property
     def exposed(self) -> Set[str]:

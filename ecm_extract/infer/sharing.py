@@ -41,8 +41,14 @@ class Sharing:
 
     def touched(self, names: Set[str], state: State) -> set[str]:
         """Return what else changes with a variable of C++, by its names: what they lie in, and references into them."""
-        parts = {part for name in names for part in self.parts(name) if part in state.holds}
-        return (self.roots(names) | parts) - names
+        found: set[str] = set()
+        pending = list(names)
+        while pending:
+            name = pending.pop()
+            near = self.roots((name,)) | {part for part in self.parts(name) if part in state.holds}
+            pending += near - found - names
+            found |= near - names
+        return found
 
     def enter(self, each: Statement) -> None:
         """Note that the variable of a loop is a part of what the loop is over."""
@@ -52,8 +58,22 @@ class Sharing:
             self.refer(key, root)
 
     def roots(self, keys: Iterable[str]) -> set[str]:
-        """Return what variables are references to, or parts of."""
-        return {self._roots[key] for key in keys if key in self._roots}
+        """Return what variables are references to, or parts of, and what those are."""
+        found: set[str] = set()
+        pending = list(keys)
+        while pending:
+            root = self._roots.get(pending.pop())
+            if root is not None and root not in found:
+                found.add(root)
+                pending.append(root)
+        return found
+
+    def with_shared(self, keys: Set[str]) -> Set[str]:
+        """Return variables with what changes when they do, as far as the declarations before tell."""
+        roots = self.roots(keys)
+        if self.outline.python:
+            return keys | roots
+        return keys | roots | {part for key in keys | roots for part in self.parts(key)}
 
     def parts(self, key: str) -> set[str]:
         """Return the references to a variable, and its parts."""

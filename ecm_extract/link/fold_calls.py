@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
@@ -28,6 +29,7 @@ from ecm_extract.link.values import (
     Hole,
     Value,
     constant,
+    data_in,
     demoted,
     joined,
     literal,
@@ -73,6 +75,7 @@ _PYTHON_FUNCTIONS: Mapping[str, Callable[[list[Any]], Any]] = MappingProxyType(
         "max": lambda data: max(data) if len(data) > 1 and all(map(is_number, data)) else UNKNOWN,
     }
 )
+_PATH_JOINS = frozenset({"os.path.join", "posixpath.join"})
 _PROPERTIES = frozenset(
     {"StringProperty", "RosTopicProperty", "RosFilteredTopicProperty", "RosTopicMultiProperty", "TfFrameProperty"}
     | {"EnumProperty", "EditableEnumProperty", "FilePickerProperty"}
@@ -104,14 +107,26 @@ class CallFolder:
         read = self.folder.reads.read(call)
         if read is not None:
             return self.parameter_value(*read, env.before(env.at))
+        path = self._path(call, env.before(env.at))
+        if path is not None:
+            return path
         formatted = formats.formatted(self._from_root(call, env.before(env.at)))
         if formatted is not None:
             return joined(self.folded_parts(formatted, env))
         return self._computed(call, expr, env.before(env.at))
 
+    def _path(self, call: Invocation, env: Env) -> tuple[Value, ...] | None:
+        """`os.path.join` of texts that are all known; None for others."""
+        if call.path not in _PATH_JOINS or call.keywords or not call.args:
+            return None
+        options = [self.folder.fold(arg, env) for arg in call.args]
+        if not all(isinstance(data_in(value), str) for values in options for value in values):
+            return None
+        return self.folder.combined(options, lambda data: posixpath.join(*data), "join")
+
     def _from_root(self, call: Invocation, env: Env) -> Invocation:
         """`os.path.join(a, "/b")` drops what stands before a part that begins at the root."""
-        if call.path != "os.path.join":
+        if call.path not in _PATH_JOINS:
             return call
         args = call.args
         absolute = [all(value.text.startswith("/") for value in self.folder.fold(arg, env)) for arg in args[1:]]

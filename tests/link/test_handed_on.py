@@ -53,6 +53,8 @@ PYTHON_ROWS = [
     ("no key of a table", "t = {'a': 'x'}\npub(t.get('b', self.own))", {"/own": "folded"}),
     ("a path from the root", "pub(os.path.join('a', '/b'))", {"/b": "folded"}),
     ("a path below a path from the root", "pub(os.path.join('a', '/b', 'c'))", {"/b/c": "folded"}),
+    ("a path below nothing", "pub(os.path.join('', 'b'))", {"/b": "folded"}),
+    ("a path below a folder", "pub(os.path.join('a/', 'b'))", {"/a/b": "folded"}),
     (
         "the order of a table",
         "t = {'a': 'x'}\nt.setdefault('c', 'z')\nt.setdefault('a', 'y')\npub('_'.join(t.values()))",
@@ -95,6 +97,7 @@ class Demo : public rclcpp::Node {{
 }};
 """
 MORE = "[=, this](const std::string & more) mutable"
+WRITE = "[&](const std::string & more)"
 CPP_ROWS = [
     ("a reference", 'std::string t = "a"; std::string & r = t; pub(t, 10);', {"/a": "folded"}),
     ("written through", 'std::string t = "a"; auto & r = t; r = "b"; pub(t, 10);', {"/b": "folded"}),
@@ -119,6 +122,21 @@ CPP_ROWS = [
         "a member that changes behind a lambda",
         f'auto f = {MORE} {{ return more + own_; }}; own_ = "new"; pub(f("a"), 10);',
         {"/anew": "folded"},
+    ),
+    (
+        "a pointer to a reference",
+        'std::string t = "a"; { auto & r = t; std::string * p = &r; *p += "b"; } pub(t, 10);',
+        {"/{t}": "pattern"},
+    ),
+    (
+        "another reference beside a pointer",
+        'std::string t = "a"; auto & s = t; auto & r = t; std::string * p = &r; *p += "b"; pub(s, 10);',
+        {"/{s}": "pattern"},
+    ),
+    (
+        "a lambda that changes what it gets, by a reference",
+        f'std::string t = "a"; auto & r = t; auto f = {WRITE} {{ r += more; return more; }}; pub(f(t), 10);',
+        {"/{t}": "pattern"},
     ),
     ("a list", "pub(names_.back(), 10);", {"/i": "folded"}),
     ("a list in a lambda", f'auto f = {MORE} {{ return more + names_.back(); }}; pub(f("a"), 10);', {"/ai": "folded"}),
