@@ -244,3 +244,27 @@ def test_a_header_that_only_a_document_includes(tmp_path: Path) -> None:
     ]
     assert lines[0] == [("driver/CMakeLists.txt", 1), ("user/src/a.cpp", 1)]
     assert lines[1] == [("driver/CMakeLists.txt", 1), ("document:user/user/src/a.cpp", 1)]
+
+
+FILTERS = {
+    "filters/package.xml": MANIFEST.format("filters", ""),
+    "filters/include/estimation/filter.hpp": "class Filter {};\n",
+    "filters/include/filters/plain.hpp": "class Plain {};\n",
+}
+FILTERED = {
+    "robot/package.xml": MANIFEST.format("robot", ""),
+    "robot/src/a.cpp": "#include <estimation/filter.hpp>\n#include <filters/plain.hpp>\n#include <other/x.hpp>\n",
+}
+
+
+def test_headers_of_documents_belong_to_their_package(tmp_path: Path) -> None:
+    """A package that only its document tells of is not named by package.xml either (LNT020)."""
+    documents = stored(written(tmp_path / "filters", FILTERS))
+    alone = Workspace(open_tree(written(tmp_path / "robot", FILTERED)), Options(jobs=1), stored=documents)
+    together = Workspace(open_tree(written(tmp_path / "both", {**FILTERS, **FILTERED})), Options(jobs=1))
+    found, expected = ([each for each in findings_of(space) if each.rule == "LNT020"] for space in (alone, together))
+    assert [each.message.partition(":")[0] for each in found] == [
+        "robot uses filters, which its package.xml does not name"
+    ]
+    assert [at.line for at in found[0].evidence] == [1, 2]
+    assert [each.message for each in expected] == [each.message for each in found]

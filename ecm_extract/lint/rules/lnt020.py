@@ -57,13 +57,25 @@ def check(workspace: Workspace) -> Iterator[Finding]:
 def _homes(workspace: Workspace) -> dict[str, str]:
     """Return the package of each installed header whose path does not begin with its package, by what includes say."""
     found: dict[str, set[str]] = {}
-    for package in workspace.packages:
-        for path in package.sources:
-            inside = path.rpartition("/include/")[2] if "/include/" in path else ""
-            for written in (inside, inside.removeprefix(f"{package.name}/")):
-                if "/" in written and written.partition("/")[0] != package.name:
-                    found.setdefault(written, set()).add(package.name)
+    for package, path in _sources(workspace):
+        inside = path.rpartition("/include/")[2] if "/include/" in path else ""
+        for written in (inside, inside.removeprefix(f"{package}/")):
+            if "/" in written and written.partition("/")[0] != package:
+                found.setdefault(written, set()).add(package)
     return {written: next(iter(names)) for written, names in found.items() if len(names) == 1}
+
+
+def _sources(workspace: Workspace) -> Iterator[tuple[str, str]]:
+    """Yield each package with its files; of one that is known by its document those that the document lists."""
+    for package in workspace.packages:
+        yield from ((package.name, path) for path in package.sources)
+    for document in workspace.stored:
+        if document.name not in workspace.by_name:
+            yield from ((document.name, path) for path in document.files)
+
+
+def _is_known(name: str, workspace: Workspace) -> bool:
+    return name in workspace.by_name or any(name == document.name for document in workspace.stored)
 
 
 def _used(
@@ -90,7 +102,7 @@ def _python(module: str, own: set[str], workspace: Workspace) -> str | None:
     top = module.split(".")[0]
     if not top or top in own:
         return None
-    if top in workspace.by_name or top.endswith(_INTERFACES):
+    if _is_known(top, workspace) or top.endswith(_INTERFACES):
         return top
     return python_packages().get(top)
 
@@ -98,5 +110,5 @@ def _python(module: str, own: set[str], workspace: Workspace) -> str | None:
 def _cpp(path: str, built: set[str], workspace: Workspace) -> str | None:
     """The first folder of an include is its package, when that is in the tree, holds messages, or is found by CMake."""
     top, slash, _ = path.partition("/")
-    known = top in workspace.by_name or top.endswith(_INTERFACES) or (top in built and top.islower())
+    known = _is_known(top, workspace) or top.endswith(_INTERFACES) or (top in built and top.islower())
     return top if slash and known else None
