@@ -13,6 +13,7 @@ from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member,
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.places import key_of, root_of
+from ecm_extract.link.walk import calls_in, children
 
 if TYPE_CHECKING:
     from ecm_extract.link.units import Func
@@ -117,7 +118,10 @@ class Effects:
             self._known[at] = ()  # who asks in a circle
             statement = self.func.fact.body[at]
             found = [effect for call in self.func.calls[at] for effect in self._of_call(call, at, statement)]
-            known = self._known[at] = tuple(found)
+            perhaps = frozenset(_perhaps_called(statement.value)) if found else frozenset()
+            known = self._known[at] = tuple(
+                [_if_called(effect) if effect.call in perhaps else effect for effect in found]
+            )
         return known
 
     def _of_call(self, call: Call, at: int, statement: Statement) -> Iterator[Effect]:
@@ -244,3 +248,19 @@ def is_plain(expr: Expr | None) -> bool:
     if isinstance(expr, Text | Number | Constant | Template | Lambda):
         return True
     return isinstance(expr, Op) and expr.op in {"%", "-", "*", "/", "//", "==", "!=", "<", ">", "!", "format"}
+
+
+def _perhaps_called(expr: Expr | None) -> Iterator[Call]:
+    """Yield the calls that a value makes on one side of a choice only: `a.pop() if a else b`."""
+    if isinstance(expr, Op) and expr.op in {"?:", "&&", "||"}:
+        yield from _perhaps_called(expr.operands[0])
+        for side in expr.operands[1:]:
+            yield from calls_in(side)
+        return
+    for part in children(expr) if expr is not None else ():
+        yield from _perhaps_called(part)
+
+
+def _if_called(effect: Effect) -> Effect:
+    """What is known of a variable behind a call that may not happen: nothing."""
+    return Effect("lost", effect.key, effect.call) if effect.kind in {"changed", "out"} else effect

@@ -53,6 +53,11 @@ PYTHON_ROWS = [
     ("no key of a table", "t = {'a': 'x'}\npub(t.get('b', self.own))", {"/own": "folded"}),
     ("a path from the root", "pub(os.path.join('a', '/b'))", {"/b": "folded"}),
     ("a path below a path from the root", "pub(os.path.join('a', '/b', 'c'))", {"/b/c": "folded"}),
+    (
+        "a call that is made on one side only",
+        "t = ['a', 'b']\nt.pop(0) if len(t) > self.more else None\npub('_'.join(t))",
+        {"/{join}": "pattern"},
+    ),
     ("a path below nothing", "pub(os.path.join('', 'b'))", {"/b": "folded"}),
     ("a path below a folder", "pub(os.path.join('a/', 'b'))", {"/a/b": "folded"}),
     (
@@ -166,3 +171,28 @@ def test_references_and_lambdas_of_cpp(workspace: Any, row: str, body: str, expe
     """A reference is what it refers to; what a lambda reads of the object is what that holds when it is called."""
     source = CPP.format(body=body.replace("pub(", "create_publisher<std_msgs::msg::String>("))
     assert _names(workspace.package({"src/demo.cpp": source})) == expected, row
+
+
+BETWEEN = """
+from rclpy.node import Node
+from std_msgs.msg import String
+second = "a"
+class Demo(Node):
+    def __init__(self):
+        super().__init__("demo")
+    def shown(self):
+        self.create_publisher(String, second, 10)
+    def start(self):
+        global second
+        second = "b"
+        self.shown()
+        second = "c"
+def main():
+    Demo().start()
+"""
+
+
+def test_a_variable_of_the_module_is_seen_between_two_values(workspace: Any) -> None:
+    """What a function gives it before it calls another counts as what it leaves it with."""
+    found = _names(workspace.package({"pkg/demo.py": BETWEEN}))
+    assert found == {"/a": "one_of", "/b": "one_of", "/c": "one_of"}
