@@ -263,4 +263,4 @@ def _perhaps_called(expr: Expr | None) -> Iterator[Call]:
 
 def _if_called(effect: Effect) -> Effect:
     """What is known of a variable behind a call that may not happen: nothing."""
-    return Effect("lost", effect.key, effect.call) if effect.kind in {"changed", "out"} else effect
+    return Effect("lost", effect.key, effect.call) if effect.kind in {"changed", "out", "swapped"} else effect

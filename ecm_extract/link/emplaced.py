@@ -12,7 +12,7 @@ from ecm_extract.link.calls import Invocation
 from ecm_extract.link.containers import element_type
 from ecm_extract.link.env import Env
 from ecm_extract.link.objects import Objects
-from ecm_extract.link.spelling import template_arguments
+from ecm_extract.link.spelling import by_value, template_arguments
 
 EMPLACING: Final[Mapping[str, int]] = MappingProxyType({"emplace_back": 0, "emplace_front": 0, "try_emplace": 1})
 """Methods that make an element -> arguments in front that are none of its constructor (C++ standard, containers)."""
@@ -32,13 +32,8 @@ def _construction(call: Invocation, skipped: int, objects: Objects) -> Invocatio
         return None
     env = Env(call.func, call.at)
     written = element_type(objects.type_of(call.receiver, env))
-    cls = objects.class_written(written, env) if written and not _is_pointer(written) else None
+    cls = objects.class_written(written, env) if written and by_value(written) else None  # a pointer is made elsewhere
     if cls is None:
         return None
     types = call.types or template_arguments(written)
     return replace(call, path=cls.qualified, receiver=None, args=call.args[skipped:], types=types, made=True)
-
-
-def _is_pointer(written: str) -> bool:
-    """Whether an element is a pointer, which is made elsewhere."""
-    return "*" in written or "_ptr" in written or written.endswith("Ptr")

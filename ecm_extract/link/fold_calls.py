@@ -7,7 +7,6 @@ from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
-import msgspec
 from ecm_parsers.source.expr import (
     Call,
     Expr,
@@ -76,6 +75,7 @@ _PYTHON_FUNCTIONS: Mapping[str, Callable[[list[Any]], Any]] = MappingProxyType(
     }
 )
 _PATH_JOINS = frozenset({"os.path.join", "posixpath.join"})
+"""Functions of Python that join paths (docs.python.org: os.path)."""
 _PROPERTIES = frozenset(
     {"StringProperty", "RosTopicProperty", "RosFilteredTopicProperty", "RosTopicMultiProperty", "TfFrameProperty"}
     | {"EnumProperty", "EditableEnumProperty", "FilePickerProperty"}
@@ -107,31 +107,22 @@ class CallFolder:
         read = self.folder.reads.read(call)
         if read is not None:
             return self.parameter_value(*read, env.before(env.at))
-        path = self._path(call, env.before(env.at))
-        if path is not None:
-            return path
-        formatted = formats.formatted(self._from_root(call, env.before(env.at)))
+        if call.path in _PATH_JOINS and call.args and not call.keywords:
+            return self._path(call, env.before(env.at))
+        formatted = formats.formatted(call)
         if formatted is not None:
             return joined(self.folded_parts(formatted, env))
         return self._computed(call, expr, env.before(env.at))
 
-    def _path(self, call: Invocation, env: Env) -> tuple[Value, ...] | None:
-        """`os.path.join` of texts that are all known; None for others."""
-        if call.path not in _PATH_JOINS or call.keywords or not call.args:
-            return None
+    def _path(self, call: Invocation, env: Env) -> tuple[Value, ...]:
+        """`os.path.join(a, "/b", c)` as Python joins it: a part from the root drops what stands before it."""
         options = [self.folder.fold(arg, env) for arg in call.args]
-        if not all(isinstance(data_in(value), str) for values in options for value in values):
-            return None
-        return self.folder.combined(options, lambda data: posixpath.join(*data), "join")
-
-    def _from_root(self, call: Invocation, env: Env) -> Invocation:
-        """`os.path.join(a, "/b")` drops what stands before a part that begins at the root."""
-        if call.path not in _PATH_JOINS:
-            return call
-        args = call.args
-        absolute = [all(value.text.startswith("/") for value in self.folder.fold(arg, env)) for arg in args[1:]]
-        last = max((at for at, rooted in enumerate(absolute, 1) if rooted), default=0)
-        return msgspec.structs.replace(call, args=args[last:])
+        if all(isinstance(data_in(value), str) for values in options for value in values):
+            return self.folder.combined(options, lambda data: posixpath.join(*data), "join")
+        rooted = [all(value.text.startswith("/") for value in values) for values in options]
+        first = max((at for at, is_rooted in enumerate(rooted) if is_rooted), default=0)
+        between = [[values, (literal("/"),)] for values in options[first:-1]]
+        return joined([*(part for pair in between for part in pair), options[-1]])
 
     def _computed(self, call: Invocation, expr: Call, env: Env) -> tuple[Value, ...]:
         """Methods of texts, sizes, functions of the standard library, functions of the tree."""

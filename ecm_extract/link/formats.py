@@ -19,10 +19,9 @@ PARAMETER_READS = frozenset(
 )
 """Those of them that values of parameters alone have."""
 _JOINING = frozenset(
-    {"os.path.join", "rospy.names.ns_join", "pathlib.Path", "pathlib.PosixPath", "pathlib.PurePath"}
-    | {"pathlib.PurePosixPath", "posixpath.join"}
+    {"rospy.names.ns_join", "pathlib.Path", "pathlib.PosixPath", "pathlib.PurePath", "pathlib.PurePosixPath"}
 )
-"""Functions of Python that put `/` between what they get (docs.python.org: os.path, pathlib; rospy.names)."""
+"""Functions of Python that put `/` between what they get (docs.python.org: pathlib; rospy.names)."""
 _MAX_INDEX = 6
 """Digits of an index that are read: no call has as many arguments."""
 _PERCENT = re.compile(r"%(?:\((\w+)\))?[-+ #0-9.]*(?:hh|h|ll|l|z)?[a-zA-Z]")

@@ -3,25 +3,20 @@
 from __future__ import annotations
 
 import pytest
+from cmake_runs import TOP, facts, targets_of
 from ecm_parsers.cmake_facts import CmakeFile, Install, Target
 
-from ecm_extract.cmake import BuildFiles, evaluate, stated
 from ecm_extract.cmake.genex import decided, decided_text
 
-TOP = "CMakeLists.txt"
 FILES = ("src/a.cpp", "src/b.cpp", "src/sub/c.cpp", "src/sub/c.hpp", "include/p/a.hpp", "launch/a.launch")
 
 
 def run(text: str, **others: str) -> dict[str, CmakeFile]:
-    """The facts of a project whose other files are given by name, `__` for a slash, without `.txt`."""
-    files = {TOP: f"cmake_minimum_required(VERSION 3.14)\nproject(p VERSION 1.2.3)\n{text}".encode()}
-    files |= {f"{name.replace('__', '/')}.txt": body.encode() for name, body in others.items()}
-    files |= dict.fromkeys(FILES, b"")
-    return stated(evaluate(BuildFiles(files, files.get), TOP))
+    return facts(text, FILES, others, ".txt")
 
 
 def targets(text: str, **others: str) -> dict[str, Target]:
-    return {target.name: target for file in run(text, **others).values() for target in file.targets}
+    return targets_of(run(text, **others))
 
 
 def installs(text: str) -> list[Install]:

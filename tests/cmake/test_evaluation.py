@@ -3,24 +3,20 @@
 from __future__ import annotations
 
 import pytest
+from cmake_runs import TOP, facts, targets_of
 from ecm_parsers.cmake_facts import CmakeFile, Target
 
 from ecm_extract.cmake import BuildFiles, evaluate, stated
 
-TOP = "CMakeLists.txt"
 SOURCES = ("src/a.cpp", "src/b.cpp", "src/sub/c.cpp", "inc/a.hpp")
 
 
 def run(text: str, **included: str) -> dict[str, CmakeFile]:
-    """The facts of a project whose other CMake files are given by name, `__` for a slash, without `.cmake`."""
-    files = {TOP: f"cmake_minimum_required(VERSION 3.14)\nproject(p VERSION 1.2.3)\n{text}".encode()}
-    files |= {f"{name.replace('__', '/')}.cmake": body.encode() for name, body in included.items()}
-    files |= dict.fromkeys(SOURCES, b"")
-    return stated(evaluate(BuildFiles(files, files.get), TOP))
+    return facts(text, SOURCES, included, ".cmake")
 
 
 def targets(text: str, **included: str) -> dict[str, Target]:
-    return {target.name: target for file in run(text, **included).values() for target in file.targets}
+    return targets_of(run(text, **included))
 
 
 def sources(lines: str) -> tuple[str, ...]:

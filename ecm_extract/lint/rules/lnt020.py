@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from functools import cache
 from importlib import resources
 from types import MappingProxyType
+from typing import NamedTuple
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Depend, Entity, Finding
@@ -30,6 +31,13 @@ RULE = LintRule(
 _INTERFACES = ("_msgs", "std_srvs")
 
 
+class _Others(NamedTuple):
+    """What is known of packages: their names, and whose a header is that does not begin with its package."""
+
+    names: frozenset[str]
+    homes: Mapping[str, str]
+
+
 @cache
 def python_packages() -> Mapping[str, str]:
     """Return the package of widely used Python modules."""
@@ -42,12 +50,12 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     files: dict[str, list[File]] = {}
     for file in workspace.linker.program.files:
         files.setdefault(file.package, []).append(file)
-    homes = _homes(workspace)
+    others = _Others(frozenset(workspace.by_name) | {each.name for each in workspace.stored}, _homes(workspace))
     for package in workspace.packages:
         if package.manifest is None or package.root.rosbuild:
             continue
         declared = {entry.name for entry in package.manifest.dependencies} | {package.name} | workspace.externals
-        for name, lines in _used(files.get(package.name, []), package, workspace, homes).items():
+        for name, lines in _used(files.get(package.name, []), package, others).items():
             if name not in declared and name.replace("python3-", "python-") not in declared:
                 text = f"{package.name} uses {name}, which its package.xml does not name"
                 entity, edit = Entity("package", name), Depend(name, "build")
@@ -74,13 +82,7 @@ def _sources(workspace: Workspace) -> Iterator[tuple[str, str]]:
             yield from ((document.name, path) for path in document.files)
 
 
-def _is_known(name: str, workspace: Workspace) -> bool:
-    return name in workspace.by_name or any(name == document.name for document in workspace.stored)
-
-
-def _used(
-    files: list[File], package: PackageFacts, workspace: Workspace, homes: Mapping[str, str]
-) -> dict[str, list[Evidence]]:
+def _used(files: list[File], package: PackageFacts, others: _Others) -> dict[str, list[Evidence]]:
     own = {
         entry.path.rsplit("/", 1)[-1].removesuffix(".py") for entry in package.root.files if entry.path.endswith(".py")
     }
@@ -89,26 +91,26 @@ def _used(
     for file in files:
         for entry in file.facts.imports:
             name = (
-                _python(entry.module, own, workspace)
+                _python(entry.module, own, others)
                 if file.language == "python"
-                else homes.get(entry.module) or _cpp(entry.module, built, workspace)
+                else others.homes.get(entry.module) or _cpp(entry.module, built, others)
             )
             if name is not None:
                 found.setdefault(name, []).append(Evidence(file.path, entry.line))
     return found
 
 
-def _python(module: str, own: set[str], workspace: Workspace) -> str | None:
+def _python(module: str, own: set[str], others: _Others) -> str | None:
     top = module.split(".")[0]
     if not top or top in own:
         return None
-    if _is_known(top, workspace) or top.endswith(_INTERFACES):
+    if top in others.names or top.endswith(_INTERFACES):
         return top
     return python_packages().get(top)
 
 
-def _cpp(path: str, built: set[str], workspace: Workspace) -> str | None:
+def _cpp(path: str, built: set[str], others: _Others) -> str | None:
     """The first folder of an include is its package, when that is in the tree, holds messages, or is found by CMake."""
     top, slash, _ = path.partition("/")
-    known = _is_known(top, workspace) or top.endswith(_INTERFACES) or (top in built and top.islower())
+    known = top in others.names or top.endswith(_INTERFACES) or (top in built and top.islower())
     return top if slash and known else None
