@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from ecm_parsers.source.cpp_captures import initial_captures
 from ecm_parsers.source.cpp_effects import has_call, matters, shifted
 from ecm_parsers.source.cpp_expr import ExprReader, lambda_types
 from ecm_parsers.source.cpp_parameters import declared_name, parameters
@@ -423,6 +424,7 @@ class BodyReader:
         body = node.child_by_field_name("body")
         declarator = node.child_by_field_name("declarator")
         listed = declarator.child_by_field_name("parameters") if declarator is not None else None
+        self._captured(node)
         inner = BodyReader(self.expr.data, f"{self.scope}::{name}")
         inner._nesting = self._nesting
         if body is not None:
@@ -447,10 +449,18 @@ class BodyReader:
     def _lambda_body(self, node: Node) -> None:
         declarator = node.child_by_field_name("declarator")
         listed = declarator.child_by_field_name("parameters") if declarator is not None else None
-        names = tuple([parameter.name for parameter in parameters(self.expr, listed)])
+        captured = self._captured(node)
+        names = (*(parameter.name for parameter in parameters(self.expr, listed)), *captured)
         self._lambdas += 1
         self.flow.add(Later(self._inner(node.child_by_field_name("body")), names))
         self._lambdas -= 1
+
+    def _captured(self, node: Node) -> list[str]:
+        """Read what a lambda evaluates when it is made; return the names by which its body has that."""
+        found = initial_captures(node)
+        for capture in found:
+            self._expression(capture.value)
+        return [capture.name for capture in found]
 
     def _add(
         self,
