@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Hashable, Iterable, Sequence
 from typing import Final
 
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
@@ -36,6 +36,7 @@ class Objects:
         self.program = program
         self.scope = scope
         self.file_scope = FileScope(program, scope)
+        self._callees: dict[Hashable, Sequence[Func]] = {}
 
     # --- types -----------------------------------------------------------------------------------------
 
@@ -238,9 +239,17 @@ class Objects:
         return next(iter(self.callees(call, env)), None)
 
     def callees(self, call: Invocation, env: Env) -> Sequence[Func]:
-        """Return the functions in the tree that a call can mean, with a body, best first."""
+        """Return the functions in the tree that a call can mean, with a body, best first; each is looked up once."""
         if call.last not in self.program.functions:
             return ()
+        place = (env.func, env.at, env.this, call.func)
+        asked = (place, call.path, call.receiver, call.args, call.keywords, call.types)
+        known = self._callees.get(asked)
+        if known is None:
+            known = self._callees[asked] = self._looked_up(call, env.deeper(0))
+        return known
+
+    def _looked_up(self, call: Invocation, env: Env) -> Sequence[Func]:
         own = env.func.cls or env.this
         if is_super(call.receiver) and own is not None:
             return self._methods(call, next(iter(self.program.bases(own)), None))
