@@ -158,7 +158,7 @@ class Conditions:
         """The ROS parameter that an expression has the value of, empty for none."""
         if not isinstance(expr, Name | Member | Call) or _writes(expr):
             return ""
-        found = {parameter_of(value) for value in self.folder.fold(expr, env)}
+        found = {value.parameter for value in self.folder.fold(expr, env)}
         return found.pop() if len(found) == 1 else ""
 
     def _written(self, test: Expr, env: Env) -> Condition:
@@ -168,13 +168,6 @@ class Conditions:
     def _called(self, part: Expr, env: Env) -> str:
         name = self._parameter(part, env)
         return Condition("parameter", name).text if name else ""
-
-
-def parameter_of(value: Value) -> str:
-    """Return the name of the ROS parameter whose value a value is, empty for none."""
-    template = value.template or ""
-    inner = template.removeprefix("${").partition("=")[0]
-    return inner if template == f"${{{inner}={value.text}}}" else ""
 
 
 def key_of(expr: Expr) -> str:

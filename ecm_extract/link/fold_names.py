@@ -126,7 +126,7 @@ class NameFolder:
         """A constant, or a variable that functions may assign to."""
         constant, file = found
         if constant.value is None:
-            return (Value((f"{constant.scope}::{constant.name}",), "literal", None, Enumerator(constant)),)
+            return (Value((f"{constant.scope}::{constant.name}",), "literal", (), Enumerator(constant)),)
         values = demoted(self.folder.fold(constant.value, Env(self.at_file(file, env).func, depth=env.depth + 1)))
         return alternatives((*values, unknown(name))) if self.may_change(name, constant, env) else values
 
