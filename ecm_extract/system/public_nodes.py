@@ -13,6 +13,7 @@ import msgspec
 from ecm_checker.hub.roles import Role
 
 from ecm_extract.system.model import Instance
+from ecm_extract.system.programs import programs
 from ecm_extract.system.spawners import spawned
 
 
@@ -25,7 +26,6 @@ class PublicEndpoint(NamedTuple):
     when: str = ""
 
 
-_SPAWNERS = frozenset({"controller_manager/spawner", "controller_manager/spawner.py"})
 _SEVERAL = re.compile(r"\$\{([\w.]+#|[\w.]+\*[\w.]+)=\}")
 
 
@@ -57,7 +57,7 @@ def public_table() -> PublicTable:
 
 def default_name(instance: Instance) -> str:
     """Return what a program calls its node when the launch does not: by the table, else like its executable."""
-    if f"{instance.package}/{instance.executable}" in _SPAWNERS:
+    if f"{instance.package}/{instance.executable}" in programs().spawner.nodes:
         return "_".join(["spawner", *(entry.name for entry in list(spawned([instance]))[:1])])
     known = public_table().name.get(f"{instance.package}/{instance.executable}")
     return known or instance.executable.removesuffix(".py") or instance.plugin.rsplit("::", 1)[-1] or "node"
