@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cache
-from importlib import resources
 from typing import NamedTuple
 
 from ecm_checker.hub.condition import Condition, text_of
@@ -20,6 +18,7 @@ from ecm_extract.link.numbers import NUMBERS
 from ecm_extract.link.spelling import last_name, plain
 from ecm_extract.link.values import Value, is_proved, is_setting
 from ecm_extract.link.walk import children
+from ecm_extract.shipped import shipped_names
 
 _MACRO = "#if "
 _SAME = frozenset({"==", "!="})
@@ -37,8 +36,7 @@ class Told(NamedTuple):
 
 @cache
 def _names(table: str) -> frozenset[str]:
-    text = (resources.files("ecm_extract.link") / "conditions.toml").read_text("utf-8")
-    return frozenset(tomllib.loads(text)[table]["names"])
+    return shipped_names("link/conditions.toml", table)
 
 
 class Conditions:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import tomllib
 from functools import cache
-from importlib import resources
 
 import msgspec
+
+from ecm_extract.shipped import shipped_as
 
 
 class Bridge(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -73,5 +73,4 @@ class Programs(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 @cache
 def programs() -> Programs:
     """Return the table that ships with the package."""
-    text = (resources.files("ecm_extract.system") / "programs.toml").read_text("utf-8")
-    return msgspec.convert(tomllib.loads(text), Programs)
+    return shipped_as("system/programs.toml", Programs)

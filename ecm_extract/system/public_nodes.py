@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cache
-from importlib import resources
 from typing import Any, NamedTuple
 
 import msgspec
 from ecm_checker.hub.roles import Role
 
+from ecm_extract.shipped import shipped_as
 from ecm_extract.system.model import Instance
 from ecm_extract.system.programs import programs
 from ecm_extract.system.spawners import spawned
@@ -51,8 +50,7 @@ class PublicTable(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 @cache
 def public_table() -> PublicTable:
     """Return the table that ships with the package."""
-    text = (resources.files("ecm_extract.system") / "public_nodes.toml").read_text("utf-8")
-    return msgspec.convert(tomllib.loads(text), PublicTable)
+    return shipped_as("system/public_nodes.toml", PublicTable)
 
 
 def default_name(instance: Instance) -> str:
