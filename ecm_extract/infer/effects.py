@@ -129,7 +129,7 @@ class Effects:
             yield from self._swapped(call)
             return
         if isinstance(callee, Member):
-            yield from self._on_receiver(call, callee, statement)
+            yield from self._on_receiver(call, callee)
         path = callee.name if isinstance(callee, Member) else callee.id if isinstance(callee, Name) else ""
         last = path.rsplit("::", 1)[-1]
         passed = [(index, arg) for index, arg in enumerate(call.args) if self._passes(arg)]
@@ -165,7 +165,7 @@ class Effects:
             return
         yield from (Effect("lost", root, call) for arg in both if (root := self.root(arg)))
 
-    def _on_receiver(self, call: Call, callee: Member, statement: Statement) -> Iterator[Effect]:
+    def _on_receiver(self, call: Call, callee: Member) -> Iterator[Effect]:
         if callee.name not in self.calls.changing:
             return
         key = self.key(callee.base)
