@@ -189,7 +189,7 @@ class Objects:
             if not func.is_constructor:
                 continue
             env = Env(func, args=made.args, this=made.cls, made=made)
-            call = self._base_call(func, parent, env)
+            call = _base_call(func, parent)
             constructor = self.constructor(parent, len(call.args)) if call is not None else None
             if call is not None and constructor is not None:
                 return Instance(parent, bind(constructor, call, env.before(call.at)), types, constructor)
@@ -201,7 +201,7 @@ class Objects:
             if made.maker is None:
                 break
             env = Env(made.maker, args=made.args, this=made.cls, made=made)
-            call = self._base_call(made.maker, made.cls, env)
+            call = _base_call(made.maker, made.cls)
             target = self.constructor(made.cls, len(call.args)) if call is not None else None
             if call is None or target is None or target is made.maker:
                 break
@@ -211,18 +211,6 @@ class Objects:
     def _meant(self, written: str, cls: Cls) -> str:
         """What a template argument in the head of a class stands for where the class is."""
         return self.program.alias(written, cls.file, cls.fact.scope) or written
-
-    def _base_call(self, func: Func, parent: Cls, env: Env) -> Invocation | None:
-        for at, statement in enumerate(func.fact.body):
-            value = statement.value
-            target = statement.target
-            if statement.kind == "init" and isinstance(target, Name) and last_name(target.id) == parent.fact.name:
-                args = value.args if isinstance(value, Call) and value.callee == target else (value,) if value else ()
-                return Invocation(func, at, statement, target.id, None, one_node(func, args), (), (), statement.line)
-            if isinstance(value, Call) and _calls_super(value, parent):
-                args = value.args[1:] if value.args[:1] == (Name("this"),) else value.args
-                return Invocation(func, at, statement, "super", None, args, value.keywords, (), statement.line)
-        return None
 
     def constructor(self, cls: Cls, count: int) -> Func | None:
         """Return the constructor that takes `count` arguments best; a class without any has that of its base."""
@@ -303,3 +291,17 @@ def _calls_super(call: Call, parent: Cls) -> bool:
     if isinstance(base, Call) and isinstance(base.callee, Name) and base.callee.id == "super":
         return True
     return last_name(dotted_name(base)) == parent.fact.name
+
+
+def _base_call(func: Func, parent: Cls) -> Invocation | None:
+    """The call by which a constructor makes its base."""
+    for at, statement in enumerate(func.fact.body):
+        value = statement.value
+        target = statement.target
+        if statement.kind == "init" and isinstance(target, Name) and last_name(target.id) == parent.fact.name:
+            args = value.args if isinstance(value, Call) and value.callee == target else (value,) if value else ()
+            return Invocation(func, at, statement, target.id, None, one_node(func, args), (), (), statement.line)
+        if isinstance(value, Call) and _calls_super(value, parent):
+            args = value.args[1:] if value.args[:1] == (Name("this"),) else value.args
+            return Invocation(func, at, statement, "super", None, args, value.keywords, (), statement.line)
+    return None

@@ -178,11 +178,11 @@ class DeclarationReader:
                 params,
                 returns,
                 *lines_of(node),
-                tuple(read.statements),
+                tuple(read.writer.statements),
                 place.template,
                 traits,
                 decorators,
-                read.flow.flow(),
+                read.writer.flow(),
             )
         )
         self.functions.extend(read.functions)

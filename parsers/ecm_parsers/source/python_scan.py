@@ -40,9 +40,23 @@ class Frame:
         fields: of the class being read, also in its `__init__`; None elsewhere.
         owner: the class as an expression, in a class body.
         depth: how many conditions and loops enclose the current statement. lambdas: how many lambdas do.
+        yields: whether a call of it gives what it yields, one after the other.
     """
 
-    __slots__ = ("body", "depth", "fields", "flow", "globals", "lambdas", "names", "owner", "place", "scope", "shared")
+    __slots__ = (
+        "body",
+        "depth",
+        "fields",
+        "flow",
+        "globals",
+        "lambdas",
+        "names",
+        "owner",
+        "place",
+        "scope",
+        "shared",
+        "yields",
+    )
 
     def __init__(
         self,
@@ -63,6 +77,7 @@ class Frame:
         self.owner: Expr | None = None
         self.depth = 0
         self.lambdas = 0
+        self.yields = False
 
 
 class Scan:
@@ -152,8 +167,8 @@ class Scan:
         return self.frame.flow.end()
 
     def do(self, node: Node) -> None:
-        """Emit an expression as a statement if it calls anything."""
-        if self.data.find(b"(", node.start_byte, node.end_byte) >= 0:
+        """Emit an expression as a statement if it calls anything; one that yields is read in any case."""
+        if node.type == "yield" or self.data.find(b"(", node.start_byte, node.end_byte) >= 0:
             self.done(node)
 
     def done(self, node: Node) -> Expr:
