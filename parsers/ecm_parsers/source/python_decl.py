@@ -16,16 +16,16 @@ _SEPARATORS = frozenset(("keyword_separator", "positional_separator"))
 
 
 def _decorated(scan: Scan, node: Node) -> None:
-    decorators: list[str] = []
+    decorators: list[Node] = []
     for child in parts(node):
         if child.type == "decorator":
-            decorators.append(scan.text(child)[1:].strip())
+            decorators += parts(child)
             for part in parts(child):
                 scan.do(part)
         elif child.type == "function_definition":
-            _read_function(scan, child, tuple(decorators))
+            _read_function(scan, child, tuple([scan.text(each) for each in decorators]))
         elif child.type == "class_definition":
-            _read_class(scan, child, tuple(decorators))
+            _read_class(scan, child, decorators)
 
 
 def _function(scan: Scan, node: Node) -> None:
@@ -33,7 +33,7 @@ def _function(scan: Scan, node: Node) -> None:
 
 
 def _class(scan: Scan, node: Node) -> None:
-    _read_class(scan, node, ())
+    _read_class(scan, node, [])
 
 
 def _read_function(scan: Scan, node: Node, decorators: tuple[str, ...]) -> None:
@@ -79,7 +79,7 @@ def _bound_in(scan: Scan, frame: Frame) -> Iterator[str]:
     yield from (entry.alias or entry.name or entry.module for entry in scan.imports)
 
 
-def _read_class(scan: Scan, node: Node, decorators: tuple[str, ...]) -> None:
+def _read_class(scan: Scan, node: Node, decorators: list[Node]) -> None:
     outer = scan.frame
     name = scan.text(node.child_by_field_name("name"))
     bases = node.child_by_field_name("superclasses")
@@ -98,7 +98,8 @@ def _read_class(scan: Scan, node: Node, decorators: tuple[str, ...]) -> None:
             line=node.start_point[0] + 1,
             end_line=node.end_point[0] + 1,
             fields=tuple(fields),
-            traits=_traits(name, decorators),
+            traits=_traits(name, tuple([scan.text(each) for each in decorators])),
+            decorators=tuple([scan.expr(each) for each in decorators]),
         )
     )
 
