@@ -81,7 +81,8 @@ class References:
 
     def handing(self, cls: Cls) -> Iterator[Func]:
         """Yield the functions that hand a class over, or read what a decorator keeps it in."""
-        return self._handed.classes(cls)
+        yield from self._handed.classes(cls)
+        yield from self.registered.readers(cls)
 
     def users(self, unit: Unit) -> Iterator[Unit]:
         """Yield the units that derive from, hold, make or call a unit."""

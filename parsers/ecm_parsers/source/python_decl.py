@@ -9,10 +9,10 @@ from tree_sitter import Node
 from ecm_parsers.source.expr import Expr, Items, Member, Name
 from ecm_parsers.source.facts import Class, Field, Function, Import, Parameter, Statement
 from ecm_parsers.source.python_expr import parts
+from ecm_parsers.source.python_parameters import parameters
 from ecm_parsers.source.python_scan import Frame, Scan, StatementHandler
 
 _THIS = Name("this")
-_SEPARATORS = frozenset(("keyword_separator", "positional_separator"))
 
 
 def _decorated(scan: Scan, node: Node) -> None:
@@ -39,7 +39,7 @@ def _class(scan: Scan, node: Node) -> None:
 def _read_function(scan: Scan, node: Node, decorators: tuple[str, ...]) -> None:
     outer = scan.frame
     name = scan.text(node.child_by_field_name("name"))
-    params = _parameters(scan, node.child_by_field_name("parameters"))
+    params = parameters(scan, node.child_by_field_name("parameters"))
     names = outer.names
     if outer.place == "class":
         names, params = _method_names(scan, params, decorators)
@@ -154,26 +154,6 @@ _DECORATOR_TRAITS: Mapping[str, str] = {
     "override": "override",
     "deprecated": "deprecated",
 }
-
-
-def _parameters(scan: Scan, node: Node | None) -> tuple[Parameter, ...]:
-    if node is None:
-        return ()
-    return tuple([_parameter(scan, child) for child in parts(node) if child.type not in _SEPARATORS])
-
-
-def _parameter(scan: Scan, node: Node) -> Parameter:
-    kind = node.type
-    if kind == "typed_parameter":
-        return Parameter(scan.text(node.children[0]), scan.text(node.child_by_field_name("type")))
-    if kind not in ("default_parameter", "typed_default_parameter"):
-        return Parameter(scan.text(node))
-    default = node.child_by_field_name("value")
-    return Parameter(
-        scan.text(node.child_by_field_name("name")),
-        scan.text(node.child_by_field_name("type")),
-        scan.expr(default) if default is not None else None,
-    )
 
 
 def _import(scan: Scan, node: Node) -> None:

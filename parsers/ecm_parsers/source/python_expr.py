@@ -12,8 +12,7 @@ from collections.abc import Mapping
 
 from tree_sitter import Node
 
-from ecm_parsers.source.expr import Call, Comprehension, Expr, Items, Lambda, Member, Number, Op, Table, Template, Text
-from ecm_parsers.source.flow import Later
+from ecm_parsers.source.expr import Call, Comprehension, Expr, Items, Member, Number, Op, Table, Template, Text
 from ecm_parsers.source.python_literal import (
     FALSE,
     NULL,
@@ -226,20 +225,6 @@ def _spread(scan: Scan, node: Node) -> Expr:
     return Op("*", (_inner(scan, node),))
 
 
-def _lambda(scan: Scan, node: Node) -> Expr:
-    parameters, body = node.child_by_field_name("parameters"), node.child_by_field_name("body")
-    if body is None:
-        return Lambda(())
-    scan.frame.lambdas += 1
-    scan.frame.flow.begin()
-    value = scan.done(body)
-    names = tuple([scan.text(child) for child in parts(parameters)]) if parameters is not None else ()
-    plain = tuple([name.partition("=")[0].strip() for name in names])
-    scan.frame.flow.add(Later(scan.frame.flow.end(), plain))
-    scan.frame.lambdas -= 1
-    return Lambda(("",) * len(names), names, value)
-
-
 def _comprehension(scan: Scan, node: Node) -> Expr:
     body, *clauses = parts(node)
     loops: list[int] = []
@@ -293,7 +278,6 @@ EXPRESSIONS: Mapping[str, ExprHandler] = {
     "generator_expression": _comprehension,
     "integer": _number,
     "keyword_argument": _keyword_value,
-    "lambda": _lambda,
     "list": _items,
     "list_comprehension": _comprehension,
     "list_pattern": _items,
