@@ -48,6 +48,7 @@ def _read_function(scan: Scan, node: Node, decorators: tuple[str, ...]) -> None:
     body: list[Statement] = []
     frame = Frame("function", _inside(outer.scope, name), body, names)
     frame.fields = outer.fields if outer.place == "class" and name == "__init__" else None
+    frame.bases = outer.bases
     _read_body(scan, node, frame)
     bound = set(_bound_in(scan, frame)) if frame.globals else set()
     scan.constants += [entry for entry in frame.globals if entry.name in bound]  # `global` alone binds nothing
@@ -89,12 +90,13 @@ def _read_class(scan: Scan, node: Node, decorators: list[Node]) -> None:
     frame.depth = outer.depth
     frame.fields = fields
     frame.owner = Member(outer.owner, name) if outer.owner is not None else Name(name)
+    frame.bases = _bases(scan, bases) if bases is not None else ()
     _read_body(scan, node, frame)
     scan.classes.append(
         Class(
             name=name,
             scope=outer.scope,
-            bases=_bases(scan, bases) if bases is not None else (),
+            bases=frame.bases,
             line=node.start_point[0] + 1,
             end_line=node.end_point[0] + 1,
             fields=tuple(fields),

@@ -3,7 +3,8 @@
 Choices beyond it: `and`, `or`, `not`, `is`, `is not` and `<>` are written as C++ writes them; a comprehension
 is a `Comprehension` after an `each` statement for each of its loops; a formatted part of an f-string is
 `Op("format", (value, Text(spec)))`; a slice is `Op(":", (start, stop, ...))`; the keyword of `**spread` is
-`**`, and `*spread` is `Op("*", (value,))`.
+`**`, and `*spread` is `Op("*", (value,))`. In a class that derives from `Base`, `Base.method(self, x)` is
+`super("Base").method(x)`.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from collections.abc import Mapping
 
 from tree_sitter import Node
 
-from ecm_parsers.source.expr import Call, Comprehension, Expr, Items, Member, Number, Op, Table, Template, Text
+from ecm_parsers.source.expr import Call, Comprehension, Expr, Items, Member, Name, Number, Op, Table, Template, Text
 from ecm_parsers.source.python_literal import (
     FALSE,
     NULL,
@@ -27,6 +28,7 @@ from ecm_parsers.source.python_literal import (
 from ecm_parsers.source.python_scan import EXTRAS, MAX_DOTTED_LENGTH, ExprHandler, Scan
 
 _OPERATORS: Mapping[str, str] = {"and": "&&", "or": "||", "is": "==", "is not": "!=", "<>": "!=", "not": "!"}
+_THIS = Name("this")
 _SKIPPED = EXTRAS | {"ERROR"}
 _F_PREFIXES = (b"f", b"F", b"t", b"T")
 
@@ -73,7 +75,18 @@ def _call(scan: Scan, node: Node) -> Expr:
             salvage(scan, child)
         elif kind not in EXTRAS:
             args.append(expr(child))
+    if args[:1] == [_THIS] and _is_of_base(scan, function):
+        base = Call(Name("super"), (Text(scan.text(function.child_by_field_name("object"))),), line=line)
+        callee, args = Member(base, scan.text(function.child_by_field_name("attribute"))), args[1:]
     return Call(callee, tuple(args), tuple(keywords), (), line, tuple(lines))
+
+
+def _is_of_base(scan: Scan, function: Node) -> bool:
+    """Whether a call by the name of a class is that of a method of a base; how objects begin is told by that name."""
+    if function.type != "attribute" or not scan.frame.bases:
+        return False
+    base, name = function.child_by_field_name("object"), function.child_by_field_name("attribute")
+    return scan.text(name) != "__init__" and scan.text(base) in scan.frame.bases
 
 
 def salvage(scan: Scan, node: Node) -> None:

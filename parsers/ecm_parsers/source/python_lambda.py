@@ -65,6 +65,7 @@ def _as_function(scan: Scan, node: Node, body: Node, name: str) -> Expr:
     hidden = any(param.name.encode() in outer.names for param in params)
     scope = f"{outer.scope}::{name}" if outer.scope else name
     scan.frame = frame = Frame("function", scope, statements, {} if hidden else outer.names)
+    frame.bases = outer.bases
     value = scan.expr(body)
     scan.emit("return", node, value)
     scan.frame = outer

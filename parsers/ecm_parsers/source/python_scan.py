@@ -38,11 +38,11 @@ class Frame:
         shared: names that are declared `global` or `nonlocal`; globals: those of the module.
         names: expressions of names and dotted names seen, by source bytes; maps the receiver to `this`.
         fields: of the class being read, also in its `__init__`; None elsewhere.
-        owner: the class as an expression, in a class body.
+        owner: the class as an expression, in a class body. bases: its bases as written, also in its methods.
         depth: how many conditions and loops enclose the current statement. lambdas: how many lambdas do.
     """
 
-    __slots__ = ("body", "depth", "fields", "flow", "globals", "lambdas", "names", "owner", "place", "scope", "shared")
+    __slots__ = ("bases", "body", "depth", "fields", "flow", "globals", "lambdas", "names", "owner", "place", "scope", "shared")
 
     def __init__(
         self,
@@ -61,6 +61,7 @@ class Frame:
         self.names = names
         self.fields: list[Field] | None = None
         self.owner: Expr | None = None
+        self.bases: tuple[str, ...] = ()
         self.depth = 0
         self.lambdas = 0
 
