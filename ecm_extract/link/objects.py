@@ -6,7 +6,7 @@ import re
 from collections.abc import Hashable, Iterable, Sequence
 from typing import Final
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
+from ecm_parsers.source.expr import Call, Expr, Member, Name, Op, Text
 
 from ecm_extract.link.calls import Invocation, dotted_name, one_node
 from ecm_extract.link.containers import ELEMENT_METHODS, element_type
@@ -240,10 +240,19 @@ class Objects:
     def _looked_up(self, call: Invocation, env: Env) -> Sequence[Func]:
         own = env.func.cls or env.this
         if is_super(call.receiver) and own is not None:
-            return self._methods(call, next(iter(self.program.bases(own)), None))
+            return self._methods_of_base(call, own)
         if call.receiver is not None:
             return self._methods(call, self.class_of(call.receiver, env.before(env.at)))
         return self._methods(call, self._named_base(call, env) or env.this or env.func.cls) or self._free(call, env)
+
+    def _methods_of_base(self, call: Invocation, own: Cls) -> Sequence[Func]:
+        """`super().name()` means that of the first base, `Base.name(self)` that of the named one."""
+        written = call.receiver.args[0] if isinstance(call.receiver, Call) and call.receiver.args else None
+        if not isinstance(written, Text):
+            return self._methods(call, next(iter(self.program.bases(own)), None))
+        named = self.program.class_named(plain(written.value), call.func.file, call.func.scope)
+        found = self._methods(call, named)
+        return [func for func in found if "static" not in func.fact.traits]  # that is given the object in its place
 
     def _named_base(self, call: Invocation, env: Env) -> Cls | None:
         """`Base::name()` means that of the base, whatever a derived class has."""

@@ -15,7 +15,7 @@ from ecm_parsers.source.expr import Expr, Name
 from ecm_extract.link.call_index import call_index
 from ecm_extract.link.call_targets import CallTargets
 from ecm_extract.link.calls import Invocation
-from ecm_extract.link.closures import captured
+from ecm_extract.link.closures import around, captured
 from ecm_extract.link.emplaced import EMPLACING, emplaced
 from ecm_extract.link.env import Env, Instance, bind
 from ecm_extract.link.fold import Folder
@@ -243,7 +243,7 @@ class Sites:
         func, at = following.func, following.at
         args = bind(func, link, env)
         types = self._types(func.fact.template, link, env)
-        if "lambda" in func.fact.traits:
+        if around(func, self.folder) is not None:
             outer = captured(func, link, env, self.folder)
             return Env(func, at, args, types, outer.this, outer.made, outer=outer)
         if func.cls is None:

@@ -94,7 +94,7 @@ class Field(_Fact, frozen=True):
 
 
 class Class(_Fact, frozen=True):
-    """A class or struct with its bases as written (template arguments kept)."""
+    """A class or struct with its bases as written (template arguments kept), in Python with what decorates it."""
 
     name: str
     scope: str
@@ -104,6 +104,7 @@ class Class(_Fact, frozen=True):
     fields: tuple[Field, ...] = ()
     template: tuple[str, ...] = ()
     traits: tuple[str, ...] = ()
+    decorators: tuple[Expr, ...] = ()
 
 
 class Constant(_Fact, frozen=True):

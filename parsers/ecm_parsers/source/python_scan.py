@@ -38,12 +38,13 @@ class Frame:
         shared: names that are declared `global` or `nonlocal`; globals: those of the module.
         names: expressions of names and dotted names seen, by source bytes; maps the receiver to `this`.
         fields: of the class being read, also in its `__init__`; None elsewhere.
-        owner: the class as an expression, in a class body.
+        owner: the class as an expression, in a class body. bases: its bases as written, also in its methods.
         depth: how many conditions and loops enclose the current statement. lambdas: how many lambdas do.
         yields: whether a call of it gives what it yields, one after the other.
     """
 
     __slots__ = (
+        "bases",
         "body",
         "depth",
         "fields",
@@ -75,6 +76,7 @@ class Frame:
         self.names = names
         self.fields: list[Field] | None = None
         self.owner: Expr | None = None
+        self.bases: tuple[str, ...] = ()
         self.depth = 0
         self.lambdas = 0
         self.yields = False
