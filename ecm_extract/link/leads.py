@@ -192,7 +192,8 @@ def _imported(file: File, names: Iterable[str]) -> Iterator[str]:
 
 def _runs_unnamed(func: Func) -> bool:
     name = func.fact.name
-    if func.is_constructor or name.startswith(("~", "operator", "__")) or name in _table()["unnamed"]:
+    special = name.startswith("__") and name.endswith("__")  # `__mine` is private and needs to be named
+    if func.is_constructor or special or name.startswith(("~", "operator")) or name in _table()["unnamed"]:
         return True
     return bool(set(map(_bare, func.fact.decorators)) - _table()["decorators"])
 
