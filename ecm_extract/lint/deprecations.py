@@ -11,8 +11,8 @@ from importlib import resources
 import msgspec
 
 from ecm_extract.discover import is_test_path
+from ecm_extract.entities.distributions import is_for_older
 from ecm_extract.lint.alternatives import has_alternative
-from ecm_extract.lint.distributions import is_for_older, named_distributions
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
 
@@ -73,7 +73,7 @@ def deprecations() -> Deprecations:
 
 def deprecated_in(package: PackageFacts, workspace: Workspace) -> Iterator[Deprecated]:
     """Yield the uses of a package, tests left out."""
-    named = named_distributions(workspace.tree)
+    named = workspace.known.distributions
     possible = [row for row in deprecations().text if not _is_needed(row, package, named)]
     rows = {
         entry.path: concerned
