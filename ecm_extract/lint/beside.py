@@ -6,7 +6,7 @@ Their lines are of another tree: they are marked, so that none is taken for a li
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Set
 from functools import cached_property, partial
 from typing import NamedTuple
 
@@ -62,6 +62,22 @@ class _At(NamedTuple):
 def running_beside(documents: Iterable[Package], lines: Lines) -> Mapping[str, Running]:
     """Return what runs of each package whose document tells it, with lines of other trees marked."""
     return {each.name: _placed(each.running, partial(lines.of, each.name)) for each in documents if each.running}
+
+
+def own_running(own: Mapping[str, Running], beside: Mapping[str, Running]) -> Mapping[str, Running]:
+    """Return what runs of the tree: what of a library runs in programs of documents is no module by itself."""
+    told = {(at.path, at.line) for running in beside.values() for each in running.modules for at in each.endpoints}
+    return {name: _without(running, told) for name, running in own.items()} if told else own
+
+
+def _without(running: Running, told: Set[tuple[str, int]]) -> Running:
+    modules = tuple(
+        msgspec.structs.replace(each, endpoints=tuple(at for at in each.endpoints if (at.path, at.line) not in told))
+        if not each.is_program and not each.cls
+        else each
+        for each in running.modules
+    )
+    return msgspec.structs.replace(running, modules=modules)
 
 
 def foreign_requirements(documents: Iterable[Package], own: frozenset[str]) -> Iterator[tuple[str, Requirement]]:

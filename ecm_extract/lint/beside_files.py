@@ -41,7 +41,7 @@ class Beside:
     def launches(self) -> Mapping[str, LaunchFile]:
         """Launch files that documents keep, by path; those of tests, and those that are put aside, are left out."""
         found: dict[str, LaunchFile] = {}
-        for path, package in self._texts().items():
+        for path, package in self._texts.items():
             if is_launch_file(path) and not is_aside(path):
                 read = read_launch(path, self.files.read(path) or b"", package.ros)
                 found |= {path: read.facts} if read.facts is not None else {}
@@ -50,7 +50,11 @@ class Beside:
     @cached_property
     def descriptions(self) -> Sequence[str]:
         """Paths of the robot descriptions that documents keep; those of tests are left out."""
-        return [path for path in self._texts() if is_description(path)]
+        return [path for path in self._texts if is_description(path)]
+
+    def ending(self, *ends: str) -> Iterator[str]:
+        """Yield the paths with some endings of the files that documents keep; those of tests are left out."""
+        return (path for path in self._texts if path.endswith(ends))
 
     def reaching(self, paths: Iterable[str]) -> Iterator[str]:
         """Yield the files whose package asks for names of the tree, or of packages that do."""
@@ -64,6 +68,7 @@ class Beside:
             found |= more
         return frozenset(found)
 
+    @cached_property
     def _texts(self) -> Mapping[str, Package]:
         """The packages by the paths of their own files whose content is kept."""
         return {

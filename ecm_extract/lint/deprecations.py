@@ -102,7 +102,7 @@ def _is_needed(row: DeprecatedText, package: PackageFacts, named: frozenset[str]
 def _is_other(holds: tuple[str, str], workspace: Workspace) -> bool:
     """Tell whether the workspace holds the package in a version in which the row does not hold."""
     name, versions = holds
-    return name in workspace.by_name and not workspace.provides(name, versions)
+    return name in workspace.versions and not workspace.provides(name, versions)
 
 
 def _concerns(row: DeprecatedText, path: str, ros: int | None) -> bool:

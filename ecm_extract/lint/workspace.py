@@ -23,7 +23,7 @@ from ecm_extract.entities.workspace import Workspace as Side
 from ecm_extract.extraction_model import Options
 from ecm_extract.link.composition import composition_of
 from ecm_extract.link.linker import Linker
-from ecm_extract.lint.beside import Lines, running_beside
+from ecm_extract.lint.beside import Lines, own_running, running_beside
 from ecm_extract.lint.beside_files import Beside, is_description
 from ecm_extract.lint.builds import builds
 from ecm_extract.lint.known import Known
@@ -87,7 +87,9 @@ class Workspace:
     def index(self) -> ModuleIndex:
         """What runs of its packages, and of those that are known by their documents."""
         own = running_of(self.packages, self.linked, self._composition)
-        return ModuleIndex({**running_beside(self.others, self.lines), **own})
+        others = (each for each in self.others if each.name not in self.by_name)
+        beside = running_beside(others, self.lines)
+        return ModuleIndex({**beside, **own_running(own, beside)})
 
     @cached_property
     def lines(self) -> Lines:
@@ -146,7 +148,7 @@ class Workspace:
     @cached_property
     def included(self) -> frozenset[str]:
         """Names, without folders, of launch files that another one includes, of documents too."""
-        launches = (*self.launches.values(), *self._beside.launches.values())
+        launches = (*self.launches.values(), *self.beside.launches.values())
         return frozenset(name for facts in launches for name in _included(facts.actions))
 
     @cached_property
@@ -155,23 +157,23 @@ class Workspace:
 
         Those of documents are among them that may start what is in the tree.
         """
-        launches = (*self.launches, *self._beside.reaching(self._beside.launches))
+        launches = (*self.launches, *self.beside.reaching(self.beside.launches))
         roots = sorted(
             (path for path in launches if path.rsplit("/", 1)[-1] not in self.included), key=self._by_package
         )
-        tree, files = self._beside.tree, self._beside.files
+        tree, files = self.beside.tree, self.beside.files
         with without_collector():
             self.leave_out(roots[MAX_SYSTEMS:], "launch files")
             return [evaluated_system(tree, files, self.index, [path], Given()) for path in roots[:MAX_SYSTEMS]]
 
     def _by_package(self, path: str) -> tuple[str, str]:
         """The same order wherever packages lie, so that which of two lines is told first is no matter of folders."""
-        files = self._beside.files
+        files = self.beside.files
         name = files.package_of(path) or ""
         return name, path.removeprefix(files.package_path(name) or "").lstrip("/")
 
     @cached_property
-    def _beside(self) -> Beside:
+    def beside(self) -> Beside:
         """The tree with what documents beside it keep."""
         own = frozenset(self.by_name)
         documents = [each for each in self.stored if each.name not in own]
@@ -195,20 +197,20 @@ class Workspace:
 
         Those of documents are among them that may include files of the tree.
         """
-        files = self._beside.files
+        files = self.beside.files
         own = (
             entry.path
             for package in self.packages
             for entry in package.root.files
             if is_description(entry.path) and not is_test_path(entry.path, package.root.path)
         )
-        others = self._beside.reaching(self._beside.descriptions)
+        others = self.beside.reaching(self.beside.descriptions)
         paths = sorted(filter(self._is_robot, (*own, *others)), key=self._by_package)
         self.leave_out(paths[MAX_DESCRIPTIONS:], "robot descriptions")
         return [read_description(path, {}, files) for path in paths[:MAX_DESCRIPTIONS]]
 
     def _is_robot(self, path: str) -> bool:
-        data = self._beside.files.read(path) or b""
+        data = self.beside.files.read(path) or b""
         return b"<robot" in data and b"<macro" not in data and b":macro" not in data
 
     def leave_out(self, paths: Iterable[str], what: str) -> None:
@@ -231,10 +233,16 @@ class Workspace:
         """Return the workspace as a comparison reads it."""
         return Side(self.tree, self.packages, self.linked, self.linker.program, self.linker.folder.objects)
 
+    @cached_property
+    def versions(self) -> Mapping[str, str | None]:
+        """The versions of the packages of the tree and of documents beside it."""
+        own = ((name, facts.manifest) for name, facts in self.by_name.items())
+        stored = {each.name: each.version for each in self.stored}
+        return {**stored, **{name: manifest.version if manifest is not None else None for name, manifest in own}}
+
     def provides(self, package: str, versions: str) -> bool:
-        """Tell whether the tree itself holds a package in a range of versions, such as `<1.11.1`."""
-        facts = self.by_name.get(package)
-        held = facts.manifest.version if facts is not None and facts.manifest is not None else None
+        """Tell whether the tree, or a document beside it, holds a package in a range of versions, such as `<1.11.1`."""
+        held = self.versions.get(package)
         return held is not None and in_range(held, versions) is True
 
     def commands(self, path: str) -> Sequence[Command]:
