@@ -9,8 +9,8 @@ from functools import cache
 import msgspec
 
 from ecm_extract.discover import is_test_path
+from ecm_extract.entities.distributions import is_for_older
 from ecm_extract.lint.alternatives import has_alternative
-from ecm_extract.lint.distributions import is_for_older, named_distributions
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.shipped import shipped_as
@@ -71,7 +71,7 @@ def deprecations() -> Deprecations:
 
 def deprecated_in(package: PackageFacts, workspace: Workspace) -> Iterator[Deprecated]:
     """Yield the uses of a package, tests left out."""
-    named = named_distributions(workspace.tree)
+    named = workspace.known.distributions
     possible = [row for row in deprecations().text if not _is_needed(row, package, named)]
     rows = {
         entry.path: concerned
@@ -100,7 +100,7 @@ def _is_needed(row: DeprecatedText, package: PackageFacts, named: frozenset[str]
 def _is_other(holds: tuple[str, str], workspace: Workspace) -> bool:
     """Tell whether the workspace holds the package in a version in which the row does not hold."""
     name, versions = holds
-    return name in workspace.by_name and not workspace.provides(name, versions)
+    return name in workspace.versions and not workspace.provides(name, versions)
 
 
 def _concerns(row: DeprecatedText, path: str, ros: int | None) -> bool:

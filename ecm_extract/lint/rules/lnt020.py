@@ -48,7 +48,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     files: dict[str, list[File]] = {}
     for file in workspace.linker.program.files:
         files.setdefault(file.package, []).append(file)
-    others = _Others(frozenset(workspace.by_name) | {each.name for each in workspace.stored}, _homes(workspace))
+    others = _Others(frozenset(workspace.by_name) | {each.name for each in workspace.others}, _homes(workspace))
     for package in workspace.packages:
         if package.manifest is None or package.root.rosbuild:
             continue
@@ -75,7 +75,7 @@ def _sources(workspace: Workspace) -> Iterator[tuple[str, str]]:
     """Yield each package with its files; of one that is known by its document those that the document lists."""
     for package in workspace.packages:
         yield from ((package.name, path) for path in package.sources)
-    for document in workspace.stored:
+    for document in workspace.others:
         if document.name not in workspace.by_name:
             yield from ((document.name, path) for path in document.files)
 

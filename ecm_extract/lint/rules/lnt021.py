@@ -22,6 +22,7 @@ RULE = LintRule(
     who="source",
     consequence="the build tool finds no order in which to build the workspace",
     resolution="remove one of the dependencies, or depend on the packages that are meant (REP 127)",
+    of_one_tree=True,
 )
 _BUILDS = frozenset({"build", "build_export", "buildtool", "buildtool_export", "depend", "exec", "run"})
 
