@@ -19,6 +19,7 @@ from ecm_parsers.source.cpp_macro_values import macro_value
 from ecm_parsers.source.cpp_members import CLASSES, declared_type, members
 from ecm_parsers.source.cpp_parameters import declared_name, parameters
 from ecm_parsers.source.cpp_place import Place
+from ecm_parsers.source.cpp_vexing import is_call_of_macro
 from ecm_parsers.source.expr import Expr, Items
 from ecm_parsers.source.facts import Alias, Class, Constant, Function, Import, Macro, SourceFile, Using
 
@@ -158,6 +159,8 @@ class DeclarationReader:
             return
         scope, name = split_name(declared_name(self.expr, named), place.scope)
         kind, body = node.child_by_field_name("type"), node.child_by_field_name("body")
+        if is_call_of_macro(node, scope, name):
+            return
         read = BodyReader(self.data, f"{scope}::{name}" if scope else name)
         for child in node.named_children:
             if child.type == "field_initializer_list":
@@ -177,11 +180,11 @@ class DeclarationReader:
                 params,
                 returns,
                 *lines_of(node),
-                tuple(read.statements),
+                tuple(read.writer.statements),
                 place.template,
                 traits,
                 decorators,
-                read.flow.flow(),
+                read.writer.flow(),
             )
         )
         self.functions.extend(read.functions)
