@@ -22,6 +22,8 @@ _INSTALL_KINDS: dict[str, InstallKind] = {
     "DIRECTORY": "directory",
     "FILES": "files",
 }
+_ONLY_IN = "CONFIGURATIONS"
+"""What installs only for some values of CMAKE_BUILD_TYPE, which the end of the build decides."""
 _INSTALL_WORDS = frozenset(
     {"DESTINATION", "EXPORT", "RUNTIME", "LIBRARY", "ARCHIVE", "INCLUDES", "PERMISSIONS", "PATTERN", "REGEX"}
     | {"FILES_MATCHING", "USE_SOURCE_PERMISSIONS", "OPTIONAL", "COMPONENT", "RENAME", "FILE_PERMISSIONS"}
@@ -50,6 +52,9 @@ def _each(call: Call, kind: InstallKind, targets: Mapping[str, Target]) -> Itera
     """The rules of a call; those that only some of the arguments give which builds may have are open."""
     worlds = [tuple(_rules(call, kind, texts, targets)) for texts in (call.texts, *call.others)]
     for rule in dict.fromkeys(rule for rules in worlds for rule in rules):
+        if _ONLY_IN in call.texts:
+            yield msgspec.structs.replace(rule, by_default=both(call.by_default, None))
+            continue
         is_taken = True if all(rule in rules for rules in worlds) else rule in worlds[0] if call.sure else None
         yield msgspec.structs.replace(rule, by_default=both(call.by_default, is_taken))
 
