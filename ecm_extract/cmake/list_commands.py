@@ -141,6 +141,10 @@ def _reverse(values: list[str], rest: list[str], look: Look) -> list[str]:
 _SORTED_BY: Final[dict[str, Callable[[str], str]]] = {"STRING": str, "FILE_BASENAME": posixpath.basename}
 
 
+_KEPT_IN_ORDER: Final = 16
+"""So many items at most stay in their order where they compare equal: `std::sort` inserts them one by one."""
+
+
 def _sort(values: list[str], rest: list[str], look: Look) -> list[str] | None:
     del look
     words = dict(zip(rest[::2], rest[1::2], strict=False))
@@ -149,8 +153,8 @@ def _sort(values: list[str], rest: list[str], look: Look) -> list[str] | None:
         return None
     is_folded = words.get("CASE") == "INSENSITIVE"
     keys = {value: (part(value).lower() if is_folded else part(value)).encode() for value in values}
-    if len(set(keys.values())) < len(keys):
-        return None  # the order of those that compare equal is not told
+    if len(set(keys.values())) < len(keys) and len(values) > _KEPT_IN_ORDER:
+        return None
     return sorted(values, key=keys.__getitem__, reverse=words.get("ORDER") == "DESCENDING")
 
 
