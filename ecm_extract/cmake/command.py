@@ -118,6 +118,8 @@ def _touch(run: Run, words: Sequence[str]) -> None:
     """A command from elsewhere may set the variables whose names it is given."""
     for word in words:
         value = run.state.variables.get(word)
+        if value is None and run.outside.leaves_empty(word):
+            value = Value((None,))
         if value is not None:
             run.state.assign(word, one_of((*value.texts, unknown(word)), False))
 

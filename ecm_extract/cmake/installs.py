@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 import msgspec
 from ecm_parsers.cmake_facts import Install, InstallKind, Target
 
-from ecm_extract.cmake.auto_package import installed_by_auto
+from ecm_extract.cmake.auto_package import installed_by_auto, installed_by_simple
 from ecm_extract.cmake.calls import Call
 from ecm_extract.cmake.files import BuildFiles
 from ecm_extract.cmake.genex import decided, decided_text
@@ -46,6 +46,8 @@ def installs(calls: tuple[Call, ...], targets: Mapping[str, Target], files: Buil
             yield from _each(call, "python", targets)
         elif call.name == "ament_auto_package":
             yield from installed_by_auto(call, calls, files)
+        elif call.name == "cs_install":
+            yield from installed_by_simple(call, calls)
 
 
 def _each(call: Call, kind: InstallKind, targets: Mapping[str, Target]) -> Iterator[Install]:

@@ -31,6 +31,7 @@ _LIBRARY_WORDS = frozenset(
         "MACOSX_BUNDLE",
     }
     | {"NO_TARGET_LINK_LIBRARIES", "THIN_LTO", "NO_EXTRAS", "OPT_SIZE", "LTO"}
+    | {"NO_AUTO_LINK", "NO_AUTO_DEP", "NO_AUTO_EXPORT"}
 )
 _STATIC = frozenset({"STATIC", "OBJECT", "INTERFACE"})
 _SKIPPED = frozenset({"IMPORTED", "ALIAS"})
@@ -42,10 +43,12 @@ _BUILDERS: dict[str, TargetKind] = {
     "cuda_add_executable": "executable",
     "ament_auto_add_executable": "executable",
     "rosbuild_add_executable": "executable",
+    "cs_add_executable": "executable",
     "add_library": "library",
     "cuda_add_library": "library",
     "ament_auto_add_library": "library",
     "rosbuild_add_library": "library",
+    "cs_add_library": "library",
     "pybind11_add_module": "library",
     "python3_add_library": "library",
     "nanobind_add_module": "library",
