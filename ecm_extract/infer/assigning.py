@@ -34,7 +34,16 @@ class Assigning:
         if isinstance(value, Opaque):
             return self.bind(target, Held("lost", "", None, env, at), state)
         state = self._placed(value, state)
-        return self.bind(target, Held("value", "", value, env, at), state)
+        state = self.bind(target, Held("value", "", value, env, at), state)
+        return self._from_before(target, state) if statement.kept else state
+
+    def _from_before(self, target: Expr | None, state: State) -> State:
+        """A variable that is kept between calls: what it begins with, or what a call before has left it with."""
+        key = self.frame.effects.key(target)
+        given_out = "reference" in self.frame.env.func.fact.traits
+        if not given_out and self.frame.outline.changes.get(key, 0) <= 1:
+            return state
+        return state.having({key: (*state.holds[key], Held("lost", key))})
 
     def _placed(self, value: Expr | None, state: State) -> State:
         """A text of C++ that has no value yet, in the braces of an object: whoever makes that may write it."""

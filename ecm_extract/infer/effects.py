@@ -29,6 +29,7 @@ class Calls:
     reading: Set[str]
     iterators: Set[str]
     waiting: Set[str]
+    calm: Set[str]
 
     def waits(self, call: Call) -> bool:
         """Tell whether a call may let callbacks of the program run; what joins texts or paths does not."""
@@ -73,7 +74,7 @@ def calls_of(language: str) -> Calls:
     """Return the table of a language."""
     table = tomllib.loads((resources.files("ecm_extract.infer") / "calls.toml").read_text("utf-8"))
     own = table[language]
-    listed = (own["changing"], own["reading"], own.get("iterators", ()), table["waiting"]["names"])
+    listed = (own["changing"], own["reading"], own.get("iterators", ()), table["waiting"]["names"], own["calm"])
     return Calls(*[frozenset(names) for names in listed])
 
 

@@ -392,8 +392,10 @@ class BodyReader:
             self._named_lambda(name, value)
             return
         read = self._initial(kind, value)
-        written = _qualifier(self.expr, declaration) + self.expr.type_text(kind) + _MARKS.get(bound.type, "")
-        self._add("let", declarator, read, Name(name), written)
+        qualifier = _qualifier(self.expr, declaration)
+        written = qualifier + self.expr.type_text(kind) + _MARKS.get(bound.type, "")
+        kept = not qualifier and _is_static(self.expr, declaration)
+        self._add("let", declarator, read, Name(name), written, kept)
 
     def _constructed(self, kind: Node, declarator: Node) -> None:
         """`Listener listener(buffer);` reads as a function declaration; in a body it makes an object."""
@@ -459,9 +461,11 @@ class BodyReader:
         value: Expr | None,
         target: Expr | None = None,
         declared: str = "",
+        kept: bool = False,
     ) -> None:
         self.flow.add(len(self.statements))
-        self.statements.append(Statement(kind, _line(node), value, target, declared, self._depth, self._lambdas > 0))
+        later = self._lambdas > 0
+        self.statements.append(Statement(kind, _line(node), value, target, declared, self._depth, later, kept))
 
 
 _LOGGING_BYTES = tuple(prefix.encode() for prefix in _LOGGING)
@@ -476,6 +480,12 @@ def _qualifier(reader: ExprReader, declaration: Node) -> str:
     """`const` where a declaration has it."""
     words = [reader.text(child) for child in declaration.children if child.type == "type_qualifier"]
     return "const " if {"const", "constexpr"} & set(words) else ""
+
+
+def _is_static(reader: ExprReader, declaration: Node) -> bool:
+    """Whether a variable of a function keeps what it holds until the next call."""
+    specifiers = (child for child in declaration.children if child.type == "storage_class_specifier")
+    return any(reader.text(child) == "static" for child in specifiers)
 
 
 def _otherwise(node: Node) -> Node | None:

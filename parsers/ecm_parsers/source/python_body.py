@@ -258,7 +258,9 @@ def _try(scan: Scan, node: Node) -> None:
     final: Block = ()
     for child in parts(node):
         if child.type == "block":
+            scan.frame.attempts += 1
             body = scan.inner(child)
+            scan.frame.attempts -= 1
         elif child.type.startswith("except"):
             handlers.append(_handler(scan, child, 1))
         elif child.type == "else_clause":

@@ -40,9 +40,24 @@ class Frame:
         fields: of the class being read, also in its `__init__`; None elsewhere.
         owner: the class as an expression, in a class body. bases: its bases as written, also in its methods.
         depth: how many conditions and loops enclose the current statement. lambdas: how many lambdas do.
+            attempts: how many `try`.
     """
 
-    __slots__ = ("bases", "body", "depth", "fields", "flow", "globals", "lambdas", "names", "owner", "place", "scope", "shared")
+    __slots__ = (
+        "attempts",
+        "bases",
+        "body",
+        "depth",
+        "fields",
+        "flow",
+        "globals",
+        "lambdas",
+        "names",
+        "owner",
+        "place",
+        "scope",
+        "shared",
+    )
 
     def __init__(
         self,
@@ -64,6 +79,7 @@ class Frame:
         self.bases: tuple[str, ...] = ()
         self.depth = 0
         self.lambdas = 0
+        self.attempts = 0
 
 
 class Scan:
