@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping
 from functools import cache
-from importlib import resources
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
@@ -30,6 +28,7 @@ from ecm_extract.link.values import (
     parameter,
     unknown,
 )
+from ecm_extract.shipped import shipped
 
 if TYPE_CHECKING:
     from ecm_extract.infer.held import Held
@@ -40,8 +39,7 @@ if TYPE_CHECKING:
 @cache
 def outside_constants(table: str = "constants") -> Mapping[str, str | float]:
     """Return constants of public headers outside the tree by their own name, `python`: those of modules, in full."""
-    text = (resources.files("ecm_extract.link") / "outside_constants.toml").read_text("utf-8")
-    return MappingProxyType(tomllib.loads(text)[table])
+    return MappingProxyType(shipped("link/outside_constants.toml")[table])
 
 
 class NameFolder:
@@ -126,7 +124,7 @@ class NameFolder:
         """A constant, or a variable that functions may assign to."""
         constant, file = found
         if constant.value is None:
-            return (Value((f"{constant.scope}::{constant.name}",), "literal", None, Enumerator(constant)),)
+            return (Value((f"{constant.scope}::{constant.name}",), "literal", (), Enumerator(constant)),)
         values = demoted(self.folder.fold(constant.value, Env(self.at_file(file, env).func, depth=env.depth + 1)))
         return alternatives((*values, unknown(name))) if self.may_change(name, constant, env) else values
 

@@ -61,7 +61,7 @@ def _read_function(scan: Scan, node: Node, decorators: tuple[str, ...]) -> None:
             line=node.start_point[0] + 1,
             end_line=node.end_point[0] + 1,
             body=tuple(body),
-            traits=_traits(name, decorators),
+            traits=(*_traits(name, decorators), *(["generator"] if frame.yields else [])),
             decorators=decorators,
             flow=frame.flow.flow(),
             shared=tuple(frame.shared),

@@ -224,8 +224,13 @@ def _conditional(scan: Scan, node: Node) -> Expr:
     return Op("?:", (test, value, other))
 
 
+def _yielded(scan: Scan, node: Node) -> Expr:
+    scan.frame.yields |= scan.frame.lambdas == 0
+    return _inner(scan, node)
+
+
 def _inner(scan: Scan, node: Node) -> Expr:
-    """What a wrapper that does not change the value encloses (parentheses, await, yield, star)."""
+    """What a wrapper that does not change the value encloses (parentheses, await, star)."""
     children = parts(node)
     if not children:
         return NULL
@@ -311,5 +316,5 @@ EXPRESSIONS: Mapping[str, ExprHandler] = {
     "tuple": _items,
     "tuple_pattern": _items,
     "unary_operator": _unary,
-    "yield": _inner,
+    "yield": _yielded,
 }

@@ -40,7 +40,7 @@ class Frame:
         fields: of the class being read, also in its `__init__`; None elsewhere.
         owner: the class as an expression, in a class body. bases: its bases as written, also in its methods.
         depth: how many conditions and loops enclose the current statement. lambdas: how many lambdas do.
-            attempts: how many `try`.
+            attempts: how many `try`. yields: whether a call of it gives what it yields, one after the other.
     """
 
     __slots__ = (
@@ -57,6 +57,7 @@ class Frame:
         "place",
         "scope",
         "shared",
+        "yields",
     )
 
     def __init__(
@@ -80,6 +81,7 @@ class Frame:
         self.depth = 0
         self.lambdas = 0
         self.attempts = 0
+        self.yields = False
 
 
 class Scan:
@@ -169,8 +171,8 @@ class Scan:
         return self.frame.flow.end()
 
     def do(self, node: Node) -> None:
-        """Emit an expression as a statement if it calls anything."""
-        if self.data.find(b"(", node.start_byte, node.end_byte) >= 0:
+        """Emit an expression as a statement if it calls anything; one that yields is read in any case."""
+        if node.type == "yield" or self.data.find(b"(", node.start_byte, node.end_byte) >= 0:
             self.done(node)
 
     def done(self, node: Node) -> Expr:

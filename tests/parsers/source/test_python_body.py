@@ -171,6 +171,24 @@ def test_decorators_are_kept_and_give_traits() -> None:
 
 
 @pytest.mark.parametrize(
+    ("body", "expected"),
+    [
+        ("yield 1", True),
+        ("for x in xs:\n        yield from x", True),
+        ("a = yield", True),
+        ("return 1  # yields nothing", False),
+        ("return 'yield'", False),
+        ("def inner():\n        yield 1\n    return inner", False),
+        ("return lambda: (yield 1)", False),
+    ],
+)
+def test_a_function_that_yields_is_a_generator(body: str, expected: bool) -> None:
+    """What a function within it yields, and the word in a text or comment, make none of it."""
+    found = function(f"def made():\n    {body}\n", "made")
+    assert ("generator" in found.traits) is expected
+
+
+@pytest.mark.parametrize(
     ("source", "expected"),
     [
         ("import a.b as c, d", [Import("a.b", "", "c", 1), Import("d", "", "", 1)]),
