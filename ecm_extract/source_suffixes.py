@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import tomllib
-from importlib import resources
 from typing import Final
 
-_ROWS: Final[dict[str, list[str]]] = tomllib.loads(
-    (resources.files("ecm_extract") / "source_suffixes.toml").read_text("utf-8")
-)
+from ecm_extract.shipped import shipped
+
+_ROWS: Final = shipped("source_suffixes.toml")
 COMPILED: Final = frozenset(_ROWS["compiled"])
 """Of files that a target compiles."""
 INCLUDED: Final = frozenset((*_ROWS["headers"], *_ROWS["implementations"]))
