@@ -193,3 +193,13 @@ def test_what_a_document_does_not_keep_is_told(tmp_path: Path) -> None:
     workspace = Workspace(open_tree(tree / "panel"), Options(jobs=1), stored=stored(tree))
     findings_of(workspace)
     assert [each.unread.reason for each in workspace.tree.diagnostics if each.unread] == ["unjudged"]
+
+
+def test_a_macro_of_a_file_that_no_document_keeps_is_not_missing(tmp_path: Path) -> None:
+    """What was not read may define it."""
+    files = DESCRIBED | {"parts/urdf/hand.xacro": XACRO.format("", "<!-- \xff -->")}
+    whole = "whole/urdf/robot.urdf.xacro"
+    files[whole] = files[whole].replace("\n</robot>", "<xacro:a/>\n</robot>")
+    tree = written(tmp_path, files)
+    (tree / "parts/urdf/hand.xacro").write_bytes(files["parts/urdf/hand.xacro"].encode("latin-1"))
+    assert "LNT002" not in {each.rule for each in alone(tree, "whole/", stored(tree))}
