@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
-from importlib import resources
 from types import MappingProxyType
 from typing import Final
 
+from ecm_extract.shipped import shipped
 from ecm_extract.tree import Tree
 
 _NAMING: Final = ("readme", ".travis", ".gitlab-ci", "dockerfile", "devcontainer")
@@ -21,8 +20,7 @@ _WORD: Final = re.compile(rb"[a-z]+")
 @cache
 def distributions() -> Mapping[str, Sequence[str]]:
     """Return `ros1` and `ros2` -> their distributions, oldest first."""
-    text = (resources.files("ecm_extract.entities") / "distributions.toml").read_text("utf-8")
-    return MappingProxyType(tomllib.loads(text))
+    return MappingProxyType(shipped("entities/distributions.toml"))
 
 
 def named_distributions(tree: Tree) -> frozenset[str]:

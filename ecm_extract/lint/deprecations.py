@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Iterator
 from functools import cache
-from importlib import resources
 
 import msgspec
 
@@ -15,6 +13,7 @@ from ecm_extract.entities.distributions import is_for_older
 from ecm_extract.lint.alternatives import has_alternative
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.shipped import shipped_as
 
 _KINDS = {
     "cpp": (".h", ".hh", ".hpp", ".hxx", ".c", ".cc", ".cpp", ".cxx"),
@@ -67,8 +66,7 @@ class Deprecated(msgspec.Struct, frozen=True):
 @cache
 def deprecations() -> Deprecations:
     """Return the table."""
-    text = (resources.files("ecm_extract.lint") / "deprecations.toml").read_text("utf-8")
-    return msgspec.convert(tomllib.loads(text), Deprecations)
+    return shipped_as("lint/deprecations.toml", Deprecations)
 
 
 def deprecated_in(package: PackageFacts, workspace: Workspace) -> Iterator[Deprecated]:

@@ -180,11 +180,6 @@ class Workspace:
         return Beside(self.tree, self.files, folders_read(self.packages), documents)
 
     @cached_property
-    def starts_foreign(self) -> bool:
-        """Whether launch files start nodes whose sources are elsewhere, which may offer what nobody here does."""
-        return any(not node.modules for system in self.systems for node in system.nodes)
-
-    @cached_property
     def service_calls(self) -> Sequence[tuple[ServiceCall, tuple[str, ...]]]:
         """Calls of rospy service proxies, with the fields of the request where the service is known."""
         fields = request_fields(self.packages)

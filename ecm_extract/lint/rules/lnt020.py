@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Iterator, Mapping
 from functools import cache
-from importlib import resources
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -16,6 +14,7 @@ from ecm_extract.link.units import File
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.shipped import shipped
 
 RULE = LintRule(
     id="LNT020",
@@ -41,8 +40,7 @@ class _Others(NamedTuple):
 @cache
 def python_packages() -> Mapping[str, str]:
     """Return the package of widely used Python modules."""
-    text = (resources.files("ecm_extract.lint") / "python_packages.toml").read_text("utf-8")
-    return MappingProxyType(tomllib.loads(text)["packages"])
+    return MappingProxyType(shipped("lint/python_packages.toml")["packages"])
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
