@@ -177,6 +177,7 @@ LEFT_OUT = {
     "user/CMakeLists.txt": BUILD.format("user"),
     "user/launch/a.launch": "<launch>\n  <arg name='map' default='$(find core)/maps/hall.yaml'/>\n</launch>\n",
 }
+GONE = "<launch>\n  <include file='$(find core)/launch/gone.launch'/>\n</launch>\n"
 LISTED = "repositories:\n  arm_tools_of_ours:\n    type: git\n    url: https://example.org/a.git\n    version: main\n"
 
 
@@ -199,6 +200,8 @@ def written(folder: Path, files: dict[str, str]) -> Path:
         ("LNT046", LIBRARY, "core"),
         ("LNT007", STARTED, "panel"),
         ("LNT002", DESCRIBED, "parts"),
+        ("LNT001", LEFT_OUT | {"user/launch/b.launch": GONE}, "user"),
+        ("LNT061", PLAIN | ROBOT | {"arm/urdf/a.urdf": "<robot><link></robot>\n"}, "arm"),
         ("LNT035", NOTHING_OF, "user"),
         ("LNT043", LEFT_OUT, "core"),
         ("LNT053", LATE, "late"),
