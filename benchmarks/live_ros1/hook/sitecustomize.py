@@ -1,6 +1,7 @@
-"""Messages that Debian does not package, made in memory from the .msg and .srv files of the tree that is run.
+"""What a build would have made of the trees that are run, made in memory.
 
-Python imports this by itself when its folder is on the path. ECM_LIVE_TREE names the tree.
+Messages and services of packages that Debian lacks, and configurations of dynamic_reconfigure. Python imports this by
+itself when its folder is on the path. ECM_LIVE_TREE names the trees, as a path list.
 """
 
 import importlib.abc
@@ -8,76 +9,53 @@ import importlib.machinery
 import os
 import sys
 import types
-from pathlib import Path
 
-KINDS = ("msg", "srv")
-
-
-class Definitions:
-    """Files of the tree by package and kind, and those that Debian installs."""
-
-    def __init__(self, tree):
-        self.files = {}
-        for root in (Path("/usr/share"), Path(tree)):
-            for kind in KINDS:
-                pattern = f"*/{kind}/*.{kind}" if root == Path("/usr/share") else f"**/{kind}/*.{kind}"
-                for file in root.glob(pattern):
-                    self.files.setdefault((file.parent.parent.name, kind), {})[file.stem] = file
-
-    def text(self, package, name):
-        """A message with every message that it contains, as a bag holds it."""
-        todo, done, parts = [(package, name)], set(), []
-        while todo:
-            owner, each = todo.pop(0)
-            if (owner, each) in done:
-                continue
-            done.add((owner, each))
-            body = self.files[owner, "msg"][each].read_text(encoding="utf-8", errors="replace")
-            parts.append(body if not parts else f"{'=' * 80}\nMSG: {owner}/{each}\n{body}")
-            todo += self.contained(owner, body)
-        return "\n".join(parts)
-
-    def contained(self, owner, body):
-        for line in body.splitlines():
-            word = line.partition("#")[0].split(" ")[0].split("[")[0].strip()
-            package, _, name = word.rpartition("/")
-            if word == "Header":
-                yield "std_msgs", "Header"
-            elif (package or owner, "msg") in self.files and name in self.files[package or owner, "msg"]:
-                yield package or owner, name
+from ecm_live_definitions import KINDS, Definitions
+from ecm_live_reconfigured import Configurations
 
 
 class Maker(importlib.abc.MetaPathFinder, importlib.abc.Loader):
-    """Makes `package` and `package.msg` for packages of the tree that are not installed."""
+    """Makes `package`, `package.msg` and `package.cfg` for packages of the trees that are not installed."""
 
-    def __init__(self, tree):
-        self.tree = tree
-        self.definitions = None
+    def __init__(self, trees):
+        self.trees = trees
+        self.definitions = self.configurations = None
 
     def find_spec(self, name, path=None, target=None):
-        package, _, kind = name.partition(".")
-        if kind and kind not in KINDS:
+        package, _, rest = name.partition(".")
+        kind, _, configuration = rest.partition(".")
+        if kind and kind not in (*KINDS, "cfg"):
             return None
         if self.definitions is None:
-            self.definitions = Definitions(self.tree)
-        if any((package, each) in self.definitions.files for each in KINDS):
-            return importlib.machinery.ModuleSpec(name, self, is_package=not kind)
+            self.definitions, self.configurations = Definitions(self.trees), Configurations(self.trees)
+        if self._is_made(package, kind, configuration):
+            return importlib.machinery.ModuleSpec(name, self, is_package=not kind or (kind == "cfg" and not configuration))
         return None
+
+    def _is_made(self, package, kind, configuration):
+        if configuration:
+            return kind == "cfg" and (package, configuration) in self.configurations.files
+        configured = any(package == each for each, _ in self.configurations.files)
+        if kind == "cfg":
+            return configured
+        return any((package, each) in self.definitions.texts for each in KINDS) or (configured and not kind)
 
     def create_module(self, spec):
         module = types.ModuleType(spec.name)
-        if not spec.name.partition(".")[2]:
+        if spec.submodule_search_locations is not None:
             module.__path__ = []
         return module
 
     def exec_module(self, module):
         package, _, kind = module.__name__.partition(".")
+        if ".cfg." in module.__name__:
+            self.configurations.fill(module)
         if kind == "msg":
-            for name in self.definitions.files.get((package, "msg"), {}):
+            for name in self.definitions.texts.get((package, "msg"), {}):
                 self.add_message(module, package, name)
         if kind == "srv":
-            for name, file in self.definitions.files.get((package, "srv"), {}).items():
-                self.add_service(module, package, name, file)
+            for name, text in self.definitions.texts.get((package, "srv"), {}).items():
+                self.add_service(module, package, name, text)
 
     def add_message(self, module, package, name):
         from genpy.dynamic import generate_dynamic
@@ -88,10 +66,10 @@ class Maker(importlib.abc.MetaPathFinder, importlib.abc.Loader):
         except Exception:
             pass  # a definition that is none is missing, as it would be after a build
 
-    def add_service(self, module, package, name, file):
+    def add_service(self, module, package, name, text):
         from genpy.dynamic import generate_dynamic
 
-        request, _, response = file.read_text(encoding="utf-8", errors="replace").partition("---")
+        request, _, response = text.partition("---")
         try:
             halves = []
             for part, body in (("Request", request), ("Response", response)):
