@@ -62,7 +62,7 @@ class Ownership:
 
 
 def _is_told_by_rows(site: Site, module: Module) -> bool:
-    """Tell whether a client library makes an endpoint for a module outside of it, whose call a row of its form tells."""
+    """Tell whether a client library makes an endpoint for another module, whose call a row tells."""
     package = site.call.func.file.package
     return package != module.package and is_client_library(package)
 

@@ -97,7 +97,9 @@ class PythonNames:
                 return full
             handed = self._handed_on(full, file)
             return full if handed is None else self.outside(handed[1], handed[0], hops + 1)
-        starred = () if head in known.symbols else (self._outside_star(entry, dotted, file, hops) for entry in known.stars)
+        starred = (
+            () if head in known.symbols else (self._outside_star(entry, dotted, file, hops) for entry in known.stars)
+        )
         return next((found for found in starred if found), "")
 
     def _outside_star(self, entry: Import, dotted: str, file: File, hops: int) -> str:

@@ -29,7 +29,9 @@ class Maker(importlib.abc.MetaPathFinder, importlib.abc.Loader):
         if self.definitions is None:
             self.definitions, self.configurations = Definitions(self.trees), Configurations(self.trees)
         if self._is_made(package, kind, configuration):
-            return importlib.machinery.ModuleSpec(name, self, is_package=not kind or (kind == "cfg" and not configuration))
+            return importlib.machinery.ModuleSpec(
+                name, self, is_package=not kind or (kind == "cfg" and not configuration)
+            )
         return None
 
     def _is_made(self, package, kind, configuration):
