@@ -6,6 +6,7 @@ import json
 import posixpath
 import shutil
 import subprocess
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -23,10 +24,16 @@ endfunction()
 macro(ament_package)
 endmacro()
 function(ament_add_gtest name)
+  cmake_parse_arguments(ARG "" "TIMEOUT" "" ${ARGN})
+  add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
+endfunction()
+function(ament_add_gmock name)
   add_executable(${name} ${ARGN})
 endfunction()
 """,
     "rclcpp": "",
+    "ament_cmake_gtest": "",
+    "ament_lint_auto": "",
     "ament_cmake_auto": """
 macro(_auto_sources)
   cmake_parse_arguments(ARG "NO_TARGET_LINK_LIBRARIES" "DIRECTORY" "" ${ARGN})
@@ -76,7 +83,8 @@ set(CATKIN_GLOBAL_BIN_DESTINATION bin)
 macro(catkin_package)
 endmacro()
 function(catkin_add_gtest name)
-  add_executable(${name} ${ARGN})
+  cmake_parse_arguments(ARG "" "WORKING_DIRECTORY" "" ${ARGN})
+  add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
 endfunction()
 function(catkin_install_python programs)
   cmake_parse_arguments(ARG "" "DESTINATION" "" ${ARGN})
@@ -95,9 +103,13 @@ _NOTHING = (
     *("ament_python_install_package", "catkin_python_setup", "add_message_files", "add_service_files"),
     *("add_action_files", "generate_messages", "generate_dynamic_reconfigure_options", "add_rostest"),
     *("ament_lint_auto_find_test_dependencies", "ament_add_pytest_test", "rclcpp_components_register_nodes"),
-    *("target_link_libraries", "add_dependencies", "add_launch_test", "generate_parameter_module"),
+    *("add_launch_test", "generate_parameter_module", "rosidl_get_typesupport_target"),
 )
-"""Commands that make no target and no install rule of their own, for fixtures that call them."""
+"""Commands of ROS that make no target and no install rule of their own."""
+_LINKS = ("target_link_libraries", "add_dependencies")
+"""Commands of CMake that fail over targets which are not there; fixtures name those of other packages."""
+_BUILD_TOOLS = frozenset({"ament_cmake", "catkin"})
+"""Stubs that bring the commands which make nothing."""
 _STAND_IN = """
 macro(stand_in method name)
   set(${name}_FOUND TRUE)
@@ -143,14 +155,14 @@ class Oracle:
         self.folder = folder
         self.stubs = folder / "stubs"
         self.platform: Path | None = None
-        empty = "".join(f"function({name})\nendfunction()\n" for name in _NOTHING)
+        nothing = _empty(_NOTHING)
         self.stand_in = self.stubs / "stand_in.cmake"
         self.stubs.mkdir(parents=True, exist_ok=True)
-        self.stand_in.write_text(_STAND_IN.replace("@STUBS@", str(self.stubs)) + empty)
+        self.stand_in.write_text(_STAND_IN.replace("@STUBS@", str(self.stubs)) + nothing + _empty(_LINKS))
         for name, text in _STUBS.items():
             place = self.stubs / name
             place.mkdir(parents=True, exist_ok=True)
-            (place / f"{name}Config.cmake").write_text(text)
+            (place / f"{name}Config.cmake").write_text(nothing + text if name in _BUILD_TOOLS else text)
 
     def ask(self, source: Path, is_fixture: bool = False) -> Truth | str:
         """Configure a project; the text is the error where CMake refuses it.
@@ -182,6 +194,11 @@ class Oracle:
             found = next((build / "CMakeFiles").glob("[0-9]*"))
             self.platform = self.folder / "platform" / found.name
             shutil.copytree(found, self.platform, dirs_exist_ok=True)
+
+
+def _empty(names: Iterable[str]) -> str:
+    """Definitions of commands that do nothing."""
+    return "".join(f"function({name})\nendfunction()\n" for name in names)
 
 
 def _truth(build: Path) -> Truth:

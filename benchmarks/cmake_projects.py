@@ -10,19 +10,28 @@ from pathlib import Path
 from typing import Final
 
 from cmake_helpers import SHAPES, STEMS, Shape
-from cmake_tree import FOLDERS, Project, put_parts, put_sources
+from cmake_tree import FOLDERS, Project, parted, put_parts, put_sources
 
 
-def _read(name: str) -> Mapping[str, list[str]]:
-    return tomllib.loads(Path(__file__).with_name(name).read_text("utf-8"))
+def _read(*names: str) -> Mapping[str, list[str]]:
+    """Forms of several files; those of one kind follow each other."""
+    found: dict[str, list[str]] = {}
+    for name in names:
+        for kind, forms in tomllib.loads(Path(__file__).with_name(name).read_text("utf-8")).items():
+            found.setdefault(kind, []).extend(forms)
+    return found
 
 
-_FORMS: Final = {**_read("cmake_forms.toml"), **_read("cmake_statements.toml")}
+_FORMS: Final = _read("cmake_forms.toml", "cmake_statements.toml", "cmake_ros.toml")
 _PLACES: Final = {
-    1: {"share": "${CATKIN_PACKAGE_SHARE_DESTINATION}", "programs": "${CATKIN_PACKAGE_BIN_DESTINATION}"},
-    2: {"share": "share/${PROJECT_NAME}", "programs": "lib/${PROJECT_NAME}"},
+    1: {
+        "share": "${CATKIN_PACKAGE_SHARE_DESTINATION}",
+        "programs": "${CATKIN_PACKAGE_BIN_DESTINATION}",
+        "ros_package": "catkin",
+    },
+    2: {"share": "share/${PROJECT_NAME}", "programs": "lib/${PROJECT_NAME}", "ros_package": "ament_cmake"},
 }
-"""Where things are installed, by ROS."""
+"""Where things are installed, and the package that builds, by ROS."""
 
 
 def make(seed: int) -> Project:
@@ -318,12 +327,16 @@ class _Maker:
             "absolute": self._absolute(root.removeprefix("./"), below),
             "number": str(self.rng.randint(0, 9)),
             "option": self.rng.choice(self.options) if self.options else "UNIX",
+            "on_off": self.rng.choice(("ON", "OFF")),
             **dict(zip("abcd", self.rng.sample(STEMS, 4), strict=True)),
             **_PLACES[self.made.ros],
         }
-        forms = _FORMS["statements"] + (_FORMS["statements_auto"] * 4 if self.auto and not below else [])
-        form = self.rng.choice(forms)
-        return _written(form.replace("${CMAKE_CURRENT_SOURCE_DIR}/config", "${PROJECT_SOURCE_DIR}/config"), given)
+        forms = _FORMS["statements"] + _FORMS[f"statements_ros{self.made.ros}"] * 2
+        form = self.rng.choice(forms + (_FORMS["statements_auto"] * 4 if self.auto and not below else []))
+        form = form.replace("${CMAKE_CURRENT_SOURCE_DIR}/config", "${PROJECT_SOURCE_DIR}/config")
+        files, lines = parted(_written(form, given))
+        self.made.files |= files
+        return lines
 
     def _helper_call(self, helpers: _Helpers, below: bool) -> list[str]:
         name, shape = self.rng.choice(helpers.calls)

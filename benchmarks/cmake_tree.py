@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from cmake_helpers import STEMS
 
 FOLDERS = ("src", "src/core", "nodes")
+_FILE = "==="
 
 
 @dataclass
@@ -81,3 +83,19 @@ def _found(rng: random.Random) -> list[str]:
         "endforeach()",
     ]
     return ["set(FOR_PARTS ${CMAKE_CURRENT_SOURCE_DIR}/src/zeta.cpp)", *rng.choice((by_file, by_folder))]
+
+
+def parted(lines: Sequence[str]) -> tuple[dict[str, str], list[str]]:
+    """Take the files that a statement begins with off its lines; `=== path` begins one, `===` alone ends the last."""
+    files: dict[str, str] = {}
+    rest: list[str] = []
+    path = ""
+    for line in lines:
+        if line.startswith(_FILE):
+            path = line.removeprefix(_FILE).strip()
+            files |= {path: ""} if path else {}
+        elif path:
+            files[path] += f"{line}\n"
+        else:
+            rest.append(line)
+    return files, rest

@@ -28,7 +28,7 @@ from ecm_extract.system.model import Given, Instance, Launched
 PYTHON = "/usr/bin/python3"
 COMMAND = "<what a command prints>"
 _FILE = "<content of "
-_CONTENT = re.compile(r"\{find ([^}]*)\}")
+_CONTENT = re.compile(r"\{content of (?:tree:)?([^}]*)\}")
 KINDS = ("node", "remap", "parameter")
 
 
@@ -192,7 +192,7 @@ def _is_same(one: Any, other: Any) -> bool:
     if isinstance(one, dict) and isinstance(other, dict):
         return one.keys() == other.keys() and all(_is_same(one[key], other[key]) for key in one)
     if isinstance(one, str) and isinstance(other, str) and one.startswith(_FILE) and other.startswith(_FILE):
-        # Ours is named from the folder of the package.
+        # Ours is named from the root of the tree.
         return other.endswith(one.removeprefix(_FILE).lstrip("/"))
     return type(one) is type(other) and bool(one == other)
 

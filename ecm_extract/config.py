@@ -3,7 +3,6 @@
 import re
 import tomllib
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any, Literal, get_args
 
 import msgspec
@@ -54,24 +53,6 @@ class Config(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     severity: dict[str, Level] = {}
     promise: tuple[Promise, ...] = ()
     externals: tuple[str, ...] = ()
-
-
-def load_config(folder: Path) -> Config:
-    """The configuration in `folder`, or the defaults when it holds no `ecm.toml`.
-
-    Raises:
-        ConfigError: the file is wrong, too large or unreadable.
-    """
-    file = folder / FILE_NAME
-    shown = printable(str(file))
-    try:
-        with file.open("rb") as stream:
-            data = stream.read(MAX_CONFIG_BYTES + 1)
-    except FileNotFoundError:
-        return Config()
-    except OSError as error:
-        raise ConfigError(shown, 0, "", f"cannot be read: {error.strerror}") from error
-    return parse_config(data, shown)
 
 
 def parse_config(data: bytes, path: str = FILE_NAME) -> Config:

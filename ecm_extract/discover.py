@@ -63,10 +63,23 @@ def _not_marked(tree: Tree, entries: tuple[Entry, ...]) -> tuple[Entry, ...]:
     """Files outside of the folders that a marker hides; the hidden folders are reported."""
     marked = {_folder(entry.path) for entry in entries if _name(entry.path) in IGNORE_MARKERS}
     ignored = marked - {""}  # who gives a folder by name means it
+    manifests = {_folder(entry.path) for entry in entries if _name(entry.path) in MANIFESTS}
+    hidden = [entry.path for entry in entries if _is_hidden(entry.path, ignored, manifests)]
     outer = sorted(folder for folder in ignored if not _is_under(folder, ignored - {folder}))
     for folder in outer:
-        tree.report(_ignored_note(folder, [entry.path for entry in entries if _is_under(entry.path, {folder})]))
-    return tuple(entry for entry in entries if not _is_under(entry.path, ignored))
+        below = [path for path in hidden if _is_under(path, {folder})]
+        if below:
+            tree.report(_ignored_note(folder, below))
+    left_out = frozenset(hidden)
+    return tuple(entry for entry in entries if entry.path not in left_out)
+
+
+def _is_hidden(path: str, ignored: set[str], manifests: set[str]) -> bool:
+    """Whether no build reads a file: a marker hides packages, and nothing that the build of one outside of it names."""
+    if not _is_under(path, ignored):
+        return False
+    owner = _owner(path, manifests)
+    return owner is None or owner in ignored or _is_under(owner, ignored)
 
 
 def is_test_package(root: str) -> bool:

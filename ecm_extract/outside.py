@@ -22,13 +22,18 @@ class Outside(msgspec.Struct, frozen=True):
         shown: which releases are meant, in words.
         packages: that are known, as providers: what they require in turn is not asked.
         unknown: names of packages that are required and not known.
-        documents: how many of the packages are known by documents that were named.
+        documents: those of the packages that are known by documents that were named.
     """
 
     shown: str
     packages: tuple[Package, ...]
     unknown: tuple[str, ...]
-    documents: int = 0
+    documents: tuple[Package, ...] = ()
+
+    @property
+    def released(self) -> tuple[Package, ...]:
+        """Those of the packages that a registry tells of."""
+        return tuple(each for each in self.packages if each not in self.documents)
 
 
 Known = Callable[[Sequence[Package]], Outside]
@@ -43,7 +48,7 @@ def gathered(documents: Sequence[Package], registry: Known | None) -> Known:
         named = {each.name for each in documents}
         others = tuple(each for each in found.packages if each.name not in named)
         unknown = tuple(name for name in found.unknown if name not in named)
-        return Outside(found.shown, (*documents, *others), unknown, len(documents))
+        return Outside(found.shown, (*documents, *others), unknown, tuple(documents))
 
     return known
 
@@ -68,8 +73,8 @@ def outside_findings(inside: Sequence[Package], outside: Outside) -> Iterator[Fi
 def told(outside: Outside) -> Iterator[str]:
     """Yield what was known and what was not, in words."""
     if outside.documents:
-        yield f"known from documents: {outside.documents} packages"
+        yield f"known from documents: {len(outside.documents)} packages"
     if outside.shown:
-        yield f"known from the registry: {len(outside.packages) - outside.documents} packages ({outside.shown})"
+        yield f"known from the registry: {len(outside.packages) - len(outside.documents)} packages ({outside.shown})"
     if outside.unknown:
         yield f"not in the registry, so nothing is known of them: {', '.join(outside.unknown)}"

@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Sequence
 from functools import cache
-from importlib import resources
 
 import msgspec
 from ecm_checker.contract import Evidence, Interface, Resources, Value
@@ -17,6 +15,7 @@ from ecm_extract.assemble.evidence import inferred, number_of, of_interfaces, pa
 from ecm_extract.link.filling import filled
 from ecm_extract.link.linker import LinkedModule
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.shipped import shipped_as
 
 _PARAMETER = re.compile(r"\$\{([^={}]+)=((?:[^{}]|\{[^{}]*\})*)\}")
 _BETWEEN_WORDS = re.compile(r"[/_]")
@@ -49,8 +48,7 @@ class HardwareTable(msgspec.Struct, frozen=True):
 @cache
 def hardware_table() -> HardwareTable:
     """Return the table that ships with the package."""
-    text = (resources.files("ecm_extract.assemble") / "hardware.toml").read_text("utf-8")
-    return msgspec.convert(tomllib.loads(text), HardwareTable)
+    return shipped_as("assemble/hardware.toml", HardwareTable)
 
 
 def resources_of(entry: LinkedModule, facts: PackageFacts, settings: ControllerSettings) -> Resources:

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import tomllib
 from functools import cache
-from importlib import resources
 
 import msgspec
 
 from ecm_extract.cmake.values import PREFIX, Value, unknown
+from ecm_extract.shipped import shipped, shipped_as
 
 
 class _Names(msgspec.Struct, frozen=True):
@@ -35,15 +34,13 @@ class Known(msgspec.Struct, frozen=True):
 @cache
 def known() -> Known:
     """Return the tables."""
-    text = (resources.files("ecm_extract.cmake") / "known.toml").read_text("utf-8")
-    return msgspec.convert(tomllib.loads(text), Known)
+    return shipped_as("cmake/known.toml", Known)
 
 
 @cache
 def commands() -> frozenset[str]:
     """Return the commands of CMake that make no target."""
-    text = (resources.files("ecm_extract.cmake") / "commands.toml").read_text("utf-8")
-    return frozenset(tomllib.loads(text)["commands"])
+    return frozenset(shipped("cmake/commands.toml")["commands"])
 
 
 def at_start() -> dict[str, Value]:

@@ -64,7 +64,8 @@ def _include(run: Run, command: Command, args: tuple[str, ...], place: Place) ->
     _tell_found(run, args, path)
     if path is not None:
         return run_file(run, path, place)
-    run.brought.find([name])
+    if not _is_nowhere(run, name):
+        run.brought.find([name])
     if "OPTIONAL" not in args and ("/" in name or "." in name or not is_known(name)):
         run.open(place, command.line, f"include of {written(name)}")
     return True
@@ -73,7 +74,14 @@ def _include(run: Run, command: Command, args: tuple[str, ...], place: Place) ->
 def _tell_found(run: Run, args: tuple[str, ...], path: str | None) -> None:
     """`include(name RESULT_VARIABLE found)`: the path, or that there is none."""
     for name in args[args.index("RESULT_VARIABLE") + 1 :][:1] if "RESULT_VARIABLE" in args else ():
-        run.set(name, placed(path) if path is not None else "NOTFOUND" if "/" in args[0] else unknown(name))
+        missing = "NOTFOUND" if _is_nowhere(run, args[0]) else unknown(name)
+        run.set(name, missing if path is None else placed(path))
+
+
+def _is_nowhere(run: Run, name: str) -> bool:
+    """Tell whether a file that is asked for by its path would lie in the tree and does not."""
+    path = tree_path(absolute(name, run.folder())) if "/" in name and is_known(name) else None
+    return path is not None and not run.files.has(path) and not run.files.is_absent(path)
 
 
 def _included(run: Run, name: str) -> str | None:

@@ -5,15 +5,14 @@ from __future__ import annotations
 import functools
 import posixpath
 import re
-import tomllib
 from collections.abc import Iterator
-from importlib import resources
 from typing import Literal
 
 import msgspec
 from ecm_checker.hub.roles import Role
 
 from ecm_extract.description.model import Description, Sensor, SimulatorPlugin, Where
+from ecm_extract.shipped import shipped_as
 
 _LIBRARY = re.compile(r"(?:.*/)?(?:lib)?(?P<name>[^/]+?)(?:\.so)?")
 _PARAMETER = re.compile(r"\{(?P<name>\w+)\|(?P<default>[^}]*)\}")
@@ -91,8 +90,7 @@ def library_name(filename: str) -> str:
 
 @functools.cache
 def _table() -> _Table:
-    text = resources.files("ecm_extract.description").joinpath("simulator.toml").read_text("utf-8")
-    return msgspec.convert(tomllib.loads(text), _Table)
+    return shipped_as("description/simulator.toml", _Table)
 
 
 def _of_plugin(plugin: SimulatorPlugin, robot: str, ros: int) -> Iterator[SimulatorEndpoint]:

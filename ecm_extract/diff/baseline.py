@@ -144,13 +144,3 @@ def parting(old: Tree | Stored, new: Tree | Stored, repo: Path) -> str | None:
         return None
     shared = merge_base(git, old.commit, new.commit)
     return shared if shared != old.commit else None
-
-
-def describe(spec: str, tree: Tree | Stored, why: str) -> RefInfo:
-    """Return how a side is written in a report."""
-    return RefInfo(spec, tree.commit, why)
-
-
-def repository_of(repo: Path) -> GitRepo | None:
-    """Return the repository around a folder; None outside any."""
-    return find_repo(repo)

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from ecm_parsers.interface_facts import Definition, Field
-from ecm_parsers.interface_hash import md5, rihs01
+from ecm_parsers.interface_hash import md5
 
 from ecm_extract.diff.model import Pair
 from ecm_extract.entities.side import Side
@@ -20,13 +20,6 @@ def ros1_sums(name: str, old: Side, new: Side, new_name: str) -> tuple[str | Non
     """Return the ROS 1 sums of an interface before and after; None where a type is not in the tree."""
     before = md5(name, old.interfaces[name], _resolver(old.interfaces)).value
     after = md5(new_name, new.interfaces[new_name], _resolver(new.interfaces)).value
-    return before, after
-
-
-def ros2_hashes(name: str, old: Side, new: Side, new_name: str) -> tuple[str | None, str | None]:
-    """Return the ROS 2 type hashes of an interface before and after."""
-    before = rihs01(name, old.interfaces[name], _resolver(old.interfaces)).value
-    after = rihs01(new_name, new.interfaces[new_name], _resolver(new.interfaces)).value
     return before, after
 
 

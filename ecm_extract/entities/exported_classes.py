@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
-from importlib import resources
 from typing import Final
 
 import msgspec
@@ -14,6 +12,7 @@ from ecm_checker.match.class_names import joined, named_in, parts_of
 from ecm_parsers.source.facts import Macro
 
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.shipped import shipped_as
 
 KIND: Final = "exported_class"
 _WORDS: Final = ("EXPORT", "REGISTER")
@@ -58,5 +57,4 @@ def _of_macro(macro: Macro, aliases: frozenset[str]) -> Iterator[tuple[str, str 
 
 @cache
 def _forms() -> Mapping[str, _Form]:
-    text = resources.files("ecm_extract.entities").joinpath("export_macros.toml").read_text("utf-8")
-    return msgspec.convert(tomllib.loads(text), dict[str, _Form])
+    return shipped_as("entities/export_macros.toml", dict[str, _Form])

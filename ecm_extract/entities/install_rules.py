@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from posixpath import join, normpath
 from typing import Final
 
 import msgspec
@@ -26,7 +27,7 @@ class InstallRule(msgspec.Struct, frozen=True):
     Attributes:
         kind: `TARGETS`, `PROGRAMS`, `DIRECTORY` or `FILES`.
         items: evaluated, from the folder of the file; a folder that ends in `/` gives its content only.
-        destination: below the folder of installation; what is not known stays a reference.
+        destination: below the folder of installation, without `..`; what is not known stays a reference.
         words: keywords of the rule.
         renamed: what `RENAME` calls the only item; empty without it.
     """
@@ -57,16 +58,16 @@ def place_of(path: str, rule: InstallRule) -> str | None:
     for item in rule.items:
         full = f"{rule.folder}{item}"
         if rule.kind == "FILES" and path == full:
-            return f"{rule.destination}/{rule.renamed or path.rpartition('/')[2]}"
+            return join(rule.destination, rule.renamed or path.rpartition("/")[2])
         if rule.kind == "DIRECTORY" and path.startswith(full.rstrip("/") + "/"):
             start = full if full.endswith("/") else full.rpartition("/")[0]
-            return f"{rule.destination}/{path.removeprefix(start).lstrip('/')}"
+            return join(rule.destination, path.removeprefix(start).lstrip("/"))
     return None
 
 
 def _rule(entry: Install, path: str) -> InstallRule:
     items = tuple(item.removeprefix("./") for item in entry.items)
-    place = entry.destination.replace("//", "/").strip("/")
+    place = normpath(f"/{entry.destination}").strip("/")
     return InstallRule(_KINDS[entry.kind], items, place, frozenset(entry.words), path, entry.line, entry.renamed)
 
 

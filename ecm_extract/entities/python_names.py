@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Iterator
 from functools import cache
-from importlib import resources
 from typing import Final
 
 import msgspec
@@ -16,6 +14,7 @@ from ecm_parsers.source.facts import Function, SourceFile
 
 from ecm_extract.entities.public_files import inside
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.shipped import shipped
 
 MODULE: Final = "python_module"
 NAME: Final = "python_name"
@@ -62,8 +61,7 @@ def _is_of_modules(command: Command) -> bool:
 
 @cache
 def _builders() -> tuple[str, ...]:
-    text = resources.files("ecm_extract.entities").joinpath("module_builders.toml").read_text("utf-8")
-    return tuple(tomllib.loads(text)["parts"])
+    return tuple(shipped("entities/module_builders.toml")["parts"])
 
 
 def _built(facts: PackageFacts, dotted: str) -> Iterator[tuple[str, int]]:

@@ -7,8 +7,12 @@ from pathlib import PurePosixPath
 from typing import Any, Final
 
 import msgspec
+from ecm_checker.hub.package import Around
+from msgspec import UNSET, UnsetType
 
 from ecm_extract.cmake.sources import built_sources
+from ecm_extract.entities.distributions import named_distributions
+from ecm_extract.entities.fetched import fetched_repositories
 from ecm_extract.entities.install_rules import InstallRule, install_rules, is_open, place_of, tells_installed
 from ecm_extract.entities.possible import makers_of, open_kinds, possible_names, runs_files
 from ecm_extract.read.facts import PackageFacts
@@ -29,11 +33,13 @@ class Surroundings(msgspec.Struct, frozen=True):
         makers: CMake commands that make programs.
         left_out: paths that git tracks and the checkout lacks.
         filled: folders that something else fills: a submodule, or another package.
+        said: what it says for all of them; UNSET where it says nothing.
     """
 
     makers: frozenset[str]
     left_out: frozenset[str]
     filled: frozenset[str]
+    said: Around | UnsetType
 
 
 def surroundings(tree: Tree, packages: Sequence[PackageFacts]) -> Surroundings:
@@ -41,11 +47,17 @@ def surroundings(tree: Tree, packages: Sequence[PackageFacts]) -> Surroundings:
     listing = [FILE_NAME] if any(entry.path == FILE_NAME for entry in tree.files()) else []
     listed = (names for _, data in tree.read_many(listing) for names in submodule_names(data))
     roots = (facts.root.path for facts in packages)
-    return Surroundings(makers_of(tree), left_out(tree), frozenset((*listed, *roots)))
+    return Surroundings(makers_of(tree), left_out(tree), frozenset((*listed, *roots)), _said(tree))
+
+
+def _said(tree: Tree) -> Around | UnsetType:
+    """What a tree says of itself; most say nothing."""
+    said = Around(tuple(sorted(named_distributions(tree))), tuple(sorted(fetched_repositories(tree))))
+    return said if said != Around() else UNSET
 
 
 def told_of_build(facts: PackageFacts, around: Surroundings) -> dict[str, Any]:
-    """Return the fields of a package's document that tell what its build may make beside what it provides."""
+    """Return the fields of a package's document that tell what its build may make, and what its tree says."""
     names = {**possible_names(facts), FILE: set(possible_files(facts, around))}
     return {
         "possible": {kind: tuple(sorted(found)) for kind, found in names.items() if found},
@@ -54,6 +66,7 @@ def told_of_build(facts: PackageFacts, around: Surroundings) -> dict[str, Any]:
         "makes_files": makes_files(facts),
         "tells_installed": tells_installed(facts),
         "unbuilt": tuple(_unbuilt(facts)),
+        "around": around.said,
     }
 
 

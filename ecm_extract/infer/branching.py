@@ -33,11 +33,10 @@ class Branching:
 
     def branch(self, step: Branch, state: State) -> State | None:
         """Run the side of a branch that is taken, or both."""
-        holds = self.frame.truth(step.test, state)
+        holds, likely = self.frame.verdict(step.test, state)
         if holds is not None:
             self.blocks.unreached(step.other if holds else step.then, state)
             return self.blocks.run(step.then if holds else step.other, state)
-        likely = self.frame.judge.likely(step.test, self.frame.place(state)) if self.frame.whole else None
         then = self.blocks.run(step.then, state.on(self.frame.side(step.test, True, state), likely is not False))
         other = self.blocks.run(step.other, state.on(self.frame.side(step.test, False, state), likely is not True))
         return _behind(step, state, joined_states([other, then] if likely is False else [then, other]))

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Iterator, Set
 from dataclasses import dataclass
 from functools import cache
-from importlib import resources
 from typing import TYPE_CHECKING, Literal, Protocol
 
 from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member, Name, Number, Op, Table, Template, Text
@@ -14,6 +12,7 @@ from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.places import key_of, root_of
 from ecm_extract.link.walk import calls_in, children
+from ecm_extract.shipped import shipped
 
 if TYPE_CHECKING:
     from ecm_extract.link.units import Func
@@ -71,7 +70,7 @@ class Targets(Protocol):
 @cache
 def calls_of(language: str) -> Calls:
     """Return the table of a language."""
-    table = tomllib.loads((resources.files("ecm_extract.infer") / "calls.toml").read_text("utf-8"))
+    table = shipped("infer/calls.toml")
     own = table[language]
     listed = (own["changing"], own["reading"], own.get("iterators", ()), table["waiting"]["names"])
     return Calls(*[frozenset(names) for names in listed])
@@ -130,7 +129,7 @@ class Effects:
             yield from self._swapped(call)
             return
         if isinstance(callee, Member):
-            yield from self._on_receiver(call, callee, statement)
+            yield from self._on_receiver(call, callee)
         path = callee.name if isinstance(callee, Member) else callee.id if isinstance(callee, Name) else ""
         last = path.rsplit("::", 1)[-1]
         passed = [(index, arg) for index, arg in enumerate(call.args) if self._passes(arg)]
@@ -166,7 +165,7 @@ class Effects:
             return
         yield from (Effect("lost", root, call) for arg in both if (root := self.root(arg)))
 
-    def _on_receiver(self, call: Call, callee: Member, statement: Statement) -> Iterator[Effect]:
+    def _on_receiver(self, call: Call, callee: Member) -> Iterator[Effect]:
         if callee.name not in self.calls.changing:
             return
         key = self.key(callee.base)

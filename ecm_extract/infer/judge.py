@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 from ecm_parsers.source.expr import Call, Expr
 
@@ -16,14 +16,21 @@ if TYPE_CHECKING:
     from ecm_extract.link.units import Func
 
 
+class Verdict(NamedTuple):
+    """Whether a condition holds: proved, and as long as nobody sets a parameter; None when that is not known."""
+
+    holds: bool | None
+    likely: bool | None
+
+
 class Judge(Targets, Protocol):
     """Who evaluates expressions for a run."""
 
     def truth(self, test: Expr, env: Env) -> bool | None:
         """Tell whether a condition holds; None when that is not decided."""
 
-    def likely(self, test: Expr, env: Env) -> bool | None:
-        """Tell whether a condition holds as long as nobody sets a parameter; None when that is not known."""
+    def verdict(self, test: Expr, env: Env) -> Verdict:
+        """Tell whether a condition holds, and whether it likely does."""
 
     def alike(self, one: Expr, other: Expr, env: Env) -> bool | None:
         """Tell whether two expressions have the same value; None when that is not decided."""

@@ -49,8 +49,7 @@ class Outline:
     @cached_property
     def changes(self) -> Mapping[str, int]:
         """Variable -> how many times the body changes it."""
-        counts = Counter(key for at in range(len(self.func.fact.body)) for key in self.changed_by(at))
-        return counts + Counter(self.escaped)
+        return Counter(key for keys in self._changed for key in keys) + Counter(self.escaped)
 
     @cached_property
     def given(self) -> Set[str]:
@@ -163,15 +162,22 @@ class Outline:
         inner = () if isinstance(step, Later) else blocks(step)
         return any(self._may_end(entry) for block in inner for entry in block)
 
-    def changed_by(self, at: int) -> set[str]:
+    def changed_by(self, at: int) -> Set[str]:
         """Return the variables that a statement changes."""
+        return self._changed[at]
+
+    @cached_property
+    def _changed(self) -> Sequence[Set[str]]:
+        return tuple([self._changed_at(at) for at in range(len(self.func.fact.body))])
+
+    def _changed_at(self, at: int) -> Set[str]:
         statement = self.func.fact.body[at]
         found = {effect.key for effect in self.effects.of(at)}
         found |= {self.effects.key(target) or self.effects.root(target) for target, _, _ in self.reads.get(at, ())}
         found |= {key for call in self.func.calls[at] for key in self.changed_by_inner(call)}
         if statement.kind != "do":
             found |= set(self.bound_keys(statement.target))
-        return found - {""}
+        return frozenset(found - {""})
 
     def changed_by_inner(self, call: Call) -> Set[str]:
         """Return the variables that a call of a function which is declared here changes."""

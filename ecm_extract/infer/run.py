@@ -12,7 +12,7 @@ from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.effects import Effects
 from ecm_extract.infer.held import Held, State, Turn, joined_states
-from ecm_extract.infer.judge import Judge
+from ecm_extract.infer.judge import Judge, Verdict
 from ecm_extract.infer.outline import Outline
 
 if TYPE_CHECKING:
@@ -88,6 +88,10 @@ class Frame:
     def truth(self, test: Expr, state: State) -> bool | None:
         """Tell whether a condition holds in a state; None when that is not decided."""
         return self.judge.truth(test, self.place(state)) if self.whole else None
+
+    def verdict(self, test: Expr, state: State) -> Verdict:
+        """Tell whether a condition holds in a state, and whether it likely does."""
+        return self.judge.verdict(test, self.place(state)) if self.whole else Verdict(None, None)
 
     def side(self, test: Expr | None, holds: bool, state: State) -> Turn:
         """Return one side of a branch that nobody can decide, by what is asked there."""

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Collection
 from functools import cache
-from importlib import resources
 
 from ecm_extract.link.calls import Invocation
 from ecm_extract.link.sites import Sites
 from ecm_extract.link.units import Func
+from ecm_extract.shipped import shipped_names
 
 _BEGINNINGS = frozenset({"main", "<module>"})
 MAX_CALLERS = 2_000
@@ -58,5 +57,4 @@ class Activation:
 
 @cache
 def _methods() -> frozenset[str]:
-    text = (resources.files("ecm_extract.link") / "activation.toml").read_text("utf-8")
-    return frozenset(tomllib.loads(text)["methods"]["names"])
+    return shipped_names("link/activation.toml", "methods")

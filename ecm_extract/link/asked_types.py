@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Iterator, Mapping, Set
 from functools import cache
-from importlib import resources
 
 import msgspec
 from ecm_parsers.source.expr import Call, Expr, Member
@@ -13,6 +11,7 @@ from ecm_parsers.source.expr import Call, Expr, Member
 from ecm_extract.link.calls import Invocation
 from ecm_extract.link.data import declared_type, plain_type
 from ecm_extract.link.walk import expressions
+from ecm_extract.shipped import shipped_as
 
 
 class _Template(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -29,8 +28,7 @@ class _Asking(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 @cache
 def _asking() -> _Asking:
-    text = (resources.files("ecm_extract.link") / "asked_types.toml").read_text("utf-8")
-    return msgspec.convert(tomllib.loads(text), _Asking)
+    return shipped_as("link/asked_types.toml", _Asking)
 
 
 def asked_type(call: Invocation) -> str | None:

@@ -6,7 +6,7 @@ from collections import defaultdict
 from collections.abc import Callable, Container, Mapping, Sequence
 
 from ecm_extract.link.calls import Invocation
-from ecm_extract.link.closures import is_returned, uses
+from ecm_extract.link.closures import around, is_returned, uses
 from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.overloads import NO, score
@@ -39,9 +39,11 @@ class CallTargets:
 
     def callers(self, func: Func) -> Sequence[Invocation]:
         """Return the calls of a function by others: those that mean it by name, arguments and receiver."""
-        if is_returned(func):
-            maker = self.folder.flow.enclosing(func)
-            return list(uses(self.callers(maker))) if maker is not None else ()
+        outer = around(func, self.folder)
+        held = uses(func, outer, self.callers(outer) if is_returned(func, outer) else ()) if outer is not None else ()
+        return [*self._by_name(func), *held]
+
+    def _by_name(self, func: Func) -> Sequence[Invocation]:
         asked = (func.fact.name, func.file.package)
         if asked not in self._asked:
             self._asked.add(asked)
@@ -71,7 +73,7 @@ class CallTargets:
         return known
 
     def _visible(self, call: Invocation, func: Func) -> bool:
-        if "lambda" in func.fact.traits:
+        if "lambda" in func.fact.traits and func.file.language == "cpp":
             here = f"{call.func.fact.scope}::{call.func.fact.name}"
             return (
                 call.func.file is func.file

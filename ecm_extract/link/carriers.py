@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import tomllib
 from functools import cache
-from importlib import resources
+
+from ecm_extract.shipped import shipped_names
 
 
 @cache
 def carriers() -> frozenset[str]:
     """Return the last names of those classes."""
-    text = (resources.files("ecm_extract.link") / "carriers.toml").read_text("utf-8")
-    return frozenset(tomllib.loads(text)["carriers"]["names"])
+    return shipped_names("link/carriers.toml", "carriers")

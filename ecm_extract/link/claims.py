@@ -64,10 +64,10 @@ def _listed(func: Func, cls: Cls, folder: Folder) -> Iterator[tuple[str, int]]:
         if any(_last(part) == "ALL" for part in _names(statement.value)):
             yield "*", statement.line
         if statement.kind == "set" and _last(statement.target) == "names":
-            yield from ((_text(value), statement.line) for value in folder.lists.elements(statement.value, env))
+            yield from ((value.written, statement.line) for value in folder.lists.elements(statement.value, env))
         elif statement.kind == "return" and _second(statement.value) is not None:
             values = folder.lists.elements(_second(statement.value), env)
-            yield from ((_text(value), statement.line) for value in values if _is_informative(value))
+            yield from ((value.written, statement.line) for value in values if _is_informative(value))
         yield from _added(func, at, env, folder)
 
 
@@ -78,7 +78,7 @@ def _added(func: Func, at: int, env: Env, folder: Folder) -> Iterator[tuple[str,
         if call.statement is not statement or not call.args:
             continue
         for value in _appended(call, env, folder):
-            yield _text(value), call.line
+            yield value.written, call.line
 
 
 def _appended(call: Invocation, env: Env, folder: Folder) -> tuple[Value, ...]:
@@ -97,11 +97,7 @@ def _second(expr: Expr | None) -> Expr | None:
 
 
 def _is_informative(value: Value) -> bool:
-    return value.template is not None or value.confidence != "pattern"
-
-
-def _text(value: Value) -> str:
-    return value.template or value.text
+    return bool(value.template) or value.confidence != "pattern"
 
 
 def _names(expr: Expr) -> Iterator[Expr]:

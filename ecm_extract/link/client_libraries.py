@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import tomllib
 from functools import cache
-from importlib import resources
+
+from ecm_extract.shipped import shipped_names
 
 
 @cache
 def _packages() -> frozenset[str]:
-    text = (resources.files("ecm_extract.link") / "client_libraries.toml").read_text("utf-8")
-    return frozenset(tomllib.loads(text)["packages"]["names"])
+    return shipped_names("link/client_libraries.toml", "packages")
 
 
 def is_client_library(package: str) -> bool:

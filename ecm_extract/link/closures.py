@@ -1,14 +1,17 @@
-"""Lambdas that a function returns: `auto get = handler.getter(prefix); get(x, "name", 1);`."""
+"""Functions within functions as values: `auto get = handler.getter(prefix); get(x, "name", 1);`.
+
+A function that another one returns, or keeps in a member, is called where nobody writes its name. It sees the variables
+of the function around it as they were when it was made.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Final, NamedTuple
 
-from ecm_parsers.source.cpp_body import RETURNED
-from ecm_parsers.source.expr import Call, Name
+from ecm_parsers.source.expr import Call, Expr, Lambda, Member, Name
 
-from ecm_extract.link.calls import Invocation, invocations
+from ecm_extract.link.calls import Invocation, Step, invocation, invocations
 from ecm_extract.link.env import Env, bind, invocation_of
 from ecm_extract.link.units import Func
 
@@ -19,53 +22,127 @@ _THIS: Final = Name("this")
 
 
 class Making(NamedTuple):
-    """The call that gave a variable its lambda: in which statement, and which function was called."""
+    """The call that gave a variable its function: in which statement of which function it stands."""
 
+    func: Func
     at: int
     call: Invocation
 
 
-def is_returned(func: Func) -> bool:
-    """Tell whether a function is a lambda that another one returns."""
-    return func.fact.name == RETURNED and "lambda" in func.fact.traits
+def around(func: Func, folder: Folder) -> Func | None:
+    """Return the function that one is declared in; None of methods and of what stands alone."""
+    return folder.flow.enclosing(func) if func.cls is None and func.fact.scope else None
 
 
-def uses(makers: Sequence[Invocation]) -> Iterator[Invocation]:
-    """Yield the calls of variables that hold what some calls return."""
-    for maker in makers:
-        held = maker.statement.target
-        if maker.statement.kind in {"let", "set"} and isinstance(held, Name) and _is_whole(maker):
-            yield from (call for call in invocations(maker.func, {held.id}) if call.path == held.id)
+def is_returned(func: Func, outer: Func) -> bool:
+    """Tell whether a function is one that the function around it returns."""
+    return any(entry.kind == "return" and _named(entry.value) == func.fact.name for entry in outer.fact.body)
 
 
-def making(use: Invocation) -> Making | None:
-    """Return the call that gave the variable that is called what it holds; None for any other call."""
-    body = use.func.fact.body
-    for at, statement in enumerate(body):
-        if statement.target == Name(use.path) and isinstance(statement.value, Call):
-            return Making(at, invocation_of(statement.value, Env(use.func, at)))
-    return None
+def uses(func: Func, outer: Func, makers: Iterable[Invocation]) -> Iterator[Invocation]:
+    """Yield the calls of what holds a function: of members, and of what the calls of the function around it give.
+
+    Args:
+        func: the function.
+        outer: the function that it is declared in.
+        makers: the calls of that; nobody asks for them where it does not return the function.
+    """
+    for statement in outer.fact.body:
+        if (
+            statement.kind == "set"
+            and isinstance(statement.target, Member)
+            and _named(statement.value) == func.fact.name
+        ):
+            yield from _of_holder(statement.target, outer)
+    for maker in makers if is_returned(func, outer) else ():
+        yield from _straight(maker)
+        if maker.statement.kind in {"let", "set"} and _is_whole(maker):
+            yield from _of_holder(maker.statement.target, maker.func)
 
 
 def captured(func: Func, use: Invocation, env: Env, folder: Folder) -> Env:
-    """Return the place at which a returned lambda was made, which it sees the variables of; that of who calls it else.
+    """Return the place at which a function within another was made, of which it sees the variables.
 
     Args:
-        func: the lambda.
+        func: the function.
         use: its call.
-        env: where that stands.
+        env: where that stands, which is the place itself for a function that is called where it is declared.
         folder: resolves the function that returned it.
     """
-    outer = folder.flow.enclosing(func)
-    made = making(use) if is_returned(func) else None
-    if outer is None or made is None:
+    outer = around(func, folder)
+    if outer is None:
         return env
-    place = env.before(made.at)
+    made = _making(use) if is_returned(func, outer) else None
+    if made is None:
+        return _nearest(outer, env)
+    same = made.func is env.func
+    place = env.before(made.at) if same else Env(made.func, made.at, this=env.this, made=env.made, depth=env.depth + 1)
     this = env.this if made.call.receiver in {None, _THIS} else outer.cls
     instance = env.made
     if this is not env.this:
         instance = folder.objects.held(made.call.receiver, this, place) if this is not None else None
     return Env(outer, args=bind(outer, made.call, place), this=this, made=instance, depth=env.depth + 1)
+
+
+def _nearest(outer: Func, env: Env) -> Env:
+    """The place in the function around that led to a call; any of the same object where none did."""
+    place: Env | None = env
+    while place is not None and place.func is not outer:
+        place = place.outer
+    if place is not None:
+        return place
+    return env if outer.cls is None else Env(outer, this=env.this, made=env.made, depth=env.depth + 1)
+
+
+def _named(expr: Expr | None) -> str:
+    """The name of the function that an expression is."""
+    return expr.name if isinstance(expr, Lambda) else expr.id if isinstance(expr, Name) else ""
+
+
+def _straight(maker: Invocation) -> Iterator[Invocation]:
+    """`getter(prefix)("name", 1)`: what a call gives is called at once."""
+    for call in maker.func.calls[maker.at] if maker.at < len(maker.func.calls) else ():
+        callee = call.callee
+        if isinstance(callee, Call) and callee.line == maker.line and callee.args == maker.args:
+            yield invocation(Step(maker.func, maker.at, maker.statement), call)
+
+
+def _of_holder(target: Expr | None, func: Func) -> Iterator[Invocation]:
+    """The calls of a variable in its function, of a member in all methods of its class."""
+    if isinstance(target, Name):
+        yield from (call for call in invocations(func, {target.id}) if call.path == target.id)
+    elif isinstance(target, Member) and target.base == _THIS:
+        methods: Sequence[Func] = func.cls.methods if func.cls is not None else ()
+        for method in methods:
+            yield from (call for call in invocations(method, {target.name}) if call.receiver == _THIS)
+
+
+def _making(use: Invocation) -> Making | None:
+    """The call that gave what is called its function; None where none does, or one of several."""
+    straight = next((call for call in use.func.calls[use.at] if _is_of(call, use)), None) if not use.path else None
+    if straight is not None and isinstance(straight.callee, Call):
+        return Making(use.func, use.at, invocation_of(straight.callee, Env(use.func, use.at)))
+    target: Expr = Name(use.path) if use.receiver is None else Member(_THIS, use.last)
+    funcs = (use.func,) if use.receiver is None or use.func.cls is None else use.func.cls.methods
+    found = [made for func in funcs for made in _given(func, target)]
+    return found[0] if len(found) == 1 else _last(found, use)
+
+
+def _is_of(call: Call, use: Invocation) -> bool:
+    return isinstance(call.callee, Call) and call.args == use.args and call.line == use.line
+
+
+def _given(func: Func, target: Expr) -> Iterator[Making]:
+    for at, statement in enumerate(func.fact.body):
+        if statement.target == target and isinstance(statement.value, Call):
+            yield Making(func, at, invocation_of(statement.value, Env(func, at)))
+
+
+def _last(found: Sequence[Making], use: Invocation) -> Making | None:
+    """The last of several before a use, where all of them surely happen one after the other."""
+    straight = all(made.func is use.func and made.func.fact.body[made.at].depth == 0 for made in found)
+    before = [made for made in found if made.at < use.at]
+    return before[-1] if straight and before else None
 
 
 def _is_whole(maker: Invocation) -> bool:

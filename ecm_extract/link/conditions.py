@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cache
-from importlib import resources
 from typing import NamedTuple
 
 from ecm_checker.hub.condition import Condition, text_of
@@ -20,6 +18,7 @@ from ecm_extract.link.numbers import NUMBERS
 from ecm_extract.link.spelling import last_name, plain
 from ecm_extract.link.values import Value, is_proved, is_setting
 from ecm_extract.link.walk import children
+from ecm_extract.shipped import shipped_names
 
 _MACRO = "#if "
 _SAME = frozenset({"==", "!="})
@@ -37,8 +36,7 @@ class Told(NamedTuple):
 
 @cache
 def _names(table: str) -> frozenset[str]:
-    text = (resources.files("ecm_extract.link") / "conditions.toml").read_text("utf-8")
-    return frozenset(tomllib.loads(text)[table]["names"])
+    return shipped_names("link/conditions.toml", table)
 
 
 class Conditions:
@@ -158,7 +156,7 @@ class Conditions:
         """The ROS parameter that an expression has the value of, empty for none."""
         if not isinstance(expr, Name | Member | Call) or _writes(expr):
             return ""
-        found = {parameter_of(value) for value in self.folder.fold(expr, env)}
+        found = {value.parameter for value in self.folder.fold(expr, env)}
         return found.pop() if len(found) == 1 else ""
 
     def _written(self, test: Expr, env: Env) -> Condition:
@@ -168,13 +166,6 @@ class Conditions:
     def _called(self, part: Expr, env: Env) -> str:
         name = self._parameter(part, env)
         return Condition("parameter", name).text if name else ""
-
-
-def parameter_of(value: Value) -> str:
-    """Return the name of the ROS parameter whose value a value is, empty for none."""
-    template = value.template or ""
-    inner = template.removeprefix("${").partition("=")[0]
-    return inner if template == f"${{{inner}={value.text}}}" else ""
 
 
 def key_of(expr: Expr) -> str:

@@ -12,6 +12,7 @@ from ecm_parsers.source.expr import Call, Expr, Member, Name
 from ecm_extract.infer.effects import Effects
 from ecm_extract.infer.held import Held, State, joined_states
 from ecm_extract.infer.interpreter import Interpreter
+from ecm_extract.infer.judge import Verdict
 from ecm_extract.infer.outline import Outline
 from ecm_extract.infer.run import Run
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, invocation_of
@@ -210,9 +211,9 @@ class Flow:
         """Tell whether a condition holds; None when that is not decided."""
         return self._truths.holds(test, env)
 
-    def likely(self, test: Expr, env: Env) -> bool | None:
-        """Tell whether a condition holds as long as nobody sets a parameter; None when that is not known."""
-        return self._truths.likely(test, env)
+    def verdict(self, test: Expr, env: Env) -> Verdict:
+        """Tell whether a condition holds, and whether it likely does."""
+        return self._truths.verdict(test, env)
 
     def alike(self, one: Expr, other: Expr, env: Env) -> bool | None:
         """Tell whether two expressions have the same value; None when that is not decided."""

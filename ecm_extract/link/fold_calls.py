@@ -19,6 +19,7 @@ from ecm_extract.infer.compute import UNKNOWN, is_number, method, shown, truth
 from ecm_extract.link import formats
 from ecm_extract.link.calls import Invocation
 from ecm_extract.link.env import Bound, Env, invocation_of
+from ecm_extract.link.fold_changes import STREAMS
 from ecm_extract.link.limits import limit
 from ecm_extract.link.naming_calls import gives_name, is_resolver
 from ecm_extract.link.numbers import NUMBERS, as_number
@@ -54,7 +55,6 @@ _SAME = frozenset(
         "rclcpp::ParameterValue",
     }
 ) | frozenset(NUMBERS)
-_STREAMS = frozenset({"stringstream", "ostringstream"})
 _TOPIC_READS = frozenset({"get_topic_name", "getTopic", "get_service_name", "getService"})
 _MAKES_TOPICS = frozenset(
     {"create_publisher", "create_subscription", "create_service", "create_client", "create_camera_publisher"}
@@ -96,7 +96,7 @@ class CallFolder:
         if call.path.endswith("names::resolve") and len(call.args) == 1:
             return self._absolute(call.args[0], env.before(env.at))
         tidied = is_resolver(call.last) or gives_name(call.path)
-        plainly = call.receiver is None and (call.path in _SAME or call.last in _STREAMS)
+        plainly = call.receiver is None and (call.path in _SAME or call.last in STREAMS)
         if tidied and call.args:
             return self.folder.fold(call.args[0], env.before(env.at))
         if plainly:

@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING
 from ecm_parsers.source.expr import Call, Member
 from ecm_parsers.source.facts import Statement
 
-from ecm_extract.infer.compute import UNKNOWN, changed
+from ecm_extract.infer.compute import UNKNOWN
 from ecm_extract.infer.held import Held, How
 from ecm_extract.link.declared_numbers import as_declared
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, bind, invocation_of
+from ecm_extract.link.fold_changes import STREAMS, ChangeFolder
 from ecm_extract.link.named_alike import is_name_of_node
 from ecm_extract.link.spelling import plain
 from ecm_extract.link.values import (
@@ -20,7 +21,6 @@ from ecm_extract.link.values import (
     demoted,
     given_holes,
     is_setting,
-    joined,
     literal,
     lowered,
     node_name,
@@ -30,7 +30,7 @@ from ecm_extract.link.values import (
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
 
-_TEXTS = frozenset({"string", "stringstream", "ostringstream", "QString"})
+_TEXTS = STREAMS | {"string", "QString"}
 _CONTAINERS = frozenset({"vector", "map", "unordered_map", "set", "deque", "list", "unordered_set"})
 
 
@@ -39,6 +39,7 @@ class HeldFolder:
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
+        self._changes = ChangeFolder(folder)
         self._asked: set[Held] = set()
         self._work: Mapping[How, Callable[[Held, Env], tuple[Value, ...]]] = {
             "each": self._element,
@@ -185,11 +186,7 @@ class HeldFolder:
         call = held.expr
         if not isinstance(call, Call) or not isinstance(call.callee, Member) or env.func.file.language == "python":
             return (unknown(_label(held.name)),)
-        options = [self._before(held, env), *(self.folder.fold(arg, env) for arg in call.args)]
-        name = call.callee.name
-        if name == "append" and len(options) == 2 and all(value.data is None for value in options[1]):
-            return joined(options)  # what is not known stands at its place
-        return self.folder.combined(options, lambda data: changed(name, data[0], data[1:]), _label(held.name))
+        return self._changes.of(call, lambda: self._before(held, env), env, _label(held.name))
 
     def _stored(self, held: Held, env: Env) -> tuple[Value, ...]:
         """`text[0] = 'x'` in C++."""

@@ -17,6 +17,7 @@ from ecm_extract.link.calls import dotted_name
 from ecm_extract.link.env import Env, Instance
 from ecm_extract.link.fold_names import is_fresh
 from ecm_extract.link.formats import VALUE_READS
+from ecm_extract.link.spelling import plain, pointee
 from ecm_extract.link.units import Cls, Func
 from ecm_extract.link.values import (
     MAX_ALTERNATIVES,
@@ -64,7 +65,12 @@ class MemberFolder:
         dotted = dotted_name(expr)
         found = self.folder.names.imported(dotted, env) if dotted and env.func.file.language == "python" else ()
         known = found or part or self._field(expr, env) or self._option(expr, env)
-        return known or self._of_given(expr, env) or (unknown(expr.name),)
+        return known or self._of_given(expr, env) or self._of_message(expr, env) or (unknown(expr.name),)
+
+    def _of_message(self, expr: Member, env: Env) -> tuple[Value, ...]:
+        """`code.ARM`: a constant of the message that an object is."""
+        written = self.folder.objects.type_of(expr.base, env)
+        return self.folder.names.of_message(plain(pointee(written)), expr.name, env) if written else ()
 
     def _of_given(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """A part of what callers pass, of which Python need not say the type."""

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping
 from functools import cache
-from importlib import resources
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
@@ -30,6 +28,7 @@ from ecm_extract.link.values import (
     parameter,
     unknown,
 )
+from ecm_extract.shipped import shipped
 
 if TYPE_CHECKING:
     from ecm_extract.infer.held import Held
@@ -40,8 +39,7 @@ if TYPE_CHECKING:
 @cache
 def outside_constants(table: str = "constants") -> Mapping[str, str | float]:
     """Return constants of public headers outside the tree by their own name, `python`: those of modules, in full."""
-    text = (resources.files("ecm_extract.link") / "outside_constants.toml").read_text("utf-8")
-    return MappingProxyType(tomllib.loads(text)[table])
+    return MappingProxyType(shipped("link/outside_constants.toml")[table])
 
 
 class NameFolder:
@@ -119,14 +117,14 @@ class NameFolder:
         found = self.folder.scope.constant(name, env)
         if found is not None:
             return self._of_namespace(name, found, env)
-        known = outside_constants().get(last_name(name))
-        return () if known is None else demoted((literal(known) if isinstance(known, str) else constant(known),))
+        known = self.folder.program.message_constant(name, env.func.file, env.scope)
+        return _read(outside_constants().get(last_name(name)) if known is None else known)
 
     def _of_namespace(self, name: str, found: tuple[Constant, File], env: Env) -> tuple[Value, ...]:
         """A constant, or a variable that functions may assign to."""
         constant, file = found
         if constant.value is None:
-            return (Value((f"{constant.scope}::{constant.name}",), "literal", None, Enumerator(constant)),)
+            return (Value((f"{constant.scope}::{constant.name}",), "literal", (), Enumerator(constant)),)
         values = demoted(self.folder.fold(constant.value, Env(self.at_file(file, env).func, depth=env.depth + 1)))
         return alternatives((*values, unknown(name))) if self.may_change(name, constant, env) else values
 
@@ -176,15 +174,24 @@ class NameFolder:
         """A constant of another Python module, by its dotted name."""
         found = self.folder.program.constant_named(dotted, env.func.file)
         if found is None or found.constant.value is None:
-            return _of_outside(self.folder.program.canonical(dotted, env.func.file)) if found is None else ()
+            return self._of_outside(dotted, env.func.file) if found is None else ()
         if not found.constant.scope:
             return self._of_module(found.constant.name, found.file, env)
         inner = Env(self.at_file(found.file, env).func, depth=env.depth + 1)
         return demoted(self.folder.fold(found.constant.value, inner))
 
+    def _of_outside(self, dotted: str, file: File) -> tuple[Value, ...]:
+        known = self.folder.program.message_constant(dotted, file)
+        whole = self.folder.program.canonical(dotted, file)
+        return _read(outside_constants("python").get(whole) if known is None else known)
 
-def _of_outside(dotted: str) -> tuple[Value, ...]:
-    known = outside_constants("python").get(dotted)
+    def of_message(self, owner: str, name: str, env: Env) -> tuple[Value, ...]:
+        """Return a constant of a message by the type of one, as it is written; empty where it has none."""
+        dot = "." if env.func.file.language == "python" else "::"
+        return _read(self.folder.program.message_constant(f"{owner}{dot}{name}", env.func.file, env.scope))
+
+
+def _read(known: str | float | None) -> tuple[Value, ...]:
     return () if known is None else demoted((literal(known) if isinstance(known, str) else constant(known),))
 
 

@@ -64,10 +64,9 @@ class OperatorFolder:
         return tuple([_streamed(value) for value in values])
 
     def _conditional(self, expr: Op, env: Env) -> tuple[Value, ...]:
-        holds = self.folder.flow.truth(expr.operands[0], env)
+        holds, likely = self.folder.flow.verdict(expr.operands[0], env)
         if holds is not None:
             return demoted(self.folder.fold(expr.operands[1 if holds else 2], env))
-        likely = self.folder.flow.likely(expr.operands[0], env)
         if likely is not None:
             return lowered(self.folder.fold(expr.operands[1 if likely else 2], env), "default")
         return alternatives(value for operand in expr.operands[1:] for value in self.folder.fold(operand, env))

@@ -13,6 +13,7 @@ from ecm_extract.link.handing_on import THIS
 from ecm_extract.link.numbers import kind_of_type
 from ecm_extract.link.object_states import is_own
 from ecm_extract.link.overloads import score
+from ecm_extract.link.spelling import last_name
 from ecm_extract.link.units import Func
 from ecm_extract.link.values import (
     Value,
@@ -60,7 +61,9 @@ class ReturnFolder:
             fitting = [func for func in fitting if _takes(func, kinds)]
             scores = [score(call, func) for func in fitting]
             fitting = fitting[:1] if scores[1:] and scores[0] > scores[1] and all(kinds) else fitting
-        return fitting[0] if len(fitting) == 1 or (fitting and env.func.file.language == "python") else None
+        if env.func.file.language == "python":
+            fitting = [func for func in fitting if "overload" not in map(last_name, func.fact.decorators)]
+        return fitting[0] if len(fitting) == 1 else None  # of two in one place, who knows which was declared last
 
     def _kind(self, arg: Expr, env: Env) -> str:
         """`text`, `number`, or nothing where that is not known."""

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import tomllib
 from functools import cache
-from importlib import resources
 
 import msgspec
 
@@ -12,6 +10,7 @@ from ecm_extract.link.module_kinds import class_kind
 from ecm_extract.link.program import Program
 from ecm_extract.link.units import Func
 from ecm_extract.link.values import Value, literal, unknown
+from ecm_extract.shipped import shipped
 
 
 class GivenHandles(msgspec.Struct, frozen=True):
@@ -25,8 +24,7 @@ class GivenHandles(msgspec.Struct, frozen=True):
 
 @cache
 def _rows() -> tuple[GivenHandles, ...]:
-    text = (resources.files("ecm_extract.link") / "given_handles.toml").read_text("utf-8")
-    return msgspec.convert(tomllib.loads(text)["given"], tuple[GivenHandles, ...])
+    return msgspec.convert(shipped("link/given_handles.toml")["given"], tuple[GivenHandles, ...])
 
 
 def given_namespace(func: Func, parameter: str, program: Program) -> Value | None:

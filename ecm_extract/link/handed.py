@@ -6,11 +6,9 @@ Who hands a function or class over has what it declares, as if it had called it.
 
 from __future__ import annotations
 
-import tomllib
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from functools import cache
-from importlib import resources
 from typing import NamedTuple
 
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op, Table, Text
@@ -21,6 +19,7 @@ from ecm_extract.link.program import Program
 from ecm_extract.link.spelling import last_name, plain, pointee
 from ecm_extract.link.units import Cls, Func
 from ecm_extract.link.walk import children
+from ecm_extract.shipped import shipped_names
 
 _CHOICES = frozenset({"?:", "&", "or", "||", "and"})
 _BINDING = frozenset({"let", "set", "return"})
@@ -36,8 +35,7 @@ class Handing(NamedTuple):
 
 @cache
 def _names(table: str) -> frozenset[str]:
-    text = (resources.files("ecm_extract.link") / "handed.toml").read_text("utf-8")
-    return frozenset(tomllib.loads(text)[table]["names"])
+    return shipped_names("link/handed.toml", table)
 
 
 def only_loads(written: str) -> bool:

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from functools import cache
-from importlib import resources
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Opaque, Text
@@ -16,6 +14,7 @@ from ecm_extract.link.env import Env
 from ecm_extract.link.spelling import last_name, plain
 from ecm_extract.link.units import Cls, File, Func
 from ecm_extract.link.walk import children
+from ecm_extract.shipped import shipped
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
@@ -26,8 +25,7 @@ Calling = tuple[Invocation, Env]
 
 @cache
 def _hosts() -> Mapping[str, Set[str]]:
-    text = (resources.files("ecm_extract.link") / "hosts.toml").read_text("utf-8")
-    return {name: frozenset(methods) for name, methods in tomllib.loads(text)["calls"].items()}
+    return {name: frozenset(methods) for name, methods in shipped("link/hosts.toml")["calls"].items()}
 
 
 class KnownCallers:

@@ -5,11 +5,9 @@ Names are taken as they stand, whatever object they are asked of, so that nothin
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
-from importlib import resources
 from typing import NamedTuple
 
 from ecm_parsers.source.facts import Constant
@@ -18,13 +16,14 @@ from ecm_extract.link.mentioned import Mentions, mentions_of, mentions_of_class
 from ecm_extract.link.program import Program
 from ecm_extract.link.spelling import last_name, plain
 from ecm_extract.link.units import Cls, File, Func
+from ecm_extract.shipped import shipped
 
 _SUBCLASSES = "__subclasses__"
 
 
 @cache
 def _table() -> dict[str, frozenset[str]]:
-    rows = tomllib.loads((resources.files("ecm_extract.link") / "reach.toml").read_text("utf-8"))
+    rows = shipped("link/reach.toml")
     return {name: frozenset(row["names"]) for name, row in rows.items()}
 
 
@@ -193,7 +192,8 @@ def _imported(file: File, names: Iterable[str]) -> Iterator[str]:
 
 def _runs_unnamed(func: Func) -> bool:
     name = func.fact.name
-    if func.is_constructor or name.startswith(("~", "operator", "__")) or name in _table()["unnamed"]:
+    special = name.startswith("__") and name.endswith("__")  # `__mine` is private and needs to be named
+    if func.is_constructor or special or name.startswith(("~", "operator")) or name in _table()["unnamed"]:
         return True
     return bool(set(map(_bare, func.fact.decorators)) - _table()["decorators"])
 

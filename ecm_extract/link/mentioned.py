@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Final
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name, Text
+from ecm_parsers.source.expr import Call, Expr, Lambda, Member, Name, Text
 from ecm_parsers.source.facts import Class, Statement
 
 from ecm_extract.link.spelling import last_name
@@ -50,6 +50,8 @@ class Mentions:
             return
         elif isinstance(expr, Call):
             self._call(expr)
+        elif isinstance(expr, Lambda) and expr.name:
+            self.plain.add(expr.name)
         yield from children(expr)
 
     def _member(self, expr: Member) -> Iterator[Expr]:

@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping
 from functools import cache
-from importlib import resources
 
 from ecm_extract.link.program import Program
 from ecm_extract.link.spelling import last_name
 from ecm_extract.link.units import Cls
+from ecm_extract.shipped import shipped
 
 
 @cache
 def _bases() -> Mapping[str, tuple[str, ...]]:
-    text = (resources.files("ecm_extract.link") / "module_bases.toml").read_text("utf-8")
-    return {kind: tuple(row["bases"]) for kind, row in tomllib.loads(text).items()}
+    return {kind: tuple(row["bases"]) for kind, row in shipped("link/module_bases.toml").items()}
 
 
 def class_kind(cls: Cls, program: Program) -> str | None:

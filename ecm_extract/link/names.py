@@ -25,10 +25,10 @@ def local_name(value: Value, handle: Handle) -> str:
     `${parameter=default}` stands where a ROS parameter gives a part of it.
     """
     if _after(value, "space") is not None:
-        return value.template or value.text
+        return value.written
     own = _after(value, "node")
-    name = f"~/{own}" if own is not None else value.template or value.text
-    prefix = handle.prefix.template or handle.prefix.text
+    name = f"~/{own}" if own is not None else value.written
+    prefix = handle.prefix.written
     if prefix and not name.startswith(("/", "~")) and not value.text.startswith("/"):
         name = f"{prefix}/{name}"
     if not name.startswith("~"):
@@ -58,7 +58,7 @@ def endpoint_name(value: Value, handle: Handle, node: str | None, ros: int | Non
 
 def is_never_made(value: Value, name: RosName) -> bool:
     """Tell whether a name is certainly empty, in no namespace either: sources ask first, `if (topic != "")`."""
-    return value.text == "" and value.template is None and name.resolved == "/"
+    return value.text == "" and not value.template and name.resolved == "/"
 
 
 def _after(value: Value, kind: str) -> str | None:

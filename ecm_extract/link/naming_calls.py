@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping, Sequence
 from functools import cache
-from importlib import resources
 
 from ecm_extract.link.spelling import last_name
+from ecm_extract.shipped import shipped
 
 
 @cache
 def _table() -> Mapping[str, Mapping[str, Sequence[str]]]:
-    return tomllib.loads((resources.files("ecm_extract.link") / "naming_calls.toml").read_text("utf-8"))
+    return shipped("link/naming_calls.toml")
 
 
 def is_resolver(name: str) -> bool:

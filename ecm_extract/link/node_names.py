@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 
 from ecm_checker.contract import Evidence
 from ecm_parsers.source.expr import Call, Expr, Member, Name
+from ecm_parsers.source.facts import Statement
 
 from ecm_extract.link.calls import Invocation
 from ecm_extract.link.env import Env, Instance, bind
@@ -63,7 +64,7 @@ class NodeNames:
 
     def _passed(self, func: Func, env: Env) -> NodeName | None:
         for at, statement in enumerate(func.fact.body):
-            arg = _base_argument(func, statement.value, statement.target, statement.kind)
+            arg = _base_argument(statement)
             if arg is not None:
                 place = Evidence(func.file.path, statement.line)
                 return _known(self.folder.fold(arg, env.before(at)), place)
@@ -110,9 +111,10 @@ class NodeNames:
         return _known(self.folder.fold(call.args[index], env), _place(call))
 
 
-def _base_argument(func: Func, value: Expr | None, target: Expr | None, kind: str) -> Expr | None:
+def _base_argument(statement: Statement) -> Expr | None:
     """The first argument that a constructor hands to a node base: initialiser or `super().__init__`."""
-    if kind == "init" and isinstance(target, Name) and is_node_base(plain(target.id)):
+    value, target = statement.value, statement.target
+    if statement.kind == "init" and isinstance(target, Name) and is_node_base(plain(target.id)):
         args = value.args if isinstance(value, Call) and value.callee == target else (value,)
         return args[0] if args else None
     if isinstance(value, Call) and isinstance(value.callee, Member) and value.callee.name == "__init__":

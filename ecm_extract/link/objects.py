@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Hashable, Iterable, Sequence
 from typing import Final
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
+from ecm_parsers.source.expr import Call, Expr, Member, Name, Op, Text
 
 from ecm_extract.link.calls import Invocation, dotted_name, one_node
 from ecm_extract.link.containers import ELEMENT_METHODS, element_type
@@ -36,6 +36,7 @@ class Objects:
         self.program = program
         self.scope = scope
         self.file_scope = FileScope(program, scope)
+        self._callees: dict[Hashable, Sequence[Func]] = {}
 
     # --- types -----------------------------------------------------------------------------------------
 
@@ -188,7 +189,7 @@ class Objects:
             if not func.is_constructor:
                 continue
             env = Env(func, args=made.args, this=made.cls, made=made)
-            call = self._base_call(func, parent, env)
+            call = _base_call(func, parent)
             constructor = self.constructor(parent, len(call.args)) if call is not None else None
             if call is not None and constructor is not None:
                 return Instance(parent, bind(constructor, call, env.before(call.at)), types, constructor)
@@ -200,7 +201,7 @@ class Objects:
             if made.maker is None:
                 break
             env = Env(made.maker, args=made.args, this=made.cls, made=made)
-            call = self._base_call(made.maker, made.cls, env)
+            call = _base_call(made.maker, made.cls)
             target = self.constructor(made.cls, len(call.args)) if call is not None else None
             if call is None or target is None or target is made.maker:
                 break
@@ -210,18 +211,6 @@ class Objects:
     def _meant(self, written: str, cls: Cls) -> str:
         """What a template argument in the head of a class stands for where the class is."""
         return self.program.alias(written, cls.file, cls.fact.scope) or written
-
-    def _base_call(self, func: Func, parent: Cls, env: Env) -> Invocation | None:
-        for at, statement in enumerate(func.fact.body):
-            value = statement.value
-            target = statement.target
-            if statement.kind == "init" and isinstance(target, Name) and last_name(target.id) == parent.fact.name:
-                args = value.args if isinstance(value, Call) and value.callee == target else (value,) if value else ()
-                return Invocation(func, at, statement, target.id, None, one_node(func, args), (), (), statement.line)
-            if isinstance(value, Call) and _calls_super(value, parent):
-                args = value.args[1:] if value.args[:1] == (Name("this"),) else value.args
-                return Invocation(func, at, statement, "super", None, args, value.keywords, (), statement.line)
-        return None
 
     def constructor(self, cls: Cls, count: int) -> Func | None:
         """Return the constructor that takes `count` arguments best; a class without any has that of its base."""
@@ -238,15 +227,32 @@ class Objects:
         return next(iter(self.callees(call, env)), None)
 
     def callees(self, call: Invocation, env: Env) -> Sequence[Func]:
-        """Return the functions in the tree that a call can mean, with a body, best first."""
+        """Return the functions in the tree that a call can mean, with a body, best first; each is looked up once."""
         if call.last not in self.program.functions:
             return ()
+        place = (env.func, env.at, env.this, call.func)
+        asked = (place, call.path, call.receiver, call.args, call.keywords, call.types)
+        known = self._callees.get(asked)
+        if known is None:
+            known = self._callees[asked] = self._looked_up(call, env.deeper(0))
+        return known
+
+    def _looked_up(self, call: Invocation, env: Env) -> Sequence[Func]:
         own = env.func.cls or env.this
         if is_super(call.receiver) and own is not None:
-            return self._methods(call, next(iter(self.program.bases(own)), None))
+            return self._methods_of_base(call, own)
         if call.receiver is not None:
             return self._methods(call, self.class_of(call.receiver, env.before(env.at)))
         return self._methods(call, self._named_base(call, env) or env.this or env.func.cls) or self._free(call, env)
+
+    def _methods_of_base(self, call: Invocation, own: Cls) -> Sequence[Func]:
+        """`super().name()` means that of the first base, `Base.name(self)` that of the named one."""
+        written = call.receiver.args[0] if isinstance(call.receiver, Call) and call.receiver.args else None
+        if not isinstance(written, Text):
+            return self._methods(call, next(iter(self.program.bases(own)), None))
+        named = self.program.class_named(plain(written.value), call.func.file, call.func.scope)
+        found = self._methods(call, named)
+        return [func for func in found if "static" not in func.fact.traits]  # that is given the object in its place
 
     def _named_base(self, call: Invocation, env: Env) -> Cls | None:
         """`Base::name()` means that of the base, whatever a derived class has."""
@@ -294,3 +300,17 @@ def _calls_super(call: Call, parent: Cls) -> bool:
     if isinstance(base, Call) and isinstance(base.callee, Name) and base.callee.id == "super":
         return True
     return last_name(dotted_name(base)) == parent.fact.name
+
+
+def _base_call(func: Func, parent: Cls) -> Invocation | None:
+    """The call by which a constructor makes its base."""
+    for at, statement in enumerate(func.fact.body):
+        value = statement.value
+        target = statement.target
+        if statement.kind == "init" and isinstance(target, Name) and last_name(target.id) == parent.fact.name:
+            args = value.args if isinstance(value, Call) and value.callee == target else (value,) if value else ()
+            return Invocation(func, at, statement, target.id, None, one_node(func, args), (), (), statement.line)
+        if isinstance(value, Call) and _calls_super(value, parent):
+            args = value.args[1:] if value.args[:1] == (Name("this"),) else value.args
+            return Invocation(func, at, statement, "super", None, args, value.keywords, (), statement.line)
+    return None

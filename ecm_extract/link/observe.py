@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
-from importlib import resources
 from types import MappingProxyType
 from typing import Literal, NamedTuple
 
@@ -21,6 +19,7 @@ from ecm_extract.link.fold import Folder
 from ecm_extract.link.match import positions
 from ecm_extract.link.sites import Sites
 from ecm_extract.link.units import Cls, Func
+from ecm_extract.shipped import shipped
 
 Kind = Literal["timer", "rate", "wait_service", "wait_action", "wait_message", "wait_transform"]
 MAX_RATE = 1e5
@@ -60,8 +59,7 @@ class Observation(NamedTuple):
 @cache
 def observation_forms() -> Mapping[str, Sequence[ObservationForm]]:
     """Return the rows by the last part of their callee."""
-    text = (resources.files("ecm_extract.link") / "observations.toml").read_text("utf-8")
-    rows = msgspec.convert(tomllib.loads(text)["observation"], list[ObservationForm])
+    rows = msgspec.convert(shipped("link/observations.toml")["observation"], list[ObservationForm])
     return MappingProxyType({row.last: [each for each in rows if each.last == row.last] for row in rows})
 
 

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op
 
@@ -14,8 +13,6 @@ from ecm_extract.link.walk import children
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
-
-_WHOLE_PARAMETER: Final = re.compile(r"\$\{([^={}]+)=(?:[^{}]|\{[^{}]*\})*\}")
 
 
 class OpenLists:
@@ -28,8 +25,8 @@ class OpenLists:
         """Return what an element of such a list is: as long as nobody shows more, `{item}`."""
         item = unknown("item")
         values = self.folder.fold(expr, env) if isinstance(expr, Name | Member) else ()
-        matches = [match for value in values if (match := _WHOLE_PARAMETER.fullmatch(value.template or ""))]
-        set_by_launch = tuple([value for match in matches for value in set_by(match[1], (item,))])
+        names = [value.parameter for value in values if value.parameter]
+        set_by_launch = tuple([value for name in names for value in set_by(name, (item,))])
         return set_by_launch or (self._left_open(expr, env) or item,)
 
     def _left_open(self, expr: Expr | None, env: Env) -> Value | None:

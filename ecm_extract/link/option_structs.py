@@ -5,10 +5,8 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping
 from functools import cache
-from importlib import resources
 from types import MappingProxyType
 
 import msgspec
@@ -18,6 +16,7 @@ from msgspec.structs import replace
 
 from ecm_extract.link.calls import Invocation
 from ecm_extract.link.spelling import last_name, plain
+from ecm_extract.shipped import shipped
 
 _UNSET = Constant("null")
 
@@ -40,8 +39,7 @@ class OptionStruct(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 @cache
 def _rows() -> Mapping[str, OptionStruct]:
-    text = (resources.files("ecm_extract.link") / "option_structs.toml").read_text("utf-8")
-    rows = msgspec.convert(tomllib.loads(text)["options"], list[OptionStruct])
+    rows = msgspec.convert(shipped("link/option_structs.toml")["options"], list[OptionStruct])
     return MappingProxyType({row.call: row for row in rows})
 
 

@@ -18,6 +18,7 @@ class OwnCalls:
         self.program = program
         self._methods: dict[Cls, frozenset[str]] = {}
         self._known: dict[tuple[Func, int], tuple[Call, ...]] = {}
+        self._reaching: dict[tuple[Func, int, Cls | None, Call], bool] = {}
 
     def of(self, env: Env) -> tuple[Call, ...]:
         """Return the calls of a statement that may run functions of the tree; of each statement it is asked often."""
@@ -34,7 +35,14 @@ class OwnCalls:
         return bool(last) and bool(self.program.seen_functions(last, func.file))
 
     def reaches_object(self, call: Call, env: Env) -> bool:
-        """Tell whether a call that stays in the tree may run a method of the object at hand."""
+        """Tell whether a call that stays in the tree may run a method of the object at hand; often asked as well."""
+        key = (env.func, env.at, env.this, call)
+        known = self._reaching.get(key)
+        if known is None:
+            known = self._reaching[key] = self._reaches_object(call, env)
+        return known
+
+    def _reaches_object(self, call: Call, env: Env) -> bool:
         found = invocation_of(call, env)
         if found.receiver == THIS or is_super(found.receiver):
             return True

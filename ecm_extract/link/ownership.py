@@ -20,7 +20,7 @@ class Ownership:
         self.sites = sites
         self.program = sites.program
         self.modules = modules
-        self.reach = Reach(self.program, modules.loaded)
+        self.reach = Reach(self.program, modules.loaded, modules.references.registered)
         self.decided = Decided(sites, modules.references)
 
     def owners(self, unit: Unit, site: Site) -> tuple[Module, ...]:

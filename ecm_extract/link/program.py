@@ -20,6 +20,8 @@ from ecm_extract.resolve.names import Names
 from ecm_extract.resolve.python_path import PythonPath
 from ecm_extract.resolve.sight import Sight
 
+MAX_ALIASES = 4
+"""Aliases of aliases that are followed."""
 _Unit = TypeVar("_Unit", Cls, Func)
 _Asked = tuple[str, str, str]
 """A name, with the package and the language of who asks for it."""
@@ -178,6 +180,23 @@ class Program:
     def message_named(self, name: str, file: File, scope: str) -> str | None:
         """Return the whole name of a C++ `msg::Name` whose package is a namespace around it; None of other names."""
         return self._messages.find(name, file, scope)
+
+    def message_constant(self, name: str, file: File, scope: str = "") -> str | float | None:
+        """Return the constant of a message of the tree that a name means where it stands; None of other names."""
+        if file.language == "python":
+            return self._messages.constant(self.canonical(name, file), file, scope)
+        owner, _, last = name.rpartition("::")
+        return self._messages.constant(f"{self._meant(owner, file, scope)}::{last}", file, scope) if owner else None
+
+    def _meant(self, name: str, file: File, scope: str) -> str:
+        """What the aliases in a C++ name stand for, those of the whole name or of its first part."""
+        for _ in range(MAX_ALIASES):
+            head, _, rest = name.partition("::")
+            whole, front = self.alias(name, file, scope), self.alias(head, file, scope) if rest else None
+            if whole is None and front is None:
+                break
+            name = plain(whole) if whole is not None else f"{plain(front or head)}::{rest}"
+        return name
 
     def bases(self, cls: Cls) -> list[Cls]:
         """Return the direct base classes that stand in the tree."""

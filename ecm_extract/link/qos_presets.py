@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping, Sequence
 from functools import cache
-from importlib import resources
 from types import MappingProxyType
 from typing import Any
+
+from ecm_extract.shipped import shipped
 
 UNSEEN: Mapping[str, Any] = MappingProxyType(
     {"reliability": "unknown", "durability": "unknown", "history": "unknown", "depth": None}
@@ -18,8 +18,7 @@ UNSEEN: Mapping[str, Any] = MappingProxyType(
 @cache
 def presets() -> Mapping[str, tuple[str, Mapping[str, Any]]]:
     """Return preset name as written -> (profile, policies)."""
-    text = (resources.files("ecm_extract.link") / "qos_presets.toml").read_text("utf-8")
-    table = tomllib.loads(text)
+    table = shipped("link/qos_presets.toml")
     return {
         name: (profile, {key: value for key, value in row.items() if key != "names"})
         for profile, row in table.items()

@@ -14,6 +14,7 @@ from ecm_extract.link.leads import Asked, Lead, Leads
 from ecm_extract.link.modules import Module
 from ecm_extract.link.program import Program
 from ecm_extract.link.references import makes_own_class
+from ecm_extract.link.registered import Registered
 from ecm_extract.link.units import Cls, Func
 
 
@@ -23,12 +24,14 @@ class Reach:
     Args:
         program: all that the tree declares.
         loaded: function -> the classes that it loads by their name.
+        registered: tells which classes a function can make since something keeps them that it reads.
     """
 
-    def __init__(self, program: Program, loaded: Mapping[Func, Sequence[Cls]]) -> None:
+    def __init__(self, program: Program, loaded: Mapping[Func, Sequence[Cls]], registered: Registered) -> None:
         self.program = program
         self._leads = Leads(program)
         self._loaded = loaded
+        self._registered = registered
         self._runs: dict[Module, _Run] = {}
 
     def reaches(self, module: Module, funcs: Iterable[Func]) -> bool:
@@ -83,6 +86,8 @@ class Reach:
         for cls in self._loaded.get(func, ()):
             self._make(cls, run)
             run.enter(*cls.methods)
+        for cls in self._registered.read_by(func):
+            self._make(cls, run)
         if func.cls is not None:
             self._touch(func, func.cls, run)
 

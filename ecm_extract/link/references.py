@@ -13,6 +13,7 @@ from ecm_parsers.source.expr import Name
 from ecm_parsers.source.facts import Constant
 
 from ecm_extract.link.handed import Handed, only_loads
+from ecm_extract.link.registered import Registered
 from ecm_extract.link.sites import Sites
 from ecm_extract.link.spelling import by_value, last_name, plain
 from ecm_extract.link.units import Cls, File, Func
@@ -32,6 +33,7 @@ class References:
         self.sites = sites
         self.program = sites.program
         self._handed = Handed(self.program)
+        self.registered = Registered(self.program)
         self._mentions: dict[str, list[_Mention]] = defaultdict(list)
         self._aliases = self.program.aliases.meaning(self.program.classes)
         self._holders: dict[str, list[_Mention]] = defaultdict(list)
@@ -78,8 +80,9 @@ class References:
         return self._handed.knows(name)
 
     def handing(self, cls: Cls) -> Iterator[Func]:
-        """Yield the functions that hand a class over."""
-        return self._handed.classes(cls)
+        """Yield the functions that hand a class over, or read what a decorator keeps it in."""
+        yield from self._handed.classes(cls)
+        yield from self.registered.readers(cls)
 
     def users(self, unit: Unit) -> Iterator[Unit]:
         """Yield the units that derive from, hold, make or call a unit."""
@@ -110,8 +113,7 @@ class References:
         for call in self.sites.calls.get(cls.fact.name, ()):
             if self.sites.makes(call, cls):
                 yield call.func.holder or call.func
-        for func in self._handed.classes(cls):
-            yield func.holder or func
+        yield from (func.holder or func for func in self.handing(cls))
 
     def _mentioning(self, cls: Cls, index: dict[str, list[_Mention]]) -> Iterator[Unit]:
         for unit, name, file, scope in index.get(cls.fact.name, ()):

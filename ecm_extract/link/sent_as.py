@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping
 from functools import cache
-from importlib import resources
 
 import msgspec
 
 from ecm_extract.link.spelling import template_arguments
+from ecm_extract.shipped import shipped_as
 
 
 class SentAs(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -22,8 +21,7 @@ class SentAs(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 @cache
 def _rows() -> Mapping[str, SentAs]:
-    text = (resources.files("ecm_extract.link") / "sent_as.toml").read_text("utf-8")
-    return msgspec.convert(tomllib.loads(text), dict[str, SentAs])
+    return shipped_as("link/sent_as.toml", dict[str, SentAs])
 
 
 def sent_as(bare: str, written: str, ros: int | None) -> str:

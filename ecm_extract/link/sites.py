@@ -15,7 +15,7 @@ from ecm_parsers.source.expr import Expr, Name
 from ecm_extract.link.call_index import call_index
 from ecm_extract.link.call_targets import CallTargets
 from ecm_extract.link.calls import Invocation
-from ecm_extract.link.closures import captured
+from ecm_extract.link.closures import around, captured
 from ecm_extract.link.emplaced import EMPLACING, emplaced
 from ecm_extract.link.env import Env, Instance, bind
 from ecm_extract.link.fold import Folder
@@ -242,8 +242,8 @@ class Sites:
     def _enter(self, link: Invocation, following: Invocation, env: Env) -> Env:
         func, at = following.func, following.at
         args = bind(func, link, env)
-        types = self._template(func, link, env, args)
-        if "lambda" in func.fact.traits:
+        types = self._types(func.fact.template, link, env)
+        if around(func, self.folder) is not None:
             outer = captured(func, link, env, self.folder)
             return Env(func, at, args, types, outer.this, outer.made, outer=outer)
         if func.cls is None:
@@ -251,7 +251,7 @@ class Sites:
         if func.is_constructor or self.makes(link, func.cls):
             maker = func if func.is_constructor else self.folder.objects.constructor(func.cls, len(link.args))
             given = bind(maker, link, env) if maker is not None else {}
-            made = Instance(func.cls, given, self._class_types(func.cls, link, env), maker)
+            made = Instance(func.cls, given, self._types(func.cls.fact.template, link, env), maker)
             return Env(func, at, given if func.is_constructor else {}, types, func.cls, made)
         same = (
             env.this is not None
@@ -262,8 +262,9 @@ class Sites:
         inner = env.made if same else self.folder.objects.held(link.receiver, func.cls, env)
         return Env(func, at, args, types, this, inner)
 
-    def _template(self, func: Func, link: Invocation, env: Env, args: object) -> dict[str, str]:
-        types = dict(zip(func.fact.template, link.types, strict=False))
+    def _types(self, template: Sequence[str], link: Invocation, env: Env) -> dict[str, str]:
+        """What a call gives the template parameters of a function or class."""
+        types = dict(zip(template, link.types, strict=False))
         return {name: self._bound_type(written, env) for name, written in types.items()}
 
     def _bound_type(self, written: str, env: Env) -> str:
@@ -271,10 +272,6 @@ class Sites:
         if outer is not None:
             return outer
         return self.program.alias(written, env.func.file, env.scope) or written
-
-    def _class_types(self, cls: Cls, link: Invocation, env: Env) -> dict[str, str]:
-        types = dict(zip(cls.fact.template, link.types, strict=False))
-        return {name: self._bound_type(written, env) for name, written in types.items()}
 
     # --- objects -----------------------------------------------------------------------------------------
 
@@ -309,7 +306,7 @@ class Sites:
         func = place.func
         constructor = self.folder.objects.constructor(cls, len(call.args))
         args = bind(constructor, call, outer) if constructor is not None else {}
-        types = self._class_types(cls, call, outer)
+        types = self._types(cls.fact.template, call, outer)
         made = Instance(cls, args, types, constructor)
         made = made if func is constructor else self.folder.objects.delegated(made)
         own = made.args if func.is_constructor and func.cls is cls else {}

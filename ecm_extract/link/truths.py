@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import Call, Expr, Member, Op, Opaque, Text
 
 from ecm_extract.infer.compute import UNKNOWN, operate, truth
+from ecm_extract.infer.judge import Verdict
 from ecm_extract.infer.outline import Outline
 from ecm_extract.link.env import Env
 from ecm_extract.link.units import Func
@@ -16,6 +17,9 @@ from ecm_extract.link.walk import children
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
+
+
+_OPEN = Verdict(None, None)
 
 
 class Truths:
@@ -30,17 +34,17 @@ class Truths:
         self.folder = folder
         self._outline = outline
 
+    def verdict(self, test: Expr, env: Env) -> Verdict:
+        """Tell whether a condition holds.
+
+        A name that somebody else gives is taken for one that is likely not empty.
+        """
+        found = self._judged(test, env)
+        return found if found.likely is not None else Verdict(found.holds, self._if_given(test, env))
+
     def holds(self, test: Expr, env: Env) -> bool | None:
         """Tell whether a condition holds; None when that is not decided."""
-        return self._holds(test, env, is_proved)
-
-    def likely(self, test: Expr, env: Env) -> bool | None:
-        """Tell whether a condition holds as long as nobody sets a parameter; None when that is not known.
-
-        A name that somebody else gives is taken for one that is not empty.
-        """
-        holds = self._holds(test, env, is_known)
-        return self._if_given(test, env) if holds is None else holds
+        return self._judged(test, env).holds
 
     def _if_given(self, test: Expr, env: Env) -> bool | None:
         if isinstance(test, Op) and test.op == "!":
@@ -57,38 +61,40 @@ class Truths:
         values = self.folder.fold(expr, env)
         return all(value.open("param") or value.open("made") or value.open("node") for value in values)
 
-    def _holds(self, test: Expr, env: Env, counts: Callable[[Value], bool]) -> bool | None:
+    def _judged(self, test: Expr, env: Env) -> Verdict:
         if isinstance(test, Opaque):
-            return None
+            return _OPEN
         if isinstance(test, Op) and test.op == "!":
-            inner = self._holds(test.operands[0], env, counts)
-            return None if inner is None else not inner
+            inner = self._judged(test.operands[0], env)
+            return Verdict(_negated(inner.holds), _negated(inner.likely))
         if isinstance(test, Op) and test.op in {"&&", "||"}:
-            return self._all_of(test, env, counts)
-        python = env.func.file.language == "python"
+            return self._all_of(test, env)
         if self._is_exposed(test, env.func):
-            return None
+            return _OPEN
+        python = env.func.file.language == "python"
         values = self.folder.fold(test, env)
-        found = {truth(data_in(value), python) if counts(value) else None for value in values}
-        if found == {None} and python:
-            items = self.folder.lists.items(test, env)
-            return None if items is None else bool(items)
-        return found.pop() if len(found) == 1 else None
+        found = Verdict(_truth(values, is_proved, python), _truth(values, is_known, python))
+        return self._of_list(test, env, found) if python and None in found else found
+
+    def _of_list(self, test: Expr, env: Env, found: Verdict) -> Verdict:
+        """A list of Python holds when it is not empty."""
+        items = self.folder.lists.items(test, env)
+        return found if items is None else Verdict(*[bool(items) if each is None else each for each in found])
 
     def _is_exposed(self, test: Expr, func: Func) -> bool:
         """Whether a condition asks for a variable that somebody may write in a way that is not followed."""
         outline = self._outline(func)
         return bool(outline.exposed) and _names_any(test, outline)
 
-    def _all_of(self, test: Op, env: Env, counts: Callable[[Value], bool]) -> bool | None:
+    def _all_of(self, test: Op, env: Env) -> Verdict:
+        """What stands behind an operand that decides is not asked."""
         ends = test.op == "||"
-        undecided = False
+        found: list[Verdict] = []
         for operand in test.operands:
-            holds = self._holds(operand, env, counts)
-            if holds is ends:
-                return None if undecided else ends
-            undecided = undecided or holds is None
-        return None if undecided else not ends
+            found.append(self._judged(operand, env))
+            if found[-1].holds is ends:
+                break
+        return Verdict(_met([each.holds for each in found], ends), _met([each.likely for each in found], ends))
 
     def alike(self, one: Expr, other: Expr, env: Env) -> bool | None:
         """Tell whether two expressions have the same value; None when that is not decided."""
@@ -96,6 +102,24 @@ class Truths:
         pairs = [(a, b) for a in self.folder.fold(one, env) for b in self.folder.fold(other, env)]
         found = {_same(a, b, python) for a, b in pairs}
         return found.pop() if len(found) == 1 else None
+
+
+def _negated(holds: bool | None) -> bool | None:
+    return None if holds is None else not holds
+
+
+def _truth(values: Iterable[Value], counts: Callable[[Value], bool], python: bool) -> bool | None:
+    """Whether all values are true, or all are false, as far as they count."""
+    found = {truth(data_in(value), python) if counts(value) else None for value in values}
+    return found.pop() if len(found) == 1 else None
+
+
+def _met(operands: Sequence[bool | None], ends: bool) -> bool | None:
+    """What operands make together, of which one that is `ends` decides, unless one before it is not known."""
+    known = operands[: operands.index(None)] if None in operands else operands
+    if ends in known:
+        return ends
+    return None if None in operands else not ends
 
 
 def _same(one: Value, other: Value, python: bool) -> bool | None:

@@ -233,7 +233,7 @@ class Types:
         lineage = self.program.ancestry(owner) if owner is not None else ()
         methods = [func for func in candidates if func.cls in lineage]
         near = [func for func in candidates if func.file is env.func.file]
-        return [*methods, *near]
+        return [*methods, *near, *self.program.functions_named(name, env.func.file, env.scope)]
 
 
 def _is_template(text: str) -> bool:

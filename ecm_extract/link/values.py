@@ -39,6 +39,16 @@ class Hole(NamedTuple):
         return self._replace(default=None, part=part)
 
 
+class OfParameter(NamedTuple):
+    """A part of a value that a ROS parameter gives: its name, and the text that it has as long as no launch sets it."""
+
+    parameter: str
+    default: str
+
+    def __str__(self) -> str:
+        return f"${{{self.parameter}={self.default}}}"
+
+
 TOO_LONG = Hole("too long a text")
 """Stands for a text that is put together beyond `MAX_LENGTH`."""
 
@@ -53,13 +63,13 @@ class Enumerator:
 class Value(NamedTuple):
     """One possible value: its parts in order and how surely it is known.
 
-    `template` is the text with `${parameter=default}` where a ROS parameter gives it, None where none does. `data` is
-    what is no text: a number, a truth value, null; None for texts and for what is not known.
+    `template` has the parts of the text with those apart that a ROS parameter gives, and is empty where none does.
+    `data` is what is no text: a number, a truth value, null; None for texts and for what is not known.
     """
 
     parts: tuple[str | Hole, ...]
     confidence: Confidence = "literal"
-    template: str | None = None
+    template: tuple[str | OfParameter, ...] = ()
     data: Any = None
 
     @property
@@ -68,6 +78,17 @@ class Value(NamedTuple):
         if len(self.parts) == 1 and isinstance(self.parts[0], str):
             return self.parts[0]
         return "".join([part if isinstance(part, str) else f"{{{part.part or part.label}}}" for part in self.parts])
+
+    @property
+    def written(self) -> str:
+        """The text with `${parameter=default}` where a ROS parameter gives it."""
+        return "".join([str(part) for part in self.template]) or self.text
+
+    @property
+    def parameter(self) -> str:
+        """The ROS parameter whose value this is and nothing else, empty for none."""
+        whole = self.template[0] if len(self.template) == 1 else ""
+        return whole.parameter if isinstance(whole, OfParameter) else ""
 
     def open(self, kind: str) -> frozenset[str]:
         """Return the labels of the holes of a kind."""
@@ -86,7 +107,7 @@ def literal(text: str) -> Value:
 def constant(data: Any) -> Value:
     """A number, truth value or null read as it stands; its text is what it is written as."""
     text = "" if data is NULL else str(data).lower() if isinstance(data, bool) else str(data)
-    return Value((text,), "literal", None, data)
+    return Value((text,), "literal", (), data)
 
 
 def computed(data: Any) -> Value | None:
@@ -105,7 +126,7 @@ def data_in(value: Value) -> Any:
 
 def is_proved(value: Value) -> bool:
     """Tell whether a value is surely this one, or one of several of which each is known."""
-    return value.confidence in {"literal", "folded", "one_of"} and value.template is None
+    return value.confidence in {"literal", "folded", "one_of"} and not value.template
 
 
 def is_known(value: Value) -> bool:
@@ -234,18 +255,18 @@ def _beside(left: Value, right: Value) -> Value:
 def _length(value: Value) -> int:
     """Parts and characters of a value and of its template."""
     parts = sum([len(part) if isinstance(part, str) else len(part.label) for part in value.parts])
-    return max(parts + len(value.parts), len(value.template or ""))
+    return max(parts + len(value.parts), len(value.written) if value.template else 0)
 
 
-def _template(left: Value, right: Value) -> str | None:
-    if left.template is None and right.template is None:
-        return None
-    return (left.template or left.text) + (right.template or right.text)
+def _template(left: Value, right: Value) -> tuple[str | OfParameter, ...]:
+    if not left.template and not right.template:
+        return ()
+    return tuple([part for side in (left, right) for part in side.template or (side.text,) if part])
 
 
 def set_by(name: str, values: Iterable[Value]) -> tuple[Value, ...]:
     """The same values as those of a ROS parameter that a launch may set."""
-    return tuple([value._replace(template=f"${{{name}={value.text}}}") for value in values])
+    return tuple([value._replace(template=(OfParameter(name, value.text),)) for value in values])
 
 
 def unique(values: Iterable[Value]) -> tuple[Value, ...]:

@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Iterator
 from functools import cache
-from importlib import resources
 
 import msgspec
 
 from ecm_extract.discover import is_test_path
+from ecm_extract.entities.distributions import is_for_older
 from ecm_extract.lint.alternatives import has_alternative
-from ecm_extract.lint.distributions import is_for_older, named_distributions
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.shipped import shipped_as
 
 _KINDS = {
     "cpp": (".h", ".hh", ".hpp", ".hxx", ".c", ".cc", ".cpp", ".cxx"),
@@ -67,13 +66,12 @@ class Deprecated(msgspec.Struct, frozen=True):
 @cache
 def deprecations() -> Deprecations:
     """Return the table."""
-    text = (resources.files("ecm_extract.lint") / "deprecations.toml").read_text("utf-8")
-    return msgspec.convert(tomllib.loads(text), Deprecations)
+    return shipped_as("lint/deprecations.toml", Deprecations)
 
 
 def deprecated_in(package: PackageFacts, workspace: Workspace) -> Iterator[Deprecated]:
     """Yield the uses of a package, tests left out."""
-    named = named_distributions(workspace.tree)
+    named = workspace.known.distributions
     possible = [row for row in deprecations().text if not _is_needed(row, package, named)]
     rows = {
         entry.path: concerned
@@ -102,7 +100,7 @@ def _is_needed(row: DeprecatedText, package: PackageFacts, named: frozenset[str]
 def _is_other(holds: tuple[str, str], workspace: Workspace) -> bool:
     """Tell whether the workspace holds the package in a version in which the row does not hold."""
     name, versions = holds
-    return name in workspace.by_name and not workspace.provides(name, versions)
+    return name in workspace.versions and not workspace.provides(name, versions)
 
 
 def _concerns(row: DeprecatedText, path: str, ros: int | None) -> bool:

@@ -37,7 +37,7 @@ def _lacking(workspace: Workspace, request: LintRequest, told: Callable[[Outside
         return
     inside = requiring_packages(workspace.as_side())
     outside = request.outside(inside)
-    workspace.stored = outside.packages
+    workspace.stored, workspace.released = outside.documents, outside.released
     told(outside)
     if not request.select or RULE_ID in request.select:
         yield from outside_findings(inside, outside)

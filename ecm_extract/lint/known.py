@@ -42,16 +42,19 @@ class Known:
 
     Attributes:
         own: names of those under lint. packages: these, and others by their documents.
-        elsewhere: names of packages that the project says to have from elsewhere.
+        elsewhere: names of packages that the project, or a list of sources around a package, has from elsewhere.
+        distributions: that the trees of the packages say to be for.
     """
 
     def __init__(
         self, own: Sequence[Package], stored: Sequence[Package] = (), elsewhere: frozenset[str] = frozenset()
     ) -> None:
-        """Gather packages; of one that is under lint the stored document counts for nothing."""
+        """Gather packages; of the document of one that is under lint only what it says of its tree counts."""
         self.own = frozenset(package.name for package in own)
         self.packages = Packages([*own, *(each for each in stored if each.name not in self.own)])
-        self.elsewhere = elsewhere
+        around = [package.around for package in (*own, *stored) if package.around]
+        self.elsewhere = elsewhere.union(*(each.fetched for each in around))
+        self.distributions = frozenset(name for each in around for name in each.distributions)
         self._files: dict[str, frozenset[str]] = {}
 
     def asked(self, use: str) -> Iterator[Asked]:

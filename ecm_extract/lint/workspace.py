@@ -23,9 +23,9 @@ from ecm_extract.entities.workspace import Workspace as Side
 from ecm_extract.extraction_model import Options
 from ecm_extract.link.composition import composition_of
 from ecm_extract.link.linker import Linker
-from ecm_extract.lint.beside import running_beside
+from ecm_extract.lint.beside import Lines, own_running, running_beside
+from ecm_extract.lint.beside_files import Beside, is_description
 from ecm_extract.lint.builds import builds
-from ecm_extract.lint.fetched import fetched_repositories
 from ecm_extract.lint.known import Known
 from ecm_extract.lint.own_packages import own_packages
 from ecm_extract.read.facts import PackageFacts
@@ -51,8 +51,8 @@ class Workspace:
         tree: where files are read. config: what the project sets.
         packages: their facts. linker: with all that it found.
         files: as launch files and descriptions name them.
-
-        stored: documents of packages that are not in the tree.
+        stored: documents of packages that lie beside the tree, which may start and describe what is in it.
+        released: packages that a registry tells of beside, as providers.
 
     `read` is what was read of the tree, for callers that have it already.
     """
@@ -62,6 +62,7 @@ class Workspace:
     ) -> None:
         self.tree = tree
         self.stored = stored
+        self.released: Sequence[Package] = ()
         self._options = options
         self._is_part = False
         self.config = config = config_of(tree, options)
@@ -77,11 +78,29 @@ class Workspace:
         self._composition = composition_of(self.linker.modules, self.linker.references)
         self.programs = self._composition.programs
 
+    @property
+    def others(self) -> Sequence[Package]:
+        """All packages that are known and not in the tree."""
+        return (*self.stored, *self.released)
+
     @cached_property
     def index(self) -> ModuleIndex:
         """What runs of its packages, and of those that are known by their documents."""
         own = running_of(self.packages, self.linked, self._composition)
-        return ModuleIndex({**running_beside(self.stored), **own})
+        others = (each for each in self.others if each.name not in self.by_name)
+        beside = running_beside(others, self.lines)
+        return ModuleIndex({**beside, **own_running(own, beside)})
+
+    @cached_property
+    def lines(self) -> Lines:
+        """Where lines lie that documents tell of."""
+        roots = {package.name: package.root.path for package in self.packages}
+        return Lines(self.tree, roots, self.stored)
+
+    def ros_of(self, package: str) -> int | None:
+        """Return the ROS version of a package that is known, None where nothing tells."""
+        own = self.by_name.get(package)
+        return own.ros if own is not None else next((each.ros for each in self.others if each.name == package), None)
 
     @cached_property
     def parts(self) -> Sequence[Workspace]:
@@ -92,13 +111,14 @@ class Workspace:
     def _part(self, packages: list[PackageFacts]) -> Workspace:
         read = PackagesRead(self.tree, packages, self._read.forms)
         part = Workspace(self.tree, self._options, read, self.stored)
+        part.released = self.released
         part._is_part = True
         return part
 
     @cached_property
     def known(self) -> Known:
         """What its packages provide and require, with the packages that are known by their documents."""
-        return Known(own_packages(self), self.stored, self.externals | fetched_repositories(self.tree))
+        return Known(own_packages(self), self.others, self.externals)
 
     @cached_property
     def launches(self) -> Mapping[str, LaunchFile]:
@@ -127,23 +147,37 @@ class Workspace:
 
     @cached_property
     def included(self) -> frozenset[str]:
-        """Names, without folders, of launch files that another one includes."""
-        return frozenset(name for facts in self.launches.values() for name in _included(facts.actions))
+        """Names, without folders, of launch files that another one includes, of documents too."""
+        launches = (*self.launches.values(), *self.beside.launches.values())
+        return frozenset(name for facts in launches for name in _included(facts.actions))
 
     @cached_property
     def systems(self) -> Sequence[System]:
-        """What each launch file that no other includes starts, with the defaults of its arguments."""
-        roots = [path for path in self.launches if path.rsplit("/", 1)[-1] not in self.included]
+        """What each launch file that no other includes starts, with the defaults of its arguments.
+
+        Those of documents are among them that may start what is in the tree.
+        """
+        launches = (*self.launches, *self.beside.reaching(self.beside.launches))
+        roots = sorted(
+            (path for path in launches if path.rsplit("/", 1)[-1] not in self.included), key=self._by_package
+        )
+        tree, files = self.beside.tree, self.beside.files
         with without_collector():
             self.leave_out(roots[MAX_SYSTEMS:], "launch files")
-            return [
-                evaluated_system(self.tree, self.files, self.index, [path], Given()) for path in roots[:MAX_SYSTEMS]
-            ]
+            return [evaluated_system(tree, files, self.index, [path], Given()) for path in roots[:MAX_SYSTEMS]]
+
+    def _by_package(self, path: str) -> tuple[str, str]:
+        """The same order wherever packages lie, so that which of two lines is told first is no matter of folders."""
+        files = self.beside.files
+        name = files.package_of(path) or ""
+        return name, path.removeprefix(files.package_path(name) or "").lstrip("/")
 
     @cached_property
-    def starts_foreign(self) -> bool:
-        """Whether launch files start nodes whose sources are elsewhere, which may offer what nobody here does."""
-        return any(not node.modules for system in self.systems for node in system.nodes)
+    def beside(self) -> Beside:
+        """The tree with what documents beside it keep."""
+        own = frozenset(self.by_name)
+        documents = [each for each in self.stored if each.name not in own]
+        return Beside(self.tree, self.files, folders_read(self.packages), documents)
 
     @cached_property
     def service_calls(self) -> Sequence[tuple[ServiceCall, tuple[str, ...]]]:
@@ -154,16 +188,25 @@ class Workspace:
 
     @cached_property
     def descriptions(self) -> Sequence[Description]:
-        """Every robot description of its own (no file that only defines macros), with the defaults of its arguments."""
-        paths: list[str] = []
-        for package in self.packages:
-            for entry in package.root.files:
-                if entry.path.endswith((".urdf", ".xacro")) and not is_test_path(entry.path, package.root.path):
-                    data = self.files.read(entry.path) or b""
-                    if b"<robot" in data and b"<macro" not in data and b":macro" not in data:
-                        paths.append(entry.path)
+        """Every robot description of its own (no file that only defines macros), with the defaults of its arguments.
+
+        Those of documents are among them that may include files of the tree.
+        """
+        files = self.beside.files
+        own = (
+            entry.path
+            for package in self.packages
+            for entry in package.root.files
+            if is_description(entry.path) and not is_test_path(entry.path, package.root.path)
+        )
+        others = self.beside.reaching(self.beside.descriptions)
+        paths = sorted(filter(self._is_robot, (*own, *others)), key=self._by_package)
         self.leave_out(paths[MAX_DESCRIPTIONS:], "robot descriptions")
-        return [read_description(path, {}, self.files) for path in paths[:MAX_DESCRIPTIONS]]
+        return [read_description(path, {}, files) for path in paths[:MAX_DESCRIPTIONS]]
+
+    def _is_robot(self, path: str) -> bool:
+        data = self.beside.files.read(path) or b""
+        return b"<robot" in data and b"<macro" not in data and b":macro" not in data
 
     def leave_out(self, paths: Iterable[str], what: str) -> None:
         """Tell of files that are beyond the number that one run judges, so that nothing found is not nothing there."""
@@ -185,10 +228,16 @@ class Workspace:
         """Return the workspace as a comparison reads it."""
         return Side(self.tree, self.packages, self.linked, self.linker.program, self.linker.folder.objects)
 
+    @cached_property
+    def versions(self) -> Mapping[str, str | None]:
+        """The versions of the packages of the tree and of documents beside it."""
+        own = ((name, facts.manifest) for name, facts in self.by_name.items())
+        stored = {each.name: each.version for each in self.stored}
+        return {**stored, **{name: manifest.version if manifest is not None else None for name, manifest in own}}
+
     def provides(self, package: str, versions: str) -> bool:
-        """Tell whether the tree itself holds a package in a range of versions, such as `<1.11.1`."""
-        facts = self.by_name.get(package)
-        held = facts.manifest.version if facts is not None and facts.manifest is not None else None
+        """Tell whether the tree, or a document beside it, holds a package in a range of versions, such as `<1.11.1`."""
+        held = self.versions.get(package)
         return held is not None and in_range(held, versions) is True
 
     def commands(self, path: str) -> Sequence[Command]:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-import tomllib
 from functools import cache
-from importlib import resources
 from typing import Final
 
 import msgspec
+
+from ecm_extract.shipped import shipped_as
 
 _NUMBER: Final = re.compile(r"(?:_\d+)+$")
 
@@ -44,8 +44,7 @@ class Standard(msgspec.Struct, frozen=True):
 @cache
 def standard() -> Standard:
     """Return the table that ships with the package."""
-    text = (resources.files("ecm_extract.observe") / "standard.toml").read_text("utf-8")
-    return msgspec.convert(tomllib.loads(text), Standard)
+    return shipped_as("observe/standard.toml", Standard)
 
 
 def is_standard(role: str, name: str, node: str | None) -> bool:

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
-from importlib import resources
 from types import MappingProxyType
 
 from ecm_checker.contract import Contract
 from ecm_checker.fields import FIELDS
 from ecm_parsers.overlay_yaml import SCHEMA
+
+from ecm_extract.shipped import shipped
 
 _MEANINGS = {row.path: row.meaning for row in FIELDS}
 
@@ -18,8 +18,7 @@ _MEANINGS = {row.path: row.meaning for row in FIELDS}
 @cache
 def examples() -> Mapping[str, str]:
     """Return an example by field, as YAML in one line."""
-    text = (resources.files("ecm_extract.overlay") / "examples.toml").read_text("utf-8")
-    return MappingProxyType(tomllib.loads(text)["examples"])
+    return MappingProxyType(shipped("overlay/examples.toml")["examples"])
 
 
 def overlay_template(package: str, contracts: Iterable[Contract]) -> str:

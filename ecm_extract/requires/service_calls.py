@@ -6,11 +6,9 @@ A proxy is bound where a service client is made, directly or through a helper; i
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
-from importlib import resources
 from types import MappingProxyType
 
 from ecm_parsers.interface_facts import Definition
@@ -21,6 +19,7 @@ from ecm_extract.link.linker import LinkedModule
 from ecm_extract.link.units import File
 from ecm_extract.link.walk import dotted, expressions
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.shipped import shipped
 
 _OWN = "this"
 
@@ -45,8 +44,9 @@ class ServiceCall:
 @cache
 def common_services() -> Mapping[str, tuple[str, ...]]:
     """Return the request fields of services that are known without their package."""
-    text = (resources.files("ecm_extract.requires") / "common_services.toml").read_text("utf-8")
-    return MappingProxyType({name: tuple(fields) for name, fields in tomllib.loads(text)["services"].items()})
+    return MappingProxyType(
+        {name: tuple(fields) for name, fields in shipped("requires/common_services.toml")["services"].items()}
+    )
 
 
 def request_fields(packages: Sequence[PackageFacts]) -> dict[str, tuple[str, ...]]:

@@ -10,6 +10,7 @@ from posixpath import dirname
 
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.resolve.installed_python import installed_modules
+from ecm_extract.resolve.message_constants import message_constants
 from ecm_extract.resolve.paths import tree_path
 
 
@@ -23,6 +24,7 @@ class PackageLayout:
         modules: name of a Python package or module that it installs -> path in the tree, without `.py`.
         python_roots: folders that are on the Python path as they are.
         messages: messages, services and actions that it defines, as `msg/Name`.
+        constants: constants of these, as `Name.CONSTANT` and `Name.Request.CONSTANT`.
     """
 
     root: str
@@ -30,6 +32,7 @@ class PackageLayout:
     modules: Mapping[str, str] = field(default_factory=dict)
     python_roots: tuple[str, ...] = ()
     messages: frozenset[str] = frozenset()
+    constants: Mapping[str, str | float] = field(default_factory=dict)
 
 
 def layouts(packages: Iterable[PackageFacts]) -> Mapping[str, PackageLayout]:
@@ -44,7 +47,7 @@ def _layout(package: PackageFacts) -> PackageLayout:
     root = package.root.path
     own = (tree_path(root, "src"), tree_path(root, "lib")) if package.root.rosbuild else ()
     folders = tuple(dict.fromkeys(_include_folders(package)))
-    return PackageLayout(root, folders, installed_modules(package), own, _messages(package))
+    return PackageLayout(root, folders, installed_modules(package), own, _messages(package), message_constants(package))
 
 
 def _messages(package: PackageFacts) -> frozenset[str]:
@@ -66,4 +69,5 @@ def _joined(listed: list[PackageLayout]) -> PackageLayout:
     folders = tuple(dict.fromkeys(folder for each in listed for folder in each.include_folders))
     roots = tuple(dict.fromkeys(folder for each in listed for folder in each.python_roots))
     messages = frozenset(name for each in listed for name in each.messages)
-    return PackageLayout(listed[0].root, folders, modules, roots, messages)
+    constants = {name: value for each in listed for name, value in each.constants.items()}
+    return PackageLayout(listed[0].root, folders, modules, roots, messages, constants)

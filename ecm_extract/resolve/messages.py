@@ -40,6 +40,25 @@ class Messages:
                 return f"{package}::{name}"
         return None
 
+    def constant(self, name: str, file: File, scope: str) -> str | float | None:
+        """Return the constant of a message that a name means, aliases put in; None of other names.
+
+        Args:
+            name: `pkg.msg.Name.CONSTANT` in Python, in C++ without what the namespaces around it or those used have.
+            file: in which it stands.
+            scope: in which it stands.
+        """
+        bare = name.removeprefix("::")
+        around = (*enclosing_scopes(scope.removeprefix("::")), *self._used(file)) if file.language == "cpp" else ()
+        whole = (f"{outer}::{bare}" for outer in around if outer)
+        return next((found for each in (*whole, bare) if (found := self._stated(each)) is not None), None)
+
+    def _stated(self, name: str) -> str | float | None:
+        package, *rest = name.replace("::", ".").split(".")
+        layout = self._layouts.get(package)
+        inner = rest[1:] if rest[:1] and rest[0] in KINDS else rest
+        return layout.constants.get(".".join(inner)) if layout is not None else None
+
     def _used(self, file: File) -> Iterator[str]:
         for each in (file, *self._included(file)):
             yield from (using.namespace for using in each.facts.usings)

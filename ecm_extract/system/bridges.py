@@ -10,8 +10,8 @@ from ecm_parsers.gz_bridge import BridgedTopic, bridged_argument, parse_bridge_y
 
 from ecm_extract.system.files import Files
 from ecm_extract.system.model import Instance, Place
+from ecm_extract.system.programs import programs
 
-_BRIDGES = frozenset({"parameter_bridge", "bridge_node", "ros_gz_bridge"})
 _ROLES: Final[Mapping[str, tuple[Role, ...]]] = {
     "gz_to_ros": ("publisher",),
     "ros_to_gz": ("subscriber",),
@@ -21,7 +21,7 @@ _ROLES: Final[Mapping[str, tuple[Role, ...]]] = {
 
 def bridged(instance: Instance, files: Files) -> Iterator[tuple[Role, BridgedTopic, Place]]:
     """Yield (role, topic, line) of what an instance carries, when it is a bridge."""
-    if instance.executable not in _BRIDGES:
+    if instance.executable not in programs().bridge.executables:
         return
     for word in instance.arguments:
         topic = bridged_argument(word.text)

@@ -6,17 +6,16 @@ Sources: control.ros.org "Controller Manager"; `InterfaceConfiguration` of ros2_
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
-from importlib import resources
 from types import MappingProxyType
 from typing import Any
 
 from ecm_parsers.parameter_yaml import parse_parameter_yaml
 
 from ecm_extract.link.filling import filled
+from ecm_extract.shipped import shipped
 from ecm_extract.system.files import Files
 from ecm_extract.system.model import Launched, Place, Setting, join
 from ecm_extract.system.modules import ModuleIndex
@@ -184,5 +183,4 @@ def _file(path: str, files: Files) -> list[Setting]:
 @cache
 def public_claims() -> Mapping[str, Sequence[str]]:
     """Return the claims of controllers of public packages by type."""
-    text = (resources.files("ecm_extract.system") / "controllers.toml").read_text("utf-8")
-    return MappingProxyType(tomllib.loads(text)["claims"])
+    return MappingProxyType(shipped("system/controllers.toml")["claims"])

@@ -11,19 +11,17 @@ from ecm_extract.description.model import Description
 from ecm_extract.system.controllers import Controller
 from ecm_extract.system.model import Instance, Launched, Place, Remapping
 from ecm_extract.system.names import absolute
-
-_MANAGERS = frozenset({"ros2_control_node", "controller_manager"})
-_SIMULATOR = "gazebo_ros"
-_BRIDGE = "ros2_control"
-"""Part of the library of each simulator plugin that holds a controller manager."""
+from ecm_extract.system.programs import programs
 
 
 class Hosts:
     """The controller managers of a launch: programs of their own, or plugins of a simulator."""
 
     def __init__(self, launched: Launched, robots: Sequence[Description]) -> None:
-        self._managers = [entry for entry in launched.instances if entry.executable in _MANAGERS and entry.ros == 2]
-        self._simulators = [entry for entry in launched.instances if entry.ros == 1 and entry.package == _SIMULATOR]
+        manager = programs().manager
+        started = launched.instances
+        self._managers = [entry for entry in started if entry.executable in manager.executables and entry.ros == 2]
+        self._simulators = [entry for entry in started if entry.ros == 1 and entry.package == manager.simulator]
         self._robots = robots
         self._settings = tuple(entry for instance in launched.instances for entry in instance.settings)
 
@@ -79,6 +77,6 @@ class Hosts:
     def _of_plugins(self) -> Iterator[Remapping]:
         for robot in self._robots:
             for plugin in robot.plugins:
-                if _BRIDGE in plugin.library:
+                if programs().manager.library in plugin.library:
                     for source, target in plugin.remaps:
                         yield Remapping(source, target, Place(*plugin.where))

@@ -40,6 +40,11 @@ class ModuleIndex:
         self._bases: dict[str, str] = {}
         self._plugins = dict(self._by_lookup_name())
 
+    @property
+    def modules(self) -> Iterator[RunningModule]:
+        """All modules, package by package."""
+        return (module for running in self._packages.values() for module in running.modules)
+
     def _by_lookup_name(self) -> Iterator[tuple[str, RunningModule]]:
         for running in self._packages.values():
             for entry in running.plugins:

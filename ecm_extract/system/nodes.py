@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from fnmatch import fnmatchcase
-from typing import Any, NamedTuple
+from typing import Any
 
 from ecm_checker.contract import Qos
 from ecm_checker.hub.roles import Role
@@ -20,26 +20,32 @@ from ecm_extract.system.model import Instance, Launched, Place, Setting, join
 from ecm_extract.system.modules import Loaded, ModuleIndex
 from ecm_extract.system.names import Around, Resolved, node_matches, resolve
 from ecm_extract.system.node_model import Endpoint, Parameter, SystemNode
+from ecm_extract.system.programs import programs
 from ecm_extract.system.public_nodes import default_name, public_endpoints, public_table
 from ecm_extract.system.settings import all_given
 from ecm_extract.system.spawners import spawned
 
-_OWN_NAME = re.compile(r"\{(?:name|plugin_name|plugin|layer_name|prefix|plugin_id)\}")
-"""Holes that stand for the name under which a plugin is loaded."""
+_LEADING = re.compile(r"~?/?(\{[^{} ]*\})[./]")
+"""What a name of a parameter begins with that is below a name which the source does not show."""
+_NODE = "{node}"
 _OWN_STATE = frozenset({"node", "lifecycle_node", "component"})
 """What a manager hosts has its state changed by calls, not by services."""
 _HOLE = re.compile(r"\{[^{}]*\}")
 
 
-class Plugged(NamedTuple):
+class Plugged:
     """A module of a node; `name` is what the node's parameters call a plugin, empty for the node's own module."""
 
-    module: RunningModule
-    name: str
+    def __init__(self, module: RunningModule, name: str) -> None:
+        self.module = module
+        self.name = name
+        self._own = _own_holes(module) if name else frozenset()
 
     def called(self, text: str) -> str:
         """Return a name of the plugin with the holes for its own name filled."""
-        return _OWN_NAME.sub(self.name, text) if self.name else text
+        for hole in self._own:
+            text = text.replace(hole, self.name)
+        return text
 
 
 class Declared:
@@ -117,13 +123,9 @@ class NodeMaker:
             yield self._node(instance, loaded, first=at == 0)
 
     def _refused(self, instance: Instance) -> Callable[[str], bool]:
-        """Tell which plugins the lists of an instance keep out: `*denylist` and `*blacklist`, less what is allowed."""
-        lists: dict[bool, list[str]] = {True: [], False: []}
-        for setting in instance.settings:
-            if isinstance(setting.value, list) and setting.name.endswith(("list", "lists")):
-                kept = "allow" in setting.name or "white" in setting.name
-                lists[kept] += [str(item) for item in setting.value]
-        denied, allowed = lists[False], lists[True]
+        """Tell which plugins the lists of an instance keep out, less what is let in again."""
+        denied = _listed(instance, frozenset().union(*(row.refused for row in programs().plugin_list)))
+        allowed = _listed(instance, frozenset().union(*(row.allowed for row in programs().plugin_list)))
 
         def refused(name: str) -> bool:
             return any(fnmatchcase(name, entry) for entry in denied) and name not in allowed
@@ -235,6 +237,18 @@ class NodeMaker:
             known = declared.has(setting.name) if plugged else None
             found[setting.name] = Parameter(setting.name, setting.value, setting.place, known)
         yield from (found[name] for name in sorted(found))
+
+
+def _listed(instance: Instance, names: Collection[str]) -> list[str]:
+    """What the launch puts into parameters of an instance that are called so."""
+    lists = (entry.value for entry in instance.settings if entry.name.rpartition("/")[2] in names)
+    return [str(item) for value in lists if isinstance(value, list) for item in value]
+
+
+def _own_holes(module: RunningModule) -> frozenset[str]:
+    """Holes that stand for the name under which a plugin is loaded: a plugin has its parameters below that name."""
+    named = (_LEADING.match(entry.raw_name or entry.name) for entry in module.endpoints if entry.row.value)
+    return frozenset(match[1] for match in named if match is not None) - {_NODE}
 
 
 def _of_state(node: SystemNode, plugged: Sequence[Plugged]) -> Iterator[Endpoint]:

@@ -22,32 +22,11 @@ from ecm_checker.match.packages import Packages
 from ecm_extract.system.model import Place, Remapping
 from ecm_extract.system.names import absolute
 from ecm_extract.system.node_model import Parameter, SystemNode
+from ecm_extract.system.programs import programs
 from ecm_extract.system.started import STARTED
 
 _RENAMES: Final = "renames"
 _FILLS: Final = "fills"
-_ELSEWHERE: Final = frozenset(
-    {
-        "/tf",
-        "/tf_static",
-        "tf",
-        "tf_static",
-        "/rosout",
-        "/parameter_events",
-        "/clock",
-        "robot_description",
-        "/diagnostics",
-    }
-)
-"""Names that client libraries, or libraries that are handed the node, use beside those of its own source."""
-_ALWAYS: Final = (
-    "use_sim_time",
-    "qos_overrides",
-    "start_type_description_service",
-    "robot_description",
-    "use_intra_process",
-)
-"""What parameters begin with that client libraries read for every node."""
 _CAMERA_INFO: Final = "/camera_info"
 _IMAGE: Final = "sensor_msgs/msg/Image"
 _Test = Callable[[SystemNode], bool]
@@ -152,13 +131,13 @@ def _renames(remap: Remapping, node: SystemNode) -> Requirement:
 def _is_elsewhere(source: str, name: str, node: SystemNode) -> bool:
     """Whether a library may make the name; a subscriber of a camera takes the one from beside its image."""
     beside = name.endswith(_CAMERA_INFO) and any(entry.type == _IMAGE for entry in node.endpoints)
-    return beside or source.startswith("__") or source in _ELSEWHERE
+    return beside or source.startswith("__") or source in programs().elsewhere.names
 
 
 def _fills(parameter: Parameter, place: Place, node: SystemNode) -> Requirement:
     """Another parameter may say that it is to be read: its value is the name."""
     is_told = any(entry.value == parameter.name for entry in node.parameters)
-    is_sure = not is_told and not parameter.name.startswith(_ALWAYS)
+    is_sure = not is_told and not parameter.name.startswith(programs().elsewhere.parameters)
     return _required(_FILLS, parameter.name, place, node, "likely" if is_sure else "unknown")
 
 

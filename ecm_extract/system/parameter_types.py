@@ -79,6 +79,7 @@ _READERS: Mapping[Typing, Callable[[str], Any]] = MappingProxyType(
         "yaml": _yaml,
         "auto": _auto,
         "str": lambda text: text,
+        "bare": str.strip,
         "int": lambda text: _converted(text, int),
         "double": lambda text: _converted(text, float),
         "bool": _truth,

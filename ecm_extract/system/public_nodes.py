@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cache
-from importlib import resources
 from typing import Any, NamedTuple
 
 import msgspec
 from ecm_checker.hub.roles import Role
 
+from ecm_extract.shipped import shipped_as
 from ecm_extract.system.model import Instance
+from ecm_extract.system.programs import programs
 from ecm_extract.system.spawners import spawned
 
 
@@ -25,7 +25,6 @@ class PublicEndpoint(NamedTuple):
     when: str = ""
 
 
-_SPAWNERS = frozenset({"controller_manager/spawner", "controller_manager/spawner.py"})
 _SEVERAL = re.compile(r"\$\{([\w.]+#|[\w.]+\*[\w.]+)=\}")
 
 
@@ -51,13 +50,12 @@ class PublicTable(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 @cache
 def public_table() -> PublicTable:
     """Return the table that ships with the package."""
-    text = (resources.files("ecm_extract.system") / "public_nodes.toml").read_text("utf-8")
-    return msgspec.convert(tomllib.loads(text), PublicTable)
+    return shipped_as("system/public_nodes.toml", PublicTable)
 
 
 def default_name(instance: Instance) -> str:
     """Return what a program calls its node when the launch does not: by the table, else like its executable."""
-    if f"{instance.package}/{instance.executable}" in _SPAWNERS:
+    if f"{instance.package}/{instance.executable}" in programs().spawner.nodes:
         return "_".join(["spawner", *(entry.name for entry in list(spawned([instance]))[:1])])
     known = public_table().name.get(f"{instance.package}/{instance.executable}")
     return known or instance.executable.removesuffix(".py") or instance.plugin.rsplit("::", 1)[-1] or "node"

@@ -8,9 +8,7 @@ from ecm_extract.description.model import Description
 from ecm_extract.description.simulator import SimulatorEndpoint, simulator_endpoints
 from ecm_extract.system.model import Instance, Place
 from ecm_extract.system.node_model import Endpoint, SystemNode
-
-_SIMULATORS = frozenset({"gazebo_ros", "ros_gz_sim", "ros_ign_gazebo", "ros_gz", "gz_sim", "gazebo_ros_pkgs"})
-_COMMANDS = frozenset({"gz", "ign", "gazebo", "gzserver", "gzclient"})
+from ecm_extract.system.programs import programs
 
 
 def simulated_nodes(instances: Sequence[Instance], robots: Iterable[Description]) -> list[SystemNode]:
@@ -29,7 +27,8 @@ def simulated_nodes(instances: Sequence[Instance], robots: Iterable[Description]
 
 def _is_simulator(instance: Instance) -> bool:
     words = {word.text for word in instance.arguments[:2]}
-    return instance.package in _SIMULATORS or (instance.kind == "process" and bool(words & _COMMANDS))
+    known = programs().simulator
+    return instance.package in known.packages or (instance.kind == "process" and bool(words & known.commands))
 
 
 def _endpoint(entry: SimulatorEndpoint, node: str) -> Endpoint:

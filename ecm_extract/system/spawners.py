@@ -9,21 +9,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from ecm_extract.system.model import Instance, join
-
-_WITH_VALUE = frozenset(
-    {"-c", "--controller-manager", "-t", "--controller-type", "-p", "--param-file", "-n", "--namespace"}
-    | {
-        "--controller-manager-timeout",
-        "--switch-timeout",
-        "--service-call-timeout",
-        "--controller-ros-args",
-        "--set-state",
-    }
-    | {"--timeout", "--wait-for"}
-)
-_INACTIVE = frozenset({"--inactive", "--load-only", "--stopped", "--unload"})
-_SPAWNERS = frozenset({"spawner", "spawner.py", "controller_manager", "hardware_spawner"})
-_VERBS = frozenset({"spawn", "load", "start", "load_controller", "set_controller_state"})
+from ecm_extract.system.programs import programs
 
 
 class Spawned(NamedTuple):
@@ -44,7 +30,7 @@ def spawned(instances: Sequence[Instance]) -> Iterator[Spawned]:
     """Yield the controllers that instances load."""
     for instance in instances:
         words = [word.text for word in instance.arguments]
-        if instance.executable in _SPAWNERS and instance.executable != "hardware_spawner":
+        if instance.executable in programs().spawner.executables:
             yield from _of_words(words, instance)
         elif instance.kind == "process" and "control" in words and "load_controller" in words:
             yield from _of_words(words[words.index("load_controller") + 1 :], instance)
@@ -56,15 +42,16 @@ def _of_words(words: Sequence[str], instance: Instance) -> Iterator[Spawned]:
     at = 0
     while at < len(words):
         word = words[at]
-        if word in _WITH_VALUE:
+        if word in programs().spawner.with_value:
             values.setdefault(word, []).append(words[at + 1] if at + 1 < len(words) else "")
             at += 2
             continue
-        if not word.startswith("-") and ":=" not in word and word not in _VERBS:
+        if not word.startswith("-") and ":=" not in word and word not in programs().spawner.verbs:
             names.append(word)
         at += 1
     is_loaded = bool(words) and words[0] == "load" and instance.executable == "controller_manager"
-    active = not is_loaded and not _INACTIVE & set(words) and values.get("--set-state", ["active"]) != ["inactive"]
+    active = not is_loaded and not programs().spawner.inactive & set(words)
+    active = active and values.get("--set-state", ["active"]) != ["inactive"]
     kind = next(iter(values.get("-t", values.get("--controller-type", []))), "")
     files = (*values.get("-p", ()), *values.get("--param-file", ()))
     manager = next(iter(values.get("-c", values.get("--controller-manager", []))), "")

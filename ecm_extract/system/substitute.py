@@ -14,6 +14,7 @@ from ecm_parsers.expression import ExpressionError, evaluate
 from ecm_parsers.launch.model import Substitution, Template
 
 from ecm_extract.system.budget import Budget
+from ecm_extract.system.eval_functions import launch_functions
 from ecm_extract.system.files import Files
 from ecm_extract.system.model import Text
 from ecm_extract.system.scope import Scope
@@ -21,7 +22,6 @@ from ecm_extract.system.scope import Scope
 MAX_DEPTH = 40
 MAX_TEXT = 100_000
 MAX_SHOWN = 60
-_CALL = re.compile(r"""\b(arg|env|optenv|find)\(\s*(['"])([^'"]*)\2\s*(?:,\s*(['"])([^'"]*)\4\s*)?\)""")
 _TRUE = frozenset({"true", "1", "on", "yes"})
 _FALSE = frozenset({"false", "0", "", "off", "no"})
 
@@ -123,14 +123,18 @@ class Substituter:
         path = self._args(part, depth)
         return path[0] if path else hole("file")
 
+    def _content(self, part: Substitution, depth: int) -> Text:
+        """What a file holds is not read here; the path tells which one."""
+        path = self._file(part, depth)
+        return hole(f"content of {path.text}")
+
     def _expression(self, part: Substitution, depth: int) -> Text:
         text = self.text(part.args[0] if part.args else (), depth)
         if not text.known:
             return Text(f"{{{text.text.strip()}}}", known=False)
         names: dict[str, Any] = {name: typed(value.text) for name, value in self.arguments.items() if value.known}
-        code, calls = _without_calls(text.text.strip(), self)
         try:
-            return Text(plain_text(evaluate(code, {**names, **calls})))
+            return Text(plain_text(evaluate(text.text.strip(), names, functions=launch_functions(self, typed))))
         except ExpressionError:
             return hole(text.text.strip())
 
@@ -241,21 +245,6 @@ def _all(given: list[Text], word: str, *, stop: bool) -> Text:
     return hole(f" {word} ".join(unknown)) if unknown else Text(str(not stop).lower())
 
 
-def _without_calls(code: str, substituter: Substituter) -> tuple[str, dict[str, Any]]:
-    """Replace `arg('x')`, `optenv('x', 'default')` and the like of roslaunch's `$(eval)` by names with their values."""
-    names: dict[str, Any] = {}
-
-    def replace(match: re.Match[str]) -> str:
-        words: tuple[Template, ...] = ((match[3],), (match[5] or "",)) if match[1] == "optenv" else ((match[3],),)
-        value = substituter.text((Substitution(match[1].removeprefix("opt"), words),))
-        if not value.known:
-            return match[0]
-        names[f"value_{len(names)}"] = typed(value.text)
-        return f"value_{len(names) - 1}"
-
-    return _CALL.sub(replace, code), names
-
-
 _KINDS: Mapping[str, Callable[[Substituter, Substitution, int], Text]] = MappingProxyType(
     {
         "arg": Substituter._argument,
@@ -267,6 +256,7 @@ _KINDS: Mapping[str, Callable[[Substituter, Substitution, int], Text]] = Mapping
         "command": Substituter._unknown_command,
         "file": Substituter._file,
         "yaml": Substituter._file,
+        "content": Substituter._content,
         "eval": Substituter._expression,
         "not": Substituter._not,
         "and": Substituter._and,

@@ -102,13 +102,19 @@ _METHODS: Mapping[type, frozenset[str]] = MappingProxyType(
 _MODULES = frozenset({"math", "xacro", "python", "np", "numpy"})
 
 
-def evaluate(text: str, names: Mapping[str, Any], budget: Budget | None = None) -> Any:
+def evaluate(
+    text: str,
+    names: Mapping[str, Any],
+    budget: Budget | None = None,
+    functions: Mapping[str, Callable[..., Any]] = _FUNCTIONS,
+) -> Any:
     """Evaluate an expression.
 
     Args:
         text: Python, at most `MAX_LENGTH` characters.
         names: values by name; a name may be dotted (`ns.property`).
         budget: that this expression shares with others; of its own when not given.
+        functions: that may be called by name, beside those of all expressions; they raise `ExpressionError`.
 
     Returns:
         Text, number, truth value, None, list, tuple or dict.
@@ -124,7 +130,7 @@ def evaluate(text: str, names: Mapping[str, Any], budget: Budget | None = None) 
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             tree = ast.parse(text.strip(), mode="eval")
-        return _Evaluator(names, budget or Budget()).value(tree.body)
+        return _Evaluator(names, budget or Budget(), functions).value(tree.body)
     except ExpressionError:
         raise
     except (SyntaxError, ValueError, TypeError, ArithmeticError, LookupError, AttributeError) as error:
@@ -138,8 +144,9 @@ def evaluate(text: str, names: Mapping[str, Any], budget: Budget | None = None) 
 class _Evaluator:
     """Walks one expression; counts what it does."""
 
-    def __init__(self, names: Mapping[str, Any], budget: Budget) -> None:
+    def __init__(self, names: Mapping[str, Any], budget: Budget, functions: Mapping[str, Callable[..., Any]]) -> None:
         self.names = names
+        self._functions = functions
         self.steps = 0
         self._budget = budget
         self._local: dict[str, Any] = {}
@@ -223,7 +230,7 @@ class _Evaluator:
         if isinstance(node.func, ast.Attribute) and not _is_module(node.func.value):
             return self._method(node.func, args, keywords)
         name = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
-        function = _FUNCTIONS.get(name)
+        function = self._functions.get(name) or _FUNCTIONS.get(name)
         if function is None:
             msg = f"`{name}` is no function of expressions. Write it without."
             raise UnknownNameError(msg)

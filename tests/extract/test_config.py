@@ -1,11 +1,10 @@
 from contextlib import suppress
-from pathlib import Path
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from ecm_extract.config import MAX_CONFIG_BYTES, Config, Extract, load_config, locate, parse_config
+from ecm_extract.config import MAX_CONFIG_BYTES, Config, Extract, locate, parse_config
 from ecm_extract.errors import ConfigError
 from ecm_extract.link.forms import Form
 
@@ -99,11 +98,3 @@ def test_locate_row() -> None:
     assert locate(text, ("form", 1, "b")) == 4
     assert locate(text, ("form", 1, "missing")) == 3
     assert locate(text, ("nothing",)) == 0
-
-
-def test_load(tmp_path: Path) -> None:
-    """A folder without `ecm.toml` has the defaults; one that cannot be opened as a file is an error."""
-    assert load_config(tmp_path) == Config()
-    (tmp_path / "ecm.toml").mkdir()
-    with pytest.raises(ConfigError, match="cannot be read"):
-        load_config(tmp_path)

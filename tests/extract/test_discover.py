@@ -47,6 +47,16 @@ def test_ignored_folders(tmp_path: Path, marker: str) -> None:
     assert "its 4 file(s)" in tree.diagnostics[0].message
 
 
+@pytest.mark.parametrize("marker", ["COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE"])
+def test_marker_inside_of_a_package(tmp_path: Path, marker: str) -> None:
+    """A marker hides packages: files of the package that it lies in stay, of which nothing is said as left out."""
+    tree = _tree(tmp_path, "a/package.xml", f"a/b/{marker}", "a/b/x.py", "a/b/in/package.xml", f"a/c/{marker}")
+    assert _packages(tree) == {"a": [f"a/b/{marker}", "a/b/x.py", f"a/c/{marker}", "a/package.xml"]}
+    discover(tree)
+    assert [d.path for d in tree.diagnostics] == ["a/b"]
+    assert "its 1 file(s)" in tree.diagnostics[0].message
+
+
 def test_marker_in_the_given_folder(tmp_path: Path) -> None:
     """A marker in the folder that the user named does not hide it."""
     tree = _tree(tmp_path, "COLCON_IGNORE", "package.xml")

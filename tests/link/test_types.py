@@ -142,6 +142,38 @@ def test_services_of_ros1_callbacks(workspace: Any, request_type: str, expected:
     assert workspace.package({"src/m.cpp": text}, ros=1).only("service_server").type == expected
 
 
+CALLBACKS = """
+#include <ros/ros.h>
+void said(const std_msgs::String::ConstPtr & message){end}
+bool set(std_srvs::SetBool::Request & request, std_srvs::SetBool::Response & response){end}
+"""
+
+
+def test_callbacks_that_another_file_defines(workspace: Any) -> None:
+    """A header declares the functions that a program hands over, and another source of it defines them."""
+    main = """#include "callbacks.h"
+int main(int c, char ** v) {
+  ros::init(c, v, "n");
+  ros::NodeHandle nh;
+  auto sub = nh.subscribe("said", 1, said);
+  auto server = nh.advertiseService("set", set);
+}"""
+    build = "project(pkg)\ninclude_directories(include)\nadd_executable(n src/main.cpp src/callbacks.cpp)\n"
+    files = {"CMakeLists.txt": build, "include/callbacks.h": CALLBACKS.format(end=";"), "src/main.cpp": main}
+    workspace.package({**files, "src/callbacks.cpp": CALLBACKS.format(end=" { }")}, ros=1)
+    assert workspace.only("subscriber").type == "std_msgs/msg/String"
+    assert workspace.only("service_server").type == "std_srvs/srv/SetBool"
+
+
+def test_names_of_macros_side_by_side(workspace: Any) -> None:
+    """`#define FULL NODE LEAF` is both texts, as the compiler joins them."""
+    text = """#define NODE "demo"
+#define LEAF "/port"
+#define FULL NODE LEAF
+int main(int c, char ** v) { ros::init(c, v, NODE); ros::NodeHandle nh; int port; nh.getParam(FULL, port); }"""
+    assert workspace.package({"src/m.cpp": text}, ros=1).only("parameter").name == "/demo/port"
+
+
 PARAMETERS = [
     ('int level = declare_parameter("p", (int)given_);', "integer"),
     ('member_ = declare_parameter("p", TABLE[0]);', "double"),

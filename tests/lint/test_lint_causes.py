@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from lint_fixtures import lint
 
-from ecm_extract.lint.distributions import is_for_older
+from ecm_extract.entities.distributions import is_for_older
 from ecm_extract.tree import left_out, open_tree
 
 CATKIN = "cmake_minimum_required(VERSION 3.5)\nproject(pkg)\nfind_package(catkin REQUIRED)\ncatkin_package({})\n"

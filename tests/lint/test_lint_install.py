@@ -35,6 +35,9 @@ ROWS = [
     (1, "install(DIRECTORY include/ DESTINATION ${CATKIN_GLOBAL_INCLUDE_DESTINATION})", []),
     (2, "install(DIRECTORY include/ DESTINATION include/${PROJECT_NAME})", []),
     (2, "install(DIRECTORY include/ DESTINATION include)", []),
+    (2, "install(DIRECTORY include DESTINATION include/../)", []),
+    (1, "install(DIRECTORY include DESTINATION .)", []),
+    (1, f"install(DIRECTORY include DESTINATION {INCLUDE}/..)", ["LNT058"]),
     (1, "install(DIRECTORY config DESTINATION share)", ["LNT059"]),
     (1, "install(DIRECTORY config DESTINATION share OPTIONAL)", []),
     (1, "if(EXISTS config)\ninstall(DIRECTORY config DESTINATION share)\nendif()", []),
@@ -68,6 +71,15 @@ def test_install_rules(workspace: Workspace, ros: int, text: str, expected: list
     }
     found = [finding.rule for finding in lint(workspace.package(files, ros=ros).root)]
     assert [rule for rule in found if "LNT057" <= rule <= "LNT060"] == expected
+
+
+@pytest.mark.parametrize("marker", ["COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE"])
+def test_a_folder_of_a_package_with_a_marker(workspace: Workspace, marker: str) -> None:
+    """LNT059: a marker hides packages from the build tool, and no files from the install rules around it."""
+    text = HEAD[2] + "install(PROGRAMS scripts/talk.py scripts/gone.py DESTINATION lib/${PROJECT_NAME})\n"
+    files = {"CMakeLists.txt": text, f"scripts/{marker}": "", "scripts/talk.py": "#!/usr/bin/env python3\n"}
+    found = [finding for finding in lint(workspace.package(files, ros=2).root) if finding.rule == "LNT059"]
+    assert [finding.message.split(":")[0] for finding in found] == ["pkg installs scripts/gone.py, which is not there"]
 
 
 def test_a_header_that_another_package_includes(workspace: Workspace) -> None:

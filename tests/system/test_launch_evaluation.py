@@ -97,7 +97,12 @@ def test_condition_is_shown_as_a_person_would_say_it(condition: str, shown: str,
 
 @pytest.mark.parametrize(
     ("expression", "name"),
-    [("optenv('X', 'a') + 'b'", "/ab"), ("optenv('X') + 'b'", "/b"), ("env('Y') + 'b'", "/yb"), ("arg('z')", "/w")],
+    [("optenv('X', 'a') + 'b'", "/ab"), ("optenv('X') + 'b'", "/b"), ("env('Y') + 'b'", "/yb"), ("arg('z')", "/w")]
+    + [
+        ("env(z.upper()[:0] + 'Y')", "/y"),
+        ("optenv('X', arg('z'))", "/w"),
+        ("optenv('X', find('p')).split(':')[0]", "/tree"),
+    ],
 )
 def test_calls_in_expressions_of_ros1(expression: str, name: str, tmp_path: Path) -> None:
     """`$(eval)` of roslaunch asks for arguments and the environment, with defaults."""

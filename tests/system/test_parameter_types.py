@@ -179,6 +179,8 @@ def test_words_that_are_not_for_ros_set_nothing(tmp_path: Path) -> None:
         ('<param name="x" value="yes"/>', "yes"),
         ('<param name="x" value="1" type="str"/>', "1"),
         ('<param name="x" value="1" type="string"/>', "1"),
+        ('<param name="x" value=" " type="string"/>', ""),
+        ('<param name="x" value=" a b " type="str"/>', "a b"),
         ('<param name="x" value="1" type="double"/>', 1.0),
         ('<param name="x" value="1" type="bool"/>', True),
         ('<param name="x" value="[1, yes]" type="yaml"/>', [1, True]),

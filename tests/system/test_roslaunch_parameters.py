@@ -45,6 +45,10 @@ def parameters(folder: Path, body: str) -> dict[str, Any]:
     [
         (f'<include file="$(find p)/inner.launch">{CHOICE.format("unless", "if")}</include>', {"/mode": "real"}),
         (f'<include file="$(find p)/inner.launch">{CHOICE.format("if", "unless")}</include>', {"/mode": "fake"}),
+        (
+            '<arg name="w" default="b"/><param name="d" textfile="$(find p)/$(arg w).srdf"/>',
+            {"/d": "{content of tree:/b.srdf}"},
+        ),
         (f'<param name="~rate" value="5"/>{NODE}', {"/n/rate": 5}),
         (
             f'<group ns="g"><param name="~rate" value="5"/>{NODE}</group><node pkg="p" type="t" name="m"/>',

@@ -54,6 +54,17 @@ class Provided(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, gc
     when: tuple[Condition, ...] = ()
 
 
+class Around(msgspec.Struct, frozen=True, omit_defaults=True):
+    """What the tree of a package says outside of its packages, for all that lies in it.
+
+    Attributes:
+        distributions: that it says to be for, sorted. fetched: names of repositories that it fetches beside, sorted.
+    """
+
+    distributions: tuple[str, ...] = ()
+    fetched: tuple[str, ...] = ()
+
+
 class Hub(msgspec.Struct, frozen=True, kw_only=True):
     """What a package provides and requires, and what two releases of it are compared by beside.
 
@@ -73,6 +84,7 @@ class Hub(msgspec.Struct, frozen=True, kw_only=True):
         makes_files: whether its build may make files, or put some where nothing tells.
         tells_installed: whether all that it installs is known, and there is something.
         unbuilt: sources of C++ that no target of it has, by path.
+        around: what its tree says for all packages in it; absent where it says nothing.
         running: what launch files need of it; documents of older versions and those of a corpus have none.
     """
 
@@ -90,6 +102,7 @@ class Hub(msgspec.Struct, frozen=True, kw_only=True):
     makes_files: bool = True
     tells_installed: bool = False
     unbuilt: tuple[str, ...] = ()
+    around: Around | UnsetType = UNSET
     running: Running | UnsetType = UNSET
 
 
@@ -122,6 +135,10 @@ class Package(Hub, frozen=True, kw_only=True):
     def inside(self, path: str) -> str:
         """Return a path of the tree from its own folder."""
         return path.removeprefix(f"{self.path}/") if self.path not in {"", "."} else path
+
+    def holds(self, path: str) -> bool:
+        """Tell whether a path of the tree is below its folder."""
+        return self.path in {"", "."} or path.startswith(f"{self.path}/")
 
     @property
     def gaps(self) -> tuple[NotRead, ...]:

@@ -162,8 +162,8 @@ def _not_asked(known: Outside) -> Iterator[str]:
     from ecm_extract.lint.catalogue import catalogue
 
     if known.documents:
-        rules = " and ".join(entry.rule.id for entry in catalogue() if entry.rule.of_one_tree)
-        yield f"not asked of documents: {rules}, which compare packages of one tree; launches and descriptions in them"
+        rules = ", ".join(entry.rule.id for entry in catalogue() if entry.rule.of_one_tree)
+        yield f"not asked of documents: {rules}, which compare packages of one tree"
 
 
 def _selected(texts: tuple[str, ...]) -> frozenset[str]:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import networkx as nx
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Depend, Entity, Finding, Severity
+from ecm_checker.hub.package import Package
 from ecm_parsers.package_references import parse_references
 
 from ecm_extract.discover import is_test_path
@@ -47,17 +48,21 @@ def check(workspace: Workspace) -> Iterator[Finding]:
 
 
 class _Reach:
-    """What the packages of the workspace bring along when they are installed."""
+    """What the packages of the workspace, and those of documents beside it, bring along when they are installed."""
 
     def __init__(self, workspace: Workspace) -> None:
         manifests = [package.manifest for package in workspace.packages if package.manifest is not None]
-        self._own = frozenset(workspace.by_name)
+        others = [each for each in workspace.stored if each.name not in workspace.by_name]
+        self._own = frozenset((*workspace.by_name, *(each.name for each in others)))
         self._graph: nx.DiGraph[str] = nx.DiGraph()
         self._graph.add_nodes_from(sorted(self._own))
         self._graph.add_edges_from((item.name, entry.name) for item in manifests for entry in item.dependencies)
+        self._graph.add_edges_from((each.name, name) for each in others for name in _needed(each))
         self._wanted = self._graph.copy()
         edges = ((package.name, used) for package in workspace.packages for used in _used(workspace, package))
-        self._wanted.add_edges_from((name, used) for name, used in edges if {name, used} <= self._own)
+        named = ((each.name, row.package) for each in others for row in each.requires if row.package)
+        both = (*edges, *named)
+        self._wanted.add_edges_from((name, used) for name, used in both if {name, used} <= self._own)
 
     def is_absent(self, package: str, used: str) -> bool:
         """Tell whether `used` is of the tree, is not brought along, and could be asked for without a circle.
@@ -67,6 +72,11 @@ class _Reach:
         if used not in self._own or nx.has_path(self._graph, package, used):
             return False
         return not nx.has_path(self._wanted, used, package)
+
+
+def _needed(document: Package) -> Iterator[str]:
+    """What the manifest of a package names."""
+    return (row.name for row in document.requires if row.row.brings and row.evidence[0].path == document.manifest)
 
 
 def _used(workspace: Workspace, package: PackageFacts) -> dict[str, list[Evidence]]:

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Iterator, Mapping
 from functools import cache
-from importlib import resources
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -16,6 +14,7 @@ from ecm_extract.link.units import File
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.shipped import shipped
 
 RULE = LintRule(
     id="LNT020",
@@ -41,8 +40,7 @@ class _Others(NamedTuple):
 @cache
 def python_packages() -> Mapping[str, str]:
     """Return the package of widely used Python modules."""
-    text = (resources.files("ecm_extract.lint") / "python_packages.toml").read_text("utf-8")
-    return MappingProxyType(tomllib.loads(text)["packages"])
+    return MappingProxyType(shipped("lint/python_packages.toml")["packages"])
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
@@ -50,7 +48,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     files: dict[str, list[File]] = {}
     for file in workspace.linker.program.files:
         files.setdefault(file.package, []).append(file)
-    others = _Others(frozenset(workspace.by_name) | {each.name for each in workspace.stored}, _homes(workspace))
+    others = _Others(frozenset(workspace.by_name) | {each.name for each in workspace.others}, _homes(workspace))
     for package in workspace.packages:
         if package.manifest is None or package.root.rosbuild:
             continue
@@ -77,7 +75,7 @@ def _sources(workspace: Workspace) -> Iterator[tuple[str, str]]:
     """Yield each package with its files; of one that is known by its document those that the document lists."""
     for package in workspace.packages:
         yield from ((package.name, path) for path in package.sources)
-    for document in workspace.stored:
+    for document in workspace.others:
         if document.name not in workspace.by_name:
             yield from ((document.name, path) for path in document.files)
 

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Iterator
 from functools import cache
-from importlib import resources
 
 import networkx as nx
 from ecm_checker.contract import Evidence
@@ -14,6 +12,7 @@ from ecm_checker.finding import Entity, Finding
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.shipped import shipped_names
 
 RULE = LintRule(
     id="LNT021",
@@ -23,6 +22,7 @@ RULE = LintRule(
     who="source",
     consequence="the build tool finds no order in which to build the workspace",
     resolution="remove one of the dependencies, or depend on the packages that are meant (REP 127)",
+    of_one_tree=True,
 )
 _BUILDS = frozenset({"build", "build_export", "buildtool", "buildtool_export", "depend", "exec", "run"})
 
@@ -30,8 +30,7 @@ _BUILDS = frozenset({"build", "build_export", "buildtool", "buildtool_export", "
 @cache
 def known_metapackages() -> frozenset[str]:
     """Return the metapackages of ROS 1 distributions."""
-    text = (resources.files("ecm_extract.lint") / "metapackages.toml").read_text("utf-8")
-    return frozenset(tomllib.loads(text)["ros1"]["names"])
+    return shipped_names("lint/metapackages.toml", "ros1")
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Final
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding, Severity
+from ecm_checker.hub.package import Provided
 
+from ecm_extract.link.call_index import call_index
 from ecm_extract.link.units import Func
 from ecm_extract.lint.deprecations import deprecated_in
 from ecm_extract.lint.rule import LintRule
@@ -25,6 +30,10 @@ RULE = LintRule(
 )
 _HEADERS = (".h", ".hh", ".hpp", ".hxx")
 _PRIVATE = "_"
+_PACKAGE: Final = "package"
+_CALLED: Final = ("function", "method")
+_LAST: Final = re.compile(r"::|\.")
+"""What parts names of C++ and of Python."""
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
@@ -48,6 +57,7 @@ def _packages(workspace: Workspace) -> Iterator[Finding]:
         for package in workspace.packages
         if package.manifest is not None and package.manifest.deprecated is not None
     }
+    marked |= {row.name: row.deprecated for _, row in _told(workspace, _PACKAGE) if row.deprecated is not None}
     for package in workspace.packages:
         for entry in package.manifest.dependencies if package.manifest is not None else ():
             if entry.name in marked and package.name not in marked and not is_meta(package):
@@ -59,9 +69,13 @@ def _packages(workspace: Workspace) -> Iterator[Finding]:
 
 def _functions(workspace: Workspace) -> Iterator[Finding]:
     """Calls of functions whose every declaration of that name is marked, from outside of their class."""
+    told = _functions_told(workspace)
+    yield from _called_outside(workspace, told)
     for name, functions in workspace.linker.program.functions.items():
         marked = [func for func in functions if "deprecated" in func.fact.traits]
         if not marked or name.startswith(_PRIVATE) or not _is_only(marked, functions):
+            continue
+        if not all(_is_marked(row) for _, row in told.get(name, ())):
             continue
         homes = {func.cls for func in marked if func.cls is not None}
         for call in workspace.linker.sites.calls.get(name, ()):
@@ -72,6 +86,48 @@ def _functions(workspace: Workspace) -> Iterator[Finding]:
                 user = call.func.file.package
                 level: Severity | None = "info" if user == marked[0].file.package else None  # its author knows
                 yield RULE.finding(text, entity, user, places, certainty="likely", severity=level)
+
+
+_Rows = Sequence[tuple[str, Provided]]
+"""What documents tell of packages beside the tree, with the names of these."""
+
+
+def _told(workspace: Workspace, *kinds: str) -> Iterator[tuple[str, Provided]]:
+    """Yield the names of some kinds that documents tell of packages beside the tree."""
+    others = (each for each in workspace.stored if each.name not in workspace.by_name)
+    return ((each.name, row) for each in others for row in each.provides if row.kind in kinds)
+
+
+def _functions_told(workspace: Workspace) -> Mapping[str, _Rows]:
+    """The functions and methods of documents by their last part."""
+    found: dict[str, list[tuple[str, Provided]]] = defaultdict(list)
+    for package, row in _told(workspace, *_CALLED):
+        found[_LAST.split(row.name)[-1]].append((package, row))
+    return found
+
+
+def _is_marked(row: Provided) -> bool:
+    """Tell whether a declaration carries the mark; a comment alone marks none of its forms."""
+    return row.deprecated is not None and all(form.deprecated for form in row.forms)
+
+
+def _called_outside(workspace: Workspace, told: Mapping[str, _Rows]) -> Iterator[Finding]:
+    """Calls of what only documents declare."""
+    program = workspace.linker.program
+    marked = {
+        name: rows[0]
+        for name, rows in told.items()
+        if name not in program.functions and not name.startswith(_PRIVATE) and all(_is_marked(row) for _, row in rows)
+    }
+    calls = call_index(program, marked.keys(), frozenset())
+    for name, (package, row) in marked.items():
+        entity = Entity("function", f"{row.owner or row.name.rpartition('::')[0]}::{name}")
+        at = row.evidence[0]
+        declared = Evidence(workspace.lines.of(package, at.path), at.line)
+        for call in calls.get(name, ()):
+            file = call.func.file
+            places = [Evidence(file.path, call.line), declared]
+            yield RULE.finding(f"{name} is deprecated", entity, file.package, places, certainty="likely")
 
 
 def _is_only(marked: list[Func], functions: list[Func]) -> bool:

@@ -88,9 +88,9 @@ def _never_installed(found: list[Finding]) -> Finding:
 
 
 def _launched(workspace: Workspace) -> dict[str, set[str]]:
-    """Programs that launch files of the workspace start, by package."""
+    """Programs that launch files of the workspace, and of documents beside it, start, by package."""
     found: dict[str, set[str]] = {}
-    for facts in workspace.launches.values():
+    for facts in (*workspace.launches.values(), *workspace.beside.launches.values()):
         for action in all_actions(facts.actions):
             package, name = (
                 (plain_text(action.package), plain_text(action.executable))
@@ -105,14 +105,18 @@ def _launched(workspace: Workspace) -> dict[str, set[str]]:
 def _named(workspace: Workspace) -> dict[str, set[str]]:
     """Files that launch files and descriptions name in the share folder of a package."""
     found: dict[str, set[str]] = {}
-    for package in workspace.packages:
-        for entry in package.root.files:
-            if entry.path.endswith(_NAMING) and not is_test_path(entry.path, package.root.path):
-                read = workspace.files.parsed(entry.path, parse_references)
-                for named in read.facts if read is not None else ():
-                    if _SUFFIX.search(named.path):
-                        found.setdefault(named.package, set()).add(named.path)
+    for path in (*_naming(workspace), *workspace.beside.ending(*_NAMING)):
+        read = workspace.beside.files.parsed(path, parse_references)
+        for named in read.facts if read is not None else ():
+            if _SUFFIX.search(named.path):
+                found.setdefault(named.package, set()).add(named.path)
     return found
+
+
+def _naming(workspace: Workspace) -> Iterator[str]:
+    for package in workspace.packages:
+        paths = (entry.path for entry in package.root.files if entry.path.endswith(_NAMING))
+        yield from (path for path in paths if not is_test_path(path, package.root.path))
 
 
 def _described(package: PackageFacts) -> set[str]:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping
 
-from ecm_checker.contract import Interface
+from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding, Severity
+from ecm_checker.hub.running import RunningEndpoint, RunningModule
 
-from ecm_extract.link.linker import LinkedModule
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 
@@ -31,26 +32,27 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     file starts it by another name.
     """
     names = _started(workspace)
-    for entry in workspace.linked:
-        package = workspace.by_name.get(entry.module.package)
-        absolute = [item for item in entry.interfaces if _is_absolute(item)] if package and package.ros == 1 else []
-        spaces: dict[str, list[Interface]] = {}
-        for item in absolute:
-            spaces.setdefault(_space(item.raw_name), []).append(item)
-        for space, items in spaces.items():
-            started = names.get((entry.module.package, entry.module.name), {space})
-            missed = len(items) > 1 and _is_own(space, entry) and space not in started
-            yield _finding(entry, items, "warning" if missed else "info")
+    for module in workspace.index.modules:
+        absolute = [each for each in module.endpoints if _is_absolute(each)]
+        for space, items in (_by_space(absolute) if workspace.ros_of(module.package) == 1 else {}).items():
+            started = names.get((module.package, module.name), {space})
+            missed = len(items) > 1 and _is_own(space, module) and space not in started
+            yield _finding(module, items, "warning" if missed else "info")
 
 
-def _finding(entry: LinkedModule, items: list[Interface], level: Severity) -> Finding:
+def _by_space(items: Iterable[RunningEndpoint]) -> Mapping[str, list[RunningEndpoint]]:
+    found: dict[str, list[RunningEndpoint]] = defaultdict(list)
+    for item in items:
+        found[_space(item.raw_name)].append(item)
+    return found
+
+
+def _finding(module: RunningModule, items: list[RunningEndpoint], level: Severity) -> Finding:
     name = items[0].raw_name
     more = f" and {len(items) - 1} more" if len(items) > 1 else ""
-    text = f"{entry.module.name} reads {name}{more}, which is absolute"
-    evidence = [item.evidence[0] for item in items]
-    return RULE.finding(
-        text, Entity("parameter", name, owner=entry.module.name), entry.module.package, evidence, severity=level
-    )
+    text = f"{module.name} reads {name}{more}, which is absolute"
+    evidence = [Evidence(item.path, item.line) for item in items]
+    return RULE.finding(text, Entity("parameter", name, owner=module.name), module.package, evidence, severity=level)
 
 
 def _started(workspace: Workspace) -> dict[tuple[str, str], set[str]]:
@@ -64,9 +66,9 @@ def _started(workspace: Workspace) -> dict[tuple[str, str], set[str]]:
     return found
 
 
-def _is_absolute(interface: Interface) -> bool:
-    name = interface.raw_name
-    own = interface.row.value and name.startswith("/") and interface.confidence != "pattern"
+def _is_absolute(item: RunningEndpoint) -> bool:
+    name = item.raw_name
+    own = item.row.value and name.startswith("/") and "{" not in name
     return own and name not in _SHARED and not name.startswith(_SHARED_PREFIXES)
 
 
@@ -75,13 +77,13 @@ def _space(name: str) -> str:
     return name.split("/")[1] if name.count("/") > 1 else ""
 
 
-def _is_own(space: str, entry: LinkedModule) -> bool:
+def _is_own(space: str, module: RunningModule) -> bool:
     """Tell whether a namespace is called as the program or its node is, or as its package."""
     wanted = _plain(space)
     if not wanted:
         return False
-    names = [_plain(name) for name in (entry.module.name, entry.node or "") if name]
-    return wanted == _plain(entry.module.package) or any(wanted in name or name in wanted for name in names)
+    names = [_plain(name) for name in (module.name, module.node or "") if name]
+    return wanted == _plain(module.package) or any(wanted in name or name in wanted for name in names)
 
 
 def _plain(name: str) -> str:

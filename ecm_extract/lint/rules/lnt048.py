@@ -9,8 +9,9 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Final, NamedTuple
 
-from ecm_checker.contract import Interface
+from ecm_checker.contract import Evidence, Interface
 from ecm_checker.finding import Entity, Finding
+from ecm_checker.hub.running import RunningEndpoint
 from ecm_parsers.source.expr import Call, Expr, Member
 from ecm_parsers.source.facts import Statement
 
@@ -52,7 +53,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     """Report each such reader once, with the publishers of other packages that offer less."""
     publishers = _by_package(workspace)
     for reader in _readers(workspace):
-        weak: dict[str, list[tuple[Interface, str]]] = {}
+        weak: dict[str, list[tuple[RunningEndpoint, str]]] = {}
         for package, offers in sorted(publishers.items()):
             for offer in offers if package != reader.package else ():
                 policy = mismatch(offer.qos, reader.interface.qos)
@@ -108,15 +109,15 @@ def _chooses(statement: Statement) -> bool:
     return statement.depth > 0 and (called in _SETTERS or written in _POLICIES)
 
 
-def _by_package(workspace: Workspace) -> dict[str, list[Interface]]:
-    found: dict[str, list[Interface]] = {}
-    for entry in workspace.linked:
-        known = [each for each in entry.interfaces if each.row.writes and "{" not in each.name and each.qos]
-        found.setdefault(entry.module.package, []).extend(known)
+def _by_package(workspace: Workspace) -> dict[str, list[RunningEndpoint]]:
+    found: dict[str, list[RunningEndpoint]] = {}
+    for module in workspace.index.modules:
+        known = [each for each in module.endpoints if each.row.writes and "{" not in each.name and each.qos]
+        found.setdefault(module.package, []).extend(known)
     return found
 
 
-def _finding(reader: Reader, weak: Mapping[str, Sequence[tuple[Interface, str]]]) -> Finding:
+def _finding(reader: Reader, weak: Mapping[str, Sequence[tuple[RunningEndpoint, str]]]) -> Finding:
     package, found = next(iter(weak.items()))
     offer, policy = found[0]
     asked, given = getattr(reader.interface.qos, policy), getattr(offer.qos, policy)
@@ -126,7 +127,7 @@ def _finding(reader: Reader, weak: Mapping[str, Sequence[tuple[Interface, str]]]
     )
     if len(weak) > 1:
         text += f" ({len(weak) - 1} more packages do so)" if len(weak) > 2 else " (1 more package does so)"
-    places = [entry.evidence[0] for offers in weak.values() for entry, _ in offers]
+    places = [Evidence(entry.path, entry.line) for offers in weak.values() for entry, _ in offers]
     evidence = [*reader.interface.evidence[:1], *places[:MAX_PLACES]]
     entity = Entity("topic", reader.interface.name, package)
     return RULE.finding(text, entity, reader.package, evidence, certainty="likely")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Certainty, Entity, Finding
@@ -26,6 +26,8 @@ RULE = LintRule(
     consequence="Python stops with ValueError when it gets there",
     resolution="unpack as many values as there are",
 )
+_GENERATOR: Final = "generator"
+"""A trait of functions whose calls give what they yield, not what they return."""
 
 
 class _Unpacking(NamedTuple):
@@ -102,25 +104,15 @@ def _made(source: Call | Taken, func: Func, workspace: Workspace) -> Count | Non
     if isinstance(source, Taken):
         return held(source, program.ancestry(func.cls)) if func.cls is not None else None
     reached = callees(source, func, program)
-    counts = [returned(other) if not _is_generator(other, workspace) else None for other in reached]
+    counts = [returned(other) if _GENERATOR not in other.fact.traits else None for other in reached]
     same = {count.values if count is not None else None for count in counts}
     return counts[0] if len(same) == 1 else None
 
 
-def _is_generator(func: Func, workspace: Workspace) -> bool:
-    """Whether a call gives what it yields, not what it returns: facts have no `yield`."""
-    lines = _lines(func.file.path, workspace)[func.fact.line - 1 : func.fact.end_line]
-    return any(b"yield" in line for line in lines)
-
-
 def _is_starred(found: _Unpacking, func: Func, workspace: Workspace) -> bool:
     """Whether a star takes what is left over: facts have no star."""
-    lines = _lines(func.file.path, workspace)[found.line - 1 : found.line]
+    lines = (workspace.files.read(func.file.path) or b"").splitlines()[found.line - 1 : found.line]
     return any(b"*" in line.partition(b"=")[0] for line in lines)
-
-
-def _lines(path: str, workspace: Workspace) -> list[bytes]:
-    return (workspace.files.read(path) or b"").splitlines()
 
 
 def _name(source: Call | Taken) -> str:

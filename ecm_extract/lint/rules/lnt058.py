@@ -69,7 +69,7 @@ def _included(workspace: Workspace) -> dict[str, tuple[str, Evidence]]:
         for entry in file.facts.imports if file.language != "python" else ():
             if owners.get(entry.module, file.package) != file.package:
                 found.setdefault(entry.module, (file.package, Evidence(file.path, entry.line)))
-    for name, requirement in foreign_requirements(workspace.stored, frozenset(workspace.by_name)):
+    for name, requirement in foreign_requirements(workspace.others, frozenset(workspace.by_name)):
         if requirement.use == _INCLUDES and requirement.name in owners:
             found.setdefault(requirement.name, (name, requirement.evidence[0]))
     return found

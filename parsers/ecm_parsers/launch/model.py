@@ -103,8 +103,11 @@ class Remap(_Action, frozen=True, kw_only=True):
     target: Template
 
 
-Typing: TypeAlias = Literal["yaml", "auto", "str", "int", "double", "bool"]
-"""How a text becomes a parameter: as PyYAML reads it, by the rule of roslaunch, or as the type that is asked for."""
+Typing: TypeAlias = Literal["yaml", "auto", "str", "bare", "int", "double", "bool"]
+"""How a text becomes a parameter: as PyYAML reads it, by the rule of roslaunch, or as the type that is asked for.
+
+`str` is the text as it is, `bare` the text without the blanks around it, which roslaunch takes off.
+"""
 
 
 class ParameterValue(_Action, frozen=True, kw_only=True):

@@ -31,7 +31,15 @@ from ecm_parsers.launch.substitution import parse_template
 from ecm_parsers.result import Diagnostic
 
 _TYPES: Mapping[str, Typing] = MappingProxyType(
-    {"str": "str", "string": "str", "int": "int", "double": "double", "bool": "bool", "boolean": "bool", "yaml": "yaml"}
+    {
+        "str": "bare",
+        "string": "bare",
+        "int": "int",
+        "double": "double",
+        "bool": "bool",
+        "boolean": "bool",
+        "yaml": "yaml",
+    }
 )
 """Typing by the attribute `type` of a parameter."""
 
@@ -95,7 +103,7 @@ class Ros1Reader:
         if value is None and entity.get("command"):
             value = (Substitution("command", (template(entity, "command"),)),)
         if value is None:
-            value = (Substitution("unknown", (template(entity, "textfile", "binfile"),)),)
+            value = (Substitution("content", (template(entity, "textfile", "binfile"),)),)
         return ParameterValue(
             line=entity.line,
             condition=condition(entity),

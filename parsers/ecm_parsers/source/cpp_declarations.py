@@ -8,7 +8,6 @@ from ecm_parsers.source.cpp_body import BodyReader
 from ecm_parsers.source.cpp_declarators import (
     GROUPS,
     announced_end,
-    first_value,
     function_declarator,
     function_traits,
     leading_words,
@@ -16,10 +15,11 @@ from ecm_parsers.source.cpp_declarators import (
     split_name,
 )
 from ecm_parsers.source.cpp_expr import ExprReader
+from ecm_parsers.source.cpp_macro_values import macro_value
 from ecm_parsers.source.cpp_members import CLASSES, declared_type, members
 from ecm_parsers.source.cpp_parameters import declared_name, parameters
-from ecm_parsers.source.cpp_parser import parser
 from ecm_parsers.source.cpp_place import Place
+from ecm_parsers.source.cpp_vexing import is_call_of_macro
 from ecm_parsers.source.expr import Expr, Items
 from ecm_parsers.source.facts import Alias, Class, Constant, Function, Import, Macro, SourceFile, Using
 
@@ -159,6 +159,8 @@ class DeclarationReader:
             return
         scope, name = split_name(declared_name(self.expr, named), place.scope)
         kind, body = node.child_by_field_name("type"), node.child_by_field_name("body")
+        if is_call_of_macro(node, scope, name):
+            return
         read = BodyReader(self.data, f"{scope}::{name}" if scope else name)
         for child in node.named_children:
             if child.type == "field_initializer_list":
@@ -178,11 +180,11 @@ class DeclarationReader:
                 params,
                 returns,
                 *lines_of(node),
-                tuple(read.statements),
+                tuple(read.writer.statements),
                 place.template,
                 traits,
                 decorators,
-                read.flow.flow(),
+                read.writer.flow(),
             )
         )
         self.functions.extend(read.functions)
@@ -257,11 +259,8 @@ class DeclarationReader:
         name, value = node.child_by_field_name("name"), node.child_by_field_name("value")
         if name is None or value is None:
             return
-        text = self.data[value.start_byte : value.end_byte].strip()
-        tree = parser().parse(b"auto x = " + text + b";") if len(text) < 200 else None
-        found = first_value(tree.root_node) if tree is not None else None
-        if found is not None:
-            read = ExprReader(b"auto x = " + text + b";", lambda body: None).read(found)
+        read = macro_value(self.data[value.start_byte : value.end_byte].strip())
+        if read is not None:
             self.constants.append(Constant(self.expr.text(name), "", read, lines_of(node)[0], "", ("define",)))
 
     def enum(self, node: Node, place: Place) -> None:

@@ -1,4 +1,4 @@
-"""What reads as a function without being one: `QoS qos(QoS::from(profile));` in a body, and loops of macros."""
+"""What reads as a function without being one: `QoS qos(QoS::from(profile));` in a body, and macros."""
 
 from __future__ import annotations
 
@@ -39,6 +39,15 @@ def _argument(reader: ExprReader, child: Node) -> Expr | None:
     if given is None:
         return None
     return Call(name, given, (), reader.template_arguments(written), child.start_point[0] + 1)
+
+
+def is_call_of_macro(node: Node, scope: str, name: str) -> bool:
+    """Whether a declaration is a macro with its arguments: of functions only those that make, end or convert an object
+    have no type."""
+    if node.child_by_field_name("type") is not None or node.child_by_field_name("body") is not None:
+        return False
+    own = scope.rpartition("::")[2].partition("<")[0]
+    return name != own and not name.startswith(("~", "operator"))
 
 
 def loop_macro(reader: ExprReader, declarator: Node) -> tuple[Node, Expr] | None:

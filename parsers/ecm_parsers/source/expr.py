@@ -94,12 +94,14 @@ class Template(_Node, frozen=True):
 class Lambda(_Node, frozen=True):
     """An anonymous function; its statements are those of the enclosing function.
 
-    `params` and `body` are what a Python lambda gives for what; a call in it is found among the statements.
+    `params` and `body` are what a Python lambda gives for what; a call in it is found among the statements. `name` is
+    that of the function that it is read as, which has its statements; `body` is None where it needs them.
     """
 
     param_types: tuple[str, ...]
     params: tuple[str, ...] = ()
     body: Expr | None = None
+    name: str = ""
 
 
 class Comprehension(_Node, frozen=True):

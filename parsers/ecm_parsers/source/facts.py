@@ -63,7 +63,7 @@ class Function(_Fact, frozen=True):
         body: its statements, those of its anonymous lambdas included; empty for a declaration.
         template: names of template parameters.
         traits: of `declaration`, `static`, `virtual`, `override`, `pure`, `deleted`, `private`, `protected`,
-            `anonymous` (namespace), `deprecated`, `const`.
+            `anonymous` (namespace), `deprecated`, `const`, `generator`.
         decorators: Python decorators or C++ attributes, as written.
         flow: how the statements of its body follow each other; empty where they simply do.
         shared: names that a Python function takes from around it to assign them (`global`, `nonlocal`).
@@ -94,7 +94,7 @@ class Field(_Fact, frozen=True):
 
 
 class Class(_Fact, frozen=True):
-    """A class or struct with its bases as written (template arguments kept)."""
+    """A class or struct with its bases as written (template arguments kept), in Python with what decorates it."""
 
     name: str
     scope: str
@@ -104,6 +104,7 @@ class Class(_Fact, frozen=True):
     fields: tuple[Field, ...] = ()
     template: tuple[str, ...] = ()
     traits: tuple[str, ...] = ()
+    decorators: tuple[Expr, ...] = ()
 
 
 class Constant(_Fact, frozen=True):

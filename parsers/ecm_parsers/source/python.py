@@ -13,12 +13,14 @@ from ecm_parsers.source.facts import Function, SourceFile
 from ecm_parsers.source.python_body import STATEMENTS
 from ecm_parsers.source.python_decl import DECLARATIONS
 from ecm_parsers.source.python_expr import EXPRESSIONS
+from ecm_parsers.source.python_lambda import LAMBDAS
 from ecm_parsers.source.python_scan import Scan
 
 MAX_BYTES = 2_000_000
 MAX_SECONDS = 5.0
 
 _BOM = b"\xef\xbb\xbf"
+_EXPRESSIONS = {**EXPRESSIONS, **LAMBDAS}
 _HANDLERS = {**STATEMENTS, **DECLARATIONS}
 
 
@@ -41,7 +43,7 @@ def parse_python(data: bytes) -> Parsed[SourceFile]:
     if root is None:
         message = f"The file took more than {MAX_SECONDS} s to parse and was not read. Correct its syntax."
         return _unread("python-too-slow", message)
-    scan = Scan(data, EXPRESSIONS, _HANDLERS)
+    scan = Scan(data, _EXPRESSIONS, _HANDLERS)
     scan.block(root)
     return Parsed(_source_file(scan, root), _diagnostics(scan, root))
 

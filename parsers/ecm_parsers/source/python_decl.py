@@ -9,23 +9,23 @@ from tree_sitter import Node
 from ecm_parsers.source.expr import Expr, Items, Member, Name
 from ecm_parsers.source.facts import Class, Field, Function, Import, Parameter, Statement
 from ecm_parsers.source.python_expr import parts
+from ecm_parsers.source.python_parameters import parameters
 from ecm_parsers.source.python_scan import Frame, Scan, StatementHandler
 
 _THIS = Name("this")
-_SEPARATORS = frozenset(("keyword_separator", "positional_separator"))
 
 
 def _decorated(scan: Scan, node: Node) -> None:
-    decorators: list[str] = []
+    decorators: list[Node] = []
     for child in parts(node):
         if child.type == "decorator":
-            decorators.append(scan.text(child)[1:].strip())
+            decorators += parts(child)
             for part in parts(child):
                 scan.do(part)
         elif child.type == "function_definition":
-            _read_function(scan, child, tuple(decorators))
+            _read_function(scan, child, tuple([scan.text(each) for each in decorators]))
         elif child.type == "class_definition":
-            _read_class(scan, child, tuple(decorators))
+            _read_class(scan, child, decorators)
 
 
 def _function(scan: Scan, node: Node) -> None:
@@ -33,13 +33,13 @@ def _function(scan: Scan, node: Node) -> None:
 
 
 def _class(scan: Scan, node: Node) -> None:
-    _read_class(scan, node, ())
+    _read_class(scan, node, [])
 
 
 def _read_function(scan: Scan, node: Node, decorators: tuple[str, ...]) -> None:
     outer = scan.frame
     name = scan.text(node.child_by_field_name("name"))
-    params = _parameters(scan, node.child_by_field_name("parameters"))
+    params = parameters(scan, node.child_by_field_name("parameters"))
     names = outer.names
     if outer.place == "class":
         names, params = _method_names(scan, params, decorators)
@@ -48,6 +48,7 @@ def _read_function(scan: Scan, node: Node, decorators: tuple[str, ...]) -> None:
     body: list[Statement] = []
     frame = Frame("function", _inside(outer.scope, name), body, names)
     frame.fields = outer.fields if outer.place == "class" and name == "__init__" else None
+    frame.bases = outer.bases
     _read_body(scan, node, frame)
     bound = set(_bound_in(scan, frame)) if frame.globals else set()
     scan.constants += [entry for entry in frame.globals if entry.name in bound]  # `global` alone binds nothing
@@ -60,7 +61,7 @@ def _read_function(scan: Scan, node: Node, decorators: tuple[str, ...]) -> None:
             line=node.start_point[0] + 1,
             end_line=node.end_point[0] + 1,
             body=tuple(body),
-            traits=_traits(name, decorators),
+            traits=(*_traits(name, decorators), *(["generator"] if frame.yields else [])),
             decorators=decorators,
             flow=frame.flow.flow(),
             shared=tuple(frame.shared),
@@ -79,7 +80,7 @@ def _bound_in(scan: Scan, frame: Frame) -> Iterator[str]:
     yield from (entry.alias or entry.name or entry.module for entry in scan.imports)
 
 
-def _read_class(scan: Scan, node: Node, decorators: tuple[str, ...]) -> None:
+def _read_class(scan: Scan, node: Node, decorators: list[Node]) -> None:
     outer = scan.frame
     name = scan.text(node.child_by_field_name("name"))
     bases = node.child_by_field_name("superclasses")
@@ -89,16 +90,18 @@ def _read_class(scan: Scan, node: Node, decorators: tuple[str, ...]) -> None:
     frame.depth = outer.depth
     frame.fields = fields
     frame.owner = Member(outer.owner, name) if outer.owner is not None else Name(name)
+    frame.bases = _bases(scan, bases) if bases is not None else ()
     _read_body(scan, node, frame)
     scan.classes.append(
         Class(
             name=name,
             scope=outer.scope,
-            bases=_bases(scan, bases) if bases is not None else (),
+            bases=frame.bases,
             line=node.start_point[0] + 1,
             end_line=node.end_point[0] + 1,
             fields=tuple(fields),
-            traits=_traits(name, decorators),
+            traits=_traits(name, tuple([scan.text(each) for each in decorators])),
+            decorators=tuple([scan.expr(each) for each in decorators]),
         )
     )
 
@@ -153,26 +156,6 @@ _DECORATOR_TRAITS: Mapping[str, str] = {
     "override": "override",
     "deprecated": "deprecated",
 }
-
-
-def _parameters(scan: Scan, node: Node | None) -> tuple[Parameter, ...]:
-    if node is None:
-        return ()
-    return tuple([_parameter(scan, child) for child in parts(node) if child.type not in _SEPARATORS])
-
-
-def _parameter(scan: Scan, node: Node) -> Parameter:
-    kind = node.type
-    if kind == "typed_parameter":
-        return Parameter(scan.text(node.children[0]), scan.text(node.child_by_field_name("type")))
-    if kind not in ("default_parameter", "typed_default_parameter"):
-        return Parameter(scan.text(node))
-    default = node.child_by_field_name("value")
-    return Parameter(
-        scan.text(node.child_by_field_name("name")),
-        scan.text(node.child_by_field_name("type")),
-        scan.expr(default) if default is not None else None,
-    )
 
 
 def _import(scan: Scan, node: Node) -> None:

@@ -3,7 +3,8 @@
 Choices beyond it: `and`, `or`, `not`, `is`, `is not` and `<>` are written as C++ writes them; a comprehension
 is a `Comprehension` after an `each` statement for each of its loops; a formatted part of an f-string is
 `Op("format", (value, Text(spec)))`; a slice is `Op(":", (start, stop, ...))`; the keyword of `**spread` is
-`**`, and `*spread` is `Op("*", (value,))`.
+`**`, and `*spread` is `Op("*", (value,))`. In a class that derives from `Base`, `Base.method(self, x)` is
+`super("Base").method(x)`.
 """
 
 from __future__ import annotations
@@ -12,8 +13,7 @@ from collections.abc import Mapping
 
 from tree_sitter import Node
 
-from ecm_parsers.source.expr import Call, Comprehension, Expr, Items, Lambda, Member, Number, Op, Table, Template, Text
-from ecm_parsers.source.flow import Later
+from ecm_parsers.source.expr import Call, Comprehension, Expr, Items, Member, Name, Number, Op, Table, Template, Text
 from ecm_parsers.source.python_literal import (
     FALSE,
     NULL,
@@ -28,6 +28,7 @@ from ecm_parsers.source.python_literal import (
 from ecm_parsers.source.python_scan import EXTRAS, MAX_DOTTED_LENGTH, ExprHandler, Scan
 
 _OPERATORS: Mapping[str, str] = {"and": "&&", "or": "||", "is": "==", "is not": "!=", "<>": "!=", "not": "!"}
+_THIS = Name("this")
 _SKIPPED = EXTRAS | {"ERROR"}
 _F_PREFIXES = (b"f", b"F", b"t", b"T")
 
@@ -74,7 +75,18 @@ def _call(scan: Scan, node: Node) -> Expr:
             salvage(scan, child)
         elif kind not in EXTRAS:
             args.append(expr(child))
+    if args[:1] == [_THIS] and _is_of_base(scan, function):
+        base = Call(Name("super"), (Text(scan.text(function.child_by_field_name("object"))),), line=line)
+        callee, args = Member(base, scan.text(function.child_by_field_name("attribute"))), args[1:]
     return Call(callee, tuple(args), tuple(keywords), (), line, tuple(lines))
+
+
+def _is_of_base(scan: Scan, function: Node) -> bool:
+    """Whether a call by the name of a class is that of a method of a base; how objects begin is told by that name."""
+    if function.type != "attribute" or not scan.frame.bases:
+        return False
+    base, name = function.child_by_field_name("object"), function.child_by_field_name("attribute")
+    return scan.text(name) != "__init__" and scan.text(base) in scan.frame.bases
 
 
 def salvage(scan: Scan, node: Node) -> None:
@@ -212,8 +224,13 @@ def _conditional(scan: Scan, node: Node) -> Expr:
     return Op("?:", (test, value, other))
 
 
+def _yielded(scan: Scan, node: Node) -> Expr:
+    scan.frame.yields |= scan.frame.lambdas == 0
+    return _inner(scan, node)
+
+
 def _inner(scan: Scan, node: Node) -> Expr:
-    """What a wrapper that does not change the value encloses (parentheses, await, yield, star)."""
+    """What a wrapper that does not change the value encloses (parentheses, await, star)."""
     children = parts(node)
     if not children:
         return NULL
@@ -224,20 +241,6 @@ def _inner(scan: Scan, node: Node) -> Expr:
 
 def _spread(scan: Scan, node: Node) -> Expr:
     return Op("*", (_inner(scan, node),))
-
-
-def _lambda(scan: Scan, node: Node) -> Expr:
-    parameters, body = node.child_by_field_name("parameters"), node.child_by_field_name("body")
-    if body is None:
-        return Lambda(())
-    scan.frame.lambdas += 1
-    scan.frame.flow.begin()
-    value = scan.done(body)
-    names = tuple([scan.text(child) for child in parts(parameters)]) if parameters is not None else ()
-    plain = tuple([name.partition("=")[0].strip() for name in names])
-    scan.frame.flow.add(Later(scan.frame.flow.end(), plain))
-    scan.frame.lambdas -= 1
-    return Lambda(("",) * len(names), names, value)
 
 
 def _comprehension(scan: Scan, node: Node) -> Expr:
@@ -293,7 +296,6 @@ EXPRESSIONS: Mapping[str, ExprHandler] = {
     "generator_expression": _comprehension,
     "integer": _number,
     "keyword_argument": _keyword_value,
-    "lambda": _lambda,
     "list": _items,
     "list_comprehension": _comprehension,
     "list_pattern": _items,
@@ -314,5 +316,5 @@ EXPRESSIONS: Mapping[str, ExprHandler] = {
     "tuple": _items,
     "tuple_pattern": _items,
     "unary_operator": _unary,
-    "yield": _inner,
+    "yield": _yielded,
 }

@@ -64,7 +64,7 @@ def loose_names(data: bytes) -> list[tuple[str, int]]:
     Nothing is returned for files that do not parse, and for those that may bind names while they run.
     """
     root = syntax_tree(data)
-    if root is None or root.has_error or root.descendant_count > MAX_NODES:
+    if root is None or root.has_error or root.descendant_count > MAX_NODES or _is_indented(data, root):
         return []
     bound: set[str] = set()
     used: dict[str, int] = {}
@@ -80,6 +80,13 @@ def loose_names(data: bytes) -> list[tuple[str, int]]:
         return []
     found = [(name, line) for name, line in used.items() if name not in bound | _GIVEN]
     return found + [("self", node.start_point[0] + 1) for node in _without_self(root)][:1]
+
+
+def _is_indented(data: bytes, root: Node) -> bool:
+    """Whether a statement of the module stands indented, which Python refuses and the grammar does not."""
+    statements = (node for node in root.named_children if node.type != "comment")
+    before = (data[: node.start_byte].rpartition(b"\n")[2] for node in statements)
+    return any(text and not text.strip(b" \t") for text in before)
 
 
 def _without_self(root: Node) -> Iterator[Node]:

@@ -38,11 +38,26 @@ class Frame:
         shared: names that are declared `global` or `nonlocal`; globals: those of the module.
         names: expressions of names and dotted names seen, by source bytes; maps the receiver to `this`.
         fields: of the class being read, also in its `__init__`; None elsewhere.
-        owner: the class as an expression, in a class body.
+        owner: the class as an expression, in a class body. bases: its bases as written, also in its methods.
         depth: how many conditions and loops enclose the current statement. lambdas: how many lambdas do.
+        yields: whether a call of it gives what it yields, one after the other.
     """
 
-    __slots__ = ("body", "depth", "fields", "flow", "globals", "lambdas", "names", "owner", "place", "scope", "shared")
+    __slots__ = (
+        "bases",
+        "body",
+        "depth",
+        "fields",
+        "flow",
+        "globals",
+        "lambdas",
+        "names",
+        "owner",
+        "place",
+        "scope",
+        "shared",
+        "yields",
+    )
 
     def __init__(
         self,
@@ -61,8 +76,10 @@ class Frame:
         self.names = names
         self.fields: list[Field] | None = None
         self.owner: Expr | None = None
+        self.bases: tuple[str, ...] = ()
         self.depth = 0
         self.lambdas = 0
+        self.yields = False
 
 
 class Scan:
@@ -152,8 +169,8 @@ class Scan:
         return self.frame.flow.end()
 
     def do(self, node: Node) -> None:
-        """Emit an expression as a statement if it calls anything."""
-        if self.data.find(b"(", node.start_byte, node.end_byte) >= 0:
+        """Emit an expression as a statement if it calls anything; one that yields is read in any case."""
+        if node.type == "yield" or self.data.find(b"(", node.start_byte, node.end_byte) >= 0:
             self.done(node)
 
     def done(self, node: Node) -> Expr:

@@ -310,3 +310,13 @@ def test_a_registration_stands_in_its_namespace() -> None:
     """The macro may name a class of the namespace around it."""
     text = b"namespace a {\nnamespace b {\n}\nPLUGINLIB_EXPORT_CLASS(C, D)\n}\nPLUGINLIB_EXPORT_CLASS(E, F)\n"
     assert [entry.scope for entry in parse_cpp(text).facts.macros] == ["a", ""]
+
+
+def test_a_macro_with_arguments_is_no_function() -> None:
+    """Only what makes, ends or converts an object is declared without a type; a macro reads alike, with or without `;`."""
+    text = (
+        "namespace n {\ntemplate <class T> class A {\n  TYPES_OF(T);\n  A(int);\n  explicit A(T, int = 1);\n  ~A();\n"
+        "  A & operator=(A const &) = delete;\n  void f();\n};\nREGISTER(A);\n}\nn::A<int>::A(int) {}\n"
+    )
+    names = [function.name for function in parse_cpp(text.encode()).facts.functions]
+    assert names == ["A", "A", "~A", "operator=", "f", "A"]

@@ -126,6 +126,7 @@ def test_class_keeps_bases_as_written_and_its_fields() -> None:
             Field("kind", "int", 8),
             Field("x", "float", 11, Number(1.5)),
         ),
+        decorators=(Call(Name("deco"), (Text("x"),), line=2),),
     )
     assert facts(CLASS).classes == (expected,)
 
@@ -167,6 +168,24 @@ def test_decorators_are_kept_and_give_traits() -> None:
     assert (make.params, make.traits, make.decorators) == ((Parameter("a"),), ("static",), ("staticmethod",))
     assert (build.params, build.traits, build.decorators) == ((), ("private",), ("classmethod",))
     assert build.body[0].value == Call(THIS, (), line=24)
+
+
+@pytest.mark.parametrize(
+    ("body", "expected"),
+    [
+        ("yield 1", True),
+        ("for x in xs:\n        yield from x", True),
+        ("a = yield", True),
+        ("return 1  # yields nothing", False),
+        ("return 'yield'", False),
+        ("def inner():\n        yield 1\n    return inner", False),
+        ("return lambda: (yield 1)", False),
+    ],
+)
+def test_a_function_that_yields_is_a_generator(body: str, expected: bool) -> None:
+    """What a function within it yields, and the word in a text or comment, make none of it."""
+    found = function(f"def made():\n    {body}\n", "made")
+    assert ("generator" in found.traits) is expected
 
 
 @pytest.mark.parametrize(
@@ -223,3 +242,19 @@ def test_a_global_of_a_function_is_a_name_of_the_module_when_the_function_binds_
 def test_shebang_is_kept_as_written() -> None:
     """Scripts without a suffix are told by their shebang."""
     assert facts("#!/usr/bin/env python\r\nx = 1").shebang == "#!/usr/bin/env python"
+
+
+@pytest.mark.parametrize(
+    ("source", "names"),
+    [
+        ("def f(a):\n    v = lambda b: a(b)\n", ["f", "v"]),
+        (
+            "def f(a):\n    self.v = lambda b: a(b)\n    return lambda b: a(b)\n",
+            ["f", "<lambda 2:14>", "<lambda 3:12>"],
+        ),
+        ("def f(a):\n    v = lambda b: b\n    g(lambda b: a(b))\n", ["f"]),
+    ],
+)
+def test_a_lambda_that_calls_and_has_a_holder_is_a_function(source: str, names: list[str]) -> None:
+    """One that gets a name, is kept in a member or is returned; one that is handed on is not."""
+    assert [each.name for each in facts(source).functions if each.name != "<module>"] == names

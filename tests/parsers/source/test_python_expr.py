@@ -150,10 +150,10 @@ def test_expression_is_written_in_the_common_vocabulary(source: str, expected: E
     ("source", "expected"),
     [
         (
-            "v = lambda a: x(a)",
+            "v(lambda a: x(a))",
             (
                 Statement("do", 1, call("x", A), deferred=True),
-                Statement("set", 1, Lambda(("",), ("a",), call("x", A)), Name("v")),
+                Statement("do", 1, call("v", Lambda(("",), ("a",), call("x", A)))),
             ),
         ),
         (

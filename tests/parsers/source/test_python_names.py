@@ -41,6 +41,10 @@ ROWS = [
     ("class A:\n  def f(self):\n    def g():\n      return self\n    return g", []),
     ("def f(:\n  a", []),
     ("{% if a %}", []),
+    ("\n    a = b\n    c(a)\n", []),
+    ("a = b\n\tc = d\n", []),
+    ("\ufeffa = b", ["b"]),
+    ("# x\n  # y\na = b; c = d", ["b", "d"]),
 ]
 
 

@@ -3,30 +3,28 @@
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
-from importlib import resources
 from types import MappingProxyType
 from typing import Final
 
+from ecm_extract.shipped import shipped
 from ecm_extract.tree import Tree
 
 _NAMING: Final = ("readme", ".travis", ".gitlab-ci", "dockerfile", "devcontainer")
 _LISTS: Final = (".rosinstall", ".repos")
-_WORKFLOWS: Final = ".github/workflows/"
+_WORKFLOWS: Final = "/.github/workflows/"
 _WORD: Final = re.compile(rb"[a-z]+")
 
 
 @cache
 def distributions() -> Mapping[str, Sequence[str]]:
     """Return `ros1` and `ros2` -> their distributions, oldest first."""
-    text = (resources.files("ecm_extract.lint") / "distributions.toml").read_text("utf-8")
-    return MappingProxyType(tomllib.loads(text))
+    return MappingProxyType(shipped("entities/distributions.toml"))
 
 
 def named_distributions(tree: Tree) -> frozenset[str]:
-    """Return the distributions that a repository names."""
+    """Return the distributions that the repositories of a tree name."""
     known = {name for names in distributions().values() for name in names}
     texts = tree.read_many([entry.path for entry in tree.files() if _names_some(entry.path)])
     return frozenset(word for _, data in texts for word in _words(data) if word in known)
@@ -43,7 +41,7 @@ def is_for_older(since: str, named: frozenset[str]) -> bool:
 
 def _names_some(path: str) -> bool:
     name = path.rpartition("/")[2].lower()
-    return name.startswith(_NAMING) or name.endswith(_LISTS) or path.startswith(_WORKFLOWS)
+    return name.startswith(_NAMING) or name.endswith(_LISTS) or _WORKFLOWS in f"/{path}"
 
 
 def _words(data: bytes) -> Iterator[str]:

@@ -1,0 +1,120 @@
+"""Declarations of C++ in a body: the variables that they bind, with their types as written and what they begin with."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from ecm_parsers.source.cpp_expr import ExprReader
+from ecm_parsers.source.cpp_parameters import declared_name
+from ecm_parsers.source.cpp_statements import StatementWriter, line_of
+from ecm_parsers.source.cpp_vexing import as_arguments
+from ecm_parsers.source.expr import Call, Expr, Items, Name
+
+if TYPE_CHECKING:
+    from tree_sitter import Node
+
+_MARKS = {"pointer_declarator": " *", "reference_declarator": " &"}
+
+
+class Binding:
+    """Writes the statements that the declarations of one body are.
+
+    Attributes:
+        expr: reads what variables begin with.
+        writer: takes the statements.
+        named_lambda: called with each lambda that a variable is bound to, and the name of the variable.
+    """
+
+    def __init__(self, expr: ExprReader, writer: StatementWriter, named_lambda: Callable[[str, Node], None]) -> None:
+        self.expr = expr
+        self.writer = writer
+        self.named_lambda = named_lambda
+
+    def bind(self, declaration: Node, declarator: Node) -> None:
+        """Read one declarator of a declaration."""
+        kind = declaration.child_by_field_name("type")
+        value = declarator.child_by_field_name("value")
+        if kind is None:
+            return
+        if declarator.type == "function_declarator":
+            self._constructed(kind, declarator)
+            return
+        bound = declarator.child_by_field_name("declarator") or declarator
+        target = self.bound(bound)
+        if isinstance(target, Items):
+            self.writer.add("let", declarator, self._initial(kind, value), target, self.expr.type_text(kind))
+            return
+        name = declared_name(self.expr, bound)
+        if value is not None and value.type == "lambda_expression":
+            self.named_lambda(name, value)
+            return
+        read = self._initial(kind, value)
+        written = _qualifier(self.expr, declaration) + self.expr.type_text(kind) + _MARKS.get(bound.type, "")
+        self.writer.add("let", declarator, read, Name(name), written)
+
+    def each(self, loop: Node, over: Node, declarator: Node) -> int:
+        """Read what a loop binds in each round, and return the index of that statement."""
+        kind = loop.child_by_field_name("type")
+        value = self.expr.read(over)
+        mark = _MARKS.get(declarator.type, "")
+        written = self._written(loop, kind, declarator) + mark if kind is not None else ""
+        return self.writer.apart(loop, value, self.bound(declarator), written)
+
+    def initializer(self, node: Node) -> None:
+        """Read what a constructor gives to one member or base."""
+        target, *rest = node.named_children
+        listed = rest[-1] if rest else None
+        args = self.expr.arguments(listed)
+        types = self.expr.template_arguments(target)
+        name = Name(self.expr.name(target))
+        made = len(args) != 1 or "::" in name.id or name.id[:1].isupper()
+        value = Call(name, args, (), types, line_of(target)) if made else args[0]
+        self.writer.add("init", target, value, name)
+
+    def bound(self, declarator: Node) -> Expr:
+        """Return what a declarator binds: a name, or several of a structured binding."""
+        while declarator.type == "reference_declarator" and declarator.named_children:
+            declarator = declarator.named_children[0]
+        if declarator.type == "structured_binding_declarator":
+            return Items(tuple([Name(self.expr.text(child)) for child in declarator.named_children]))
+        return Name(declared_name(self.expr, declarator))
+
+    def _written(self, node: Node, kind: Node, declarator: Node) -> str:
+        """A declared type with its qualifiers."""
+        first = next((child for child in node.children if child.type == "type_qualifier"), kind)
+        text = self.expr.data[min(first.start_byte, kind.start_byte) : declarator.start_byte]
+        return " ".join(text.decode("utf-8", "replace").split())
+
+    def _constructed(self, kind: Node, declarator: Node) -> None:
+        """`Listener listener(buffer);` reads as a function declaration; in a body it makes an object."""
+        named, listed = (
+            declarator.child_by_field_name("declarator"),
+            declarator.child_by_field_name("parameters"),
+        )
+        if named is None or listed is None or named.type != "identifier" or not listed.named_children:
+            return
+        args = as_arguments(self.expr, listed)
+        if args is not None:
+            made = self._made(kind, args)
+            self.writer.add("let", declarator, made, Name(self.expr.text(named)), self.expr.type_text(kind))
+
+    def _initial(self, kind: Node, value: Node | None) -> Expr | None:
+        if value is None:
+            return None
+        if value.type not in {"argument_list", "initializer_list"}:
+            return self.expr.read(value)
+        args = self.expr.arguments(value)
+        if value.type == "initializer_list" and kind.type == "placeholder_type_specifier":
+            return Items(args)
+        return self._made(kind, args)
+
+    def _made(self, kind: Node, args: tuple[Expr, ...]) -> Call:
+        """The call that makes an object of a type."""
+        return Call(Name(self.expr.name(kind)), args, (), self.expr.template_arguments(kind), line_of(kind))
+
+
+def _qualifier(reader: ExprReader, declaration: Node) -> str:
+    """`const` where a declaration has it."""
+    words = [reader.text(child) for child in declaration.children if child.type == "type_qualifier"]
+    return "const " if {"const", "constexpr"} & set(words) else ""

@@ -1,0 +1,74 @@
+"""Where the statements of one C++ body are written down while it is read, in source order."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ecm_parsers.source.expr import Expr
+from ecm_parsers.source.facts import Statement, StatementKind
+from ecm_parsers.source.flow import Block, FlowWriter, Step
+
+if TYPE_CHECKING:
+    from tree_sitter import Node
+
+
+class StatementWriter:
+    """Collects statements, how they follow each other, and how deep they stand.
+
+    Attributes:
+        statements: what was written so far, in source order.
+        depth: how many branches, loops and handlers stand around what is read now.
+        lambdas: how many anonymous lambdas stand around it.
+    """
+
+    def __init__(self) -> None:
+        self.statements: list[Statement] = []
+        self.depth = 0
+        self.lambdas = 0
+        self._flow = FlowWriter()
+
+    def add(
+        self,
+        kind: StatementKind,
+        node: Node,
+        value: Expr | None,
+        target: Expr | None = None,
+        declared: str = "",
+    ) -> None:
+        """Add a statement that runs after those of the block at hand."""
+        self.step(len(self.statements))
+        self.statements.append(Statement(kind, line_of(node), value, target, declared, self.depth, self.lambdas > 0))
+
+    def apart(self, node: Node, value: Expr, target: Expr, declared: str = "") -> int:
+        """Add what a loop binds in each round, which is a step of that loop, and return its index."""
+        self.begin()
+        self.add("each", node, value, target, declared)
+        self.end()
+        return len(self.statements) - 1
+
+    def assigned_since(self, before: int) -> Block:
+        """Return the assignments among the statements from an index on."""
+        since = range(before, len(self.statements))
+        return tuple([at for at in since if self.statements[at].kind == "set"])
+
+    def step(self, step: Step) -> None:
+        """Add a step to the block at hand."""
+        self._flow.add(step)
+
+    def begin(self) -> None:
+        """Begin a block within the one at hand."""
+        self._flow.begin()
+
+    def end(self) -> Block:
+        """End the block at hand and return its steps."""
+        return self._flow.end()
+
+    def flow(self) -> Block:
+        """Return the steps of the body; nothing where its statements simply follow each other."""
+        return self._flow.flow()
+
+
+def line_of(node: Node) -> int:
+    """Return the line that a node begins on, from 1."""
+    row: int = node.start_point[0]
+    return row + 1

@@ -1,0 +1,87 @@
+"""Lambdas of Python.
+
+One that gets a name, is kept in a member or is returned, and calls something, is read as a function of its own, as a
+`def` at its place would be. What others call is part of the body around them, to be run later.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from tree_sitter import Node
+
+from ecm_parsers.source.expr import Expr, Lambda
+from ecm_parsers.source.facts import Function, Statement
+from ecm_parsers.source.flow import Later
+from ecm_parsers.source.python_expr import parts
+from ecm_parsers.source.python_parameters import parameters
+from ecm_parsers.source.python_scan import ExprHandler, Frame, Scan
+
+
+def _lambda(scan: Scan, node: Node) -> Expr:
+    body = node.child_by_field_name("body")
+    if body is None:
+        return Lambda(())
+    name = _name(scan, node)
+    if name and _calls(body):
+        return _as_function(scan, node, body, name)
+    scan.frame.lambdas += 1
+    scan.frame.flow.begin()
+    value = scan.done(body)
+    names = _names(scan, node)
+    plain = tuple([each.partition("=")[0].strip() for each in names])
+    scan.frame.flow.add(Later(scan.frame.flow.end(), plain))
+    scan.frame.lambdas -= 1
+    return Lambda(("",) * len(names), names, value)
+
+
+def _name(scan: Scan, node: Node) -> str:
+    """What a function is called that a lambda is read as; empty for one that is handed to somebody."""
+    parent = node.parent
+    if parent is None or scan.frame.lambdas or scan.frame.place == "class":
+        return ""
+    target = parent.child_by_field_name("left") if parent.type == "assignment" else None
+    if target is not None and target.type == "identifier":
+        return scan.text(target)
+    kept = target is not None and target.type == "attribute"
+    row, column = node.start_point
+    return f"<lambda {row + 1}:{column + 1}>" if kept or parent.type == "return_statement" else ""
+
+
+def _calls(node: Node) -> bool:
+    pending = [node]
+    while pending:
+        each = pending.pop()
+        if each.type == "call":
+            return True
+        pending += each.named_children
+    return False
+
+
+def _as_function(scan: Scan, node: Node, body: Node, name: str) -> Expr:
+    outer, written = scan.frame, node.child_by_field_name("parameters")
+    params = parameters(scan, written)
+    statements: list[Statement] = []
+    hidden = any(param.name.encode() in outer.names for param in params)
+    scope = f"{outer.scope}::{name}" if outer.scope else name
+    scan.frame = frame = Frame("function", scope, statements, {} if hidden else outer.names)
+    frame.bases = outer.bases
+    value = scan.expr(body)
+    scan.emit("return", node, value)
+    scan.frame = outer
+    line, end = node.start_point[0] + 1, node.end_point[0] + 1
+    flow = frame.flow.flow()
+    scan.functions.append(
+        Function(name, outer.scope, params, "", line, end, tuple(statements), traits=("lambda",), flow=flow)
+    )
+    names = _names(scan, node)
+    alone = len(statements) == 1  # loops of comprehensions are statements of the function, nobody else has them
+    return Lambda(("",) * len(names), names, value if alone else None, name)
+
+
+def _names(scan: Scan, node: Node) -> tuple[str, ...]:
+    written = node.child_by_field_name("parameters")
+    return tuple([scan.text(child) for child in parts(written)]) if written is not None else ()
+
+
+LAMBDAS: Mapping[str, ExprHandler] = {"lambda": _lambda}
