@@ -294,7 +294,7 @@ class BodyReader:
         """Read what a lambda evaluates when it is made; return the names by which its body has that."""
         found = initial_captures(node)
         for capture in found:
-            self._expression(capture.value)
+            self._assigning.expression(capture.value)
         return [capture.name for capture in found]
 
 
