@@ -245,6 +245,12 @@ class Workspace:
         parsed = self.files.parsed(path, parse_commands)
         return parsed.facts if parsed is not None else ()
 
+    def in_package(self, path: str) -> str:
+        """Return a path of the tree, or of a document beside it, as that of a package: the same wherever it lies."""
+        files = self.beside.files
+        name = files.package_of(path)
+        return f"{name}/{path.removeprefix(files.package_path(name) or '').lstrip('/')}" if name else path
+
     def package_of(self, path: str) -> str:
         """Return the name of the package that a file belongs to; empty for none."""
         return self.files.package_of(path) or ""

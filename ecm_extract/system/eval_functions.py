@@ -20,7 +20,7 @@ class Texts(Protocol):
 
     @property
     def environment(self) -> Mapping[str, Text]:
-        """Variables of the environment that are given, by name."""
+        """Variable -> its text."""
 
     def text(self, template: Template | None, depth: int = 0) -> Text:
         """Return the text of a template."""
