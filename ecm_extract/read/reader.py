@@ -188,7 +188,7 @@ class Reader:
             found = self.parse(path, lambda data: interface.parse(data, shape))
             if found is not None:
                 package.interfaces[path] = found
-        elif suffix == ".cfg" and "cfg" in PurePosixPath(path).parts[:-1]:
+        elif suffix == ".cfg" and dynamic_reconfigure.is_dynamic_reconfigure(self._contents.read(path) or b""):
             reconfigure = self.parse(path, dynamic_reconfigure.parse_dynamic_reconfigure)
             if reconfigure is not None:
                 package.reconfigure[path] = reconfigure

@@ -92,6 +92,14 @@ def test_a_node_finds_its_contract() -> None:
     assert of_node(tree, Candidate("a/program", (), "a"), "/computed_7") == ()
 
 
+def test_programs_whose_nodes_share_a_name_have_contracts_of_their_own() -> None:
+    """The contract of the script that runs comes first, although another one has the bare name."""
+    first, second = contract(name="talker", path="one.py"), contract(name="talker_two", path="two.py")
+    tree = Tree(Path(), (first, second))
+    assert of_node(tree, Candidate("a/two.py", (), "a", "two.py"), "/talker") == (second,)
+    assert of_node(tree, Candidate("a/three.py", (), "a", "three.py"), "/talker") == (first,)
+
+
 def test_scripts_of_a_tree() -> None:
     """Those that can be run by themselves, with the packages of the tree."""
     tree = tree_of(FIXTURES / "lifecycle_talker")
