@@ -155,9 +155,9 @@ class Workspace:
     def systems(self) -> Sequence[System]:
         """What each launch file that no other includes starts, with the defaults of its arguments.
 
-        Those of documents are among them that may start what is in the tree.
+        Those of documents are among them: they start what is in the tree, and nodes that launch files of the tree name.
         """
-        launches = (*self.launches, *self.beside.reaching(self.beside.launches))
+        launches = (*self.launches, *self.beside.launches)
         roots = sorted(
             (path for path in launches if path.rsplit("/", 1)[-1] not in self.included), key=self._by_package
         )
