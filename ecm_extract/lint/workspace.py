@@ -122,7 +122,7 @@ class Workspace:
 
     @cached_property
     def launches(self) -> Mapping[str, LaunchFile]:
-        """Launch files by path; those of tests, and those that their authors have buried, are left out."""
+        """Launch files by path; those of tests, and copies in hidden folders, are left out."""
         return {path: read.facts for path, read in self._launches_read.items() if read.facts is not None}
 
     @cached_property
