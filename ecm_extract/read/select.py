@@ -5,7 +5,8 @@ from __future__ import annotations
 from pathlib import PurePosixPath
 from typing import Literal
 
-from ecm_extract.discover import PackageRoot, is_test_path
+from ecm_extract.discover import PackageRoot
+from ecm_extract.test_code import is_test_path
 from ecm_extract.tree import Entry
 
 SourceKind = Literal["cpp", "python", "script"]
