@@ -14,8 +14,8 @@ from typing import Any
 _KINDS = {"EXECUTABLE": "executable"}
 _NOT_BUILT = frozenset({"UTILITY", "INTERFACE_LIBRARY"})
 _PREFIX = "/prefix"
-_RULE = ".rule"
-"""Suffix of a file that stands for a command in a list of sources."""
+_MADE = (".rule", ".o")
+"""Suffixes of what is no source: a file that stands for a command, and what another target makes."""
 _STUBS = {
     "ament_cmake": """
 option(BUILD_TESTING "" ON)
@@ -80,6 +80,7 @@ set(CATKIN_PACKAGE_LIB_DESTINATION lib)
 set(CATKIN_PACKAGE_SHARE_DESTINATION share/${PROJECT_NAME})
 set(CATKIN_PACKAGE_INCLUDE_DESTINATION include/${PROJECT_NAME})
 set(CATKIN_GLOBAL_BIN_DESTINATION bin)
+set(CATKIN_GLOBAL_SHARE_DESTINATION share)
 macro(catkin_package)
 endmacro()
 function(catkin_add_gtest name)
@@ -212,7 +213,7 @@ def _truth(build: Path) -> Truth:
         names[entry["id"]] = entry["name"]
         if target["type"] not in _NOT_BUILT:
             kind = _KINDS.get(target["type"], "library")
-            paths = (each["path"] for each in target.get("sources", ()) if not each["path"].endswith(_RULE))
+            paths = (each["path"] for each in target.get("sources", ()) if not each["path"].endswith(_MADE))
             sources = frozenset(_source(path, build) for path in paths)
             truth.targets[entry["name"]] = Built(kind, sources, _place(target))
     for entry in configuration["directories"]:

@@ -3,35 +3,12 @@
 from __future__ import annotations
 
 import random
-import tomllib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, field
-from pathlib import Path
-from typing import Final
 
+from cmake_forms import FORMS, PLACES, written
 from cmake_helpers import SHAPES, STEMS, Shape
 from cmake_tree import FOLDERS, Project, parted, put_parts, put_sources
-
-
-def _read(*names: str) -> Mapping[str, list[str]]:
-    """Forms of several files; those of one kind follow each other."""
-    found: dict[str, list[str]] = {}
-    for name in names:
-        for kind, forms in tomllib.loads(Path(__file__).with_name(name).read_text("utf-8")).items():
-            found.setdefault(kind, []).extend(forms)
-    return found
-
-
-_FORMS: Final = _read("cmake_forms.toml", "cmake_statements.toml", "cmake_ros.toml")
-_PLACES: Final = {
-    1: {
-        "share": "${CATKIN_PACKAGE_SHARE_DESTINATION}",
-        "programs": "${CATKIN_PACKAGE_BIN_DESTINATION}",
-        "ros_package": "catkin",
-    },
-    2: {"share": "share/${PROJECT_NAME}", "programs": "lib/${PROJECT_NAME}", "ros_package": "ament_cmake"},
-}
-"""Where things are installed, and the package that builds, by ROS."""
 
 
 def make(seed: int) -> Project:
@@ -195,7 +172,7 @@ class _Maker:
             "number": str(self.rng.randint(0, 5)),
             **dict(zip("abcd", some, strict=True)),
         }
-        lines = _written(self.rng.choice(_FORMS["lists"]), given)
+        lines = written(self.rng.choice(FORMS["lists"]), given)
         for _ in range(self.rng.randint(0, 3)):
             lines += self._change(name, root)
         if self.rng.random() < 0.2:
@@ -211,7 +188,7 @@ class _Maker:
 
     def _change(self, name: str, root: str) -> list[str]:
         given = {"stem": self.rng.choice(STEMS), "number": str(self.rng.randint(0, 9)), "name": name, "root": root}
-        return _written(self.rng.choice(_FORMS["changes"]), given)
+        return written(self.rng.choice(FORMS["changes"]), given)
 
     def _if(self, helpers: _Helpers, depth: int, below: bool) -> list[str]:
         lines = [f"if({self._condition()})", *self._statement("  ", helpers, depth + 1, below)]
@@ -224,7 +201,7 @@ class _Maker:
     def _condition(self) -> str:
         number = self.rng.randint(0, 9)
         given = {"number": str(number)}
-        simple = [line for form in _FORMS["conditions"] for line in _written(form, given)]
+        simple = [line for form in FORMS["conditions"] for line in written(form, given)]
         simple += [*self.options, *(f"NOT {name}" for name in self.options)]
         first = self.rng.choice(simple)
         if self.rng.random() < 0.3:
@@ -277,7 +254,7 @@ class _Maker:
     def _numbered(self, name: str, root: str, stems: list[str]) -> list[str]:
         given = {"lists": self.fresh("Z"), "number": str(self.rng.randint(1, 4)), "name": name, "root": root}
         given |= dict(zip("abc", stems, strict=True))
-        return _written(self.rng.choice(_FORMS["numbered"]), given)
+        return written(self.rng.choice(FORMS["numbered"]), given)
 
     def _while(self, below: bool) -> list[str]:
         name, root = self.fresh("count"), self._root(below)
@@ -329,12 +306,12 @@ class _Maker:
             "option": self.rng.choice(self.options) if self.options else "UNIX",
             "on_off": self.rng.choice(("ON", "OFF")),
             **dict(zip("abcd", self.rng.sample(STEMS, 4), strict=True)),
-            **_PLACES[self.made.ros],
+            **PLACES[self.made.ros],
         }
-        forms = _FORMS["statements"] + _FORMS[f"statements_ros{self.made.ros}"] * 2
-        form = self.rng.choice(forms + (_FORMS["statements_auto"] * 4 if self.auto and not below else []))
+        forms = FORMS["statements"] + FORMS[f"statements_ros{self.made.ros}"] * 2
+        form = self.rng.choice(forms + (FORMS["statements_auto"] * 4 if self.auto and not below else []))
         form = form.replace("${CMAKE_CURRENT_SOURCE_DIR}/config", "${PROJECT_SOURCE_DIR}/config")
-        files, lines = parted(_written(form, given))
+        files, lines = parted(written(form, given))
         self.made.files |= files
         return lines
 
@@ -343,16 +320,9 @@ class _Maker:
         return list(shape.call(name, self.fresh("made"), self._root(below), self.rng))
 
     def _installs(self) -> list[str]:
-        forms = _FORMS["installs"] + (_FORMS["installs_ros1"] if self.made.ros == 1 else [])
+        forms = FORMS["installs"] + (FORMS["installs_ros1"] if self.made.ros == 1 else [])
         chosen = self.rng.sample(forms, self.rng.randint(1, 4))
-        return [line for form in chosen for line in _written(form, _PLACES[self.made.ros])]
-
-
-def _written(form: str, given: Mapping[str, str]) -> list[str]:
-    """The lines of a form, with what is given in the place of `<words>`."""
-    for word, text in given.items():
-        form = form.replace(f"<{word}>", text)
-    return form.rstrip("\n").split("\n")
+        return [line for form in chosen for line in written(form, PLACES[self.made.ros])]
 
 
 @dataclass

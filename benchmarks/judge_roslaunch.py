@@ -151,6 +151,8 @@ def _leaves(name: str, value: Any) -> Iterator[tuple[str, Any]]:
 
 def _placed(value: Any, root: Path) -> Any:
     """A value with the paths of this machine; a text that is the content of a file is the name of the file."""
+    if isinstance(value, list):
+        return [_placed(item, root) for item in value]
     if not isinstance(value, str):
         return value
     content = _CONTENT.fullmatch(value)

@@ -77,7 +77,7 @@ def _told(description: Description) -> dict[str, Any]:
         "links": sorted(link.name for link in description.links),
         "joints": sorted([joint.name, joint.kind, joint.parent, joint.child] for joint in description.joints),
         "control": sorted(_control(entry) for entry in description.hardware),
-        "problems": [text for _, _, text in description.problems],
+        "problems": [problem.message for problem in description.problems],
     }
 
 

@@ -6,6 +6,7 @@ from pathlib import PurePosixPath
 import msgspec
 
 from ecm_extract.exclusion import Exclusion
+from ecm_extract.source_suffixes import CPP
 from ecm_extract.tree import Entry, FileDiagnostic, Tree, Unread, can_declare, printable
 
 MANIFESTS = ("package.xml", "manifest.xml")
@@ -20,7 +21,7 @@ TEST_FILES = frozenset({"conftest.py"})
 TEST_EXTENSIONS = (".test", ".test.xml")
 """Of rostest, the ROS 1 test launcher."""
 
-SOURCE_EXTENSIONS = frozenset({".py", ".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp", ".cu", ".cuh"})
+SOURCE_EXTENSIONS = CPP | {".py"}
 SOURCE_TEST_PREFIXES = ("test_",)
 SOURCE_TEST_SUFFIXES = ("_test", "_tests", "_unittest")
 """Of the name of a source file without its extension; a message named so is still an interface."""

@@ -1,4 +1,4 @@
-"""What `ament_auto_add_*` and `ament_auto_package` look for and install by themselves (ament_cmake_auto)."""
+"""What the tools that know a package's targets look for and install by themselves: ament_cmake_auto, catkin_simple."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def installed_by_auto(call: Call, calls: Sequence[Call], files: BuildFiles) -> I
         files: of the tree.
     """
     groups = split(call.texts, frozenset({"INSTALL_TO_PATH", "INSTALL_TO_SHARE"}))
-    project = next((each.args[0] for each in calls if each.name == "project" and each.args), "${PROJECT_NAME}")
+    project = _project(calls)
     if files.is_folder(posixpath.join(call.folder, "include")):
         yield _rule("directory", [call.file("include/")], "include", call)
     yield from _of_targets(_made(_LIBRARY, calls), "lib", call)
@@ -46,6 +46,16 @@ def installed_by_auto(call: Call, calls: Sequence[Call], files: BuildFiles) -> I
     yield from _of_targets(_made(_EXECUTABLE, calls), programs, call)
     for folder in groups.get("INSTALL_TO_SHARE", []):
         yield _rule("directory", [call.file(folder)], f"share/{project}", call)
+
+
+def installed_by_simple(call: Call, calls: Sequence[Call]) -> Iterator[Install]:
+    """Yield the rules of `cs_install()` (catkin_simple): all targets of `cs_add_*`."""
+    yield from _of_targets(_made("cs_add_library", calls), "lib", call)
+    yield from _of_targets(_made("cs_add_executable", calls), f"lib/{_project(calls)}", call)
+
+
+def _project(calls: Sequence[Call]) -> str:
+    return next((each.args[0] for each in calls if each.name == "project" and each.args), "${PROJECT_NAME}")
 
 
 def _made(command: str, calls: Sequence[Call]) -> list[Call]:

@@ -139,7 +139,7 @@ def _asks_for_tests(run: Run, header: tuple[Argument, ...], outcomes: Outcomes[J
     switches = known().tests.names & outcomes.reads
     if not switches or outcomes.first.verdict is False:
         return False
-    off = Look(run.state.variables, dict.fromkeys(switches, "OFF"), run.outside.may_set)
+    off = Look(run.state.variables, dict.fromkeys(switches, "OFF"), run.outside)
     return holds(header, off, Answers(run)) is False
 
 

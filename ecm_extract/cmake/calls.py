@@ -25,7 +25,7 @@ class Call(msgspec.Struct, frozen=True):
         conditions: that are not decided, as written.
         by_default: whether a build without settings of its own runs it; None where that is not known.
         is_test: whether it runs only when tests are built.
-        minimum: version given to `cmake_minimum_required`.
+        is_relative_here: whether sources that it adds are found from its folder, not from that of the target (CMP0076).
         makes_shared: whether libraries are shared here that do not say it (BUILD_SHARED_LIBS); None is not known.
     """
 
@@ -39,7 +39,7 @@ class Call(msgspec.Struct, frozen=True):
     conditions: tuple[str, ...] = ()
     by_default: bool | None = True
     is_test: bool = False
-    minimum: tuple[int, ...] = ()
+    is_relative_here: bool = False
     makes_shared: bool | None = None
 
     @property

@@ -13,6 +13,7 @@ from ecm_extract.cmake.change import Change
 from ecm_extract.cmake.functions import Function, bound, substituted
 from ecm_extract.cmake.known import commands, is_true, known
 from ecm_extract.cmake.look import Outcomes
+from ecm_extract.cmake.policies import is_new
 from ecm_extract.cmake.run import Arm, Place, Run
 from ecm_extract.cmake.setters import ALSO_CALLS
 from ecm_extract.cmake.special import SPECIAL
@@ -63,7 +64,7 @@ def _record(run: Run, command: Command, outcomes: Outcomes[tuple[str, ...]], pla
         conditions=path.conditions,
         by_default=path.by_default,
         is_test=path.is_test,
-        minimum=run.minimum,
+        is_relative_here=is_new(run.look(), "CMP0076"),
         makes_shared=_makes_shared(run) if command.name in _LIBRARIES else None,
     )
     run.found.calls.append(call)
@@ -117,6 +118,8 @@ def _touch(run: Run, words: Sequence[str]) -> None:
     """A command from elsewhere may set the variables whose names it is given."""
     for word in words:
         value = run.state.variables.get(word)
+        if value is None and run.outside.leaves_empty(word):
+            value = Value((None,))
         if value is not None:
             run.state.assign(word, one_of((*value.texts, unknown(word)), False))
 

@@ -76,7 +76,7 @@ def judged(header: Sequence[Argument], look: Look, world: World) -> Judged:
 def _words(argument: Argument, look: Look) -> Iterator[_Word]:
     is_name = argument.form == "plain" and "$" not in argument.text
     is_quoted = argument.form in {"quoted", "bracket"}
-    yield from (_Word(text, is_quoted, is_name) for text in values(argument, look))
+    yield from (_Word(text, is_quoted, is_name) for text in values(argument, look.get))
 
 
 def _done(verdict: bool | None) -> _Word:
@@ -225,9 +225,11 @@ class _Condition:
         return self._world.is_command(word.text) if is_known(word.text) else None
 
     def is_defined(self, word: _Word) -> bool | None:
-        if not is_known(word.text) or not self._look.has(word.text):
+        if not is_known(word.text):
             return None
-        return self._look.get(word.text) is not None
+        if self._look.has(word.text):
+            return self._look.get(word.text) is not None
+        return None if self._look.outside(word.text) or self._look.is_told(word.text) else False
 
     def is_absolute(self, word: _Word) -> bool | None:
         text = self._text(word)

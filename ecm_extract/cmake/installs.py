@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 import msgspec
 from ecm_parsers.cmake_facts import Install, InstallKind, Target
 
-from ecm_extract.cmake.auto_package import installed_by_auto
+from ecm_extract.cmake.auto_package import installed_by_auto, installed_by_simple
 from ecm_extract.cmake.calls import Call
 from ecm_extract.cmake.files import BuildFiles
 from ecm_extract.cmake.genex import decided, decided_text
@@ -22,6 +22,8 @@ _INSTALL_KINDS: dict[str, InstallKind] = {
     "DIRECTORY": "directory",
     "FILES": "files",
 }
+_ONLY_IN = "CONFIGURATIONS"
+"""What installs only for some values of CMAKE_BUILD_TYPE, which the end of the build decides."""
 _INSTALL_WORDS = frozenset(
     {"DESTINATION", "EXPORT", "RUNTIME", "LIBRARY", "ARCHIVE", "INCLUDES", "PERMISSIONS", "PATTERN", "REGEX"}
     | {"FILES_MATCHING", "USE_SOURCE_PERMISSIONS", "OPTIONAL", "COMPONENT", "RENAME", "FILE_PERMISSIONS"}
@@ -44,12 +46,17 @@ def installs(calls: tuple[Call, ...], targets: Mapping[str, Target], files: Buil
             yield from _each(call, "python", targets)
         elif call.name == "ament_auto_package":
             yield from installed_by_auto(call, calls, files)
+        elif call.name == "cs_install":
+            yield from installed_by_simple(call, calls)
 
 
 def _each(call: Call, kind: InstallKind, targets: Mapping[str, Target]) -> Iterator[Install]:
     """The rules of a call; those that only some of the arguments give which builds may have are open."""
     worlds = [tuple(_rules(call, kind, texts, targets)) for texts in (call.texts, *call.others)]
     for rule in dict.fromkeys(rule for rules in worlds for rule in rules):
+        if _ONLY_IN in call.texts:
+            yield msgspec.structs.replace(rule, by_default=both(call.by_default, None))
+            continue
         is_taken = True if all(rule in rules for rules in worlds) else rule in worlds[0] if call.sure else None
         yield msgspec.structs.replace(rule, by_default=both(call.by_default, is_taken))
 

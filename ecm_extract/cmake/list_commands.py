@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 from collections.abc import Callable, Sequence
 from typing import Final
@@ -137,13 +138,23 @@ def _reverse(values: list[str], rest: list[str], look: Look) -> list[str]:
     return values[::-1]
 
 
+_SORTED_BY: Final[dict[str, Callable[[str], str]]] = {"STRING": str, "FILE_BASENAME": posixpath.basename}
+
+
+_KEPT_IN_ORDER: Final = 16
+"""So many items at most stay in their order where they compare equal: `std::sort` inserts them one by one."""
+
+
 def _sort(values: list[str], rest: list[str], look: Look) -> list[str] | None:
     del look
     words = dict(zip(rest[::2], rest[1::2], strict=False))
-    if words.get("COMPARE", "STRING") != "STRING" or words.keys() - {"COMPARE", "CASE", "ORDER"}:
+    part = _SORTED_BY.get(words.get("COMPARE", "STRING"))
+    if part is None or words.keys() - {"COMPARE", "CASE", "ORDER"}:
         return None
     is_folded = words.get("CASE") == "INSENSITIVE"
-    keys = {value: (value.lower() if is_folded else value).encode() for value in values}
+    keys = {value: (part(value).lower() if is_folded else part(value)).encode() for value in values}
+    if len(set(keys.values())) < len(keys) and len(values) > _KEPT_IN_ORDER:
+        return None
     return sorted(values, key=keys.__getitem__, reverse=words.get("ORDER") == "DESCENDING")
 
 

@@ -7,6 +7,7 @@ from typing import Final, Generic, TypeVar
 
 import msgspec
 
+from ecm_extract.cmake.outside import Outside
 from ecm_extract.cmake.state import Scope
 from ecm_extract.cmake.values import unknown
 
@@ -26,10 +27,10 @@ class Outcomes(msgspec.Struct, Generic[Result], frozen=True):
 class Look:
     """Variables as one of the possible worlds has them; it remembers which of several texts were asked for."""
 
-    def __init__(self, scope: Scope, chosen: Mapping[str, str | None], outside: Callable[[str], bool]) -> None:
+    def __init__(self, scope: Scope, chosen: Mapping[str, str | None], outside: Outside) -> None:
         self._scope = scope
         self._chosen = chosen
-        self.outside = outside
+        self._outside = outside
         self.several: dict[str, None] = {}
         self.sure = True
 
@@ -44,6 +45,20 @@ class Look:
             self.several[name] = None
             self.sure = self.sure and value.sure
         return value.first
+
+    def outside(self, name: str) -> bool:
+        """Tell whether a variable may be set by what is not read."""
+        return self._outside.may_set(name)
+
+    def substituted(self, name: str) -> str | None:
+        """Return the text that a reference stands for; what only the tree sets, and has not, is empty."""
+        if name not in self._scope and self._outside.leaves_empty(name):
+            return None
+        return self.get(name)
+
+    def is_cached(self, name: str) -> bool:
+        """Tell whether a variable shows what the cache holds."""
+        return name in self._scope and self._scope[name].cached
 
     def is_told(self, name: str) -> bool:
         """Tell whether a build is told a variable that nothing of the tree sets; one without settings is not."""
@@ -62,7 +77,7 @@ class Look:
         return self.get(name) or ""
 
 
-def worlds(scope: Scope, outside: Callable[[str], bool], run: Callable[[Look], Result]) -> Outcomes[Result]:
+def worlds(scope: Scope, outside: Outside, run: Callable[[Look], Result]) -> Outcomes[Result]:
     """Run something with the first texts, then again with each other text of what it asked for."""
     look = Look(scope, {}, outside)
     first = run(look)

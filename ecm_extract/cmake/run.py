@@ -146,11 +146,11 @@ class Run:
 
     def look(self) -> Look:
         """Return the variables as a build without settings has them."""
-        return Look(self.state.variables, {}, self.outside.may_set)
+        return Look(self.state.variables, {}, self.outside)
 
     def worlds(self, run: Callable[[Look], Result]) -> Outcomes[Result]:
         """Read variables in each of the ways that they may be."""
-        outcomes = worlds(self.state.variables, self.outside.may_set, run)
+        outcomes = worlds(self.state.variables, self.outside, run)
         self.work += len(outcomes.others)
         return outcomes
 

@@ -10,6 +10,8 @@ from typing import Final
 
 from ecm_extract.cmake.change import Change, not_known
 from ecm_extract.cmake.look import Look
+from ecm_extract.cmake.policies import is_new
+from ecm_extract.cmake.state import cached_name
 
 _ENVIRONMENT: Final = "ENV{"
 _FORCED: Final = frozenset({"FORCE", "INTERNAL"})
@@ -43,9 +45,13 @@ def set_variable(args: list[str], look: Look) -> Sequence[Change]:
 
 
 def _cached(name: str, text: str, forced: bool, look: Look) -> Sequence[Change]:
-    """A normal variable of that name hides the one in the cache."""
-    held = look.get(name) if look.has(name) else None
-    return [] if held is not None and not forced else [Change(name, text, "cache")]
+    """What the cache holds already stays; a variable of that name goes, unless CMP0126 keeps it."""
+    if look.has(cached_name(name)) and not forced:
+        return []
+    is_hidden = look.has(name) and look.get(name) is not None and not look.is_cached(name)
+    if is_hidden and is_new(look, "CMP0126"):
+        return [Change(cached_name(name), text, "everywhere")]
+    return [Change(name, text, "cache")]
 
 
 def unset_variable(args: list[str], look: Look) -> Sequence[Change]:
@@ -57,8 +63,10 @@ def unset_variable(args: list[str], look: Look) -> Sequence[Change]:
 
 
 def option(args: list[str], look: Look) -> Sequence[Change]:
-    """`option(NAME text [value])`; one that is set already keeps its value (CMP0077)."""
-    if not args or (look.has(args[0]) and look.get(args[0]) is not None):
+    """`option(NAME text [value])`; what the cache holds stays, a variable does so by CMP0077 only."""
+    if not args or look.has(cached_name(args[0])):
+        return []
+    if look.has(args[0]) and look.get(args[0]) is not None and is_new(look, "CMP0077"):
         return []
     return [Change(args[0], args[2] if len(args) > 2 else "OFF", "cache")]
 

@@ -11,6 +11,7 @@ from ecm_extract.cmake.files import BuildFiles
 from ecm_extract.cmake.list_commands import run_list
 from ecm_extract.cmake.option_commands import dependent_option
 from ecm_extract.cmake.path_commands import run_path
+from ecm_extract.cmake.policies import cmake_policy
 from ecm_extract.cmake.property_commands import (
     add_executable,
     add_library,
@@ -44,6 +45,7 @@ _SETTERS: Final[dict[str, Setter]] = {
     "target_sources": target_sources,
     "cmake_path": run_path,
     "cmake_dependent_option": dependent_option,
+    "cmake_policy": cmake_policy,
 }
 ALSO_CALLS: Final = frozenset(
     {"option", "cmake_dependent_option", "set_property", "set_target_properties", "file"}

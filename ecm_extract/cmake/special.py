@@ -10,6 +10,8 @@ import msgspec
 from ecm_parsers.cmake_blocks import Step, nest
 from ecm_parsers.cmake_tokens import Argument, Command, parse_commands
 
+from ecm_extract.cmake import policies
+from ecm_extract.cmake.assigned import assigned
 from ecm_extract.cmake.files import absolute, placed, tree_path
 from ecm_extract.cmake.finding import found_packages
 from ecm_extract.cmake.known import known
@@ -47,6 +49,7 @@ def _read(run: Run, path: str) -> tuple[Step, ...] | None:
     parsed = parse_commands(data)
     diagnostics = list(parsed.diagnostics)
     steps = nest(parsed.facts, diagnostics)
+    run.outside.assign(assigned(parsed.facts))
     if path not in run.found.paths:
         run.found.paths[path] = None
         for diagnostic in diagnostics:
@@ -121,6 +124,8 @@ def _find_package(run: Run, command: Command, args: tuple[str, ...], place: Plac
     run.brought.find(found_packages(args))
     for name in args:
         _know(run, known().packages.get(name, {}))
+    if "REQUIRED" in args and is_known(args[0]):
+        run.set(f"{args[0]}_FOUND", "1")  # without it there is no build
     return True
 
 
@@ -160,6 +165,9 @@ def _project(run: Run, command: Command, args: tuple[str, ...], place: Place) ->
 def _require(run: Run, command: Command, args: tuple[str, ...], place: Place) -> bool:
     del command, place
     version = "".join(args[args.index("VERSION") + 1 :][:1]) if "VERSION" in args else ""
+    for name in [each for each in run.state.variables if each.startswith(policies.PREFIX)]:
+        del run.state.variables[name]
+    run.set(policies.VERSION, policies.upper(version))
     run.minimum = tuple(int(part) for part in version.partition("...")[0].split(".") if part.isdigit())
     return True
 

@@ -17,6 +17,11 @@ Where = Literal["here", "outside", "cache", "everywhere"]
 """Which scopes see what is set: the innermost, the one outside of it, those where no variable hides it, or all."""
 
 
+def cached_name(name: str) -> str:
+    """Return the name under which an entry of the cache is kept, which no variable can have."""
+    return f"\x06CACHE\x06{name}"
+
+
 class Path(msgspec.Struct, frozen=True):
     """How a command is reached.
 
@@ -72,9 +77,14 @@ class State:
         """Set a variable in the scopes that see it."""
         if where == "cache":
             value = msgspec.structs.replace(value, cached=True)
+            self._keep(cached_name(name), value)
         for scope in self._seen_in(name, where):
             if name in scope or len(scope) < MAX_VARIABLES:
                 scope[name] = value
+
+    def _keep(self, name: str, value: Value) -> None:
+        for scope in self.scopes:
+            scope[name] = value
 
     def _seen_in(self, name: str, where: Where) -> list[Scope]:
         if where == "outside" and len(self.scopes) > 1:

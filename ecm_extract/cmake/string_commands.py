@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import hashlib
 import re
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Final
 
 from ecm_extract.cmake import patterns
@@ -16,6 +18,7 @@ _Form = Callable[[list[str], Look], Sequence[Change]]
 _NO_LETTER: Final = re.compile(r"[^A-Za-z0-9_]")
 _AT: Final = re.compile(r"@([A-Za-z0-9_./+-]+)@")
 _BRACED: Final = re.compile(r"\$\{([A-Za-z0-9_./+-]+)\}")
+_HASHES: Final = ("MD5", "SHA1", "SHA224", "SHA256", "SHA384", "SHA512", "SHA3_224", "SHA3_256", "SHA3_384", "SHA3_512")
 _COMPARED: Final[dict[str, Callable[[str, str], bool]]] = {
     "LESS": lambda one, other: one < other,
     "GREATER": lambda one, other: one > other,
@@ -155,6 +158,14 @@ def _all_matches(compiled: re.Pattern[str], expression: str, text: str) -> str |
     return ";".join(found) if all(found) else None
 
 
+def _hashed(kind: str, args: list[str], look: Look) -> Sequence[Change]:
+    """`string(MD5 | SHA... NAME text)`."""
+    del look
+    name, text = args[0], args[1]
+    sum_ = hashlib.new(kind.lower(), text.encode(), usedforsecurity=False).hexdigest()
+    return _told(name, None if is_placed(text) else sum_, text)
+
+
 def _genex(args: list[str], look: Look) -> Sequence[Change]:
     del look
     return _told(args[1], stripped(args[0]), args[0])
@@ -178,4 +189,5 @@ _FORMS: Final[dict[str, _Form]] = {
     "CONFIGURE": _configure,
     "REGEX": _regex,
     "GENEX_STRIP": _genex,
+    **{kind: partial(_hashed, kind) for kind in _HASHES},
 }

@@ -31,6 +31,7 @@ _LIBRARY_WORDS = frozenset(
         "MACOSX_BUNDLE",
     }
     | {"NO_TARGET_LINK_LIBRARIES", "THIN_LTO", "NO_EXTRAS", "OPT_SIZE", "LTO"}
+    | {"NO_AUTO_LINK", "NO_AUTO_DEP", "NO_AUTO_EXPORT"}
 )
 _STATIC = frozenset({"STATIC", "OBJECT", "INTERFACE"})
 _SKIPPED = frozenset({"IMPORTED", "ALIAS"})
@@ -42,16 +43,17 @@ _BUILDERS: dict[str, TargetKind] = {
     "cuda_add_executable": "executable",
     "ament_auto_add_executable": "executable",
     "rosbuild_add_executable": "executable",
+    "cs_add_executable": "executable",
     "add_library": "library",
     "cuda_add_library": "library",
     "ament_auto_add_library": "library",
     "rosbuild_add_library": "library",
+    "cs_add_library": "library",
     "pybind11_add_module": "library",
     "python3_add_library": "library",
     "nanobind_add_module": "library",
 }
 _SOURCE_WORDS = frozenset({"FILE_SET", "BASE_DIRS", "FILES", "HEADERS", "TYPE"})
-_OWN_FOLDER = (3, 13)
 _LINKERS = frozenset({"target_link_libraries", "ament_target_dependencies", "ament_auto_target_link_libraries"})
 _GROWING = _LINKERS | {"target_sources", "target_include_directories"}
 _TEST = re.compile(r"\w*add_(\w*_)?(gtest|gmock|rostest|nosetests|pytest|test|google_benchmark)\w*")
@@ -188,7 +190,7 @@ def _grow(target: _Growing, call: Call) -> None:
         for at, texts in enumerate((call.texts, *call.others)):
             by_default = both(call.by_default, (at == 0) if call.sure else None)
             # Before 3.13 a path is relative to the folder of the target, not of the call (CMP0076).
-            folder = call.folder if call.minimum >= _OWN_FOLDER else target.call.folder
+            folder = call.folder if call.is_relative_here else target.call.folder
             place = msgspec.structs.replace(call, folder=folder, path=target.call.path)
             given = _added(texts[1:])
             target.links += objects_used(given)

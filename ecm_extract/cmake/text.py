@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Final
 
 from ecm_parsers.cmake_tokens import Argument
@@ -18,9 +19,9 @@ _STARTS: Final = (("${", ""), ("$ENV{", "ENV:"), ("$CACHE{", "CACHE:"))
 class _Reader:
     """A cursor over one argument."""
 
-    def __init__(self, text: str, look: Look) -> None:
+    def __init__(self, text: str, get: Callable[[str], str | None]) -> None:
         self._text = text
-        self._look = look
+        self._get = get
         self._at = 0
 
     def read(self, depth: int = 0) -> str:
@@ -52,24 +53,29 @@ class _Reader:
     def _value(self, name: str) -> str:
         if name.startswith(("ENV:", "CACHE:")):
             return unknown(name.replace(":", "_"))
-        return self._look.get(name) or ""
+        return self._get(name) or ""
 
 
-def expanded(text: str, look: Look) -> str:
+def expanded(text: str, get: Callable[[str], str | None]) -> str:
     """Return a text with its references replaced; what is not known is marked."""
     if "$" not in text and "\\" not in text:
         return text
-    return _Reader(text, look).read()
+    return _Reader(text, get).read()
 
 
-def values(argument: Argument, look: Look) -> list[str]:
-    """Return what an argument stands for: several texts where it is unquoted and holds a list."""
+def values(argument: Argument, get: Callable[[str], str | None]) -> list[str]:
+    """Return what an argument stands for: several texts where it is unquoted and holds a list.
+
+    Args:
+        argument: of a command.
+        get: gives the text of a variable.
+    """
     if argument.form == "bracket":
         return [argument.text]
-    text = expanded(argument.text, look)
+    text = expanded(argument.text, get)
     return [text] if argument.form == "quoted" else arguments(text)
 
 
 def all_values(args: tuple[Argument, ...], look: Look) -> list[str]:
     """Return what all arguments of a command stand for."""
-    return [value for argument in args for value in values(argument, look)]
+    return [value for argument in args for value in values(argument, look.substituted)]

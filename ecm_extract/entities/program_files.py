@@ -10,8 +10,7 @@ from ecm_parsers.cmake_facts import Target
 from ecm_parsers.source.facts import SourceFile
 
 from ecm_extract.read.facts import PackageFacts
-
-_HEADERS = (".h", ".hh", ".hpp", ".hxx", ".ipp", ".tpp")
+from ecm_extract.source_suffixes import INCLUDED
 
 
 def of_programs(facts: PackageFacts) -> frozenset[str]:
@@ -21,11 +20,11 @@ def of_programs(facts: PackageFacts) -> frozenset[str]:
     linked = _library_sources(facts)
     homes: dict[str, set[bool]] = defaultdict(set)
     for path, source in facts.sources.items():
-        if source.language == "cpp" and not path.endswith(_HEADERS):
+        if source.language == "cpp" and not path.endswith(tuple(INCLUDED)):
             for function in source.functions:
                 if "declaration" not in function.traits:
                     homes[function.scope].add(path in linked or path.rpartition(".")[0] in linked)
-    headers = ((path, source) for path, source in facts.sources.items() if path.endswith(_HEADERS))
+    headers = ((path, source) for path, source in facts.sources.items() if path.endswith(tuple(INCLUDED)))
     return frozenset(path for path, source in headers if _places(source, homes) == {False})
 
 

@@ -3,18 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Set
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
-from ecm_parsers.source.expr import Call, Expr, Items, Number, Op, Opaque
+from ecm_parsers.source.expr import Call, Expr, Items, Name, Number, Op, Opaque
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.effects import bare_names, is_plain
 from ecm_extract.infer.held import Held, State
 from ecm_extract.infer.memory import Memory
 from ecm_extract.infer.run import Frame
+from ecm_extract.link.spelling import last_name
+from ecm_extract.link.walk import children
 
 if TYPE_CHECKING:
     from ecm_extract.link.env import Bound, Env
+
+_TIE: Final = "tie"
+"""en.cppreference.com, std::tie: references to what it is given."""
+_MAKERS: Final = frozenset({"make_pair", "make_tuple"})
 
 
 class Assigning:
@@ -34,7 +40,16 @@ class Assigning:
         if isinstance(value, Opaque):
             return self.bind(target, Held("lost", "", None, env, at), state)
         state = self._placed(value, state)
-        return self.bind(target, Held("value", "", value, env, at), state)
+        state = self.bind(target, Held("value", "", value, env, at), state)
+        return self._from_before(target, state) if statement.kept else state
+
+    def _from_before(self, target: Expr | None, state: State) -> State:
+        """A variable that is kept between calls: what it begins with, or what a call before has left it with."""
+        key = self.frame.effects.key(target)
+        given_out = "reference" in self.frame.env.func.fact.traits
+        if not given_out and self.frame.outline.changes.get(key, 0) <= 1:
+            return state
+        return state.having({key: (*state.holds[key], Held("lost", key))})
 
     def _placed(self, value: Expr | None, state: State) -> State:
         """A text of C++ that has no value yet, in the braces of an object: whoever makes that may write it."""
@@ -77,13 +92,20 @@ class Assigning:
             return self._after_rebinding(key, state)
         root = self.frame.effects.root(target)
         if not root:
-            return state
+            return self._one_of_several(target, held, state)
         if isinstance(target, Op) and target.op == "[]" and self.frame.effects.key(target.operands[0]) == root:
             before = self.memory.known(root, state, held.env)
             stored = Held("stored", root, target.operands[1], held.env, held.at, held.expr, before)
             new = stored if held.how == "value" else Held("lost", root, before=before)
             return self.memory.in_place(root, new, state)
         return self.memory.in_place(root, Held("lost", root, before=state.holds.get(root, ())), state)
+
+    def _one_of_several(self, target: Expr | None, held: Held, state: State) -> State:
+        """`std::tie(a, b) = value` gives each its part; `(test ? a : b) = value` gives one or the other something."""
+        if isinstance(target, Call) and isinstance(target.callee, Name) and last_name(target.callee.id) == _TIE:
+            return self._unpack(Items(target.args), held, state)
+        within = children(target) if isinstance(target, Call | Op) else ()
+        return self.memory.lost(state, {self.frame.effects.root(part) for part in within} - {""})
 
     def _after_rebinding(self, key: str, state: State) -> State:
         """In C++ a reference that is assigned writes through, and references to what is assigned see it."""
@@ -95,7 +117,7 @@ class Assigning:
 
     def _unpack(self, target: Items, held: Held, state: State) -> State:
         """`a, b = value`: each gets its part, all of them at once."""
-        value = held.expr
+        value = _of_maker(held.expr, self.frame.python)
         env = held.env
         for index, item in enumerate(target.items):
             if held.how == "value" and isinstance(value, Items) and len(value.items) == len(target.items):
@@ -128,6 +150,12 @@ class Assigning:
         """Return the state in which a loop has bound its variable to an element that is known."""
         own = item.env.func is self.frame.env.func  # the place of a statement means something in its function only
         return self.bind(target, Held("value", "", item.expr, item.env, at if own else -1), state)
+
+
+def _of_maker(value: Expr | None, python: bool) -> Expr | None:
+    """The values that a pair or tuple of C++ is made of; anything else as it is."""
+    made = last_name(value.callee.id) if isinstance(value, Call) and isinstance(value.callee, Name) else ""
+    return Items(value.args) if isinstance(value, Call) and not python and made in _MAKERS else value
 
 
 def _braces(value: Expr | None) -> list[Items]:

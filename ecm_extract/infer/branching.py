@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from typing import Protocol
 
-from ecm_parsers.source.expr import Call, Comprehension, Constant, Expr, Op, Opaque
+from ecm_parsers.source.expr import Constant, Expr, Op
 from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Leave, Switch, blocks
 
 from ecm_extract.infer.exits import Exits
 from ecm_extract.infer.held import State, joined_states
 from ecm_extract.infer.run import Frame
-from ecm_extract.link.walk import children
 
 
 class Blocks(Protocol):
@@ -103,21 +102,17 @@ class Branching:
         raised = self.exits.end_attempt()
         done = self.blocks.run(step.other, done) if done is not None else None
         outs: list[State | None] = [done]
-        if step.handlers and not self._may_raise(step.body):
-            for handler in step.handlers:
+        caught = joined_states(raised)
+        for handler in step.handlers:
+            if caught is None:
                 self.blocks.unreached(handler, state)
-        elif step.handlers:
-            caught = joined_states([state, *raised])
-            start = caught if caught is not None else state
-            outs += [self.blocks.run(handler, self.frame.undecided(start)) for handler in step.handlers]
+            else:
+                outs.append(self.blocks.run(handler, self.frame.undecided(caught)))
         met = joined_states(outs)
         if met is None:
             self.blocks.run(step.final, self.frame.undecided(joined_states([state, *raised]) or state))
             return None
         return self.blocks.run(step.final, met)
-
-    def _may_raise(self, block: Block) -> bool:
-        return any(not isinstance(step, int) or _raises(self.frame.body[step].value) for step in block)
 
 
 def _behind(step: Branch | Switch, before: State, after: State | None) -> State | None:
@@ -136,12 +131,3 @@ def _question(subject: Expr, case: Case) -> Expr | None:
         return case.tests[0]
     asked = [Op("==", (subject, test)) for test in case.tests]
     return asked[0] if len(asked) == 1 else Op("||", tuple(asked)) if asked else None
-
-
-def _raises(expr: Expr | None) -> bool:
-    """Tell whether evaluating an expression may raise: calls, subscripts, divisions."""
-    if expr is None:
-        return False
-    if isinstance(expr, Call | Comprehension | Opaque) or (isinstance(expr, Op) and expr.op in {"[]", "/", "//", "%"}):
-        return True
-    return any(_raises(part) for part in children(expr))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Set
 from dataclasses import dataclass
 from functools import cache
-from typing import TYPE_CHECKING, Literal, Protocol
+from typing import TYPE_CHECKING, Final, Literal, Protocol
 
 from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member, Name, Number, Op, Table, Template, Text
 from ecm_parsers.source.facts import Statement
@@ -28,6 +28,8 @@ class Calls:
     reading: Set[str]
     iterators: Set[str]
     waiting: Set[str]
+    calm: Set[str]
+    writing: Set[str]
 
     def waits(self, call: Call) -> bool:
         """Tell whether a call may let callbacks of the program run; what joins texts or paths does not."""
@@ -35,6 +37,9 @@ class Calls:
         if isinstance(callee, Member):
             return callee.name in self.waiting and not _is_text_or_path(callee.base)
         return isinstance(callee, Name) and callee.id.rsplit("::", 1)[-1] in self.waiting
+
+
+_ROWS: Final = ("changing", "reading", "iterators", "calm", "writing")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -71,9 +76,8 @@ class Targets(Protocol):
 def calls_of(language: str) -> Calls:
     """Return the table of a language."""
     table = shipped("infer/calls.toml")
-    own = table[language]
-    listed = (own["changing"], own["reading"], own.get("iterators", ()), table["waiting"]["names"])
-    return Calls(*[frozenset(names) for names in listed])
+    own = {name: frozenset(table[language].get(name, ())) for name in _ROWS}
+    return Calls(**own, waiting=frozenset(table["waiting"]["names"]))
 
 
 class Effects:
@@ -194,7 +198,8 @@ class Effects:
         if target is None:
             made = isinstance(call.callee, Name) and last[:1].isupper()
             outside = made or (self.python and root.startswith("."))
-            if self._iterates(arg) or (isinstance(arg, Op) and arg.op == "&"):
+            written = last in self.calls.writing
+            if written or self._iterates(arg) or (isinstance(arg, Op) and arg.op == "&"):
                 yield Effect("lost", root, call)
             elif self.python or not (outside or self._is_constant(root)):
                 yield Effect("handed", root, call)

@@ -10,7 +10,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.facts import Statement
-from ecm_parsers.source.flow import Attempt, Block, Branch, Later, Loop, Step, Switch, statements
+from ecm_parsers.source.flow import Attempt, Block, Branch, Later, Leave, Loop, Step, Switch, statements
 
 from ecm_extract.infer.assigning import Assigning
 from ecm_extract.infer.branching import Branching
@@ -21,6 +21,7 @@ from ecm_extract.infer.held import Held, State, joined_states
 from ecm_extract.infer.judge import Judge
 from ecm_extract.infer.looping import Looping
 from ecm_extract.infer.memory import Memory
+from ecm_extract.infer.raising import asks_what_raises, may_raise
 from ecm_extract.infer.run import Frame, Run
 
 if TYPE_CHECKING:
@@ -57,7 +58,7 @@ class Interpreter:
         """Run steps in order; None when no way leads out of their end."""
         if self._nesting >= MAX_NESTING:
             self.frame.run.cut = True
-            return self.memory.lost(state, self.memory.changed_in(block)) if state is not None else None
+            return self._cut(block, state) if state is not None else None
         self._nesting += 1
         before = state
         for at, step in enumerate(block):
@@ -69,6 +70,12 @@ class Interpreter:
             state = after
         self._nesting -= 1
         return self._outside_again(block, before, state)
+
+    def _cut(self, block: Block, state: State) -> State:
+        """The state after steps that are not followed, which may raise as well."""
+        after = self.memory.lost(state, self.memory.changed_in(block))
+        self.exits.may_raise(after)
+        return after
 
     def unreached(self, block: Block, state: State | None) -> None:
         """Follow code that no run reaches, so that what it would do is known too."""
@@ -92,6 +99,17 @@ class Interpreter:
     def _step(self, step: Step, state: State) -> State | None:
         if isinstance(step, int):
             return self._statement(step, state)
+        raises = self.exits.catches and asks_what_raises(step, self.frame.body, self.frame.language)
+        after = self._taken(step, self._raising(raises, state))
+        return after if after is None or not isinstance(step, Loop) else self._raising(raises, after)
+
+    def _raising(self, raises: bool, state: State) -> State:
+        """The same state, with which handlers around go on where something raises."""
+        if raises:
+            self.exits.may_raise(state)
+        return state
+
+    def _taken(self, step: Step, state: State) -> State | None:
         if isinstance(step, Branch):
             return self.branching.branch(step, state)
         if isinstance(step, Loop):
@@ -102,7 +120,8 @@ class Interpreter:
             return self.branching.attempt(step, state)
         if isinstance(step, Later):
             return self._run_later(step, state)
-        self.exits.leave(step.how, state)
+        if isinstance(step, Leave):
+            self.exits.leave(step.how, state)
         return None
 
     def _run_later(self, step: Later, state: State) -> State:
@@ -130,14 +149,16 @@ class Interpreter:
             self.frame.record(at, [state])
             return state
         self.frame.record(at, self.comprehending.states(statement, at, state))
-        env = self.frame.place(state)
+        raises = self.exits.catches and self._may_raise(statement)
+        env = self.frame.place(self._raising(raises, state))
         state = self._read(at, env, self.calling.after(at, state, env))
         if statement.kind == "return":
             self.exits.returned(at, state)
             return None
-        state = self._given(statement, at, env, state)
-        self.exits.may_raise(state)
-        return state
+        return self._given(statement, at, env, self._raising(raises, state))
+
+    def _may_raise(self, statement: Statement) -> bool:
+        return any(may_raise(each, self.frame.language) for each in (statement.value, statement.target))
 
     def _read(self, at: int, env: Env, state: State) -> State:
         """The state after a statement has read parameters into variables."""

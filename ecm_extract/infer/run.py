@@ -68,7 +68,8 @@ class Frame:
         self.whole = whole
         self.outline: Outline = judge.outline(env.func)
         self.effects: Effects = self.outline.effects
-        self.python = env.func.file.language == "python"
+        self.language = env.func.file.language
+        self.python = self.language == "python"
         self.body: Sequence[Statement] = env.func.fact.body
         self.run = Run()
         self.at = 0

@@ -6,13 +6,11 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import PurePosixPath
 from posixpath import dirname, join, normpath
-from typing import Final
 
 from ecm_extract.cmake.sources import built_sources, paths_of
 from ecm_extract.link.units import File
 from ecm_extract.read.facts import PackageFacts
-
-_COMPILED: Final = frozenset({".c", ".cc", ".cpp", ".cxx", ".cu"})
+from ecm_extract.source_suffixes import COMPILED
 
 
 def files_of(packages: Iterable[PackageFacts]) -> list[File]:
@@ -45,7 +43,7 @@ def _dead(package: PackageFacts) -> frozenset[str]:
     included = {PurePosixPath(entry.module).name for facts in package.sources.values() for entry in facts.imports}
     names = (PurePosixPath(path) for path in package.sources)
     return frozenset(
-        str(path) for path in names if path.suffix in _COMPILED and str(path) not in built and path.name not in included
+        str(path) for path in names if path.suffix in COMPILED and str(path) not in built and path.name not in included
     )
 
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from ecm_parsers.source.expr import Member, Name
 
 from ecm_extract.infer.effects import calls_of
+from ecm_extract.infer.places import whole_of
 from ecm_extract.link.env import Env
 from ecm_extract.link.program import Program
 from ecm_extract.link.scope import Definition, Scope
@@ -55,7 +56,7 @@ class FileScope:
         return [entry for entry in assigned if self._meant(_target(entry), entry.func) == own]
 
     def is_changed(self, name: str, env: Env) -> bool:
-        """Tell whether a function that sees a variable assigns it, or calls a method of it."""
+        """Tell whether a function that sees a variable assigns it or a part of it, or calls a method of it."""
         if self.definitions(name, env):
             return True
         if self._called is None:
@@ -65,11 +66,13 @@ class FileScope:
         return any(self._meant(mention.written, mention.func) == own for mention in found)
 
     def _receivers(self) -> Mapping[str, list[Mention]]:
-        """Variable -> the functions that call a method of it which changes it, or that take its address."""
+        """Variable -> the functions that call a method of it which changes it, give it parts, or take its address."""
         found: Mapping[str, list[Mention]] = defaultdict(list)
         known = calls_of("cpp")
         for functions in self.program.functions.values():
             for func in functions:
+                for written in self._partly(func) if func.file.language == "cpp" else ():
+                    found[written.rsplit("::", 1)[-1]].append(Mention(func, written))
                 for call in (call for calls in func.calls for call in calls) if func.file.language == "cpp" else ():
                     callee = call.callee
                     if isinstance(callee, Member) and isinstance(callee.base, Name) and callee.name in known.changing:
@@ -81,6 +84,15 @@ class FileScope:
                             known_here = [] if self._hides(func, arg.id) else [Mention(func, arg.id)]
                             found[arg.id.rsplit("::", 1)[-1]] += known_here
         return found
+
+    def _partly(self, func: Func) -> Iterator[str]:
+        """The variables of namespaces that a function gives a field or an element."""
+        for statement in func.fact.body:
+            root = whole_of(statement.target) if statement.target is not None and statement.kind == "set" else None
+            while root is not None and not isinstance(root, Name):
+                root = whole_of(root)
+            if isinstance(root, Name) and root.id.rsplit("::", 1)[-1] in self.program.constants:
+                yield from [] if self._hides(func, root.id) else [root.id]
 
     def _index(self) -> dict[str, list[Definition]]:
         index: dict[str, list[Definition]] = defaultdict(list)

@@ -13,6 +13,7 @@ from ecm_parsers.source.expr import (
 )
 
 from ecm_extract.infer.held import Held
+from ecm_extract.infer.places import whole_of
 from ecm_extract.link.calls import dotted_name
 from ecm_extract.link.env import Env, Instance
 from ecm_extract.link.fold_names import is_fresh
@@ -65,7 +66,19 @@ class MemberFolder:
         dotted = dotted_name(expr)
         found = self.folder.names.imported(dotted, env) if dotted and env.func.file.language == "python" else ()
         known = found or part or self._field(expr, env) or self._option(expr, env)
+        if known and self._is_of_changed_variable(expr, env):
+            return alternatives((*known, unknown(expr.name)))
         return known or self._of_given(expr, env) or self._of_message(expr, env) or (unknown(expr.name),)
+
+    def _is_of_changed_variable(self, expr: Member, env: Env) -> bool:
+        """Tell whether an object is, or is in, a variable of a namespace that some function changes."""
+        root: Expr | None = expr
+        while root is not None and not isinstance(root, Name):
+            root = whole_of(root)
+        if root is None or env.func.file.language != "cpp" or self.folder.scope.declared_type(root.id, env):
+            return False
+        file_scope = self.folder.objects.file_scope
+        return bool(file_scope.type_of(root.id, env)) and file_scope.is_changed(root.id, env)
 
     def _of_message(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """`code.ARM`: a constant of the message that an object is."""

@@ -201,5 +201,6 @@ def is_fresh(env: Env) -> bool:
 
 
 def _is_fixed(constant: Constant) -> bool:
-    """Tell whether nobody can assign to a constant; a pointer that is constant is one that may be moved."""
-    return any(trait in {"constexpr", "define", "enum", "const"} for trait in constant.traits)
+    """Tell whether nobody can assign to a constant; a pointer to what is constant may be moved to something else."""
+    own = "fixed" if constant.type.endswith("*") else "const"
+    return any(trait in {"constexpr", "define", "enum", own} for trait in constant.traits)

@@ -71,7 +71,8 @@ def held(taken: Taken, classes: Iterable[Cls]) -> Count | None:
     steps = [(statement, method) for method in methods for statement in method.fact.body]
     if any(_is_filled_otherwise(statement, member) for statement, _ in steps):
         return None
-    by_key = [(step.value, method, step.line) for step, method in steps if _at(step.target) == member]
+    given = [(step, method) for step, method in steps if _at(step.target) == member and step.type != "del"]
+    by_key = [(step.value, method, step.line) for step, method in given]
     appended = [(arg, method, step.line) for step, method in steps for arg in _appended(step, member)]
     if (by_key and taken.how == "each") or (appended and taken.how in {"values", "items"}):
         return None  # a loop over a dictionary gives its keys

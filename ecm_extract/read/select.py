@@ -6,11 +6,11 @@ from pathlib import PurePosixPath
 from typing import Literal
 
 from ecm_extract.discover import PackageRoot, is_test_path
+from ecm_extract.source_suffixes import CPP
 from ecm_extract.tree import Entry
 
 SourceKind = Literal["cpp", "python", "script"]
 
-_CPP = frozenset({".cpp", ".cc", ".cxx", ".c", ".hpp", ".hh", ".hxx", ".h", ".ipp", ".tpp", ".cu", ".cuh"})
 _SCRIPT_FOLDERS = frozenset({"scripts", "bin", "nodes", "src", "script", "tools", "python", "node_scripts"})
 INTERFACES = frozenset({".msg", ".srv", ".action"})
 _SKIPPED_FOLDERS = frozenset({"doc", "docs", "launch"})
@@ -20,7 +20,7 @@ def source_kind(entry: Entry, root: str) -> SourceKind | None:
     """Return the language of a source file; `script` may be Python, which only its first line tells."""
     path = PurePosixPath(entry.path)
     suffix = path.suffix.lower()
-    if suffix in _CPP:
+    if suffix in CPP:
         return "cpp"
     if suffix == ".py":
         inside = entry.path.removeprefix(f"{root}/") if root else entry.path

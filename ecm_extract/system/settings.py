@@ -12,12 +12,14 @@ from typing import Any
 from ecm_parsers.launch.model import Data, ParameterFile, ParameterSource, ParameterValue, Substitution, Typing
 from ecm_parsers.launch.substitution import parse_template
 from ecm_parsers.parameter_yaml import ParameterSet, parse_parameter_yaml
+from ecm_parsers.yaml_tree import parse_yaml, plain
 
 from ecm_extract.read.cuts import located
 from ecm_extract.system.files import Files
 from ecm_extract.system.model import Place, Setting, Text, join
 from ecm_extract.system.parameter_types import rewritten, value_of
 from ecm_extract.system.substitute import Substituter
+from ecm_extract.system.yaml_holes import filled, marked
 from ecm_extract.tree import FileDiagnostic, Tree
 
 MAX_DEPTH = 20
@@ -87,6 +89,7 @@ class Settings:
             for entry in sets:
                 value = self._substituted(entry.value) if source.substitutes else entry.value
                 yield Setting(join(base, entry.name), value, Place(path, entry.line))
+            yield from self._whole(path, base) if not sets else ()
             return
         name = self.substituter.text(source.name).text.removeprefix("~")
         if source.typing != "yaml":
@@ -98,14 +101,21 @@ class Settings:
 
     def _written(self, source: ParameterValue, base: str) -> Iterator[Setting]:
         """YAML that stands in the launch file itself."""
-        text = self.value(source.value, "str")
-        found = parse_parameter_yaml(str(text).encode()).facts.sets if isinstance(text, str) else ()
+        template = source.value if isinstance(source.value, tuple) else ()
+        text, holes = marked(template, self.substituter)
+        found = parse_parameter_yaml(text.encode()).facts.sets
         for entry in found:
             place = Place(self.path, source.line + max(entry.line - 1, 0))
-            yield Setting(join(base, entry.name), entry.value, place)
-        if not found:
-            value = value_of(text, "yaml") if isinstance(text, str) else text
-            yield Setting(base, value, Place(self.path, source.line))
+            yield Setting(join(base, filled(entry.name, holes)), filled(entry.value, holes), place)
+        if not found and text.strip():
+            yield Setting(base, filled(value_of(text, "yaml"), holes), Place(self.path, source.line))
+
+    def _whole(self, path: str, base: str) -> Iterator[Setting]:
+        """A file that holds no map is one value, of the name that it is loaded to."""
+        parsed = self.files.parsed(path, parse_yaml) if path != self.path else None
+        value = plain(parsed.facts[0]) if parsed is not None and parsed.facts else None
+        if isinstance(value, list):
+            yield Setting(base, value, Place(path, 1))
 
     def _sets(self, source: ParameterFile) -> tuple[str, tuple[ParameterSet, ...]]:
         text = self.substituter.text(source.path)

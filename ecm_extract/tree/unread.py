@@ -7,6 +7,8 @@ from typing import Final, Literal, get_args
 import msgspec
 from ecm_checker.wire import GAP_REASONS
 
+from ecm_extract.source_suffixes import CPP
+
 Reason = Literal[
     "missing", "submodule", "too-large", "unreadable", "malformed", "unjudged", "excluded", "ignored", "link"
 ]
@@ -21,7 +23,8 @@ ON_PURPOSE: Final[frozenset[Reason]] = frozenset({"excluded", "ignored", "link"}
 _DECLARING: Final = (
     *(".msg", ".srv", ".action", ".idl", ".xml", ".yaml", ".yml", ".cfg", ".launch", ".test"),
     *(".urdf", ".xacro", ".srdf", ".cmake", "CMakeLists.txt", "setup.cfg", "pyproject.toml", "ecm.toml"),
-    *(".cpp", ".cc", ".cxx", ".c", ".hpp", ".hh", ".hxx", ".h", ".ipp", ".tpp", ".cu", ".cuh", ".py"),
+    *sorted(CPP),
+    ".py",
 )
 
 

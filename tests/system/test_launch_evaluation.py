@@ -97,8 +97,11 @@ def test_condition_is_shown_as_a_person_would_say_it(condition: str, shown: str,
 
 @pytest.mark.parametrize(
     ("expression", "name"),
-    [("optenv('X', 'a') + 'b'", "/ab"), ("optenv('X') + 'b'", "/b"), ("env('Y') + 'b'", "/yb"), ("arg('z')", "/w")]
-    + [
+    [
+        ("optenv('X', 'a') + 'b'", "/ab"),
+        ("optenv('X') + 'b'", "/b"),
+        ("env('Y') + 'b'", "/yb"),
+        ("arg('z')", "/w"),
         ("env(z.upper()[:0] + 'Y')", "/y"),
         ("optenv('X', arg('z'))", "/w"),
         ("optenv('X', find('p')).split(':')[0]", "/tree"),

@@ -26,6 +26,7 @@ def started(folder: Path, body: str) -> Launched:
         "package.xml": "<package format='2'><name>p</name><version>1.0.0</version><buildtool_depend>catkin</buildtool_depend></package>",
         "a.launch": f"<launch>{body}</launch>",
         "inner.launch": INNER,
+        "list.yaml": "[x, y]",
     }
     for name, text in files.items():
         (folder / name).write_text(text)
@@ -49,6 +50,12 @@ def parameters(folder: Path, body: str) -> dict[str, Any]:
             '<arg name="w" default="b"/><param name="d" textfile="$(find p)/$(arg w).srdf"/>',
             {"/d": "{content of tree:/b.srdf}"},
         ),
+        ("<rosparam>\n  </rosparam>", {}),
+        (
+            '<rosparam subst_value="true">\na: $(env HOME)/x\nb: {c: 1, d: "$(env HOME)"}\n</rosparam>',
+            {"/a": "{env HOME}/x", "/b/c": 1, "/b/d": "{env HOME}"},
+        ),
+        ('<rosparam file="$(find p)/list.yaml" ns="labels"/>', {"/labels": ["x", "y"]}),
         (f'<param name="~rate" value="5"/>{NODE}', {"/n/rate": 5}),
         (
             f'<group ns="g"><param name="~rate" value="5"/>{NODE}</group><node pkg="p" type="t" name="m"/>',

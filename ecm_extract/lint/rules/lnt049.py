@@ -25,6 +25,7 @@ RULE = LintRule(
     who="safety",
     consequence="what is drawn is not what planners and simulators keep clear of",
     resolution="declare the unit of the mesh (COLLADA <unit>), or scale it where it is used",
+    of_sources="sizes of meshes",
 )
 _MESH: Final = re.compile(r"(?:package://|\$\(find(?:-pkg-share)? )(\w+)\)?/([\w./-]+\.(?:stl|dae))$", re.IGNORECASE)
 _TOO_FAR: Final = 10.0

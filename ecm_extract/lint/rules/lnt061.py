@@ -35,6 +35,6 @@ def check(workspace: Workspace) -> Iterator[Finding]:
                 continue
             problem = refusal(path, workspace)
             if problem is not None:
-                entity = Entity("file", path)
+                entity = Entity("file", workspace.in_package(path))
                 text = f"{path} is not well-formed ({problem.wrong or problem.message.rstrip('.')})"
                 yield RULE.finding(text, entity, package.name, [Evidence(path, problem.line)], certainty="proved")

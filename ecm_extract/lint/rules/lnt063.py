@@ -32,4 +32,5 @@ def check(workspace: Workspace) -> Iterator[Finding]:
                     if problem.code == _CODE:
                         text = f"generate_launch_description of {entry.path} returns nothing"
                         lines = [Evidence(entry.path, problem.line)]
-                        yield RULE.finding(text, Entity("launch_file", entry.path), package.name, lines)
+                        entity = Entity("launch_file", workspace.in_package(entry.path))
+                        yield RULE.finding(text, entity, package.name, lines)

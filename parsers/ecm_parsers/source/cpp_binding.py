@@ -50,8 +50,10 @@ class Binding:
             self.named_lambda(name, value)
             return
         read = self._initial(kind, value)
-        written = _qualifier(self.expr, declaration) + self.expr.type_text(kind) + _MARKS.get(bound.type, "")
-        self.writer.add("let", declarator, read, Name(name), written)
+        qualifier = _qualifier(self.expr, declaration)
+        written = qualifier + self.expr.type_text(kind) + _MARKS.get(bound.type, "")
+        kept = not qualifier and _is_static(self.expr, declaration)
+        self.writer.add("let", declarator, read, Name(name), written, kept)
 
     def each(self, loop: Node, over: Node, declarator: Node) -> int:
         """Read what a loop binds in each round, and return the index of that statement."""
@@ -118,3 +120,9 @@ def _qualifier(reader: ExprReader, declaration: Node) -> str:
     """`const` where a declaration has it."""
     words = [reader.text(child) for child in declaration.children if child.type == "type_qualifier"]
     return "const " if {"const", "constexpr"} & set(words) else ""
+
+
+def _is_static(reader: ExprReader, declaration: Node) -> bool:
+    """Whether a variable of a function keeps what it holds until the next call."""
+    specifiers = (child for child in declaration.children if child.type == "storage_class_specifier")
+    return any(reader.text(child) == "static" for child in specifiers)

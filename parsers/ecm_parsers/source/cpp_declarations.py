@@ -8,6 +8,7 @@ from ecm_parsers.source.cpp_body import BodyReader
 from ecm_parsers.source.cpp_declarators import (
     GROUPS,
     announced_end,
+    fixed_pointer,
     function_declarator,
     function_traits,
     leading_words,
@@ -20,13 +21,17 @@ from ecm_parsers.source.cpp_members import CLASSES, declared_type, members
 from ecm_parsers.source.cpp_parameters import declared_name, parameters
 from ecm_parsers.source.cpp_place import Place
 from ecm_parsers.source.cpp_vexing import is_call_of_macro
-from ecm_parsers.source.expr import Expr, Items
+from ecm_parsers.source.expr import Call, Expr, Items, Name
 from ecm_parsers.source.facts import Alias, Class, Constant, Function, Import, Macro, SourceFile, Using
 
 if TYPE_CHECKING:
     from tree_sitter import Node
 
 MAX_NESTING = 60
+_CONTAINERS = frozenset(
+    {"vector", "array", "deque", "list", "set", "unordered_set", "multiset", "map", "unordered_map"}
+)
+"""en.cppreference.com, containers library."""
 
 
 class DeclarationReader:
@@ -142,8 +147,14 @@ class DeclarationReader:
             return None
         if node.type in {"initializer_list", "argument_list"}:
             args = self.expr.arguments(node)
+            if len(args) == 1 and node.type == "initializer_list" and kind is not None and self._holds_several(kind):
+                return Call(Name(self.expr.name(kind)), args, (), self.expr.template_arguments(kind), lines_of(node)[0])
             return args[0] if len(args) == 1 else Items(args) if args else None
         return self.expr.read(node)
+
+    def _holds_several(self, kind: Node) -> bool:
+        """Whether one value in braces is the first element of a container, and not what begins as that value."""
+        return self.expr.name(kind).rpartition("::")[2] in _CONTAINERS
 
     def function(self, node: Node, place: Place) -> None:
         """A function definition."""
@@ -204,7 +215,8 @@ class DeclarationReader:
             scope, name = split_name(declared_name(self.expr, bound), place.scope)
             value = self.initial(declarator.child_by_field_name("value"), kind)
             written = declared_type(self, kind, bound)
-            self.constants.append(Constant(name, scope, value, lines_of(node)[0], written, (*place.traits(), *words)))
+            traits = (*place.traits(), *words, *fixed_pointer(bound))
+            self.constants.append(Constant(name, scope, value, lines_of(node)[0], written, traits))
 
     def alias(self, node: Node, place: Place) -> None:
         """`using A = B`."""

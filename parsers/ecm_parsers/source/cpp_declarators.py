@@ -59,6 +59,12 @@ def leading_words(reader: ExprReader, node: Node) -> tuple[str, ...]:
     return tuple([reader.text(child) for child in node.children if child.type in kinds])
 
 
+def fixed_pointer(declarator: Node) -> tuple[str, ...]:
+    """Return the trait of a pointer that points to one thing for good: `const char * const name`."""
+    own = {child.type for child in declarator.children} if declarator.type == "pointer_declarator" else set()
+    return ("fixed",) if "type_qualifier" in own else ()
+
+
 def function_traits(
     reader: ExprReader, node: Node, declarator: Node, words: tuple[str, ...], declared: bool
 ) -> list[str]:
@@ -66,6 +72,7 @@ def function_traits(
     traits = [word for word in words if word in {"static", "virtual"}]
     specifiers = {"virtual_specifier", "type_qualifier"}
     traits.extend(reader.text(child) for child in declarator.named_children if child.type in specifiers)
+    traits += _given_out(node)
     default = node.child_by_field_name("default_value")
     if default is not None and reader.text(default) == "0":  # else the empty body of a method with a stray `;`
         traits.append("pure")
@@ -75,6 +82,14 @@ def function_traits(
     if declared and not any(child.type.endswith("_method_clause") for child in node.named_children):
         traits.append("declaration")
     return traits
+
+
+def _given_out(node: Node) -> tuple[str, ...]:
+    """A function that returns a reference or pointer to what may be changed lets its callers do that."""
+    declarator = node.child_by_field_name("declarator")
+    refers = declarator is not None and declarator.type in {"reference_declarator", "pointer_declarator"}
+    fixed = any(child.type == "type_qualifier" for child in node.children)
+    return ("reference",) if refers and not fixed else ()
 
 
 def announced_end(reader: ExprReader, node: Node) -> tuple[str, ...]:

@@ -34,10 +34,12 @@ class StatementWriter:
         value: Expr | None,
         target: Expr | None = None,
         declared: str = "",
+        kept: bool = False,
     ) -> None:
         """Add a statement that runs after those of the block at hand."""
         self.step(len(self.statements))
-        self.statements.append(Statement(kind, line_of(node), value, target, declared, self.depth, self.lambdas > 0))
+        later = self.lambdas > 0
+        self.statements.append(Statement(kind, line_of(node), value, target, declared, self.depth, later, kept))
 
     def apart(self, node: Node, value: Expr, target: Expr, declared: str = "") -> int:
         """Add what a loop binds in each round, which is a step of that loop, and return its index."""

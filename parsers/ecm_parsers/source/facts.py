@@ -32,6 +32,7 @@ class Statement(_Fact, frozen=True):
         type: declared type as written (`let` and `each` in C++, annotated Python); of `x += y` in Python the operator.
         depth: how many conditions and loops enclose it; `Function.flow` says which.
         deferred: it stands in an anonymous lambda, which runs when somebody calls it.
+        kept: it declares a variable of C++ that keeps what it holds from one call to the next (`static`).
     """
 
     kind: StatementKind
@@ -41,6 +42,7 @@ class Statement(_Fact, frozen=True):
     type: str = ""
     depth: int = 0
     deferred: bool = False
+    kept: bool = False
 
 
 class Parameter(_Fact, frozen=True):
@@ -63,7 +65,8 @@ class Function(_Fact, frozen=True):
         body: its statements, those of its anonymous lambdas included; empty for a declaration.
         template: names of template parameters.
         traits: of `declaration`, `static`, `virtual`, `override`, `pure`, `deleted`, `private`, `protected`,
-            `anonymous` (namespace), `deprecated`, `const`, `generator`.
+            `anonymous` (namespace), `deprecated`, `const`, `generator`, `reference` (it returns one, or a pointer, to
+            what may be changed).
         decorators: Python decorators or C++ attributes, as written.
         flow: how the statements of its body follow each other; empty where they simply do.
         shared: names that a Python function takes from around it to assign them (`global`, `nonlocal`).

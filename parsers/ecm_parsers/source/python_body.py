@@ -152,8 +152,7 @@ def _deleted(scan: Scan, node: Node) -> None:
     """What is deleted, or what an element is deleted of, is not what it was."""
     for child in parts(node):
         for target in parts(child) if child.type == "expression_list" else (child,):
-            changed = target.child_by_field_name("value") if target.type == "subscript" else target
-            scan.emit("set", node, scan.opaque(target), scan.expr(changed or target), "del")
+            scan.emit("set", node, scan.opaque(target), scan.expr(target), "del")
             scan.do(target)
 
 
@@ -258,7 +257,9 @@ def _try(scan: Scan, node: Node) -> None:
     final: Block = ()
     for child in parts(node):
         if child.type == "block":
+            scan.frame.attempts += 1
             body = scan.inner(child)
+            scan.frame.attempts -= 1
         elif child.type.startswith("except"):
             handlers.append(_handler(scan, child, 1))
         elif child.type == "else_clause":

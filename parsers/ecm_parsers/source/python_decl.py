@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from tree_sitter import Node
 
-from ecm_parsers.source.expr import Expr, Items, Member, Name
+from ecm_parsers.source.expr import Expr, Items, Member, Name, Opaque
 from ecm_parsers.source.facts import Class, Field, Function, Import, Parameter, Statement
 from ecm_parsers.source.python_expr import parts
 from ecm_parsers.source.python_parameters import parameters
@@ -158,7 +158,14 @@ _DECORATOR_TRAITS: Mapping[str, str] = {
 }
 
 
+def _may_fail(scan: Scan, node: Node) -> None:
+    """An import within `try` is a step of its own: what it asks for may not be there."""
+    if scan.frame.attempts:
+        scan.emit("do", node, Opaque("import"))
+
+
 def _import(scan: Scan, node: Node) -> None:
+    _may_fail(scan, node)
     line = node.start_point[0] + 1
     for child in parts(node):
         module, alias = _imported(scan, child)
@@ -166,6 +173,7 @@ def _import(scan: Scan, node: Node) -> None:
 
 
 def _import_from(scan: Scan, node: Node) -> None:
+    _may_fail(scan, node)
     module, *names = parts(node)
     origin = _compact(scan, module)
     for child in names:

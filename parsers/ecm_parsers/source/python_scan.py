@@ -40,10 +40,11 @@ class Frame:
         fields: of the class being read, also in its `__init__`; None elsewhere.
         owner: the class as an expression, in a class body. bases: its bases as written, also in its methods.
         depth: how many conditions and loops enclose the current statement. lambdas: how many lambdas do.
-        yields: whether a call of it gives what it yields, one after the other.
+            attempts: how many `try`. yields: whether a call of it gives what it yields, one after the other.
     """
 
     __slots__ = (
+        "attempts",
         "bases",
         "body",
         "depth",
@@ -79,6 +80,7 @@ class Frame:
         self.bases: tuple[str, ...] = ()
         self.depth = 0
         self.lambdas = 0
+        self.attempts = 0
         self.yields = False
 
 

@@ -38,7 +38,7 @@ def call(name: str, line: int = 1) -> Call:
         ("x()", [Statement("do", 1, call("x"))]),
         ("'doc'\na\n1 + 2\npass", []),
         ("del a", [Statement("set", 1, Opaque("a"), A, "del")]),
-        ("del a[b]", [Statement("set", 1, Opaque("a[b]"), A, "del")]),
+        ("del a[b]", [Statement("set", 1, Opaque("a[b]"), Op("[]", (A, B)), "del")]),
         ("for a in xs:\n  x()", [Statement("each", 1, XS, A), Statement("do", 2, call("x", 2), depth=1)]),
         ("while x():\n  a()", [Statement("do", 1, call("x")), Statement("do", 2, call("a", 2), depth=1)]),
         ("with a as b:\n  x()", [Statement("let", 1, A, B), Statement("do", 2, call("x", 2))]),

@@ -1,0 +1,93 @@
+"""Policies that change what commands set, and what is empty because nothing has set it."""
+
+from __future__ import annotations
+
+import pytest
+from cmake_runs import TOP, facts, targets_of
+
+FILES = ("src/a.cpp", "src/b.cpp", "src/c.cpp")
+OLD = "cmake_minimum_required(VERSION 3.5)\n"
+NEW = "cmake_minimum_required(VERSION 3.5...3.28)\n"
+
+
+def sources(lines: str) -> tuple[str, ...]:
+    """The sources of a library that is made of V."""
+    return targets_of(facts(f"{lines}\nadd_library(n ${{V}})", FILES, {}, ".txt"))["n"].sources
+
+
+def built(lines: str) -> dict[str, bool | None]:
+    """Targets, with whether a build without settings has them."""
+    return {name: each.by_default for name, each in targets_of(facts(lines, FILES, {}, ".txt")).items()}
+
+
+@pytest.mark.parametrize(
+    ("lines", "value"),
+    [
+        (f"{OLD}set(V src/a.cpp)\nset(V src/b.cpp CACHE STRING x)", "src/b.cpp"),
+        (f"{NEW}set(V src/a.cpp)\nset(V src/b.cpp CACHE STRING x)", "src/a.cpp"),
+        (f"{OLD}cmake_policy(SET CMP0126 NEW)\nset(V src/a.cpp)\nset(V src/b.cpp CACHE STRING x)", "src/a.cpp"),
+        (f"{OLD}cmake_policy(VERSION 3.21)\nset(V src/a.cpp)\nset(V src/b.cpp CACHE STRING x)", "src/a.cpp"),
+        (f"{OLD}set(V src/a.cpp CACHE STRING x)\nset(V src/b.cpp CACHE STRING x)", "src/a.cpp"),
+        (f"{OLD}set(V src/a.cpp CACHE STRING x)\nset(V src/b.cpp CACHE STRING x FORCE)", "src/b.cpp"),
+        ('string(SHA1 S "a")\nstring(SUBSTRING ${S} 0 4 V)', "86f7"),
+        ("set(L z/a.cpp y/b.cpp)\nlist(SORT L COMPARE FILE_BASENAME)\nlist(GET L 0 V)", "z/a.cpp"),
+    ],
+)
+def test_the_cache_and_variables(lines: str, value: str) -> None:
+    """Before 3.21 `set(CACHE)` takes a variable of its name away; sums and sorting by file name are known."""
+    assert sources(lines) == (value,)
+
+
+@pytest.mark.parametrize(
+    ("version", "is_on"), [(OLD, True), (NEW, False), (f"{OLD}set(CMAKE_POLICY_DEFAULT_CMP0077 NEW)\n", False)]
+)
+def test_an_option_over_a_variable(version: str, is_on: bool) -> None:
+    """Before 3.13 an option takes the place of a variable."""
+    found = built(f"{version}set(W OFF)\noption(W x ON)\nif(W)\nadd_library(on src/a.cpp)\nendif()")
+    assert found.get("on", False) is is_on
+
+
+def test_what_the_tree_sets_elsewhere_is_empty() -> None:
+    """A variable of the tree that no command has set is empty; one that nothing sets is for who builds."""
+    lines = "if(WIN32)\nset(MORE src/b.cpp)\nendif()\nset(V src/a.cpp ${MORE})"
+    assert sources(lines) == ("src/a.cpp",)
+    assert sources("set(V src/a.cpp ${MORE})") == ("src/a.cpp", "${MORE}")
+    assert sources(f"{lines.replace('set(V', 'from_elsewhere(MORE)' + chr(10) + 'set(V')}") == ("src/a.cpp", "${MORE}")
+
+
+def test_a_default_that_is_set_where_nothing_is() -> None:
+    """`if(NOT DEFINED X)` holds in a build without settings; the other way stays open."""
+    lines = "if(NOT DEFINED X)\nset(X a)\nendif()\n"
+    found = built(f'{lines}if(X STREQUAL "a")\nadd_library(yes src/a.cpp)\nelse()\nadd_library(no src/b.cpp)\nendif()')
+    assert found == {"yes": True, "no": False}
+
+
+def test_packages_that_must_be_there_are_found() -> None:
+    """Without a package that is REQUIRED there is no build; of others nothing is known."""
+    asks = "if({0}_FOUND)\nadd_library({0}_yes src/a.cpp)\nendif()\n"
+    lines = f"find_package(one REQUIRED)\nfind_package(two)\n{asks.format('one')}{asks.format('two')}"
+    assert built(lines) == {"one_yes": True, "two_yes": None}
+
+
+def test_a_file_that_is_not_there_brings_no_target() -> None:
+    """An optional file of the tree that is missing makes nothing."""
+    lines = "include(${CMAKE_SOURCE_DIR}/none.cmake OPTIONAL)\nif(NOT TARGET x)\nadd_library(yes src/a.cpp)\nendif()"
+    assert built(lines) == {"yes": True}
+
+
+def test_rules_of_some_configurations_are_open() -> None:
+    """Whether they are taken is told when the build is installed."""
+    (rule,) = facts("install(FILES a DESTINATION share CONFIGURATIONS Release)", FILES, {}, ".txt")[TOP].installs
+    assert rule.by_default is None
+
+
+def test_catkin_simple() -> None:
+    """It makes and installs targets by commands of its own."""
+    found = facts(
+        "cs_add_library(l src/a.cpp)\ncs_add_executable(e src/b.cpp NO_AUTO_LINK)\ncs_install()", FILES, {}, ".txt"
+    )
+    assert {name: each.sources for name, each in targets_of(found).items()} == {
+        "l": ("src/a.cpp",),
+        "e": ("src/b.cpp",),
+    }
+    assert [(rule.items, rule.destination) for rule in found[TOP].installs] == [(("l",), "lib"), (("e",), "lib/p")]
