@@ -34,6 +34,11 @@ class Exits:
         elif how == "return" and not self._frame.later:
             self.left.append(state)
 
+    @property
+    def catches(self) -> bool:
+        """Whether a handler is around, for which it matters what raises."""
+        return bool(self._raised)
+
     def may_raise(self, state: State) -> None:
         """Note a state in which a handler around may go on."""
         for frame in self._raised:

@@ -99,7 +99,7 @@ class Interpreter:
     def _step(self, step: Step, state: State) -> State | None:
         if isinstance(step, int):
             return self._statement(step, state)
-        raises = asks_what_raises(step, self.frame.body, self.frame.language)
+        raises = self.exits.catches and asks_what_raises(step, self.frame.body, self.frame.language)
         after = self._taken(step, self._raising(raises, state))
         return after if after is None or not isinstance(step, Loop) else self._raising(raises, after)
 
@@ -149,13 +149,16 @@ class Interpreter:
             self.frame.record(at, [state])
             return state
         self.frame.record(at, self.comprehending.states(statement, at, state))
-        raises = any(may_raise(each, self.frame.language) for each in (statement.value, statement.target))
+        raises = self.exits.catches and self._may_raise(statement)
         env = self.frame.place(self._raising(raises, state))
         state = self._read(at, env, self.calling.after(at, state, env))
         if statement.kind == "return":
             self.exits.returned(at, state)
             return None
         return self._given(statement, at, env, self._raising(raises, state))
+
+    def _may_raise(self, statement: Statement) -> bool:
+        return any(may_raise(each, self.frame.language) for each in (statement.value, statement.target))
 
     def _read(self, at: int, env: Env, state: State) -> State:
         """The state after a statement has read parameters into variables."""

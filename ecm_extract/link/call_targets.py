@@ -40,8 +40,10 @@ class CallTargets:
     def callers(self, func: Func) -> Sequence[Invocation]:
         """Return the calls of a function by others: those that mean it by name, arguments and receiver."""
         outer = around(func, self.folder)
-        held = uses(func, outer, self.callers(outer) if is_returned(func, outer) else ()) if outer is not None else ()
-        return [*self._by_name(func), *held]
+        if outer is None:
+            return self._by_name(func)
+        makers = self.callers(outer) if is_returned(func, outer) else ()
+        return [*self._by_name(func), *uses(func, outer, makers)]
 
     def _by_name(self, func: Func) -> Sequence[Invocation]:
         asked = (func.fact.name, func.file.package)

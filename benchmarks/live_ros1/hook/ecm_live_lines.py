@@ -3,6 +3,7 @@
 import os
 import sys
 import threading
+from pathlib import Path
 
 
 def note_lines(trees, path):
@@ -13,7 +14,8 @@ def note_lines(trees, path):
         path: file that is written at once, as nodes are killed.
     """
     inside = tuple(f"{os.path.realpath(tree)}/" for tree in trees.split(os.pathsep))
-    seen, out = set(), open(path, "a", buffering=1, encoding="utf-8")
+    seen = set()
+    out = Path(path).open("a", buffering=1, encoding="utf-8")  # noqa: SIM115  (as long as the node runs)
 
     def of_line(frame, _event, _given):
         key = (frame.f_code.co_filename, frame.f_lineno)
