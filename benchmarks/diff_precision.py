@@ -66,6 +66,11 @@ def drawn(seed: int, clones: Path, saved: Path | None) -> Sample:
     return Sample(seed, "", tuple(found))
 
 
+def _seed(path: Path) -> int:
+    """The number in the name of a sample, by which the newest is the last."""
+    return int(path.stem.rpartition("_")[2])
+
+
 def _comparisons(seed: int) -> list[tuple[str, str, str]]:
     data = tomllib.loads((FOLDER / "comparisons.toml").read_text("utf-8"))
     return [(project, old, new) for project, pairs in data[f"seed_{seed}"].items() for old, new in pairs]
@@ -127,7 +132,7 @@ def report(sample: Sample) -> float:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("file", nargs="*", type=Path, default=sorted(FOLDER.glob("*.yaml")))
+    parser.add_argument("file", nargs="*", type=Path, default=sorted(FOLDER.glob("*.yaml"), key=_seed))
     parser.add_argument("--sample", type=int, metavar="SEED", help="print a new sample to judge, as YAML")
     parser.add_argument("--again", action="store_true", help="tell how many of the judged ones are told today")
     parser.add_argument("--clones", type=Path, help="folder with <project>.git, for the two above")

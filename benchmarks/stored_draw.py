@@ -37,7 +37,7 @@ def drawn(clones: Path, count: int, seed: int) -> list[Drawn]:
     """Draw pairs from the clones in turn; every second one with a consumer, where one depends on its packages."""
     chance = random.Random(seed)
     repos = sorted(path for path in clones.iterdir() if (path / ".git").exists() or (path / "HEAD").exists())
-    pairs = {repo: _shuffled(list(pairwise(_releases(repo))), chance) for repo in repos}
+    pairs = {repo: _shuffled(list(pairwise(releases(repo))), chance) for repo in repos}
     turns = [repo for turn in range(count) for repo in repos if turn < len(pairs[repo])][:count]
     return [
         Drawn(repo, *pairs[repo].pop(), _consumer(repo, repos, chance) if number % 2 else None)
@@ -58,7 +58,8 @@ def _manifests(repo: Path) -> str:
     return found.decode("utf-8", "replace")
 
 
-def _releases(repo: Path) -> list[str]:
+def releases(repo: Path) -> list[str]:
+    """Return the release tags of a clone, the oldest first."""
     return _git(repo, "tag", "--list", _VERSION, "--sort=version:refname").decode().split()
 
 

@@ -176,13 +176,14 @@ def _below(folder: str, others: tuple[str, ...]) -> Callable[[Any], Any]:
 def _checked_out(pair: Drawn, work: Path) -> Path:
     tree = work / f"{pair.repo.name}-{pair.new}".replace("/", "_")
     if not tree.is_dir():
-        _unpack(pair.repo, pair.new, tree / "provider")
+        unpack(pair.repo, pair.new, tree / "provider")
         if pair.consumer is not None:
-            _unpack(pair.consumer, "HEAD", tree / "consumer")
+            unpack(pair.consumer, "HEAD", tree / "consumer")
     return tree
 
 
-def _unpack(repo: Path, ref: str, folder: Path) -> None:
+def unpack(repo: Path, ref: str, folder: Path) -> None:
+    """Write the files of a ref into a new folder; UnreadableError where the clone lacks some."""
     folder.mkdir(parents=True)
     with tarfile.open(fileobj=io.BytesIO(_git(repo, "archive", ref))) as archive:
         archive.extractall(folder, filter="data")

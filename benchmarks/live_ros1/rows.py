@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Set
 from dataclasses import dataclass
 
 from ecm_checker.contract import Contract
@@ -14,7 +14,9 @@ from ecm_extract.observe.model import Observation
 from ecm_extract.observe.standard import is_standard
 
 Key = tuple[str, str]
+Line = tuple[str, int]
 _ROLES = frozenset({"publisher", "subscriber", "service_server", "action_server", "action_client", "parameter"})
+_NO_PROGRAMS = (".cfg", ".yaml", ".yml", ".xml", ".launch", ".msg", ".srv", ".action")
 _HOLE = re.compile(r"\\\{[^{}]*\\\}")
 # What rospy itself asks for, whatever a node does: rospy/impl/init.py, simtime.py, impl/tcpros_service.py, names.py.
 _OF_ROSPY = re.compile(r"/(use_sim_time|tcp_keepalive|statistics_\w+|enable_statistics|rosout_disable_\w+|run_id)")
@@ -27,27 +29,44 @@ class Compared:
     Attributes:
         registered: what the node has. known: those of them that its contract has.
         promised: rows of the contract with a fixed name. kept: those of them that were registered.
+        unreached: those of them that were not, as a line that leads to them did not run.
     """
 
     registered: frozenset[Key]
     known: frozenset[Key]
     promised: frozenset[Key]
     kept: frozenset[Key]
+    unreached: frozenset[Key] = frozenset()
 
 
-def compared(contract: Contract, node: str, seen: Observation, asked: Iterable[Key]) -> Compared:
-    """Rows of a node and of its contract on that node."""
+def compared(
+    contract: Contract, node: str, seen: Observation, asked: Iterable[Key], ran: Set[Line] | None = None
+) -> Compared:
+    """Rows of a node and of its contract on that node.
+
+    Args:
+        contract: of which the node is an instance. node: its full name.
+        seen: of the graph. asked: parameters by who asked for them.
+        ran: lines of the tree that ran; None when that is not known.
+    """
     promises = list(on_node(view(contract), node))
     registered = _registered(node, seen) | {("parameter", key) for caller, key in asked if caller == node}
     registered = frozenset(key for key in registered if not _OF_ROSPY.fullmatch(key[1]))
     exact = [each for each in promises if is_exact(each) and _roles(each) <= _ROLES]
     fixed = [frozenset(graph_keys(each)) for each in exact]
+    idle = [each for each in exact if ran is not None and not _lines(each) <= ran]
     return Compared(
         registered,
         frozenset(key for key in registered if any(_means(each, key) for each in promises)),
         frozenset(min(keys) for keys in fixed),
         frozenset(min(keys) for keys in fixed if keys & registered),
+        frozenset(min(keys) for keys in map(frozenset, map(graph_keys, idle)) if not keys & registered),
     )
+
+
+def _lines(each: Expected) -> frozenset[Line]:
+    """The lines of programs that lead to a row; a line of another file says nothing of what ran."""
+    return frozenset((at.path, at.line) for at in each.interface.evidence if not at.path.endswith(_NO_PROGRAMS))
 
 
 def _registered(node: str, seen: Observation) -> frozenset[Key]:

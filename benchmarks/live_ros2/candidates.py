@@ -79,9 +79,16 @@ def _makes_a_node(text: bytes) -> bool:
 
 
 def of_node(tree: Tree, candidate: Candidate, node: str) -> tuple[Contract, ...]:
-    """Contracts of which a node of a program is an instance: by name, else the only one of the script that made it."""
+    """Contracts of which a node of a program is an instance: of its script, by name, the script's only one."""
     running = [each for each in tree.contracts if each.ecm.package == candidate.package]
     running = [each for each in running if each.ecm.kind not in _RUNS_NOT]
     named = tuple(each for each in running if is_node_of(node, view(each)))
     written = tuple(each for each in running if each.ecm.source.path == candidate.source)
-    return named or (written if len(written) == 1 else ())
+    own = tuple(each for each in written if each in named or _is_one_of_several(node, each))
+    return own or named or (written if len(written) == 1 else ())
+
+
+def _is_one_of_several(node: str, module: Contract) -> bool:
+    """Whether a contract has the name of a node with its program's behind it, as where programs share the node's."""
+    own = module.ecm.module_id.removeprefix(f"ecm.{module.ecm.package}.")
+    return own.startswith(node.strip("/").replace("/", ".") + "_")

@@ -13,9 +13,9 @@ class Where(NamedTuple):
     line: int
 
 
-ProblemKind = Literal["macro", "file", "chosen_file", "argument", "late", "other"]
+ProblemKind = Literal["macro", "file", "chosen_file", "argument", "late", "unread", "other"]
 """Of a problem: a macro or file that is not there, a file that an argument chooses, an argument that is left out, what
-only the launch knows, anything else."""
+only the launch knows, a file that is there and cannot be read, anything else."""
 
 
 @dataclass(frozen=True, slots=True)

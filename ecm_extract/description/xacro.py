@@ -84,6 +84,7 @@ class Xacro:
     def _root(self, path: str) -> etree._Element | None:
         data = self.files.read(path)
         if data is None:
+            self.problem(f"{path} is there and cannot be read", "unread")
             return None
         self.files_read.append(path)
         tree = parse_xml(data)

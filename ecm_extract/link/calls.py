@@ -88,7 +88,7 @@ def invocations(func: Func, wanted: Container[str] | None = None) -> Iterator[In
 
 def _last_of(call: Call, func: Func) -> str:
     """The last name of a call, without building its path; of an imported name that of what it stands for."""
-    callee = call.callee
+    callee = func.callee(call)
     name = callee.name if isinstance(callee, Member) else callee.id if isinstance(callee, Name) else ""
     if isinstance(callee, Name) and name in func.file.imported:
         return last_name(func.file.imported[name])
@@ -146,15 +146,16 @@ def construction(step: Step, written: str, args: tuple[Expr, ...], line: int) ->
 
 
 def _python(step: Step, call: Call) -> Invocation:
-    dotted = dotted_name(call.callee)
+    callee = step.func.callee(call)
+    dotted = dotted_name(callee)
     if dotted:
         head, *rest = dotted.split(".")
         target = step.func.file.imported.get(head)
         if target is not None or not rest:
             path = ".".join([target or head, *rest])
             return Invocation(*step, path, None, call.args, call.keywords, (), call.line)
-    if isinstance(call.callee, Member):
-        return Invocation(*step, call.callee.name, call.callee.base, call.args, call.keywords, (), call.line)
+    if isinstance(callee, Member):
+        return Invocation(*step, callee.name, callee.base, call.args, call.keywords, (), call.line)
     return Invocation(*step, "", None, call.args, call.keywords, (), call.line)
 
 

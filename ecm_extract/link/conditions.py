@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cache
+from itertools import chain
 from typing import NamedTuple
 
 from ecm_checker.hub.condition import Condition, text_of
@@ -11,6 +12,8 @@ from ecm_parsers.source.expr import Call, Constant, Expr, Member, Name, Op, Opaq
 
 from ecm_extract.infer.compute import NULL, is_number
 from ecm_extract.infer.held import Turn, joined_states
+from ecm_extract.link.calls import Invocation
+from ecm_extract.link.choosing import asked_before
 from ecm_extract.link.env import Bound, Env
 from ecm_extract.link.expression_text import expression_text
 from ecm_extract.link.fold import Folder
@@ -46,11 +49,13 @@ class Conditions:
         self.folder = folder
         self._told: dict[Turn, tuple[Told, ...]] = {}
 
-    def of(self, env: Env) -> tuple[Told, ...]:
-        """Return what must hold where a place is reached."""
+    def of(self, call: Invocation, env: Env) -> tuple[Told, ...]:
+        """Return what must hold where a call is evaluated: the branches around its statement, and the tests in it."""
         state = joined_states(self.folder.flow.reached(env))
         turns = state.path if state is not None else ()
-        return tuple(dict.fromkeys(told for turn in turns for told in self._of_turn(turn)))
+        around = (told for turn in turns for told in self._of_turn(turn))
+        within = (told for asked in asked_before(call) for told in self._tested(asked.test, asked.holds, env))
+        return tuple(dict.fromkeys(chain(around, within)))
 
     def _of_turn(self, turn: Turn) -> tuple[Told, ...]:
         known = self._told.get(turn)

@@ -39,7 +39,7 @@ class EndpointConditions:
         made = set(_made(site))
         found = [
             *self.around(site.root),
-            *(told for env in (*site.places, site.env) for told in self.conditions.of(env)),
+            *(told for call, env in site.steps() for told in self.conditions.of(call, env)),
         ]
         return tuple(dict.fromkeys(each.condition for each in found if not each.asks & made))
 
@@ -55,7 +55,7 @@ class EndpointConditions:
 
     def _before(self, call: Invocation) -> tuple[Told, ...]:
         env = self.sites.root_env(call.func, call.at)
-        return (*self.around(call.func), *self.conditions.of(env))
+        return (*self.around(call.func), *self.conditions.of(call, env))
 
     def _entries(self, func: Func) -> Iterable[Invocation]:
         """The calls that a function is entered by, nothing where others may enter it."""

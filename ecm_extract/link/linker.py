@@ -239,7 +239,9 @@ class Linker:
         handle = self.handles.of(handle_argument(site.form, site.call), site.env)
         evidence = tuple(Evidence(path, line) for path, line in dict.fromkeys(site.lines()))
         when = self.conditions.of(site)
-        for named, default in self._named(site):
+        names = self._named(site)
+        is_choice = any(named.confidence == "one_of" for named, _ in names)
+        for named, default in names:
             value = of_node(named, node, ros)
             local = local_name(settled(named), handle)
             name, confidence = self._name(site, value, handle, node, ros), value.confidence
@@ -248,8 +250,8 @@ class Linker:
             kind, data = self.typing.of(site, default)
             if is_below_node(value):
                 confidence = "folded"
-            if not site.certain:
-                confidence = weaker(confidence, "one_of")
+            if not site.certain or (is_choice and named.confidence == "pattern"):
+                confidence = weaker(confidence, "one_of")  # the name of the node settles a text, no choice
             if is_below_handle(value) and not is_proved(handle.prefix):
                 confidence = weaker(confidence, handle.prefix.confidence)
             if (value.text == "" and not site.form.row.value) or "{" in name.resolved:

@@ -82,7 +82,7 @@ class Matcher:
         callee = self.folder.objects.callee(call, env)
         if callee is None:
             return not self._is_declared(call, env)
-        return callee is call.func or not _forwards(callee)
+        return callee is call.func or not _forwards(callee) or _is_library(callee, call)
 
     def _is_declared(self, call: Invocation, env: Env) -> bool:
         """Tell whether the class of a receiver has a method of that name, of which nobody shows what it does."""
@@ -115,6 +115,12 @@ class Matcher:
         namespace = form.callee.rsplit("::", 1)[0]
         usings = (using.namespace for using in call.func.file.facts.usings)
         return any(using == namespace or using.endswith("::" + namespace) for using in usings)
+
+
+def _is_library(callee: Func, call: Invocation) -> bool:
+    """Tell whether a method is a client library's, of which the rows tell, whoever has its sources."""
+    package = callee.file.package
+    return package != call.func.file.package and is_client_library(package)
 
 
 def _forwards(func: Func) -> bool:

@@ -27,7 +27,7 @@ class Ownership:
         """Return the modules that have what a site declares in a unit; the library's is what none of them runs."""
         if self._is_only_offered(site):
             return self._library(unit)
-        owners = self.modules.owners(unit)
+        owners = [each for each in self.modules.owners(unit) if not _is_told_by_rows(site, each)]
         through = self._through(unit, site)
         running = self._deciding(site, [each for each in owners if self.reach.reaches(each, through)])
         if owners and (not running or running[0].kind == "library"):
@@ -59,6 +59,12 @@ class Ownership:
             return False
         values = self.sites.names(site)
         return any(_is_passed(value, site.root) for value in values)
+
+
+def _is_told_by_rows(site: Site, module: Module) -> bool:
+    """Tell whether a client library makes an endpoint for another module, whose call a row tells."""
+    package = site.call.func.file.package
+    return package != module.package and is_client_library(package)
 
 
 def _is_passed(value: Value, func: Func) -> bool:

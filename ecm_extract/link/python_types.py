@@ -36,7 +36,8 @@ class PythonTypes:
         return self._variable(expr, env, role) if isinstance(expr, Name) else self._attribute(expr, env, role)
 
     def _imported(self, dotted: str, path: str, env: Env, role: Role) -> TypeFound:
-        full = self.types.full(path.replace(".", "::"), role)
+        """What is below a `msg`, `srv` or `action`; what a module has is what it is called outside."""
+        full = self.types.full(path.replace(".", "::"), role) if path.count(".") > 1 else None
         outside = self.types.program.outside(dotted, env.func.file) if full is None else ""
         return TypeFound(full or self.types.full(outside.replace(".", "::"), role))
 

@@ -35,6 +35,10 @@ class Site:
     places: tuple[Env, ...] = ()
     certain: bool = True
 
+    def steps(self) -> Iterator[tuple[Invocation, Env]]:
+        """Yield each call with where it is evaluated, outermost call first."""
+        yield from zip((*self.chain, self.call), (*self.places, self.env), strict=True)
+
     def lines(self) -> Iterator[tuple[str, int]]:
         """Yield (path, line), outermost call first."""
         for call in (*self.chain, self.call):

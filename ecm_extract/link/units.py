@@ -6,9 +6,10 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import inf
 
-from ecm_parsers.source.expr import Call, Expr, Name
+from ecm_parsers.source.expr import Call, Expr, Member, Name
 from ecm_parsers.source.facts import Class, Field, Function, Parameter, SourceFile
 
+from ecm_extract.link.bound_methods import bound_methods
 from ecm_extract.link.spelling import is_node_interface
 from ecm_extract.link.walk import calls_in
 
@@ -49,6 +50,7 @@ class Func:
     _calls: tuple[Sequence[Call], ...] | None = None
     _defaults: tuple[tuple[str, Expr], ...] | None = None
     _written_types: Mapping[str, str] | None = None
+    _bound: Mapping[str, Member] | None = None
 
     def siblings(self) -> Iterator[Func]:
         """The declarations and definitions of that name in its class or namespace, itself included."""
@@ -82,6 +84,14 @@ class Func:
         if self._calls is None:
             self._calls = tuple([calls_in(entry.value) for entry in self.fact.body])
         return self._calls
+
+    def callee(self, call: Call) -> Expr:
+        """What a call of it calls: for a variable of Python that holds a method that method."""
+        if not isinstance(call.callee, Name) or self.file.language != "python":
+            return call.callee
+        if self._bound is None:
+            self._bound = bound_methods(self.fact)
+        return self._bound.get(call.callee.id, call.callee)
 
     @property
     def arity(self) -> tuple[int, float]:

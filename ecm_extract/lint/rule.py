@@ -25,10 +25,12 @@ class LintRule(AnyRule, frozen=True, kw_only=True):
     Attributes:
         of_one_tree: it compares packages that one repository holds or one workspace builds; those that are known by
             their documents are of neither, so that it is not asked of them.
+        of_sources: what it tells of packages whose sources it has, and not of those that documents tell of; in words.
     """
 
     tier: Tier = "preview"
     of_one_tree: bool = False
+    of_sources: str = ""
 
     def finding(
         self,

@@ -17,7 +17,6 @@ from ecm_extract.assemble.contracts import assemble
 from ecm_extract.collector import without_collector
 from ecm_extract.description.model import Description
 from ecm_extract.description.read import read_description
-from ecm_extract.discover import is_test_path
 from ecm_extract.entities.workspace import PackagesRead, read_packages
 from ecm_extract.entities.workspace import Workspace as Side
 from ecm_extract.extraction_model import Options
@@ -38,6 +37,7 @@ from ecm_extract.system.modules import ModuleIndex
 from ecm_extract.system.package_folders import folders_read
 from ecm_extract.system.running import running_of
 from ecm_extract.system.system import System, evaluated_system
+from ecm_extract.test_code import is_test_path
 from ecm_extract.tree import FileDiagnostic, Tree, Unread
 
 MAX_SYSTEMS = 80
@@ -122,7 +122,7 @@ class Workspace:
 
     @cached_property
     def launches(self) -> Mapping[str, LaunchFile]:
-        """Launch files by path; those of tests, and those that their authors have buried, are left out."""
+        """Launch files by path; those of tests, and copies in hidden folders, are left out."""
         return {path: read.facts for path, read in self._launches_read.items() if read.facts is not None}
 
     @cached_property
@@ -155,9 +155,9 @@ class Workspace:
     def systems(self) -> Sequence[System]:
         """What each launch file that no other includes starts, with the defaults of its arguments.
 
-        Those of documents are among them that may start what is in the tree.
+        Those of documents are among them: they start what is in the tree, and nodes that launch files of the tree name.
         """
-        launches = (*self.launches, *self.beside.reaching(self.beside.launches))
+        launches = (*self.launches, *self.beside.launches)
         roots = sorted(
             (path for path in launches if path.rsplit("/", 1)[-1] not in self.included), key=self._by_package
         )
@@ -244,6 +244,12 @@ class Workspace:
         """Return the commands of a CMake file as they are written, parsed once; none of one that cannot be read."""
         parsed = self.files.parsed(path, parse_commands)
         return parsed.facts if parsed is not None else ()
+
+    def in_package(self, path: str) -> str:
+        """Return a path of the tree, or of a document beside it, as that of a package: the same wherever it lies."""
+        files = self.beside.files
+        name = files.package_of(path)
+        return f"{name}/{path.removeprefix(files.package_path(name) or '').lstrip('/')}" if name else path
 
     def package_of(self, path: str) -> str:
         """Return the name of the package that a file belongs to; empty for none."""

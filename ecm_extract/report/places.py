@@ -68,6 +68,11 @@ def is_foreign(place: Evidence) -> bool:
     return place.path.startswith(FOREIGN)
 
 
+def in_tree(path: str) -> str:
+    """Return a path as it is in its own tree, also of a file that only a document tells of."""
+    return path.removeprefix(FOREIGN).partition("/")[2] if path.startswith(FOREIGN) else path
+
+
 def typed_folder(spec: str) -> str:
     """The folder that the paths of a tree begin in: of `DIR`, `DIR@REF` or `DIR@REF:subdir`."""
     if Path(spec).exists():

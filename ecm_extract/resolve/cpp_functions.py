@@ -58,18 +58,35 @@ class CppFunctions:
         return tuple(dict.fromkeys(func for funcs in found for func in funcs))
 
     def _defined(self, level: Sequence[str], found: Sequence[Func], file: File) -> Iterator[Func]:
-        """The definitions elsewhere of what is declared; of several for the same arguments those of the target."""
+        """The definitions elsewhere of what is only declared; of several for the same arguments those of the target."""
         packages = {func.file.package for func in found}
+        counts = {len(types) for types in _undefined(found)}
         by_types: dict[tuple[str, ...], list[Func]] = defaultdict(list)
         for func in (func for each in level for func in self._by_name.get(each, ())):
             if func not in found and func.file.package in packages and _is_linked(func):
-                by_types[tuple(plain(entry.type) for entry in func.fact.params)].append(func)
-        for funcs in by_types.values():
+                by_types[_types(func)].append(func)
+        for types, funcs in by_types.items():
+            if len(types) not in counts:
+                continue
             same = [func for func in funcs if set(func.file.targets) & set(file.targets)]
             left = same or funcs
             yield from left if len({func.file for func in left}) == 1 else ()
 
 
+def _types(func: Func) -> tuple[str, ...]:
+    return tuple(plain(entry.type) for entry in func.fact.params)
+
+
+def _undefined(found: Sequence[Func]) -> set[tuple[str, ...]]:
+    """The parameters of what is declared here, and not defined here too."""
+    defined = {_types(func) for func in found if not _is_declaration(func)}
+    return {_types(func) for func in found if _is_declaration(func)} - defined
+
+
+def _is_declaration(func: Func) -> bool:
+    return "declaration" in func.fact.traits
+
+
 def _is_linked(func: Func) -> bool:
     """Tell whether other files can call a function that they declare."""
-    return "declaration" not in func.fact.traits and not {"static", "anonymous"} & set(func.fact.traits)
+    return not _is_declaration(func) and not {"static", "anonymous"} & set(func.fact.traits)

@@ -88,14 +88,25 @@ class PythonNames:
         """
         head, _, rest = dotted.partition(".")
         known = self._files.get(file)
-        for entry in known.imports.get(head, ()) if known is not None and hops <= MAX_HOPS else ():
+        if known is None or hops > MAX_HOPS:
+            return ""
+        for entry in known.imports.get(head, ()):
             bound = entry.module if not entry.name else f"{entry.module}.{entry.name}"
             full = dotted if not (entry.name or entry.alias) else f"{bound}.{rest}".rstrip(".")
             if "." not in full:
                 return full
             handed = self._handed_on(full, file)
             return full if handed is None else self.outside(handed[1], handed[0], hops + 1)
-        return ""
+        starred = (
+            () if head in known.symbols else (self._outside_star(entry, dotted, file, hops) for entry in known.stars)
+        )
+        return next((found for found in starred if found), "")
+
+    def _outside_star(self, entry: Import, dotted: str, file: File, hops: int) -> str:
+        """What a name is called outside of the tree that a module of the tree hands on by a star."""
+        module = self._path.find(entry.module, file)
+        inner = self._path.file(module) if module is not None else None
+        return self.outside(dotted, inner, hops + 1) if inner is not None else ""
 
     def _handed_on(self, full: str, file: File) -> tuple[File, str] | None:
         """The module of the tree that the first parts of a name mean, and what is asked of it; None without one."""

@@ -92,7 +92,8 @@ class PythonPath:
                 yield folder
 
     def _outside(self, folder: str) -> str:
-        while folder in self._packages:
+        """The folder around all packages that a folder is in; the root of a tree that is a package itself."""
+        while folder and folder in self._packages:
             folder = dirname(folder)
         return folder
 

@@ -18,7 +18,9 @@ from ecm_extract.system.model import Text
 class Texts(Protocol):
     """Evaluates templates of a launch file."""
 
-    environment: Mapping[str, Text]
+    @property
+    def environment(self) -> Mapping[str, Text]:
+        """Variable -> its text."""
 
     def text(self, template: Template | None, depth: int = 0) -> Text:
         """Return the text of a template."""

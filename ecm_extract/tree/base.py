@@ -3,6 +3,7 @@
 import hashlib
 import unicodedata
 from collections.abc import Iterable, Iterator
+from pathlib import Path
 from typing import Protocol
 
 import msgspec
@@ -70,6 +71,8 @@ class Tree(Protocol):
     """Commit id: of the ref, or of HEAD around a folder; None outside a repository."""
     repository: str | None
     """Remote URL without credentials, or the name of the repository's folder."""
+    checkout: Path | None
+    """The folder whose files these are, where it is one of a repository; None for a ref and outside any."""
 
     @property
     def diagnostics(self) -> tuple[FileDiagnostic, ...]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from ecm_extract.errors import GitError, RefError, TreeError
 from ecm_extract.tree.base import Tree
-from ecm_extract.tree.directory import DirectoryTree
 from ecm_extract.tree.git_repo import GitRepo, find_repo
 from ecm_extract.tree.open import open_ref
 
@@ -14,11 +13,11 @@ def left_out(tree: Tree) -> frozenset[str]:
 
     These are files whose content was not fetched (partial clones), and all of a sparse checkout.
     """
-    repo = find_repo(tree.root) if isinstance(tree, DirectoryTree) and tree.commit is not None else None
-    if repo is None or not isinstance(tree, DirectoryTree):
+    repo = find_repo(tree.checkout) if tree.checkout is not None else None
+    if repo is None or tree.checkout is None:
         return frozenset()
     try:
-        tracked = open_ref(tree.root, "HEAD").files()
+        tracked = open_ref(tree.checkout, "HEAD").files()
     except (GitError, RefError, TreeError):
         return frozenset()
     there = {entry.path for entry in tree.files()}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from pathlib import Path
 
 import msgspec
 
@@ -20,6 +21,7 @@ class JoinedTree:
         self.label = "+".join(tree.label for tree in trees.values())
         self.commit: str | None = None
         self.repository: str | None = None
+        self.checkout: Path | None = None
         self._trees = dict(trees)
         self._own: dict[FileDiagnostic, None] = {}
         self._files: tuple[Entry, ...] | None = None

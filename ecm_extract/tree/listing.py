@@ -2,7 +2,7 @@
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Iterator, Mapping
-from pathlib import PurePosixPath
+from pathlib import Path, PurePosixPath
 
 import msgspec
 from ecm_parsers.result import Severity
@@ -41,6 +41,7 @@ class ListedTree(ABC):
         self.label = label
         self.commit = commit
         self.repository = repository
+        self.checkout: Path | None = None
         self._entries: dict[str, Entry] | None = None
         self._log: dict[FileDiagnostic, None] = {}
 

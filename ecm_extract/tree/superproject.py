@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import groupby
+from pathlib import Path
 
 from ecm_extract.errors import GitError, TreeError
 from ecm_extract.tree.base import Entry, FileDiagnostic, Tree
@@ -32,6 +33,7 @@ class SuperprojectTree:
         self.label = tree.label
         self.commit: str | None = tree.commit
         self.repository = tree.repository
+        self.checkout: Path | None = None
         self._tree, self._repo, self._folder, self._depth = tree, repo, folder, depth
         self._parts: dict[str, Tree] | None = None
         self._entries: tuple[Entry, ...] = ()

@@ -83,6 +83,11 @@ class ReconfigureFile(msgspec.Struct, frozen=True):
     included: tuple[IncludedParameters, ...] = ()
 
 
+def is_dynamic_reconfigure(data: bytes) -> bool:
+    """Tell by the generator that it asks whether a `.cfg` file describes parameters; other programs have such files."""
+    return b"ParameterGenerator" in data
+
+
 def parse_dynamic_reconfigure(data: bytes) -> Parsed[ReconfigureFile]:
     """Read a `.cfg` file; parameters added by imported functions are named in `included` and diagnosed."""
     if len(data) > MAX_BYTES:

@@ -27,6 +27,7 @@ from ecm_parsers.expression_limits import (
     power,
     size_of,
 )
+from ecm_parsers.expression_set import KINDS, Members, is_of
 
 MAX_LENGTH = 5_000
 MAX_STEPS = 5_000
@@ -77,6 +78,8 @@ _FUNCTIONS: Mapping[str, Callable[..., Any]] = MappingProxyType(
         "sorted": sorted,
         "list": list,
         "tuple": tuple,
+        "set": Members,
+        "isinstance": is_of,
         "dict": dict,
         "any": any,
         "all": all,
@@ -173,7 +176,7 @@ class _Evaluator:
         return self._named(node.id)
 
     def _named(self, name: str) -> Any:
-        for table in (self._local, self.names, _CONSTANTS):
+        for table in (self._local, self.names, _CONSTANTS, KINDS):
             if name in table:
                 return table[name]
         msg = f"`{name}` has no value here. Define it."

@@ -48,6 +48,15 @@ def test_rows() -> None:
     assert rows.promised - rows.kept == {("subscriber", "/never")}
 
 
+def test_what_no_line_reached_is_not_missing() -> None:
+    """Of what was not registered, a row whose line did not run is told apart from one whose line ran."""
+    promised = contract(("publisher", "/made", "/made"), ("subscriber", "/lost", "/lost"))
+    live = seen(("publisher", "/made"))
+    assert compared(promised, "/n", live, ()).unreached == frozenset()
+    assert compared(promised, "/n", live, (), {("n.py", 1)}).unreached == frozenset()
+    assert compared(promised, "/n", live, (), {("n.py", 2)}).unreached == {("subscriber", "/lost")}
+
+
 def test_candidates_are_scripts_of_rospy() -> None:
     found = {each.script.name for each in candidates(FIXTURES / "cmd_vel_robot")}
     assert found == {"diff_drive.py", "teleop.py", "follower.py"}

@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 from ecm_checker.contract import Contract, Evidence, Identity, Interface, Qos, Signature, Source
+from ecm_checker.hub.condition import Condition
 from live_ros2.candidates import Candidate, Tree, candidates, of_node, python_path, tree_of
 from live_ros2.rows import compared
 from live_ros2.told import observation
@@ -90,6 +91,23 @@ def test_a_node_finds_its_contract() -> None:
     assert of_node(tree, script, "/ns/two") == (two,)
     assert of_node(tree, script, "/computed_7") == (one,)
     assert of_node(tree, Candidate("a/program", (), "a"), "/computed_7") == ()
+
+
+def test_what_has_a_condition_may_be_absent() -> None:
+    """A publisher that is made for a parameter is no false row of a run without it."""
+    when = (Condition("parameter", "patch"),)
+    promised = contract(interface("publisher", "/fixed", "fixed", when=when), interface("publisher", "/sure", "sure"))
+    told = observation(document(publisher=[]))
+    count = compared([promised], "/n", told, told)["endpoint precision"]
+    assert count.wrong == ["not there: publisher /sure"]
+
+
+def test_programs_whose_nodes_share_a_name_have_contracts_of_their_own() -> None:
+    """The contract of the script that runs comes first, although another one has the bare name."""
+    first, second = contract(name="talker", path="one.py"), contract(name="talker_two", path="two.py")
+    tree = Tree(Path(), (first, second))
+    assert of_node(tree, Candidate("a/two.py", (), "a", "two.py"), "/talker") == (second,)
+    assert of_node(tree, Candidate("a/three.py", (), "a", "three.py"), "/talker") == (first,)
 
 
 def test_scripts_of_a_tree() -> None:

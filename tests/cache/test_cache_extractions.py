@@ -37,13 +37,24 @@ def test_same_bytes_with_and_without(store: Store) -> None:
     assert document(DEMO) == without
 
 
+def test_a_sparse_checkout_lacks_the_same_with_and_without(
+    store: Store, tmp_path: Path, capfdbinary: pytest.CaptureFixture[bytes]
+) -> None:
+    """What git tracks and the folder lacks is told of a tree whose reading is recorded, too."""
+    folder = package(tmp_path / "one")
+    _committed(folder)
+    (folder / ".git" / "info").mkdir(exist_ok=True)
+    (folder / ".git" / "info" / "sparse-checkout").write_text("src\n")
+    (folder / "scripts/run").unlink()
+    printed = _printed(folder, "json", capfdbinary)
+    assert b'"scripts/run"' in printed[0]
+    assert printed[0] == printed[1] == printed[2]
+
+
 @pytest.mark.parametrize("format_", ["yaml", "json"])
 def test_command_prints_the_same(store: Store, capfdbinary: pytest.CaptureFixture[bytes], format_: str) -> None:
     """Manifests and document of the command line are the same, too."""
-    printed = []
-    for switch in (["--no-cache"], [], []):
-        assert run(["extract", str(DEMO), "--format", format_, "-o", "-", "-q", *switch]) == 0
-        printed.append(capfdbinary.readouterr().out)
+    printed = _printed(DEMO, format_, capfdbinary)
     assert printed[0] == printed[1] == printed[2]
 
 
@@ -54,6 +65,21 @@ def test_check_decides_the_same(store: Store, capsys: pytest.CaptureFixture[str]
         run(["check", str(DEMO), "--format", "json", *switch])
         printed.append(capsys.readouterr())
     assert printed[0] == printed[1] == printed[2]
+
+
+def _printed(folder: Path, format_: str, capfdbinary: pytest.CaptureFixture[bytes]) -> list[bytes]:
+    """What the command line writes without the cache, filling it, and reading from it."""
+    found = []
+    for switch in (["--no-cache"], [], []):
+        assert run(["extract", str(folder), "--format", format_, "-o", "-", "-q", *switch]) == 0
+        found.append(capfdbinary.readouterr().out)
+    return found
+
+
+def _committed(folder: Path) -> None:
+    git = ["git", "-C", str(folder), "-c", "user.name=a", "-c", "user.email=a@example.org"]
+    for line in (["init", "-q"], ["add", "."], ["commit", "-q", "-m", "x"]):
+        subprocess.run([*git, *line], check=True)
 
 
 def _edit(folder: Path) -> None:
@@ -165,9 +191,7 @@ def test_file_that_vanishes_is_not_kept(tmp_path: Path) -> None:
 def test_ref_and_clone_share_facts(store: Store, tmp_path: Path) -> None:
     """A ref and a folder of the same content parse it once."""
     folder = package(tmp_path / "one")
-    git = ["git", "-C", str(folder), "-c", "user.name=a", "-c", "user.email=a@example.org"]
-    for line in (["init", "-q"], ["add", "."], ["commit", "-q", "-m", "x"]):
-        subprocess.run([*git, *line], check=True)
+    _committed(folder)
     extraction(folder)
     before = keys(store).count("facts")
     extract(open_tree(folder, "HEAD"), Options(jobs=1))

@@ -134,6 +134,50 @@ DESCRIBED = {
         'name="robot" ', '<link name="base"/>\n  <xacro:include filename="$(find parts)/urdf/hand.xacro"/>'
     ),
 }
+NOTHING_OF = {
+    "core/package.xml": MANIFEST.format("core", ""),
+    "core/CMakeLists.txt": BUILD.format("core"),
+    "core/include/shapes/box.hpp": "class Box {};\n",
+    "other/package.xml": MANIFEST.format("other", ""),
+    "other/CMakeLists.txt": BUILD.format("other"),
+    "user/package.xml": MANIFEST.format("user", "<build_depend>core</build_depend><build_depend>other</build_depend>"),
+    "user/CMakeLists.txt": BUILD.format("user"),
+    "user/src/a.cpp": "#include <shapes/box.hpp>\n",
+}
+LATCHED = """import rclpy
+from rclpy.qos import DurabilityPolicy, QoSProfile
+from std_msgs.msg import String
+rclpy.init()
+node = rclpy.create_node('{0}')
+end = node.create_{1}(String, '/map_name', {2})
+rclpy.spin(node)
+"""
+KEEPS = "QoSProfile(depth=1, durability=DurabilityPolicy.{0})"
+OF_ROS2 = """<package format="3"><name>{0}</name><version>1.0.0</version><depend>rclpy</depend><depend>std_msgs</depend>
+<export><build_type>ament_python</build_type></export></package>"""
+LATE = {
+    path.format(name): text
+    for name, source in (
+        ("keeper", LATCHED.format("keeper", "publisher", KEEPS.format("TRANSIENT_LOCAL"))),
+        ("late", LATCHED.format("late", "subscription", "print, " + KEEPS.format("VOLATILE"))),
+    )
+    for path, text in {
+        "{0}/package.xml": OF_ROS2.format(name),
+        "{0}/setup.py": f"from setuptools import setup\nsetup(name='{name}', packages=['{name}'], "
+        f"entry_points={{'console_scripts': ['{name} = {name}.run:main']}})\n",
+        "{0}/{0}/__init__.py": "",
+        "{0}/{0}/run.py": "def main():\n" + "".join(f"    {line}\n" for line in source.splitlines()),
+    }.items()
+}
+LEFT_OUT = {
+    "core/package.xml": MANIFEST.format("core", ""),
+    "core/CMakeLists.txt": BUILD.format("core"),
+    "core/maps/hall.yaml": "image: hall.png\n",
+    "user/package.xml": MANIFEST.format("user", "<depend>core</depend>"),
+    "user/CMakeLists.txt": BUILD.format("user"),
+    "user/launch/a.launch": "<launch>\n  <arg name='map' default='$(find core)/maps/hall.yaml'/>\n</launch>\n",
+}
+GONE = "<launch>\n  <include file='$(find core)/launch/gone.launch'/>\n</launch>\n"
 LISTED = "repositories:\n  arm_tools_of_ours:\n    type: git\n    url: https://example.org/a.git\n    version: main\n"
 
 
@@ -156,6 +200,11 @@ def written(folder: Path, files: dict[str, str]) -> Path:
         ("LNT046", LIBRARY, "core"),
         ("LNT007", STARTED, "panel"),
         ("LNT002", DESCRIBED, "parts"),
+        ("LNT001", LEFT_OUT | {"user/launch/b.launch": GONE}, "user"),
+        ("LNT061", PLAIN | ROBOT | {"arm/urdf/a.urdf": "<robot><link></robot>\n"}, "arm"),
+        ("LNT035", NOTHING_OF, "user"),
+        ("LNT043", LEFT_OUT, "core"),
+        ("LNT053", LATE, "late"),
     ],
 )
 def test_what_the_tree_and_other_packages_tell(
@@ -193,3 +242,13 @@ def test_what_a_document_does_not_keep_is_told(tmp_path: Path) -> None:
     workspace = Workspace(open_tree(tree / "panel"), Options(jobs=1), stored=stored(tree))
     findings_of(workspace)
     assert [each.unread.reason for each in workspace.tree.diagnostics if each.unread] == ["unjudged"]
+
+
+def test_a_macro_of_a_file_that_no_document_keeps_is_not_missing(tmp_path: Path) -> None:
+    """What was not read may define it."""
+    files = DESCRIBED | {"parts/urdf/hand.xacro": XACRO.format("", "<!-- \xff -->")}
+    whole = "whole/urdf/robot.urdf.xacro"
+    files[whole] = files[whole].replace("\n</robot>", "<xacro:a/>\n</robot>")
+    tree = written(tmp_path, files)
+    (tree / "parts/urdf/hand.xacro").write_bytes(files["parts/urdf/hand.xacro"].encode("latin-1"))
+    assert "LNT002" not in {each.rule for each in alone(tree, "whole/", stored(tree))}

@@ -152,6 +152,10 @@ def test_documents_are_named_on_the_command_line(tmp_path: Path, capsys: pytest.
     assert found[0]["edit"] == {"kind": "rename", "old": "arm_drvier", "new": "arm_driver"}
     assert "known from documents: 1 packages" in err
     assert "not asked of documents: LNT021, LNT037, LNT041" in err
+    assert (
+        "asked of sources alone: LNT006 (remaps of nodes), LNT043 (packages that install nothing, in one finding)"
+        in err
+    )
 
 
 def test_libraries_and_nodes_of_another_package_are_known_by_its_document(tmp_path: Path) -> None:

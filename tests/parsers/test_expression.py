@@ -150,3 +150,18 @@ def test_nothing_but_an_expression_error_is_raised(text: str) -> None:
         return
     assert isinstance(found, str | int | float | bool | list | tuple | dict | slice | None)
     ast.literal_eval(repr(found).replace("inf", "1e999").replace("nan", "None"))
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("python.set('b a b'.split())", ["b", "a"]),
+        ("set([1, 2, 3]) - set([2])", [1, 3]),
+        ("len(set([1, 1]) - set([1]))", 0),
+        ("isinstance([1], (list, tuple))", True),
+        ("isinstance(set([1]), list)", False),
+    ],
+)
+def test_sets_keep_their_order(text: str, value: object) -> None:
+    """What a set holds is said in the same order each time."""
+    assert evaluate(text, {}) == value

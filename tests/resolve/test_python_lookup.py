@@ -6,6 +6,10 @@ from typing import Any
 
 import pytest
 
+from ecm_extract.extraction import extract
+from ecm_extract.extraction_model import Options
+from ecm_extract.tree import open_tree
+
 CONTEXT = """
 from std_msgs.msg import Bool
 class Context:
@@ -141,3 +145,18 @@ def test_a_static_method_is_called_through_its_class(workspace: Any) -> None:
     text += "        node.create_publisher(Bool, 'own', 1)\n"
     files = {"scripts/run.py": script("from context import Context", "Context.open"), "scripts/context.py": text}
     assert published(workspace.package(files)) == {"/own"}
+
+
+def test_a_tree_that_is_a_package_itself_has_an_end(workspace: Any) -> None:
+    """`__init__.py` at the root of the tree leaves no folder around it that could be asked."""
+    script_text = script("from util.context import Context", "Context")
+    files = {
+        "__init__.py": "",
+        "run.py": script_text,
+        "setup.py": SETUP.format("pkg", "'util'", "."),
+        "util/__init__.py": "",
+    }
+    workspace.package({**files, "util/context.py": CONTEXT.format(topic="own")})
+    extraction = extract(open_tree(workspace.root / "pkg"), Options(jobs=1))
+    modules = [module for package in extraction.packages for module in package.modules]
+    assert "/own" in {entry.name for module in modules for entry in module.signature.interfaces}

@@ -44,7 +44,13 @@ def described(file):
     finally:
         generator.ParameterGenerator.generate, sys.argv = kept, line
     for each in extract_params(found.config_description):
-        for key, column in (("min", "min"), ("max", "max"), ("defaults", "default"), ("level", "level"), ("type", "type")):
+        for key, column in (
+            ("min", "min"),
+            ("max", "max"),
+            ("defaults", "default"),
+            ("level", "level"),
+            ("type", "type"),
+        ):
             getattr(found, key)[each["name"]] = each[column]
         found.all_level |= each["level"]
     return found

@@ -1,7 +1,8 @@
 """What a build would have made of the trees that are run, made in memory.
 
 Messages and services of packages that Debian lacks, and configurations of dynamic_reconfigure. Python imports this by
-itself when its folder is on the path. ECM_LIVE_TREE names the trees, as a path list.
+itself when its folder is on the path. ECM_LIVE_TREE names the trees, as a path list; the lines of them that run are
+noted in the file ECM_LIVE_LINES.
 """
 
 import importlib.abc
@@ -11,6 +12,7 @@ import sys
 import types
 
 from ecm_live_definitions import KINDS, Definitions
+from ecm_live_lines import note_lines
 from ecm_live_reconfigured import Configurations
 
 
@@ -29,7 +31,9 @@ class Maker(importlib.abc.MetaPathFinder, importlib.abc.Loader):
         if self.definitions is None:
             self.definitions, self.configurations = Definitions(self.trees), Configurations(self.trees)
         if self._is_made(package, kind, configuration):
-            return importlib.machinery.ModuleSpec(name, self, is_package=not kind or (kind == "cfg" and not configuration))
+            return importlib.machinery.ModuleSpec(
+                name, self, is_package=not kind or (kind == "cfg" and not configuration)
+            )
         return None
 
     def _is_made(self, package, kind, configuration):
@@ -92,3 +96,5 @@ class Maker(importlib.abc.MetaPathFinder, importlib.abc.Loader):
 
 if os.environ.get("ECM_LIVE_TREE"):
     sys.meta_path.append(Maker(os.environ["ECM_LIVE_TREE"]))
+    if os.environ.get("ECM_LIVE_LINES"):
+        note_lines(os.environ["ECM_LIVE_TREE"], os.environ["ECM_LIVE_LINES"])

@@ -164,6 +164,8 @@ def _not_asked(known: Outside) -> Iterator[str]:
     if known.documents:
         rules = ", ".join(entry.rule.id for entry in catalogue() if entry.rule.of_one_tree)
         yield f"not asked of documents: {rules}, which compare packages of one tree"
+        told = ", ".join(f"{entry.rule.id} ({entry.rule.of_sources})" for entry in catalogue() if entry.rule.of_sources)
+        yield f"asked of sources alone: {told}"
 
 
 def _selected(texts: tuple[str, ...]) -> frozenset[str]:

@@ -11,6 +11,7 @@ from ecm_extract.lint.known import Known
 from ecm_extract.lint.named_files import absent_files
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
+from ecm_extract.report.places import in_tree
 
 RULE = LintRule(
     id="LNT001",
@@ -41,18 +42,11 @@ def check(workspace: Workspace) -> Iterator[Finding]:
         found.setdefault((entry.path, name, late), []).append(entry.line)
     for (path, name, late), lines in found.items():
         evidence = [Evidence(path, line) for line in lines]
-        text = f"{path} names {name}, which is not there"
+        text = f"{path} names {in_tree(name)}, which is not there"
         package = workspace.package_of(path)
-        entity = Entity("file", _in_package(name, workspace))
+        entity = Entity("file", workspace.in_package(name))
         yield RULE.finding(text, entity, package, evidence, consequence=_AT_START if late else "")
     yield from _relative(workspace)
-
-
-def _in_package(path: str, workspace: Workspace) -> str:
-    """Return a path of the tree as that of a package, which is the same wherever the package lies; else as it is."""
-    name = workspace.package_of(path)
-    root = workspace.by_name[name].root.path if name in workspace.by_name else ""
-    return f"{name}/{path.removeprefix(root).lstrip('/')}" if name else path
 
 
 def tell(known: Known) -> Iterator[Finding]:
@@ -76,11 +70,11 @@ def _relative(workspace: Workspace) -> Iterator[Finding]:
     """Includes that are there beside the file, where the launch looks from the folder that it is started in."""
     for entry in workspace.diagnostics("launch-include-relative"):
         name = entry.about
-        text = f"{entry.path} finds {name} only when it is started in its own folder"
+        text = f"{entry.path} finds {in_tree(name)} only when it is started in its own folder"
         evidence = [Evidence(entry.path, entry.line)]
         yield RULE.finding(
             text,
-            Entity("file", _in_package(name, workspace)),
+            Entity("file", workspace.in_package(name)),
             workspace.package_of(entry.path),
             evidence,
             certainty="likely",

@@ -23,16 +23,16 @@ RULE = LintRule(
     resolution="define it, include the file that does, or correct the name",
 )
 _FILES: Final = frozenset({"file", "chosen_file"})
-_ELSEWHERE: Final = frozenset({"late", "chosen_file"})
+_ELSEWHERE: Final = frozenset({"late", "chosen_file", "unread"})
 _OPEN = frozenset("{}[]<>$")
 """In a name that only the launch knows, or of a template that somebody fills in."""
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
-    """Report what xacro cannot expand, in descriptions whose files are all in the tree.
+    """Report what xacro cannot expand, in descriptions whose files are all in the tree or kept by documents beside it.
 
     Not asked of the engine: which macro a call means, and what it is given, is told by running the description in
-    order, with files that properties and arguments name; packages tell no such run.
+    order, with files that properties and arguments name; documents keep the descriptions, and these are run.
     """
     parts = {path for each in workspace.descriptions for path in each.files if path != each.path}
     for description in workspace.descriptions:
@@ -59,8 +59,9 @@ def _is_told(problem: Problem, workspace: Workspace, *, whole: bool) -> bool:
 
 def _is_elsewhere(name: str, path: str, workspace: Workspace) -> bool:
     """Tell whether an included file may exist all the same: on the machine, or made by the build."""
-    places = (name,) if name.startswith("/") else (f"{TREE}{name}", f"{workspace.files.folder(path)}/{name}")
-    return any(workspace.files.is_elsewhere(place) for place in places)
+    files = workspace.beside.files
+    places = (name,) if name.startswith("/") else (f"{TREE}{name}", f"{files.folder(path)}/{name}")
+    return any(files.is_elsewhere(place) for place in places)
 
 
 def _defines_all(description: Description) -> bool:

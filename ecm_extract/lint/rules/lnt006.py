@@ -27,6 +27,7 @@ RULE = LintRule(
     who="graph",
     consequence="the node keeps its own name and the two sides never meet",
     resolution="correct the name on the left side, or remove the remap",
+    of_sources="remaps of nodes",
 )
 _PATH = re.compile(r"\w/\w")
 _FRAMEWORK = re.compile(

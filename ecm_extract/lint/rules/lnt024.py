@@ -39,7 +39,7 @@ def check(workspace: Workspace) -> Iterator[Finding]:
     for functions in workspace.linker.program.functions.values():
         for func in functions:
             if func.file.language == "cpp" and func.file.package in workspace.by_name:
-                yield from _of(func, frozenset(workspace.by_name))
+                yield from _of(func, frozenset(workspace.versions))
 
 
 def _of(func: Func, own: frozenset[str]) -> Iterator[Finding]:

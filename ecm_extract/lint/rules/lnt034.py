@@ -21,6 +21,7 @@ RULE = LintRule(
     who="qos",
     consequence="publishing waits for the slowest subscriber, and rospy warns at each start",
     resolution="give queue_size, 1 for commands and the latest state, more for what must not be lost",
+    tier="stable",
 )
 _SINCE = "1.11.1"
 """rospy that warns; queue_size came with 1.11.0 (ros_comm changelog)."""

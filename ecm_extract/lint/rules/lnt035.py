@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Set
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
@@ -71,13 +71,14 @@ _INCLUDE = re.compile(rb"#\s*include\s*[<\"]([^>\"\n]+/[^>\"\n]+)[>\"]")
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
-    """Report packages of the tree, and message packages, that are asked for at build time and used nowhere."""
-    headers = {package.name: _headers(package) for package in workspace.packages}
+    """Report packages of the tree, of documents beside it, and of messages that are asked for to build and not used."""
+    headers = {document.name: _headers(document.files) for document in workspace.stored}
+    headers |= {package.name: _headers(package.sources) for package in workspace.packages}
     for package in workspace.packages:
         manifest = package.manifest
         if manifest is None or package.root.rosbuild or any(entry.tag == "metapackage" for entry in manifest.exports):
             continue
-        asked = {entry.name: entry for entry in reversed(manifest.dependencies) if _is_judged(entry, workspace)}
+        asked = {entry.name: entry for entry in reversed(manifest.dependencies) if _is_judged(entry, headers.keys())}
         if asked and _has_sources(package):
             for name in sorted(asked.keys() - _used(workspace, package, set(asked), headers)):
                 text = f"{package.name} depends on {name} and uses nothing of it"
@@ -85,9 +86,9 @@ def check(workspace: Workspace) -> Iterator[Finding]:
                 yield RULE.finding(text, Entity("package", name), package.name, evidence, certainty="likely")
 
 
-def _is_judged(entry: Dependency, workspace: Workspace) -> bool:
-    """A package of the tree shows what it offers, a message package has its name in every use."""
-    known = entry.name in workspace.by_name or entry.name.endswith("_msgs")
+def _is_judged(entry: Dependency, shown: Set[str]) -> bool:
+    """A package of the tree or of a document shows what it offers, a message package has its name in every use."""
+    known = entry.name in shown or entry.name.endswith("_msgs")
     return entry.kind in _KINDS and known and _GENERATORS.search(entry.name) is None
 
 
@@ -95,8 +96,8 @@ def _has_sources(package: PackageFacts) -> bool:
     return bool(package.sources or package.interfaces)
 
 
-def _headers(package: PackageFacts) -> tuple[str, ...]:
-    return tuple(path for path in package.sources if path.endswith((".h", ".hpp", ".hh", ".hxx")))
+def _headers(paths: Iterable[str]) -> tuple[str, ...]:
+    return tuple(path for path in paths if path.endswith((".h", ".hpp", ".hh", ".hxx")))
 
 
 def _used(

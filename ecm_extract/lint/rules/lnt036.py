@@ -9,6 +9,7 @@ from typing import Final
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding, Severity
+from ecm_checker.hub.kinds import kinds
 from ecm_checker.hub.package import Provided
 
 from ecm_extract.link.call_index import call_index
@@ -30,8 +31,6 @@ RULE = LintRule(
 )
 _HEADERS = (".h", ".hh", ".hpp", ".hxx")
 _PRIVATE = "_"
-_PACKAGE: Final = "package"
-_CALLED: Final = ("function", "method")
 _LAST: Final = re.compile(r"::|\.")
 """What parts names of C++ and of Python."""
 
@@ -57,7 +56,8 @@ def _packages(workspace: Workspace) -> Iterator[Finding]:
         for package in workspace.packages
         if package.manifest is not None and package.manifest.deprecated is not None
     }
-    marked |= {row.name: row.deprecated for _, row in _told(workspace, _PACKAGE) if row.deprecated is not None}
+    told = (row for _, row in _told(workspace) if kinds()[row.kind].released)
+    marked |= {row.name: row.deprecated for row in told if row.deprecated is not None}
     for package in workspace.packages:
         for entry in package.manifest.dependencies if package.manifest is not None else ():
             if entry.name in marked and package.name not in marked and not is_meta(package):
@@ -92,17 +92,18 @@ _Rows = Sequence[tuple[str, Provided]]
 """What documents tell of packages beside the tree, with the names of these."""
 
 
-def _told(workspace: Workspace, *kinds: str) -> Iterator[tuple[str, Provided]]:
-    """Yield the names of some kinds that documents tell of packages beside the tree."""
+def _told(workspace: Workspace) -> Iterator[tuple[str, Provided]]:
+    """Yield the names that documents tell of packages beside the tree."""
     others = (each for each in workspace.stored if each.name not in workspace.by_name)
-    return ((each.name, row) for each in others for row in each.provides if row.kind in kinds)
+    return ((each.name, row) for each in others for row in each.provides)
 
 
 def _functions_told(workspace: Workspace) -> Mapping[str, _Rows]:
     """The functions and methods of documents by their last part."""
     found: dict[str, list[tuple[str, Provided]]] = defaultdict(list)
-    for package, row in _told(workspace, *_CALLED):
-        found[_LAST.split(row.name)[-1]].append((package, row))
+    for package, row in _told(workspace):
+        if kinds()[row.kind].called:
+            found[_LAST.split(row.name)[-1]].append((package, row))
     return found
 
 

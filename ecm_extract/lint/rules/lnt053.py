@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 from ecm_checker.contract import Evidence, Qos
 from ecm_checker.finding import Entity, Finding
 from ecm_checker.hub.roles import roles
+from ecm_checker.hub.running import RunningEndpoint, RunningModule
 
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace, evidence_of
@@ -22,6 +23,9 @@ RULE = LintRule(
     consequence="started after the publisher, it gets nothing until the next message, which may never come",
     resolution="subscribe with durability transient_local, as the publisher offers it",
 )
+
+
+_ROS2: Final = 2
 
 
 class _End(NamedTuple):
@@ -68,7 +72,18 @@ def _written(workspace: Workspace) -> _Topics:
             if line.qos is not None and line.raw_name.startswith("/") and line.confidence != "pattern":
                 end = _End(line.role, entry.module.name, line.qos, line.evidence[-1])
                 topics[line.name, line.type].append(end)
+    for module, each in _of_documents(workspace):
+        if each.qos is not None and each.raw_name.startswith("/") and "{" not in each.name:
+            end = _End(each.role, module.name, each.qos, Evidence(each.path, each.line))
+            topics[each.name, each.type].append(end)
     return topics
+
+
+def _of_documents(workspace: Workspace) -> Iterator[tuple[RunningModule, RunningEndpoint]]:
+    """What runs of packages of ROS 2 that only documents tell of."""
+    for module in workspace.index.modules:
+        if module.package not in workspace.by_name and workspace.ros_of(module.package) == _ROS2:
+            yield from ((module, each) for each in module.endpoints)
 
 
 def _launched(workspace: Workspace) -> Iterator[_Topics]:

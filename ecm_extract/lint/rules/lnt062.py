@@ -10,10 +10,10 @@ from ecm_checker.finding import Entity, Finding
 from ecm_parsers.xml_tree import children, line_of, text_of
 from lxml import etree
 
-from ecm_extract.discover import is_test_path
 from ecm_extract.lint.robot_files import root_of
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
+from ecm_extract.test_code import is_test_path
 
 RULE = LintRule(
     id="LNT062",
@@ -30,6 +30,8 @@ _PAIRS: Final = (
     ("depthImageTopicName", "depthImageCameraInfoTopicName"),
 )
 """Parameters of the camera plugins of gazebo_ros: the topic of an image, and that of its camera info."""
+_NAMESPACES: Final = ("robotNamespace", "cameraName")
+"""Parameters below which such a plugin puts relative topics, outermost first."""
 
 
 def check(workspace: Workspace) -> Iterator[Finding]:
@@ -47,10 +49,23 @@ def _of(plugin: etree._Element, path: str, package: str) -> Iterator[Finding]:
     for image_tag, info_tag in _PAIRS:
         if image_tag in topics and info_tag in topics:
             image, info = text_of(topics[image_tag]), text_of(topics[info_tag])
-            if _are_apart(image, info):
+            if _are_apart(*_placed((image, info), topics)):
                 text = f"the camera publishes images on {image} and their camera info on {info}"
                 lines = [Evidence(path, line_of(topics[tag])) for tag in (image_tag, info_tag)]
                 yield RULE.finding(text, Entity("topic", image, info), package, lines, certainty="likely")
+
+
+def _placed(names: tuple[str, str], parameters: dict[str, etree._Element]) -> tuple[str, str]:
+    """Both topics where the plugin puts them: a relative one below the namespace of its camera.
+
+    Without such a namespace nothing tells where a relative topic lies beside an absolute one: both are empty then.
+    """
+    if len({name.startswith("/") for name in names}) == 1:
+        return names
+    around = [text_of(parameters[tag]).strip("/") for tag in _NAMESPACES if tag in parameters]
+    base = "/".join(filter(None, around))
+    image, info = (name if name.startswith("/") else f"/{base}/{name}" for name in names)
+    return (image, info) if base else ("", "")
 
 
 def _are_apart(image: str, info: str) -> bool:

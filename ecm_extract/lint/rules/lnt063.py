@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 
-from ecm_extract.discover import is_test_path
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
+from ecm_extract.test_code import is_test_path
 
 RULE = LintRule(
     id="LNT063",
@@ -32,4 +32,5 @@ def check(workspace: Workspace) -> Iterator[Finding]:
                     if problem.code == _CODE:
                         text = f"generate_launch_description of {entry.path} returns nothing"
                         lines = [Evidence(entry.path, problem.line)]
-                        yield RULE.finding(text, Entity("launch_file", entry.path), package.name, lines)
+                        entity = Entity("launch_file", workspace.in_package(entry.path))
+                        yield RULE.finding(text, entity, package.name, lines)

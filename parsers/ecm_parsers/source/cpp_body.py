@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from ecm_parsers.source.cpp_assigning import Assigning
 from ecm_parsers.source.cpp_binding import Binding
+from ecm_parsers.source.cpp_captures import initial_captures
 from ecm_parsers.source.cpp_effects import matters
 from ecm_parsers.source.cpp_expr import ExprReader, lambda_types
 from ecm_parsers.source.cpp_parameters import declared_name, parameters
@@ -260,6 +261,7 @@ class BodyReader:
 
     def _named_lambda(self, name: str, node: Node) -> None:
         body = node.child_by_field_name("body")
+        self._captured(node)
         inner = BodyReader(self.expr.data, f"{self.scope}::{name}")
         inner._nesting = self._nesting
         if body is not None:
@@ -282,10 +284,18 @@ class BodyReader:
         self.writer.add("let", node, Lambda(lambda_types(self.expr, node)), Name(name), "auto")
 
     def _lambda_body(self, node: Node) -> None:
-        names = tuple([parameter.name for parameter in _lambda_parameters(self.expr, node)])
+        given = [parameter.name for parameter in _lambda_parameters(self.expr, node)]
+        names = (*given, *self._captured(node))
         self.writer.lambdas += 1
         self.writer.step(Later(self._inner(node.child_by_field_name("body")), names))
         self.writer.lambdas -= 1
+
+    def _captured(self, node: Node) -> list[str]:
+        """Read what a lambda evaluates when it is made; return the names by which its body has that."""
+        found = initial_captures(node)
+        for capture in found:
+            self._assigning.expression(capture.value)
+        return [capture.name for capture in found]
 
 
 def _otherwise(node: Node) -> Node | None:

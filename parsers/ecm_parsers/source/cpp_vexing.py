@@ -42,8 +42,10 @@ def _argument(reader: ExprReader, child: Node) -> Expr | None:
 
 
 def is_call_of_macro(node: Node, scope: str, name: str) -> bool:
-    """Whether a declaration is a macro with its arguments: of functions only those that make, end or convert an object
-    have no type."""
+    """Whether a declaration is a macro with its arguments.
+
+    Of functions, only those that make, end or convert an object have no type.
+    """
     if node.child_by_field_name("type") is not None or node.child_by_field_name("body") is not None:
         return False
     own = scope.rpartition("::")[2].partition("<")[0]

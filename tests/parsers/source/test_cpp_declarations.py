@@ -313,7 +313,7 @@ def test_a_registration_stands_in_its_namespace() -> None:
 
 
 def test_a_macro_with_arguments_is_no_function() -> None:
-    """Only what makes, ends or converts an object is declared without a type; a macro reads alike, with or without `;`."""
+    """Only what makes, ends or converts an object is declared without a type; a macro reads alike."""
     text = (
         "namespace n {\ntemplate <class T> class A {\n  TYPES_OF(T);\n  A(int);\n  explicit A(T, int = 1);\n  ~A();\n"
         "  A & operator=(A const &) = delete;\n  void f();\n};\nREGISTER(A);\n}\nn::A<int>::A(int) {}\n"
