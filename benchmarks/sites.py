@@ -147,7 +147,7 @@ def _arguments() -> argparse.Namespace:
 
 def main() -> None:
     """Run the benchmark; status 1 when a figure of the total is not reached."""
-    from ecm_extract.discover import is_test_path
+    from ecm_extract.test_code import is_test_path
 
     options = _arguments()
     sites, excluded, skipped = oracle(options.repo, is_test_path)

@@ -68,7 +68,7 @@ def parse(files: list[tuple[str, bytes]]) -> None:
 
 def sources(root: Path) -> tuple[list[tuple[str, bytes]], list[tuple[str, bytes]]]:
     """All C++ and Python files of a tree, and those that an extraction reads: (language, bytes)."""
-    from ecm_extract.discover import is_test_path
+    from ecm_extract.test_code import is_test_path
 
     paths = (path for path in sorted(root.rglob("*")) if ".git" not in path.parts)
     everything = [(lang, path.read_bytes()) for path in paths if (lang := language(path))]

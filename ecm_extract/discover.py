@@ -1,12 +1,10 @@
 """Which folders of a tree are packages, and which files belong to each."""
 
 from collections.abc import Collection, Iterable
-from pathlib import PurePosixPath
 
 import msgspec
 
 from ecm_extract.exclusion import Exclusion
-from ecm_extract.source_suffixes import CPP
 from ecm_extract.tree import Entry, FileDiagnostic, Tree, Unread, can_declare, printable
 
 MANIFESTS = ("package.xml", "manifest.xml")
@@ -14,17 +12,6 @@ MANIFESTS = ("package.xml", "manifest.xml")
 
 IGNORE_MARKERS = ("COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE")
 """Files that hide their folder from the build tool of the same name."""
-
-TEST_FOLDERS = frozenset({"test", "tests", "unit_tests", "integration_tests", "gtest"})
-TEST_PACKAGE_SUFFIXES = ("_tests", "_testsuite", "_test_suite", "_test_common", "_test_utils")
-TEST_FILES = frozenset({"conftest.py"})
-TEST_EXTENSIONS = (".test", ".test.xml")
-"""Of rostest, the ROS 1 test launcher."""
-
-SOURCE_EXTENSIONS = CPP | {".py"}
-SOURCE_TEST_PREFIXES = ("test_",)
-SOURCE_TEST_SUFFIXES = ("_test", "_tests", "_unittest")
-"""Of the name of a source file without its extension; a message named so is still an interface."""
 
 
 class PackageRoot(msgspec.Struct, frozen=True):
@@ -81,32 +68,6 @@ def _is_hidden(path: str, ignored: set[str], manifests: set[str]) -> bool:
         return False
     owner = _owner(path, manifests)
     return owner is None or owner in ignored or _is_under(owner, ignored)
-
-
-def is_test_package(root: str) -> bool:
-    """Whether a package below the root of a tree exists only to test others, by the name of its folder."""
-    name = root.rpartition("/")[2].lower()
-    return name.startswith("test_") or name.endswith(TEST_PACKAGE_SUFFIXES)
-
-
-def is_test_path(path: str, root: str = "") -> bool:
-    """Whether a file is test code, by the path of its package `root` and its own path below it."""
-    name = path.lower().rpartition("/")[2]
-    named = name in TEST_FILES or name.endswith(TEST_EXTENSIONS) or _is_test_source(name)
-    return named or is_in_test_folder(path, root)
-
-
-def is_in_test_folder(path: str, root: str = "") -> bool:
-    """Whether a file lies where tests do, whatever it is called itself."""
-    inside = path.removeprefix(f"{root}/") if root else path
-    folders = inside.lower().split("/")[:-1]
-    return is_test_package(root) or not TEST_FOLDERS.isdisjoint(folders)
-
-
-def _is_test_source(name: str) -> bool:
-    file = PurePosixPath(name)
-    named = file.stem.startswith(SOURCE_TEST_PREFIXES) or file.stem.endswith(SOURCE_TEST_SUFFIXES)
-    return named and file.suffix in SOURCE_EXTENSIONS
 
 
 def _manifests(entries: Collection[Entry]) -> dict[str, str]:

@@ -15,11 +15,11 @@ from ecm_parsers.launch.operators import negated
 from ecm_parsers.launch.substitution import parse_template
 from ecm_parsers.robot_names import NamedLine, RobotNames, parse_robot_names
 
-from ecm_extract.discover import is_test_path
 from ecm_extract.entities.launch_conditions import conditions_of, together
 from ecm_extract.entities.public_files import inside
 from ecm_extract.entities.side_texts import DESCRIPTIONS, SideTexts
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.test_code import is_test_path
 
 _COMPUTED: Final = re.compile(r"(?:\$\{[^}]*\}|\$\([^)]*\))+")
 _PREFIXED: Final = re.compile(rf"{re.escape(HOLE)}/?[A-Za-z]")

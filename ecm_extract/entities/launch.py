@@ -10,13 +10,13 @@ from ecm_checker.hub.provision import Provision
 from ecm_parsers.launch.model import Argument, LaunchFile
 from ecm_parsers.launch.templates import written
 
-from ecm_extract.discover import is_test_path
 from ecm_extract.entities.launch_conditions import arguments, taken
 from ecm_extract.entities.launch_reads import is_open, reads
 from ecm_extract.entities.nodes import launched_nodes
 from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.system.launch_files import is_launch_file, read_launch
+from ecm_extract.test_code import is_test_path
 
 
 def launch_entities(facts: PackageFacts, launches: Sequence[tuple[str, LaunchFile]]) -> Iterator[Provision]:

@@ -16,10 +16,10 @@ from ecm_parsers.launch.templates import written
 from ecm_parsers.parameter_yaml import ParameterSet, parse_parameter_yaml
 from ecm_parsers.python_setup_facts import PythonSetup
 
-from ecm_extract.discover import is_test_path
 from ecm_extract.entities.setting import SETTING
 from ecm_extract.entities.side_texts import PARAMETERS, SideTexts
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.test_code import is_test_path
 
 _MAX_INTEGER: Final = 2**63
 _COPIED: Final = frozenset({"directory", "files"})

@@ -1,4 +1,4 @@
-"""What hosts give to plugins: the arguments of a call on a base class, for the methods that override the one called."""
+"""What hosts give to plugins: the arguments of calls on a class or a base, for the method called and its overrides."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ class HostArguments:
         """Return what each host in the tree gives a method by a parameter, with the place of the call.
 
         Args:
-            func: a method of a class that derives from one of the tree.
-            parameter: its name there; hosts call the method of the base.
+            func: a method of a class; hosts call it, or the method of a base that it overrides.
+            parameter: its name there.
         """
         if func not in self._places:
             self._places[func] = tuple([(call, env) for call in self._calls(func) for env in self._made(call)])
@@ -31,10 +31,10 @@ class HostArguments:
         return [bound for bound in given if bound is not None]
 
     def _calls(self, func: Func) -> Iterator[Invocation]:
-        """The calls on a base that may run the method; a method that calls that of its own base is no host."""
+        """The calls on its class or a base that may run the method; one that calls that of its own base is no host."""
         bases = self.sites.program.ancestry(func.cls)[1:] if func.cls is not None else ()
         same = (method for base in bases for method in base.methods if method.fact.name == func.fact.name)
-        called = (method for method in same if len(method.params) == len(func.params))
+        called = (method for method in (func, *same) if len(method.params) == len(func.params))
         found = dict.fromkeys(call for method in called for call in self.sites.callers(method))
         yield from (call for call in found if call.receiver is not None and not is_own(call.receiver))
 

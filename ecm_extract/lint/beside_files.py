@@ -11,11 +11,11 @@ from ecm_checker.hub.package import Package
 from ecm_checker.hub.running import CopiedPath
 from ecm_parsers.launch.model import LaunchFile
 
-from ecm_extract.discover import is_test_path
 from ecm_extract.report.places import FOREIGN
 from ecm_extract.system.files import Files
 from ecm_extract.system.launch_files import is_aside, is_launch_file, read_launch
 from ecm_extract.system.package_folders import PackageFolder, folders_stored
+from ecm_extract.test_code import is_test_path
 from ecm_extract.tree import Entry, FileDiagnostic, Tree, Unread
 from ecm_extract.tree.joined import JoinedTree
 from ecm_extract.tree.stored import StoredTree

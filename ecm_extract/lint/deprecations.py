@@ -8,12 +8,12 @@ from functools import cache
 
 import msgspec
 
-from ecm_extract.discover import is_test_path
 from ecm_extract.entities.distributions import is_for_older
 from ecm_extract.lint.alternatives import has_alternative
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.shipped import shipped_as
+from ecm_extract.test_code import is_test_path
 
 _KINDS = {
     "cpp": (".h", ".hh", ".hpp", ".hxx", ".c", ".cc", ".cpp", ".cxx"),

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from ecm_parsers.xml_tree import children, line_of, parse_xml
 from lxml import etree
 
-from ecm_extract.discover import is_test_path
 from ecm_extract.lint.workspace import Workspace
+from ecm_extract.test_code import is_test_path
 
 
 @dataclass(frozen=True, slots=True)

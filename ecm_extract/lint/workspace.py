@@ -17,7 +17,6 @@ from ecm_extract.assemble.contracts import assemble
 from ecm_extract.collector import without_collector
 from ecm_extract.description.model import Description
 from ecm_extract.description.read import read_description
-from ecm_extract.discover import is_test_path
 from ecm_extract.entities.workspace import PackagesRead, read_packages
 from ecm_extract.entities.workspace import Workspace as Side
 from ecm_extract.extraction_model import Options
@@ -38,6 +37,7 @@ from ecm_extract.system.modules import ModuleIndex
 from ecm_extract.system.package_folders import folders_read
 from ecm_extract.system.running import running_of
 from ecm_extract.system.system import System, evaluated_system
+from ecm_extract.test_code import is_test_path
 from ecm_extract.tree import FileDiagnostic, Tree, Unread
 
 MAX_SYSTEMS = 80
@@ -122,7 +122,7 @@ class Workspace:
 
     @cached_property
     def launches(self) -> Mapping[str, LaunchFile]:
-        """Launch files by path; those of tests, and those that their authors have buried, are left out."""
+        """Launch files by path; those of tests, and copies in hidden folders, are left out."""
         return {path: read.facts for path, read in self._launches_read.items() if read.facts is not None}
 
     @cached_property

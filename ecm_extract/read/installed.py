@@ -8,9 +8,9 @@ from posixpath import dirname, join, normpath
 from ecm_parsers.cmake_facts import CmakeFile
 
 from ecm_extract.cmake.sources import paths_of
-from ecm_extract.discover import is_in_test_folder
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.read.select import SourceKind, source_kind
+from ecm_extract.test_code import is_in_test_folder
 
 
 def installed_sources(package: PackageFacts) -> list[tuple[str, SourceKind]]:

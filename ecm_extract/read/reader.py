@@ -20,7 +20,7 @@ from ecm_parsers.sros_policy import is_policy, parse_policy
 
 from ecm_extract.cache.blobs import Blob, BlobCache
 from ecm_extract.cmake import BuildFiles
-from ecm_extract.discover import PackageRoot, discover, is_test_path
+from ecm_extract.discover import PackageRoot, discover
 from ecm_extract.errors import TreeReadError
 from ecm_extract.exclusion import Exclusion
 from ecm_extract.read import select
@@ -31,6 +31,7 @@ from ecm_extract.read.installed import installed_sources
 from ecm_extract.read.parallel import SourceParse
 from ecm_extract.read.parsed_file import BlobFacts, ParsedFile, Task
 from ecm_extract.read.prefetch import Prefetch
+from ecm_extract.test_code import is_test_path
 from ecm_extract.tree import FileDiagnostic, Tree, Unread, printable, unread_of
 
 OVERLAY = "ecm.yaml"

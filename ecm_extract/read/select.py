@@ -5,8 +5,9 @@ from __future__ import annotations
 from pathlib import PurePosixPath
 from typing import Literal
 
-from ecm_extract.discover import PackageRoot, is_test_path
+from ecm_extract.discover import PackageRoot
 from ecm_extract.source_suffixes import CPP
+from ecm_extract.test_code import is_test_path
 from ecm_extract.tree import Entry
 
 SourceKind = Literal["cpp", "python", "script"]

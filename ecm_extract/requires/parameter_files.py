@@ -11,10 +11,10 @@ from ecm_checker.finding import Certainty
 from ecm_checker.hub.requirement import Requirement
 from ecm_parsers.parameter_yaml import ParameterSet, node_keys, parse_parameter_yaml
 
-from ecm_extract.discover import is_test_path
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.launch_files import MANAGED
 from ecm_extract.requires.place import Place, required
+from ecm_extract.test_code import is_test_path
 from ecm_extract.tree import Tree
 
 ROS2: Final = 2

@@ -11,9 +11,9 @@ from ecm_parsers.cmake_facts import Target
 from ecm_parsers.plugin_xml import PluginClass
 
 from ecm_extract.cmake.sources import paths_of
-from ecm_extract.discover import is_test_path
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.place import Place, required
+from ecm_extract.test_code import is_test_path
 
 
 def plugin_description_requirements(facts: PackageFacts) -> Iterator[Requirement]:

@@ -12,9 +12,9 @@ from typing import Final
 from ecm_checker.hub.requirement import Requirement
 from ecm_parsers.yaml_tree import Entry, Mapping, Node, Scalar, Sequence, parse_yaml
 
-from ecm_extract.discover import is_test_path
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.place import Place, required
+from ecm_extract.test_code import is_test_path
 from ecm_extract.tree import Tree
 
 SUFFIX: Final = ".rviz"

@@ -11,9 +11,9 @@ from ecm_checker.hub.requirement import Requirement
 from ecm_parsers.package_references import parse_references
 from ecm_parsers.share_files import parse_share_files
 
-from ecm_extract.discover import is_test_path
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.place import Place, Reader, required
+from ecm_extract.test_code import is_test_path
 
 URL: Final = "file://"
 """Said of a file that is named as an address, as calibrations of cameras are."""

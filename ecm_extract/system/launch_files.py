@@ -14,13 +14,10 @@ _XML_SUFFIXES = (".launch", ".launch.xml", ".test")
 _YAML_SUFFIXES = (".launch.yaml", ".launch.yml")
 _PYTHON_SUFFIXES = (".launch.py", "_launch.py")
 
-_BURIED = frozenset({"graveyard", "attic", "obsolete"})
-
 
 def is_aside(path: str) -> bool:
-    """Tell whether a file lies where its authors put what is over, or in a hidden folder, where editors keep copies."""
-    folders = path.split("/")[:-1]
-    return not _BURIED.isdisjoint(folders) or any(folder.startswith(".") for folder in folders)
+    """Tell whether a file lies in a hidden folder, where editors keep copies."""
+    return any(folder.startswith(".") for folder in path.split("/")[:-1])
 
 
 def is_launch_file(path: str) -> bool:

@@ -3,7 +3,8 @@ from pathlib import Path
 import pytest
 from tree_repos import write
 
-from ecm_extract.discover import discover, is_test_path
+from ecm_extract.discover import discover
+from ecm_extract.test_code import is_test_path
 from ecm_extract.tree import Tree, open_tree
 
 

@@ -65,3 +65,62 @@ def test_hosts_that_give_each_other_what_they_were_given_end(workspace: Any) -> 
     chain = PLUGIN.format(call="", base="boost::shared_ptr<Part> next; next->start(given, rate);")
     found = workspace.package({"src/board.cpp": chain}, ros=1)
     assert found.only("parameter").name == "/{given}/range"
+
+
+KEPT = """
+#include <ros/ros.h>
+class Sensor {{
+ public:
+  virtual void start(ros::NodeHandle nh, std::string name) {{
+    nh_ = nh;
+    below_ = ros::NodeHandle(nh_, "sensors");
+    below_.param("mode", mode_, 1);
+  }}
+  ros::NodeHandle nh_, below_;
+  int mode_;
+}};
+class Camera : public Sensor {{
+ public:
+  void start(ros::NodeHandle nh, std::string name) override {{
+    Sensor::start(nh, name);
+    pub_ = nh_.advertise<std_msgs::String>("seen", 1);
+  }}
+  ros::Publisher pub_;
+}};
+PLUGINLIB_EXPORT_CLASS(Camera, Sensor)
+class Estimator {{
+ public:
+  void begin(ros::NodeHandle nh) {{ nh_ = nh; }}
+  void load(const std::string & name) {{
+    sensors_.push_back(loader_.createInstance(name));
+    sensors_.back()->start(nh_, name);
+  }}
+  ros::NodeHandle nh_;
+  pluginlib::ClassLoader<Sensor> loader_;
+  std::vector<boost::shared_ptr<Sensor>> sensors_;
+}};
+int main(int c, char ** v) {{
+  ros::init(c, v, "board");
+  ros::NodeHandle nh, other("other");
+  auto estimator = boost::make_shared<Estimator>();
+  {begun}
+  estimator->load(v[1]);
+}}
+"""
+BEGUN = {
+    "by one": ("estimator->begin(nh);", "/sensors/mode", "/seen"),
+    "by two that do not agree": (
+        "if (c > 2) { estimator->begin(nh); } else { estimator->begin(other); }",
+        "/{nh}/sensors/mode",
+        "/{nh}/seen",
+    ),
+}
+
+
+@pytest.mark.parametrize("case", BEGUN.values(), ids=BEGUN.keys())
+def test_a_base_keeps_the_handle_that_a_host_was_given(workspace: Any, case: tuple[str, ...]) -> None:
+    """The host has the handle of a method of its own, and the base of the plugin keeps what it is called with."""
+    begun, parameter, topic = case
+    found = workspace.package({"src/board.cpp": KEPT.format(begun=begun)}, ros=1)
+    assert {entry.name for entry in found.interfaces() if entry.role == "parameter"} == {parameter}
+    assert found.only("publisher").name == topic

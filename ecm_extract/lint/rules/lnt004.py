@@ -10,10 +10,10 @@ from ecm_checker.finding import Depend, Entity, Finding, Severity
 from ecm_checker.hub.package import Package
 from ecm_parsers.package_references import parse_references
 
-from ecm_extract.discover import is_test_path
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.test_code import is_test_path
 
 RULE = LintRule(
     id="LNT004",

@@ -9,10 +9,10 @@ from ecm_checker.finding import Entity, Finding
 from ecm_parsers.xml_tree import children, line_of
 from lxml import etree
 
-from ecm_extract.discover import is_test_path
 from ecm_extract.lint.robot_files import robot_of, root_of
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
+from ecm_extract.test_code import is_test_path
 
 RULE = LintRule(
     id="LNT022",

@@ -9,9 +9,9 @@ from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 from ecm_parsers.parameter_yaml import parse_parameter_yaml
 
-from ecm_extract.discover import is_test_path
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
+from ecm_extract.test_code import is_test_path
 
 RULE = LintRule(
     id="LNT023",

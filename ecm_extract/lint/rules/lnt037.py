@@ -7,11 +7,11 @@ from collections.abc import Iterator
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 
-from ecm_extract.discover import is_test_package
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.rules.lnt021 import is_meta
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.test_code import is_test_package
 
 RULE = LintRule(
     id="LNT037",

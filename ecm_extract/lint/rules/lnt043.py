@@ -11,11 +11,11 @@ from ecm_parsers.launch.model import Node
 from ecm_parsers.launch.templates import all_actions, plain_text
 from ecm_parsers.package_references import parse_references
 
-from ecm_extract.discover import is_test_path
 from ecm_extract.entities.install_rules import installed_targets, is_open, lives_in_devel_space
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.test_code import is_test_path
 
 RULE = LintRule(
     id="LNT043",

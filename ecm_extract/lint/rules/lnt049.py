@@ -12,10 +12,10 @@ from ecm_parsers.mesh import mesh_extent
 from ecm_parsers.xml_tree import line_of
 from lxml import etree
 
-from ecm_extract.discover import is_test_path
 from ecm_extract.lint.robot_files import root_of
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
+from ecm_extract.test_code import is_test_path
 
 RULE = LintRule(
     id="LNT049",

@@ -7,10 +7,10 @@ from collections.abc import Iterator
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 
-from ecm_extract.discover import is_test_path
 from ecm_extract.lint.refused import XML, refusal
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
+from ecm_extract.test_code import is_test_path
 
 RULE = LintRule(
     id="LNT061",
