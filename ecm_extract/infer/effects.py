@@ -30,6 +30,7 @@ class Calls:
     waiting: Set[str]
     calm: Set[str]
     writing: Set[str]
+    searching: Set[str]
 
     def waits(self, call: Call) -> bool:
         """Tell whether a call may let callbacks of the program run; what joins texts or paths does not."""
@@ -39,7 +40,7 @@ class Calls:
         return isinstance(callee, Name) and callee.id.rsplit("::", 1)[-1] in self.waiting
 
 
-_ROWS: Final = ("changing", "reading", "iterators", "calm", "writing")
+_ROWS: Final = ("changing", "reading", "iterators", "calm", "writing", "searching")
 
 
 @dataclass(frozen=True, slots=True, eq=False)

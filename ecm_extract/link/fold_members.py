@@ -60,6 +60,9 @@ class MemberFolder:
             cls = env.this or env.func.cls
             found = self.member_value(expr.name, cls, env) if cls is not None else ()
             return found or (unknown(expr.name),)
+        pointed = self.folder.searches.part(expr, env)
+        if pointed is not None:
+            return demoted(self.folder.lists.fold(pointed, env))
         part = self.folder.structures.field(expr, env)
         if not part and expr.name in VALUE_READS:
             return self.folder.fold(expr.base, env.before(env.at))
