@@ -48,9 +48,12 @@ class Assigning:
         """A variable that is kept between calls: what it begins with, or what a call before has left it with."""
         key = self.frame.effects.key(target)
         given_out = "reference" in self.frame.env.func.fact.traits
-        if not given_out and self.frame.outline.changes.get(key, 0) <= 1:
+        if not given_out and (self.frame.outline.changes.get(key, 0) <= 1 or self._runs_once()):
             return state
         return state.having({key: (*state.holds[key], Held("lost", key))})
+
+    def _runs_once(self) -> bool:
+        return self.frame.judge.runs_once(self.frame.env.func)
 
     def _placed(self, value: Expr | None, state: State) -> State:
         """A text of C++ that has no value yet, in the braces of an object: whoever makes that may write it."""

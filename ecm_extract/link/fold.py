@@ -44,8 +44,10 @@ from ecm_extract.link.method_effects import MethodEffects
 from ecm_extract.link.object_states import ObjectStates
 from ecm_extract.link.objects import Objects
 from ecm_extract.link.optionals import OptionalFolder
+from ecm_extract.link.outside_variables import OutsideVariables
 from ecm_extract.link.parameter_reads import ParameterReads
 from ecm_extract.link.program import Program
+from ecm_extract.link.runs_once import RunsOnce
 from ecm_extract.link.scope import Scope
 from ecm_extract.link.searches import SearchFolder
 from ecm_extract.link.shifting import Shifting
@@ -100,6 +102,8 @@ class Folder:
         self.flow = Flow(self)
         self.states = ObjectStates(self)
         self.shifting = Shifting(self)
+        self.runs_once = RunsOnce(self)
+        self.outside = OutsideVariables(self)
         self.methods = MethodEffects(self)
         scope.ways = self.flow.ways
         self.cuts = 0
