@@ -17,8 +17,10 @@ from ecm_extract.extraction import extract
 from ecm_extract.extraction_model import Options
 from ecm_extract.lint.catalogue import catalogue
 from ecm_extract.lint.known import Known
+from ecm_extract.lint.rule import Entry
 from ecm_extract.lint.run import findings_of
 from ecm_extract.lint.workspace import Workspace
+from ecm_extract.rule_pages import page_of
 from ecm_extract.stored import package_of
 from ecm_extract.tree import open_tree
 
@@ -152,10 +154,22 @@ def test_documents_are_named_on_the_command_line(tmp_path: Path, capsys: pytest.
     assert found[0]["edit"] == {"kind": "rename", "old": "arm_drvier", "new": "arm_driver"}
     assert "known from documents: 1 packages" in err
     assert "not asked of documents: LNT021, LNT037, LNT041" in err
-    assert (
-        "asked of sources alone: LNT006 (remaps of nodes), LNT043 (packages that install nothing, in one finding)"
-        in err
-    )
+    assert "asked of sources alone: LNT006 (remaps of nodes), LNT049 (sizes of meshes)" in err
+
+
+def test_a_package_for_tests_that_is_named_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """It is left out of its tree, which only its document tells here."""
+    (written(tmp_path / "all", DRIVER) / "driver").rename(tmp_path / "all/test_driver")
+    assert run(["extract", str(tmp_path / "all"), "-o", str(tmp_path / "documents")]) == 0
+    capsys.readouterr()
+    run(["lint", str(tmp_path / "all/test_driver"), "--documents", str(tmp_path / "documents")])
+    assert "judged because it is named: driver, which is for tests by its folder" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("entry", [each for each in catalogue() if each.rule.of_one_tree or each.rule.of_sources])
+def test_what_documents_do_not_answer_stands_in_the_page(entry: Entry) -> None:
+    """Of a rule that is not asked of documents, or of sources alone in part."""
+    assert "`--documents`" in page_of(entry.rule.id)
 
 
 def test_libraries_and_nodes_of_another_package_are_known_by_its_document(tmp_path: Path) -> None:
