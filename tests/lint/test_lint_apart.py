@@ -104,7 +104,7 @@ NAMELESS = {
     "arm/manifest.xml": "<package><description>Of an arm.</description></package>\n",
     "arm/launch/a.launch": "<launch>\n  <include file='$(find arm)/launch/gone.launch'/>\n</launch>\n",
     "hand/package.xml": "<package><version>1.0.0</version></package>\n",
-    "hand/launch/a.launch": "<launch>\n  <include file='$(find arm)/launch/a.launch'/>\n</launch>\n",
+    "hand/launch/b.launch": "<launch>\n  <include file='$(find arm)/launch/a.launch'/>\n</launch>\n",
 }
 BUILT_ONLY = "cmake_minimum_required(VERSION 3.5)\nproject({0})\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
 OF_DEVEL = {
@@ -116,6 +116,21 @@ OF_DEVEL = {
         "{0}/src/a.cpp": "int main() { return 0; }\n",
     }.items()
 }
+OLD = """from typing_extensions import deprecated
+
+
+class Map:
+    @deprecated('Use drop.')
+    def delete_map(self):
+        pass
+"""
+MARKED = LIBRARY | {
+    "core/src/core/server.py": OLD,
+    "core/scripts/tool.py": "from core.server import Map\nMap().delete_map()\n",
+    "user/scripts/run.py": "from core.server import Map\nMap().delete_map()\n",
+    "user/scripts/other.py": "class Mine:\n    def delete_all(self):\n        pass\n",
+}
+HIDDEN = MARKED | {"user/scripts/other.py": "class Mine:\n    def delete_map(self):\n        pass\n"}
 TWICE = {path: text.replace("/server/level", "/server/server/level") for path, text in LIBRARY.items()}
 DEPENDS = "<depend>rospy</depend><depend>std_msgs</depend>"
 STARTED = {
@@ -214,6 +229,8 @@ def written(folder: Path, files: dict[str, str]) -> Path:
         ("LNT053", LATE, "late"),
         ("LNT001", NAMELESS, "arm"),
         ("LNT014", TWICE, "core"),
+        ("LNT036", MARKED, "core user"),
+        ("LNT036", HIDDEN, "core"),
     ],
 )
 def test_what_the_tree_and_other_packages_tell(
@@ -222,7 +239,7 @@ def test_what_the_tree_and_other_packages_tell(
     """Files outside of packages, and nodes, launch files and descriptions of other packages, concern a package too."""
     whole = assert_equal(written(tmp_path, files))
     lines = [each.evidence[0].path for each in findings_of(whole, (rule,))]
-    assert {path.partition("/")[0] for path in lines} == ({package} if package else set())
+    assert {path.partition("/")[0] for path in lines} == set(package.split() if package else ())
 
 
 def test_a_line_of_another_state_of_a_file_is_no_line_of_the_tree(tmp_path: Path) -> None:
