@@ -157,6 +157,26 @@ def test_documents_are_named_on_the_command_line(tmp_path: Path, capsys: pytest.
     assert "asked of sources alone: LNT006 (remaps of nodes), LNT049 (sizes of meshes)" in err
 
 
+def test_a_launch_file_that_is_not_there_is_told_once(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """By the rule that evaluates the launch, and not again as a name that the document of its package lacks."""
+    core = {
+        "core/package.xml": MANIFEST.format("core", ""),
+        "core/CMakeLists.txt": "project(core)\ninstall(DIRECTORY launch DESTINATION share/core)\n",
+        "core/launch/there.launch": "<launch/>\n",
+    }
+    include = "<launch><include file='$(find core)/launch/includes/gone.launch'/></launch>\n"
+    user = {
+        "user/package.xml": MANIFEST.format("user", "<depend>core</depend>"),
+        "user/launch/a.launch": include,
+    }
+    assert run(["extract", str(written(tmp_path / "core", core)), "-o", str(tmp_path / "documents")]) == 0
+    capsys.readouterr()
+    documents = ["--documents", str(tmp_path / "documents")]
+    run(["lint", str(written(tmp_path / "user", user)), "--format", "json", *documents])
+    found = json.loads(capsys.readouterr().out)["findings"]
+    assert [each["rule"] for each in found if each["evidence"][0]["path"].endswith("a.launch")] == ["LNT001"]
+
+
 def test_a_package_for_tests_that_is_named_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """It is left out of its tree, which only its document tells here."""
     (written(tmp_path / "all", DRIVER) / "driver").rename(tmp_path / "all/test_driver")
