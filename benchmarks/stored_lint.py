@@ -17,7 +17,6 @@ from pathlib import Path
 from typing import Final
 
 import msgspec
-from ecm_checker.contract import Evidence
 from ecm_checker.finding import Finding
 from ecm_checker.hub.package import Package
 from stored_draw import releases
@@ -29,9 +28,10 @@ from ecm_extract.extraction_model import Options
 from ecm_extract.lint.run import findings_of
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.stored import package_of
+from ecm_extract.test_code import is_test_package
 from ecm_extract.tree import open_tree
 
-_MARK: Final = re.compile(r"^document:[^/]+/")
+_MARK: Final = re.compile(r"document:[^/]+/")
 _OPTIONS: Final = Options(jobs=1, hub=True)
 
 
@@ -50,10 +50,11 @@ def compared(clone: Path, tag: str, count: int, chance: random.Random) -> Compar
         tree = Path(folder) / "tree"
         whole = Workspace(open_tree(tree), _OPTIONS)
         found = findings_of(whole)
-        roots = [f"{package.root.path}/" for package in whole.packages if package.root.path]
+        paths = (package.root.path for package in whole.packages)
+        roots = [f"{path}/" for path in paths if path and not is_test_package(path)]
         chosen = chance.sample(roots, min(count, len(roots)))
         both = {root: (_below(found, root), _alone(tree, root, documents)) for root in chosen}
-    lines = {root: list(_differences(sources, alone)) for root, (sources, alone) in both.items()}
+    lines = {root: list(_differences(sources, alone, root)) for root, (sources, alone) in both.items()}
     return Compared(tuple(chosen), {root: found for root, found in lines.items() if found})
 
 
@@ -65,7 +66,7 @@ def _documents(clone: Path, tag: str) -> list[Package]:
 
 def _alone(tree: Path, root: str, documents: Sequence[Package]) -> list[Finding]:
     found = findings_of(Workspace(open_tree(tree / root), _OPTIONS, stored=documents))
-    return _below([_moved(each, root) for each in found], root)
+    return [each for each in found if each.evidence and each.rule not in OF_ONE_TREE]
 
 
 def _below(found: Sequence[Finding], root: str) -> list[Finding]:
@@ -73,26 +74,17 @@ def _below(found: Sequence[Finding], root: str) -> list[Finding]:
     return [each for each in told if each.evidence[0].path.startswith(root)]
 
 
-def _moved(finding: Finding, root: str) -> Finding:
-    """A finding with its lines where they are in the whole tree."""
-    return msgspec.structs.replace(finding, evidence=tuple(_at(each, root) for each in finding.evidence))
-
-
-def _at(place: Evidence, root: str) -> Evidence:
-    path, marked = _MARK.subn("", place.path)
-    return msgspec.structs.replace(place, path=path if marked else f"{root}{path}")
-
-
-def _differences(sources: Sequence[Finding], alone: Sequence[Finding]) -> Iterator[str]:
-    for name, these, others in (("sources", sources, alone), ("documents", alone, sources)):
-        known = {_key(each) for each in others}
-        lines = (each for each in these if _key(each) not in known)
+def _differences(sources: Sequence[Finding], alone: Sequence[Finding], root: str) -> Iterator[str]:
+    """Lines on what only one of both says, to the byte of its JSON."""
+    both = [{_text(each, root): each for each in found} for found in (sources, alone)]
+    for name, these, others in (("sources", *both), ("documents", *reversed(both))):
+        lines = (each for text, each in these.items() if text not in others)
         yield from (f"{name}: {each.rule} {each.message[:160]} {each.evidence[0]}" for each in lines)
 
 
-def _key(finding: Finding) -> tuple[str, str, str, tuple[Evidence, ...]]:
-    """What must be equal: the message names paths from the tree that is linted."""
-    return finding.fingerprint, finding.severity, finding.certainty, finding.evidence
+def _text(finding: Finding, root: str) -> str:
+    """A finding with the paths of its package from there, and those of others as their tree has them."""
+    return _MARK.sub("", msgspec.json.encode(finding).decode()).replace(root, "")
 
 
 def _told(clone: Path, arguments: argparse.Namespace) -> Iterator[Compared]:

@@ -20,6 +20,7 @@ from stored_draw import Drawn
 
 from ecm_extract.discover import IGNORE_MARKERS
 from ecm_extract.lint.catalogue import catalogue
+from ecm_extract.test_code import is_test_package
 
 LAUNCHES: Final = 2
 """Launch files of a release whose systems are asked for."""
@@ -195,7 +196,7 @@ def _paths(pair: Drawn) -> list[str]:
 
 def _read(pair: Drawn) -> list[str]:
     """The paths outside of folders that are left out: whoever lints one of these by its name asks for another tree."""
-    paths = _paths(pair)
+    paths = [path for path in _paths(pair) if not is_test_package(path.rpartition("/")[0])]
     ignored = {str(Path(path).parent) for path in paths if Path(path).name in IGNORE_MARKERS}
     return [path for path in paths if ignored.isdisjoint(str(folder) for folder in Path(path).parents)]
 

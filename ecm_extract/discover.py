@@ -21,11 +21,18 @@ class PackageRoot(msgspec.Struct, frozen=True):
         path: of the folder, relative to the root of the tree; empty for the root itself.
         manifest: path of `package.xml` or `manifest.xml`; None of the pseudo package of a tree without any.
         files: of the package, sorted by path, without those of packages inside it.
+        top: name of the tree's own folder, which no path in the tree tells.
     """
 
     path: str
     manifest: str | None
     files: tuple[Entry, ...]
+    top: str = ""
+
+    @property
+    def folder(self) -> str:
+        """The name of its folder; empty where nothing tells it."""
+        return self.path.rpartition("/")[2] or self.top
 
     @property
     def rosbuild(self) -> bool:
@@ -44,7 +51,7 @@ def discover(tree: Tree, exclude: Exclusion | None = None) -> tuple[PackageRoot,
     if not manifests:
         tree.report(_no_package(tree))
         return (PackageRoot("", None, kept),)
-    return _packages(manifests, kept)
+    return _packages(manifests, kept, tree.folder)
 
 
 def _not_marked(tree: Tree, entries: tuple[Entry, ...]) -> tuple[Entry, ...]:
@@ -79,13 +86,13 @@ def _manifests(entries: Collection[Entry]) -> dict[str, str]:
     return old | modern
 
 
-def _packages(manifests: dict[str, str], entries: Iterable[Entry]) -> tuple[PackageRoot, ...]:
+def _packages(manifests: dict[str, str], entries: Iterable[Entry], top: str) -> tuple[PackageRoot, ...]:
     files: dict[str, list[Entry]] = {folder: [] for folder in manifests}
     for entry in entries:
         owner = _owner(entry.path, files)
         if owner is not None:
             files[owner].append(entry)
-    return tuple(PackageRoot(folder, manifests[folder], tuple(files[folder])) for folder in sorted(files))
+    return tuple(PackageRoot(folder, manifests[folder], tuple(files[folder]), top) for folder in sorted(files))
 
 
 def _owner(path: str, roots: Collection[str]) -> str | None:

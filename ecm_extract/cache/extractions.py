@@ -57,6 +57,7 @@ class ExtractionCache:
             self._tree.label,
             self._tree.commit,
             self._tree.repository,
+            self._tree.folder,
             self._options.include_tests,
             self._options.hub,
             config,

@@ -20,7 +20,7 @@ class RecordedTree:
         self.label = tree.label
         self.commit = tree.commit
         self.repository = tree.repository
-        self.checkout = tree.checkout
+        self.folder, self.checkout = tree.folder, tree.checkout
         self.blobs: dict[str, str] = {}
         self.stable = True
         self._tree = tree

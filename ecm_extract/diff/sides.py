@@ -45,6 +45,8 @@ def both_sides(old: Tree | Stored, new: Tree | Stored, options: Options, parsed:
     Raises:
         NothingThereError: a side holds no package.
     """
+    if not isinstance(old, Stored) and not isinstance(new, Stored):
+        old.folder = new.folder  # two states of one folder, wherever they lie
     before = _before(old, options, parsed)
     after = _after(new, options, parsed)
     return Sides(before(), after.side, after.own)

@@ -17,6 +17,7 @@ from ecm_checker.hub.requirement import Requirement
 from ecm_checker.hub.running import Running, RunningModule
 
 from ecm_extract.report.places import FOREIGN, is_foreign
+from ecm_extract.test_code import is_test_package
 from ecm_extract.tree import Tree
 
 
@@ -90,6 +91,17 @@ def foreign_requirements(documents: Iterable[Package], own: frozenset[str]) -> I
 def _marked_lines(package: str, requirement: Requirement) -> Requirement:
     lines = (msgspec.structs.replace(at, path=f"{FOREIGN}{package}/{at.path}") for at in requirement.evidence)
     return msgspec.structs.replace(requirement, evidence=tuple(lines))
+
+
+def tests_named(documents: Iterable[Package], roots: Mapping[str, str]) -> Iterator[str]:
+    """Yield the packages under lint that are for tests by their folder, which only their documents tell.
+
+    Args:
+        documents: of all packages.
+        roots: the folders of the packages under lint by name, as their tree gives them.
+    """
+    named = (each for each in documents if roots.get(each.name) == "")
+    return (each.name for each in named if is_test_package(each.path))
 
 
 def of_tree(findings: Iterable[Finding]) -> Iterator[Finding]:

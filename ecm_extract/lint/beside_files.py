@@ -87,7 +87,7 @@ class BesideTree:
 
     def __init__(self, tree: Tree, documents: Iterable[Package]) -> None:
         self.label, self.commit, self.repository = tree.label, tree.commit, tree.repository
-        self.checkout = tree.checkout
+        self.folder, self.checkout = tree.folder, tree.checkout
         self._tree = tree
         self._others = JoinedTree({f"{FOREIGN}{each.name}": _tree_of(each) for each in documents})
 

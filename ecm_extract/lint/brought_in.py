@@ -53,6 +53,7 @@ class BroughtIn(msgspec.Struct, frozen=True):
 def base_of(now: Tree, request: LintRequest, parsed: dict[str, Any]) -> Base:
     """Lint the base in another process, while this one lints the state of now."""
     tree, info = open_base(str(request.base), request.folder, now, request.base_tip)
+    tree.folder = now.folder  # two states of one folder, wherever they lie
 
     def work() -> Before:
         read = read_packages(tree, request.options(), parsed)

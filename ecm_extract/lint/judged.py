@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Iterator
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Finding
+from ecm_checker.hub.kinds import kinds
 
 from ecm_extract.lint.request import LintRequest
 from ecm_extract.lint.run import findings_of
@@ -50,6 +51,9 @@ def _untold(lacking: Iterable[Finding], found: Iterable[Finding]) -> list[Findin
 
 
 def _asks(finding: Finding) -> Iterator[tuple[str, Evidence]]:
-    """The kind of name and the lines that ask for it."""
-    if finding.about is not None:
-        yield from ((finding.about.kind, at) for at in finding.evidence)
+    """The kind of name, of a file its last name too, and the lines that ask for it."""
+    about = finding.about
+    if about is not None:
+        row = kinds().get(about.kind)
+        names = {about.kind, about.old.rpartition("/")[2] if row is not None and row.is_file else about.kind}
+        yield from ((name, at) for name in names for at in finding.evidence)

@@ -94,8 +94,12 @@ class Workspace:
     @cached_property
     def lines(self) -> Lines:
         """Where lines lie that documents tell of."""
-        roots = {package.name: package.root.path for package in self.packages}
-        return Lines(self.tree, roots, self.stored)
+        return Lines(self.tree, self.roots, self.stored)
+
+    @cached_property
+    def roots(self) -> Mapping[str, str]:
+        """The folders of its packages by name."""
+        return {package.name: package.root.path for package in self.packages}
 
     def ros_of(self, package: str) -> int | None:
         """Return the ROS version of a package that is known, None where nothing tells."""
@@ -252,8 +256,8 @@ class Workspace:
         return f"{name}/{path.removeprefix(files.package_path(name) or '').lstrip('/')}" if name else path
 
     def package_of(self, path: str) -> str:
-        """Return the name of the package that a file belongs to; empty for none."""
-        return self.files.package_of(path) or ""
+        """Return the name of the package that a file belongs to, also one of a document beside it; empty for none."""
+        return self.beside.files.package_of(path) or ""
 
 
 def evidence_of(place: Place) -> Evidence:

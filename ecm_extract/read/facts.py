@@ -54,8 +54,8 @@ class PackageFacts:
 
     @property
     def name(self) -> str:
-        """Name of the package: of its manifest, else of its folder."""
+        """Name of the package: of its manifest, else of its build, else of its folder as the tree gives it."""
         if self.manifest is not None and self.manifest.name:
             return self.manifest.name
         project = next((file.project for file in self.cmake.values() if file.project), None)
-        return project or self.root.path.rsplit("/", 1)[-1] or "package"
+        return project or self.root.folder or "package"

@@ -71,6 +71,8 @@ class Tree(Protocol):
     """Commit id: of the ref, or of HEAD around a folder; None outside a repository."""
     repository: str | None
     """Remote URL without credentials, or the name of the repository's folder."""
+    folder: str
+    """Name of the folder whose files these are, or were; empty where there is no single one."""
     checkout: Path | None
     """The folder whose files these are, where it is one of a repository; None for a ref and outside any."""
 

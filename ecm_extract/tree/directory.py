@@ -46,6 +46,7 @@ class DirectoryTree(ListedTree):
     ) -> None:
         super().__init__(label, commit, repository)
         self.root = root
+        self.folder = printable(root.name)
         self.checkout = root if commit is not None else None
         self._submodules = submodules or {}
 

@@ -21,6 +21,7 @@ class JoinedTree:
         self.label = "+".join(tree.label for tree in trees.values())
         self.commit: str | None = None
         self.repository: str | None = None
+        self.folder = ""
         self.checkout: Path | None = None
         self._trees = dict(trees)
         self._own: dict[FileDiagnostic, None] = {}

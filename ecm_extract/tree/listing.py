@@ -41,6 +41,7 @@ class ListedTree(ABC):
         self.label = label
         self.commit = commit
         self.repository = repository
+        self.folder = ""
         self.checkout: Path | None = None
         self._entries: dict[str, Entry] | None = None
         self._log: dict[FileDiagnostic, None] = {}

@@ -7,7 +7,7 @@ from itertools import groupby
 from pathlib import Path
 
 from ecm_extract.errors import GitError, TreeError
-from ecm_extract.tree.base import Entry, FileDiagnostic, Tree
+from ecm_extract.tree.base import Entry, FileDiagnostic, Tree, printable
 from ecm_extract.tree.git_batch import describe_objects, read_objects
 from ecm_extract.tree.git_ref import GitTree
 from ecm_extract.tree.git_repo import GitRepo
@@ -33,6 +33,7 @@ class SuperprojectTree:
         self.label = tree.label
         self.commit: str | None = tree.commit
         self.repository = tree.repository
+        self.folder = printable(folder.rpartition("/")[2]) or repo.name
         self.checkout: Path | None = None
         self._tree, self._repo, self._folder, self._depth = tree, repo, folder, depth
         self._parts: dict[str, Tree] | None = None

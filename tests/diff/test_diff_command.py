@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from pathlib import Path
 from typing import Any
@@ -65,6 +66,15 @@ def test_folders_are_compared_too(tmp_path: Path, capsys: pytest.CaptureFixture[
         write(tmp_path / name, {"package.xml": package("p"), "msg/M.msg": f"float64 {field}\nbool keep\n"})
     found = document(capsys, tmp_path / "a", tmp_path / "b", "--repo", tmp_path)
     assert {c["kind"] for c in found["changes"]} == {"message_field"}
+
+
+def test_two_folders_are_two_states_of_one(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """What tells no name of its own is called alike in both, however the folders are called."""
+    for name in ("before", "after"):
+        (tmp_path / name / "scripts").mkdir(parents=True)
+        (tmp_path / name / "manifest.xml").write_text("<package><author>A</author></package>\n")
+    assert run(["diff", str(tmp_path / "before"), str(tmp_path / "after"), "--format", "json"]) == 0
+    assert not json.loads(capsys.readouterr().out)["changes"]
 
 
 def test_a_bare_word_may_be_a_folder(

@@ -1,9 +1,10 @@
 from pathlib import Path
 
 import pytest
-from tree_repos import write
+from tree_repos import make_repo, write
 
 from ecm_extract.discover import discover
+from ecm_extract.read.facts import PackageFacts
 from ecm_extract.test_code import is_test_path
 from ecm_extract.tree import Tree, open_tree
 
@@ -108,3 +109,24 @@ def test_rosbuild(tmp_path: Path) -> None:
 def test_test_paths(path: str, root: str, expected: bool) -> None:
     """Test code is told by its path below the package root; an interface is never a test by its name."""
     assert is_test_path(path, root) is expected
+
+
+NAMELESS = b"<package><version>1.0.0</version></package>"
+
+
+def _names(tree: Tree) -> list[str]:
+    return [PackageFacts(root).name for root in discover(tree)]
+
+
+@pytest.mark.parametrize("manifest", ["package.xml", "manifest.xml"])
+def test_without_a_name_a_package_is_called_as_its_folder(manifest: str, tmp_path: Path) -> None:
+    """However it is reached: in a tree, alone, or at a ref."""
+    repo = tmp_path / "robot"
+    make_repo(repo, {f"arm/{manifest}": NAMELESS})
+    reached = [open_tree(repo), open_tree(repo / "arm"), open_tree(repo, "HEAD:arm"), open_tree(repo / "arm", "HEAD")]
+    assert [_names(tree) for tree in reached] == [["arm"]] * 4
+
+
+def test_a_tree_without_manifests_is_no_folder_of_a_package(tmp_path: Path) -> None:
+    """Its folder is called as anybody likes."""
+    assert _names(_tree(tmp_path / "arm", "a.cpp")) == ["package"]

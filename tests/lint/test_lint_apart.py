@@ -7,7 +7,6 @@ from pathlib import Path
 
 import msgspec
 import pytest
-from ecm_checker.contract import Evidence
 from ecm_checker.finding import Finding
 from ecm_checker.hub.package import Package
 from lint_fixtures import FIXTURES
@@ -27,7 +26,7 @@ TREES = sorted(
     for tree in (*FIXTURES.glob("*/*"), *(FIXTURES.parent / "rules").glob("*/*"), *ROBOTS)
     if len(list(tree.rglob("package.xml"))) > 1
 )
-MARK = re.compile(r"^document:[^/]+/")
+MARK = re.compile(r"document:[^/]+/")
 
 
 def stored(folder: Path) -> list[Package]:
@@ -39,25 +38,14 @@ def stored(folder: Path) -> list[Package]:
 
 
 def told(findings: list[Finding], folder: str) -> list[str]:
-    """Findings whose first line is in a folder, with paths from the root of the tree."""
+    """Findings whose first line is in a folder, whole, with the paths in it from there."""
     found = (each for each in findings if each.rule not in OF_ONE_TREE and each.evidence)
     below = (each for each in found if each.evidence[0].path.startswith(folder))
-    return sorted(f"{each.rule} {each.severity} {each.fingerprint} {each.evidence}" for each in below)
-
-
-def moved(finding: Finding, folder: str) -> Finding:
-    """A finding on a package alone with its lines where they are in the whole tree."""
-    return msgspec.structs.replace(finding, evidence=tuple(_moved(at, folder) for at in finding.evidence))
-
-
-def _moved(at: Evidence, folder: str) -> Evidence:
-    path, marked = MARK.subn("", at.path)
-    return msgspec.structs.replace(at, path=path if marked else f"{folder}{path}")
+    return sorted(MARK.sub("", msgspec.json.encode(each).decode()).replace(folder, "") for each in below)
 
 
 def alone(tree: Path, folder: str, documents: list[Package]) -> list[Finding]:
-    workspace = Workspace(open_tree(tree / folder), Options(jobs=1), stored=documents)
-    return [moved(each, folder) for each in findings_of(workspace)]
+    return findings_of(Workspace(open_tree(tree / folder), Options(jobs=1), stored=documents))
 
 
 def assert_equal(tree: Path) -> Workspace:
@@ -67,7 +55,9 @@ def assert_equal(tree: Path) -> Workspace:
     if len(folders) > 1:
         documents, found = stored(tree), findings_of(whole)
         for folder in folders:
-            assert told(alone(tree, folder, documents), folder) == told(found, folder)
+            assert [each.replace(folder, "") for each in told(alone(tree, folder, documents), "")] == told(
+                found, folder
+            )
     return whole
 
 
@@ -110,6 +100,38 @@ rospy.init_node('{0}')
 end = rospy.{2}('/level', {1}, {3})
 rospy.spin()
 """
+NAMELESS = {
+    "arm/manifest.xml": "<package><description>Of an arm.</description></package>\n",
+    "arm/launch/a.launch": "<launch>\n  <include file='$(find arm)/launch/gone.launch'/>\n</launch>\n",
+    "hand/package.xml": "<package><version>1.0.0</version></package>\n",
+    "hand/launch/b.launch": "<launch>\n  <include file='$(find arm)/launch/a.launch'/>\n</launch>\n",
+}
+BUILT_ONLY = "cmake_minimum_required(VERSION 3.5)\nproject({0})\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
+OF_DEVEL = {
+    path.format(name): text
+    for name in ("first", "second")
+    for path, text in {
+        "{0}/package.xml": MANIFEST.format(name, ""),
+        "{0}/CMakeLists.txt": BUILT_ONLY.format(name) + f"add_executable({name} src/a.cpp)\n",
+        "{0}/src/a.cpp": "int main() { return 0; }\n",
+    }.items()
+}
+OLD = """from typing_extensions import deprecated
+
+
+class Map:
+    @deprecated('Use drop.')
+    def delete_map(self):
+        pass
+"""
+MARKED = LIBRARY | {
+    "core/src/core/server.py": OLD,
+    "core/scripts/tool.py": "from core.server import Map\nMap().delete_map()\n",
+    "user/scripts/run.py": "from core.server import Map\nMap().delete_map()\n",
+    "user/scripts/other.py": "class Mine:\n    def delete_all(self):\n        pass\n",
+}
+HIDDEN = MARKED | {"user/scripts/other.py": "class Mine:\n    def delete_map(self):\n        pass\n"}
+TWICE = {path: text.replace("/server/level", "/server/server/level") for path, text in LIBRARY.items()}
 DEPENDS = "<depend>rospy</depend><depend>std_msgs</depend>"
 STARTED = {
     "driver/package.xml": MANIFEST.format("driver", DEPENDS),
@@ -205,6 +227,10 @@ def written(folder: Path, files: dict[str, str]) -> Path:
         ("LNT035", NOTHING_OF, "user"),
         ("LNT043", LEFT_OUT, "core"),
         ("LNT053", LATE, "late"),
+        ("LNT001", NAMELESS, "arm"),
+        ("LNT014", TWICE, "core"),
+        ("LNT036", MARKED, "core user"),
+        ("LNT036", HIDDEN, "core"),
     ],
 )
 def test_what_the_tree_and_other_packages_tell(
@@ -213,7 +239,7 @@ def test_what_the_tree_and_other_packages_tell(
     """Files outside of packages, and nodes, launch files and descriptions of other packages, concern a package too."""
     whole = assert_equal(written(tmp_path, files))
     lines = [each.evidence[0].path for each in findings_of(whole, (rule,))]
-    assert {path.partition("/")[0] for path in lines} == ({package} if package else set())
+    assert {path.partition("/")[0] for path in lines} == set(package.split() if package else ())
 
 
 def test_a_line_of_another_state_of_a_file_is_no_line_of_the_tree(tmp_path: Path) -> None:
@@ -252,3 +278,23 @@ def test_a_macro_of_a_file_that_no_document_keeps_is_not_missing(tmp_path: Path)
     tree = written(tmp_path, files)
     (tree / "parts/urdf/hand.xacro").write_bytes(files["parts/urdf/hand.xacro"].encode("latin-1"))
     assert "LNT002" not in {each.rule for each in alone(tree, "whole/", stored(tree))}
+
+
+def test_each_package_that_installs_nothing_is_told(tmp_path: Path) -> None:
+    """One that is added is no part of what was said of another."""
+    whole = assert_equal(written(tmp_path, OF_DEVEL))
+    found = findings_of(whole, ("LNT043",))
+    assert [(each.subjects, each.severity) for each in found] == [(("first",), "info"), (("second",), "info")]
+    assert len({each.fingerprint for each in found}) == len(found)
+
+
+def test_files_of_other_packages_are_named_from_there(tmp_path: Path) -> None:
+    """Wherever the other package lies, in a tree or as a document of another one."""
+    tree = written(
+        tmp_path, {f"src/{path}": text for path, text in (LEFT_OUT | {"user/launch/b.launch": GONE}).items()}
+    )
+    both = findings_of(Workspace(open_tree(tree), Options(jobs=1))), alone(tree / "src", "user/", stored(tree / "src"))
+    messages = [[each.message for each in found if each.rule == "LNT001"] for found in both]
+    assert [each.partition(" names ")[2].partition(",")[0] for found in messages for each in found] == [
+        "core/launch/gone.launch"
+    ] * 2

@@ -17,8 +17,10 @@ from ecm_extract.extraction import extract
 from ecm_extract.extraction_model import Options
 from ecm_extract.lint.catalogue import catalogue
 from ecm_extract.lint.known import Known
+from ecm_extract.lint.rule import Entry
 from ecm_extract.lint.run import findings_of
 from ecm_extract.lint.workspace import Workspace
+from ecm_extract.rule_pages import page_of
 from ecm_extract.stored import package_of
 from ecm_extract.tree import open_tree
 
@@ -152,10 +154,42 @@ def test_documents_are_named_on_the_command_line(tmp_path: Path, capsys: pytest.
     assert found[0]["edit"] == {"kind": "rename", "old": "arm_drvier", "new": "arm_driver"}
     assert "known from documents: 1 packages" in err
     assert "not asked of documents: LNT021, LNT037, LNT041" in err
-    assert (
-        "asked of sources alone: LNT006 (remaps of nodes), LNT043 (packages that install nothing, in one finding)"
-        in err
-    )
+    assert "asked of sources alone: LNT006 (remaps of nodes), LNT049 (sizes of meshes)" in err
+
+
+def test_a_launch_file_that_is_not_there_is_told_once(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """By the rule that evaluates the launch, and not again as a name that the document of its package lacks."""
+    core = {
+        "core/package.xml": MANIFEST.format("core", ""),
+        "core/CMakeLists.txt": "project(core)\ninstall(DIRECTORY launch DESTINATION share/core)\n",
+        "core/launch/there.launch": "<launch/>\n",
+    }
+    include = "<launch><include file='$(find core)/launch/includes/gone.launch'/></launch>\n"
+    user = {
+        "user/package.xml": MANIFEST.format("user", "<depend>core</depend>"),
+        "user/launch/a.launch": include,
+    }
+    assert run(["extract", str(written(tmp_path / "core", core)), "-o", str(tmp_path / "documents")]) == 0
+    capsys.readouterr()
+    documents = ["--documents", str(tmp_path / "documents")]
+    run(["lint", str(written(tmp_path / "user", user)), "--format", "json", *documents])
+    found = json.loads(capsys.readouterr().out)["findings"]
+    assert [each["rule"] for each in found if each["evidence"][0]["path"].endswith("a.launch")] == ["LNT001"]
+
+
+def test_a_package_for_tests_that_is_named_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """It is left out of its tree, which only its document tells here."""
+    (written(tmp_path / "all", DRIVER) / "driver").rename(tmp_path / "all/test_driver")
+    assert run(["extract", str(tmp_path / "all"), "-o", str(tmp_path / "documents")]) == 0
+    capsys.readouterr()
+    run(["lint", str(tmp_path / "all/test_driver"), "--documents", str(tmp_path / "documents")])
+    assert "judged because it is named: driver, which is for tests by its folder" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("entry", [each for each in catalogue() if each.rule.of_one_tree or each.rule.of_sources])
+def test_what_documents_do_not_answer_stands_in_the_page(entry: Entry) -> None:
+    """Of a rule that is not asked of documents, or of sources alone in part."""
+    assert "`--documents`" in page_of(entry.rule.id)
 
 
 def test_libraries_and_nodes_of_another_package_are_known_by_its_document(tmp_path: Path) -> None:

@@ -118,6 +118,7 @@ def command(**options: Any) -> int:
         _fix(answered.findings, found.workspace, request)
     _print(answered.findings, found, request, shown)
     _say(answered, request, found.read)
+    _say_tests(found.workspace)
     return _status(answered.findings, shown.fail_on, found.read)
 
 
@@ -262,6 +263,14 @@ def _status(findings: tuple[Finding, ...], fail_on: str, read: Completeness) -> 
     if _is_failure(findings, fail_on):
         return 1
     return 0 if read.complete else INCOMPLETE
+
+
+def _say_tests(workspace: Workspace) -> None:
+    """What is for tests is left out of its tree, and judged where it is named itself."""
+    from ecm_extract.lint.beside import tests_named
+
+    for name in tests_named(workspace.stored, workspace.roots):
+        click.echo(f"judged because it is named: {name}, which is for tests by its folder", err=True)
 
 
 def _say_held(request: LintRequest) -> None:

@@ -42,8 +42,8 @@ def check(workspace: Workspace) -> Iterator[Finding]:
         found.setdefault((entry.path, name, late), []).append(entry.line)
     for (path, name, late), lines in found.items():
         evidence = [Evidence(path, line) for line in lines]
-        text = f"{path} names {in_tree(name)}, which is not there"
         package = workspace.package_of(path)
+        text = f"{path} names {_shown(name, package, workspace)}, which is not there"
         entity = Entity("file", workspace.in_package(name))
         yield RULE.finding(text, entity, package, evidence, consequence=_AT_START if late else "")
     yield from _relative(workspace)
@@ -70,13 +70,20 @@ def _relative(workspace: Workspace) -> Iterator[Finding]:
     """Includes that are there beside the file, where the launch looks from the folder that it is started in."""
     for entry in workspace.diagnostics("launch-include-relative"):
         name = entry.about
-        text = f"{entry.path} finds {in_tree(name)} only when it is started in its own folder"
+        package = workspace.package_of(entry.path)
+        shown = _shown(name, package, workspace)
+        text = f"{entry.path} finds {shown} only when it is started in its own folder"
         evidence = [Evidence(entry.path, entry.line)]
         yield RULE.finding(
             text,
             Entity("file", workspace.in_package(name)),
-            workspace.package_of(entry.path),
+            package,
             evidence,
             certainty="likely",
             resolution=f"write $(dirname)/{name.removeprefix('./')}, or name the package",
         )
+
+
+def _shown(path: str, package: str, workspace: Workspace) -> str:
+    """A path of the own package as it is, one of another as that of its package, wherever that lies."""
+    return path if workspace.package_of(path) == package else in_tree(workspace.in_package(path))

@@ -7,6 +7,7 @@ from itertools import pairwise
 
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
+from ecm_checker.hub.running import RunningEndpoint, RunningModule
 from ecm_parsers.source.expr import Expr, Member, Name
 
 from ecm_extract.link.match import positions
@@ -43,19 +44,24 @@ def check(workspace: Workspace) -> Iterator[Finding]:
 
 def _doubled(workspace: Workspace) -> Iterator[Finding]:
     seen = set()
-    for entry in workspace.linked:
-        for interface in entry.interfaces:
-            parts = [part for part in interface.name.split("/") if part]
-            if parts[:-1] == [entry.node]:
-                continue  # a node may call a parameter as itself
-            twice = next((one for one, two in pairwise(parts) if one == two), None)
-            place = interface.evidence[0]
-            is_ros1 = interface.row.value and "/" in interface.name
-            if is_ros1 and twice is not None and "{" not in twice and place not in seen:
+    for module in workspace.index.modules:
+        for each in module.endpoints:
+            twice = _twice(each, module)
+            place = each.path, each.line
+            if twice and place not in seen:
                 seen.add(place)
-                text = f"{interface.name} holds {twice} twice"
-                entity = Entity("parameter", interface.name, owner=entry.module.name)
-                yield RULE.finding(text, entity, entry.module.package, interface.evidence[:2], certainty="likely")
+                text = f"{each.name} holds {twice} twice"
+                entity = Entity("parameter", each.name, owner=module.name)
+                yield RULE.finding(text, entity, module.package, [Evidence(*place)], certainty="likely")
+
+
+def _twice(parameter: RunningEndpoint, module: RunningModule) -> str:
+    """The part that the name of a parameter of ROS 1 holds twice in a row; empty for none."""
+    parts = [part for part in parameter.name.split("/") if part]
+    is_ros1 = parameter.row.value and "/" in parameter.name
+    if not is_ros1 or parts[:-1] == [module.node]:
+        return ""  # a node may call a parameter as itself
+    return next((one for one, two in pairwise(parts) if one == two and "{" not in one), "")
 
 
 def _several(name: str, targets: list[tuple[str, Site]]) -> Finding:

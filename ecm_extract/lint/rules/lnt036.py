@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Final
 
 from ecm_checker.contract import Evidence
@@ -12,12 +12,15 @@ from ecm_checker.finding import Entity, Finding, Severity
 from ecm_checker.hub.kinds import kinds
 from ecm_checker.hub.package import Provided
 
+from ecm_extract.entities.public_files import public_headers, python_modules
 from ecm_extract.link.call_index import call_index
+from ecm_extract.link.calls import Invocation
 from ecm_extract.link.units import Func
 from ecm_extract.lint.deprecations import deprecated_in
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.rules.lnt021 import is_meta
 from ecm_extract.lint.workspace import Workspace
+from ecm_extract.read.facts import PackageFacts
 
 RULE = LintRule(
     id="LNT036",
@@ -31,6 +34,7 @@ RULE = LintRule(
 )
 _HEADERS = (".h", ".hh", ".hpp", ".hxx")
 _PRIVATE = "_"
+_FILE: Final = "file"
 _LAST: Final = re.compile(r"::|\.")
 """What parts names of C++ and of Python."""
 
@@ -71,21 +75,39 @@ def _functions(workspace: Workspace) -> Iterator[Finding]:
     """Calls of functions whose every declaration of that name is marked, from outside of their class."""
     told = _functions_told(workspace)
     yield from _called_outside(workspace, told)
-    for name, functions in workspace.linker.program.functions.items():
-        marked = [func for func in functions if "deprecated" in func.fact.traits]
-        if not marked or name.startswith(_PRIVATE) or not _is_only(marked, functions):
-            continue
-        if not all(_is_marked(row) for _, row in told.get(name, ())):
-            continue
-        homes = {func.cls for func in marked if func.cls is not None}
-        for call in workspace.linker.sites.calls.get(name, ()):
-            if call.func.file is not marked[0].file and call.func.cls not in homes:
-                text = f"{name} is deprecated"
-                places = [Evidence(call.func.file.path, call.line), Evidence(marked[0].file.path, marked[0].fact.line)]
-                entity = Entity("function", f"{marked[0].fact.scope}::{name}")
-                user = call.func.file.package
-                level: Severity | None = "info" if user == marked[0].file.package else None  # its author knows
-                yield RULE.finding(text, entity, user, places, certainty="likely", severity=level)
+    marked = {
+        name: functions
+        for name, functions in workspace.linker.program.functions.items()
+        if any(map(_has_mark, functions)) and not name.startswith(_PRIVATE)
+    }
+    visible = _visible(workspace.packages) if marked else frozenset()
+    for name, functions in marked.items():
+        is_told = all(_is_marked(row) for _, row in told.get(name, ()))
+        for call in workspace.linker.sites.calls.get(name, ()) if is_told else ():
+            user = call.func.file.package
+            known = [each for each in functions if each.file.package == user or each.file.path in visible]
+            yield from _called(name, call, known)
+
+
+def _visible(packages: Iterable[PackageFacts]) -> frozenset[str]:
+    """The files of which packages see each other's functions: what only a program has is called by no other one."""
+    return frozenset(path for each in packages for path in (*public_headers(each), *python_modules(each)))
+
+
+def _called(name: str, call: Invocation, known: Sequence[Func]) -> Iterator[Finding]:
+    """The call of a function, by what its package knows of that name."""
+    marked = _marked(known)
+    homes = {each.cls for each in marked if each.cls is not None}
+    file = call.func.file
+    if marked and file is not marked[0].file and call.func.cls not in homes:
+        places = [Evidence(file.path, call.line), Evidence(marked[0].file.path, marked[0].fact.line)]
+        entity = Entity("function", f"{marked[0].fact.scope}::{name}")
+        level: Severity | None = "info" if file.package == marked[0].file.package else None  # its author knows
+        yield RULE.finding(f"{name} is deprecated", entity, file.package, places, certainty="likely", severity=level)
+
+
+def _has_mark(func: Func) -> bool:
+    return "deprecated" in func.fact.traits
 
 
 _Rows = Sequence[tuple[str, Provided]]
@@ -115,6 +137,7 @@ def _is_marked(row: Provided) -> bool:
 def _called_outside(workspace: Workspace, told: Mapping[str, _Rows]) -> Iterator[Finding]:
     """Calls of what only documents declare."""
     program = workspace.linker.program
+    modules = {(package, row.evidence[0].path): row.name for package, row in _told(workspace) if row.kind == _FILE}
     marked = {
         name: rows[0]
         for name, rows in told.items()
@@ -122,8 +145,8 @@ def _called_outside(workspace: Workspace, told: Mapping[str, _Rows]) -> Iterator
     }
     calls = call_index(program, marked.keys(), frozenset())
     for name, (package, row) in marked.items():
-        entity = Entity("function", f"{row.owner or row.name.rpartition('::')[0]}::{name}")
         at = row.evidence[0]
+        entity = Entity("function", f"{_scope(row, modules.get((package, at.path), ''))}::{name}")
         declared = Evidence(workspace.lines.of(package, at.path), at.line)
         for call in calls.get(name, ()):
             file = call.func.file
@@ -131,7 +154,14 @@ def _called_outside(workspace: Workspace, told: Mapping[str, _Rows]) -> Iterator
             yield RULE.finding(f"{name} is deprecated", entity, file.package, places, certainty="likely")
 
 
-def _is_only(marked: list[Func], functions: list[Func]) -> bool:
-    """Only declarations carry the mark: what a source file defines is one of them."""
-    declared = [func for func in functions if func.file.path.endswith((*_HEADERS, ".py"))]
-    return len(declared) == len(marked)
+def _scope(row: Provided, module: str) -> str:
+    """What a function stands in, as its source says it: in Python without the module."""
+    return (row.owner or row.name.rpartition("::")[0]).removeprefix(f"{module}.").replace(".", "::")
+
+
+def _marked(known: Sequence[Func]) -> list[Func]:
+    """The declarations of a name where all are marked; what a source file of their package defines is one of them."""
+    declared = [each for each in known if each.file.path.endswith((*_HEADERS, ".py"))]
+    homes = {each.file.package for each in declared if _has_mark(each)}
+    others = [each for each in known if each not in declared and each.file.package not in homes]
+    return declared if all(map(_has_mark, declared)) and not others else []

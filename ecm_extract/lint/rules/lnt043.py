@@ -26,7 +26,6 @@ RULE = LintRule(
     consequence="it is there where it was built and missing where the package is installed",
     resolution="add install(TARGETS ...), install(PROGRAMS ...) or install(DIRECTORY ...) to CMakeLists.txt",
     tier="stable",
-    of_sources="packages that install nothing, in one finding",
 )
 _SHOWN = 5
 _DEVEL = "they run from the devel space of the machine that built them, and from nowhere else"
@@ -40,23 +39,17 @@ _SCRIPTS = (".py", ".sh", ".bash")
 def check(workspace: Workspace) -> Iterator[Finding]:
     """Report what a CMake package leaves out of its install rules, once for programs, launch files and other files.
 
-    Packages of ROS 1 that install nothing at all are meant to run from the devel space: they are one finding.
+    A package of ROS 1 that installs nothing at all is meant to run from the devel space: that is said once, as an info.
     """
     launched = _launched(workspace)
     named = _named(workspace)
-    devel: list[Finding] = []
     for package in workspace.packages:
         path = f"{package.root.path}/CMakeLists.txt".lstrip("/")
         is_python = bool(package.setups) and package.ros == 2
         if path not in package.cmake or package.root.rosbuild or is_python or is_open(package):
             continue
         found = list(_left_out(package, path, launched.get(package.name, set()), named, workspace))
-        if lives_in_devel_space(package):
-            devel += found[:1]
-        else:
-            yield from found
-    if devel:
-        yield _never_installed(devel)
+        yield from map(_never_installed, found[:1]) if lives_in_devel_space(package) else found
 
 
 def _left_out(
@@ -79,13 +72,11 @@ def _left_out(
         yield _finding(package, path, "file", others, "warning")
 
 
-def _never_installed(found: list[Finding]) -> Finding:
-    """One finding for all packages that live in the devel space."""
-    names = [finding.subjects[0] for finding in found]
-    shown = ", ".join(names[:_SHOWN]) + (f" and {len(names) - _SHOWN} more" if len(names) > _SHOWN else "")
-    text = f"{shown} install{'s' if len(names) == 1 else ''} nothing at all"
-    places = [finding.evidence[0] for finding in found]
-    return RULE.finding(text, Entity("package", "devel space"), names[0], places, severity="info", consequence=_DEVEL)
+def _never_installed(found: Finding) -> Finding:
+    """What is said instead of all that a package leaves out which lives in the devel space."""
+    name = found.subjects[0]
+    text, entity = f"{name} installs nothing at all", Entity("package", "devel space")
+    return RULE.finding(text, entity, name, found.evidence, severity="info", consequence=_DEVEL)
 
 
 def _launched(workspace: Workspace) -> dict[str, set[str]]:
