@@ -31,6 +31,7 @@ class Calls:
     calm: Set[str]
     writing: Set[str]
     searching: Set[str]
+    fluent: Set[str]
 
     def waits(self, call: Call) -> bool:
         """Tell whether a call may let callbacks of the program run; what joins texts or paths does not."""
@@ -40,7 +41,7 @@ class Calls:
         return isinstance(callee, Name) and callee.id.rsplit("::", 1)[-1] in self.waiting
 
 
-_ROWS: Final = ("changing", "reading", "iterators", "calm", "writing", "searching")
+_ROWS: Final = ("changing", "reading", "iterators", "calm", "writing", "searching", "fluent")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -174,6 +175,8 @@ class Effects:
         yield from (Effect("lost", root, call) for arg in both if (root := self.root(arg)))
 
     def _on_receiver(self, call: Call, callee: Member) -> Iterator[Effect]:
+        if callee.name in self.calls.fluent and (root := self.root(callee.base)):
+            yield Effect("changed" if self._is_handed_back(callee.base) else "lost", root, call)
         if callee.name not in self.calls.changing:
             return
         key = self.key(callee.base)
@@ -182,6 +185,12 @@ class Effects:
             yield Effect("changed", key, call)
         elif not key and (root := self.root(callee.base)):
             yield Effect("lost", root, call)
+
+    def _is_handed_back(self, expr: Expr) -> bool:
+        """Whether an expression is a variable, behind nothing but methods that give it back."""
+        while isinstance(expr, Call) and isinstance(expr.callee, Member) and expr.callee.name in self.calls.fluent:
+            expr = expr.callee.base
+        return bool(self.key(expr))
 
     def _passes(self, arg: Expr) -> bool:
         """Whether an argument is a variable, or leads into one."""

@@ -126,13 +126,12 @@ def _period(expr: Call, env: Env, folder: Folder, depth: int) -> float | None:
 
 
 def _variable(expr: Name | Member, env: Env, folder: Folder, depth: int) -> float | None:
-    for definition, inner in folder.assignments.definitions(expr, env):
-        if definition.statement.kind == "each":
-            return None
-        found = seconds_of(definition.statement.value, inner, folder, depth + 1)
-        if found is not None:
-            return found
-    return _plain(expr, env, folder)
+    """A variable that is given several known durations has none that is known."""
+    given = folder.assignments.definitions(expr, env)
+    if any(definition.statement.kind == "each" for definition, _ in given):
+        return None
+    found = {seconds_of(definition.statement.value, inner, folder, depth + 1) for definition, inner in given} - {None}
+    return _plain(expr, env, folder) if not found else found.pop() if len(found) == 1 else None
 
 
 def _plain(expr: Expr, env: Env, folder: Folder) -> float | None:

@@ -43,6 +43,7 @@ class EndpointTypes:
         known = declared or (type_of_data(data) if data is not UNKNOWN else None)
         known = known or self._default_type(default, site.env) or self._target_type(site)
         known = known or self._read_type(site) or self._described(site) or asked_type(site.call)
+        known = known or self._partly_text(default, site.env)
         return known, UNKNOWN if known in _NO_TEXT and isinstance(data, str) else _as_declared(data, known)
 
     def _data(self, default: Expr | None, env: Env) -> Any:
@@ -108,6 +109,14 @@ class EndpointTypes:
             arguments = f"<{', '.join(default.types)}>" if default.types else ""
             return self._declared(default.callee.id + arguments, env)
         return self._declared(self.folder.objects.type_of(default, env), env) if default is not None else None
+
+    def _partly_text(self, default: Expr | None, env: Env) -> str | None:
+        """What is put together of a text and something unknown is a text: `os.path.join(folder, "a.yaml")`."""
+        values = self.folder.fold(default, env) if default is not None else ()
+        written = [
+            value.data is None and any(isinstance(part, str) and part for part in value.parts) for value in values
+        ]
+        return "string" if written and all(written) else None
 
     def _declared(self, written: str, env: Env) -> str | None:
         found = declared_type(plain_type(written))

@@ -6,14 +6,12 @@ named in `Qos.defaulted`. What source sets to a value that the tree does not sho
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 from ecm_checker.contract import Qos
 from ecm_checker.match.generated import snake
 from ecm_parsers.numbers import real, truncated
 from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member, Name, Number, Op
-from ecm_parsers.source.facts import Statement
 
 from ecm_extract.link.calls import dotted_name
 from ecm_extract.link.data import declared_type, plain_type
@@ -21,7 +19,7 @@ from ecm_extract.link.env import Bound, Env, bind, invocation_of
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.qos_presets import UNSEEN, agreed, presets
 from ecm_extract.link.qos_values import milliseconds, policy_word
-from ecm_extract.link.scope import Definition
+from ecm_extract.link.qos_variables import QosVariables
 from ecm_extract.link.spelling import last_name
 
 _FLAGS: dict[str, tuple[str, str]] = {
@@ -46,14 +44,6 @@ _SETTERS = frozenset({*_FLAGS, *_POLICIES, *_TIMES, "keep_last", "avoid_ros_name
 }
 _WITHOUT_DEPTH = frozenset({"keep_all", "system_default"})
 MAX_DEPTH = 12
-MAX_STEPS = 40
-
-
-class _Steps(NamedTuple):
-    """What follows the making of a profile, and how many branches enclose it."""
-
-    statements: Sequence[Statement]
-    depth: int = 0
 
 
 class QosReader:
@@ -61,10 +51,11 @@ class QosReader:
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
+        self.variables = QosVariables(folder, self)
 
     def read(self, expr: Expr | None, env: Env) -> Qos:
         """Return the profile of a ROS 2 endpoint; without an expression the default one."""
-        policies = self._policies(expr, env, 0) if expr is not None else {}
+        policies = self.policies(expr, env, 0) if expr is not None else {}
         known = policies or {}
         default = presets()["default"][1]
         filled = {key: known.get(key, default[key]) for key in _BASIC}
@@ -89,7 +80,8 @@ class QosReader:
             return None
         return "transient_local" if words <= {"true", "1"} else "unknown"
 
-    def _policies(self, expr: Expr, env: Env, level: int) -> dict[str, Any]:
+    def policies(self, expr: Expr, env: Env, level: int) -> dict[str, Any]:
+        """Return what an expression sets; `level` is the nesting of evaluations."""
         if level > MAX_DEPTH or not self.folder.steps.take(env):
             return {**UNSEEN}
         with self.folder.steps:
@@ -106,9 +98,9 @@ class QosReader:
         if isinstance(expr, Name | Member):
             return self._variable(expr, env, level)
         if isinstance(expr, Op) and expr.op == "?:":
-            return agreed([self._policies(branch, env, level + 1) for branch in self._branches(expr, env)])
+            return agreed([self.policies(branch, env, level + 1) for branch in self._branches(expr, env)])
         if isinstance(expr, Items) and expr.items:
-            return self._policies(expr.items[0], env, level + 1)
+            return self.policies(expr.items[0], env, level + 1)
         return {} if isinstance(expr, Items | Lambda | Constant) else self._unseen(expr, env)
 
     def _branches(self, expr: Op, env: Env) -> tuple[Expr, ...]:
@@ -156,7 +148,7 @@ class QosReader:
     def _method(self, callee: Member, expr: Call, env: Env, level: int) -> dict[str, Any]:
         """A setter on a profile, or a method that returns a profile or a number."""
         if callee.name in _SETTERS:
-            return {**self._policies(callee.base, env, level + 1), **self._setter(callee.name, expr, env)}
+            return {**self.policies(callee.base, env, level + 1), **self.set_by(expr, env)}
         return self._function(expr, env, level)
 
     def _own_class(self, expr: Call, env: Env, level: int) -> dict[str, Any] | None:
@@ -170,36 +162,37 @@ class QosReader:
         for at, statement in enumerate(maker.fact.body):
             inner = Env(maker, at, bind(maker, call, env), this=cls, depth=env.depth + 1)
             if statement.kind == "init" and statement.value is not None:
-                policies |= self._policies(statement.value, inner, level + 1)
+                policies |= self.policies(statement.value, inner, level + 1)
             elif statement.kind == "do" and isinstance(statement.value, Call):
-                policies |= self._chain(statement.value, inner) or self._implicit(statement.value, inner)
+                policies |= self.chain(statement.value, inner) or self.set_by(statement.value, inner)
         return policies
-
-    def _implicit(self, expr: Call, env: Env) -> dict[str, Any]:
-        return self._setter(expr.callee.id, expr, env) if isinstance(expr.callee, Name) else {}
 
     def _profile(self, name: str, expr: Call, env: Env, level: int) -> dict[str, Any]:
         policies: dict[str, Any] = {}
         for arg in expr.args if name != "KeepLast" else ():
             word = policy_word(arg)
-            policies.update({"history": word} if word.startswith("keep_") else self._policies(arg, env, level + 1))
+            policies.update({"history": word} if word.startswith("keep_") else self.policies(arg, env, level + 1))
         if name == "KeepAll":
             return {"history": "keep_all"}
         if name == "KeepLast" and expr.args:
             policies = {"history": "keep_last", "depth": self._number(expr.args[0], env)}
         for key, value in expr.keywords:
-            policies.update(self._assignment(key, value, env))
+            policies.update(self.assigned(key, value, env))
         return policies
 
-    def _setter(self, name: str, expr: Call, env: Env) -> dict[str, Any]:
+    def set_by(self, expr: Call, env: Env) -> dict[str, Any]:
+        """Return what one setter sets."""
+        callee = expr.callee
+        name = callee.name if isinstance(callee, Member) else callee.id if isinstance(callee, Name) else ""
         if name == "keep_last" and expr.args:
             return {"history": "keep_last", "depth": self._number(expr.args[0], env)}
         if name in _FLAGS:
             key, value = _FLAGS[name]
             return {key: value}
-        return self._assignment(name, expr.args[0], env) if expr.args else {}
+        return self.assigned(name, expr.args[0], env) if expr.args else {}
 
-    def _assignment(self, key: str, value: Expr, env: Env) -> dict[str, Any]:
+    def assigned(self, key: str, value: Expr, env: Env) -> dict[str, Any]:
+        """Return what the assignment of a field sets."""
         if key == "depth":
             return {"depth": self._number(value, env)}
         if key in _POLICIES:
@@ -236,67 +229,24 @@ class QosReader:
         name = expr.id if isinstance(expr, Name) else expr.name
         if isinstance(expr, Name):
             bound = env.args.get(expr.id) or _of_maker(expr.id, env)
-            given = self._policies(bound.expr, bound.env, level + 1) if bound is not None else {}
+            given = self.policies(bound.expr, bound.env, level + 1) if bound is not None else {}
             if given:
                 return given  # `if qos is None: qos = ...` has not happened then
-        found = [
-            self._defined(entry, name, inner, level) for entry, inner in self.folder.assignments.reaching(expr, env)
-        ]
-        known = [policies for policies in found if policies is not None]
-        if known:
-            return agreed(known)
+        found = self.variables.at(expr, env, level)
+        if found is not None:
+            return found
         for parameter in env.func.fact.params:
             if parameter.name == name and parameter.default is not None:
-                return self._policies(parameter.default, env, level + 1)
-        field = self._field(name, expr, env, level)
-        if field is not None:
-            return field
+                return self.policies(parameter.default, env, level + 1)
         constant = self.folder.scope.constant(name, env)
         value = constant[0].value if constant is not None else None
-        return self._policies(value, env, level + 1) if value is not None else self._unseen(expr, env)
+        return self.policies(value, env, level + 1) if value is not None else self._unseen(expr, env)
 
-    def _defined(self, definition: Definition, name: str, env: Env, level: int) -> dict[str, Any] | None:
-        value = definition.statement.value
-        if value is None or definition.statement.kind == "each" or isinstance(value, Constant):
-            return None
-        policies = self._policies(value, env, level + 1)
-        later = definition.func.fact.body[definition.at :]
-        return self._mutated(policies, name, _Steps(later, definition.statement.depth), env)
-
-    def _field(self, name: str, expr: Name | Member, env: Env, level: int) -> dict[str, Any] | None:
-        """What a data member, its own or of a base, is declared with, and what methods set on it; None for no such."""
-        cls = env.this or env.func.cls
-        if cls is None or (isinstance(expr, Member) and expr.base != Name("this")):
-            return None
-        ancestry = self.folder.program.ancestry(cls)
-        default = next((own.fields[name].default for own in ancestry if name in own.fields), None)
-        if default is None:
-            return None
-        policies = self._policies(default, Env(env.func, depth=env.depth + 1, this=cls), level + 1)
-        for method in (method for own in ancestry for method in own.methods):
-            inner = Env(method, this=cls, depth=env.depth + 1)
-            policies = self._mutated(policies, name, _Steps(method.fact.body), inner)
-        return policies
-
-    def _mutated(self, policies: dict[str, Any], name: str, steps: _Steps, env: Env) -> dict[str, Any]:
-        """What a profile is after `qos.reliable();` and `qos.depth = 5`; where a branch does so, it may be either."""
-        for statement in steps.statements[:MAX_STEPS]:
-            changed = {**policies, **self._mutation(name, statement, env)}
-            policies = changed if statement.depth <= steps.depth else agreed([policies, changed])
-        return policies
-
-    def _mutation(self, name: str, statement: Statement, env: Env) -> dict[str, Any]:
-        value, target = statement.value, statement.target
-        if statement.kind == "do" and isinstance(value, Call) and _root(value) == name:
-            return self._chain(value, env)
-        if statement.kind == "set" and isinstance(target, Member) and _root(target) == name and value is not None:
-            return self._assignment(target.name, value, env)
-        return {}
-
-    def _chain(self, expr: Expr, env: Env) -> dict[str, Any]:
+    def chain(self, expr: Expr, env: Env) -> dict[str, Any]:
+        """Return what setters set, one after the other."""
         if not isinstance(expr, Call) or not isinstance(expr.callee, Member):
             return {}
-        return {**self._chain(expr.callee.base, env), **self._setter(expr.callee.name, expr, env)}
+        return {**self.chain(expr.callee.base, env), **self.set_by(expr, env)}
 
     def _function(self, expr: Call, env: Env, level: int) -> dict[str, Any]:
         call = invocation_of(expr, env)
@@ -307,7 +257,7 @@ class QosReader:
         for at, statement in enumerate(callee.fact.body):
             if statement.kind == "return" and statement.value is not None:
                 inner = Env(callee, at, args, this=callee.cls, depth=env.depth + 1)
-                return self._policies(statement.value, inner, level + 1)
+                return self.policies(statement.value, inner, level + 1)
         return {**UNSEEN}
 
     def _number(self, expr: Expr, env: Env) -> int | None:
@@ -318,14 +268,6 @@ class QosReader:
 def _returned(call: Call) -> str:
     """The type that a call writes: `declare_parameter<int>("depth")`, `size_t(depth)`."""
     return call.types[0] if call.types else call.callee.id if isinstance(call.callee, Name) else ""
-
-
-def _root(expr: Expr) -> str:
-    while isinstance(expr, Call | Member):
-        if isinstance(expr, Member) and expr.base == Name("this"):
-            return expr.name
-        expr = expr.callee if isinstance(expr, Call) else expr.base
-    return expr.id if isinstance(expr, Name) else ""
 
 
 def _of_maker(name: str, env: Env) -> Bound | None:

@@ -107,6 +107,32 @@ def test_a_cast_of_python_says_the_type(workspace: Any, cast: str, expected: str
     assert workspace.package({"scripts/d.py": text}, ros=1).only("parameter").type == expected
 
 
+PARTLY = [
+    ("os.path.join(folder(), 'a.yaml')", "string"),
+    ("folder() + '/a.yaml'", "string"),
+    ("f'{folder()}/a.yaml'", "string"),
+    ("held", "string"),
+    ("folder()", None),
+    ("folder() + 1", None),
+    ("folder(1)", None),
+]
+
+
+@pytest.mark.parametrize(("default", "expected"), PARTLY, ids=[row[0] for row in PARTLY])
+def test_a_default_that_is_partly_a_text_is_one(workspace: Any, default: str, expected: str | None) -> None:
+    """What a path is put together of may be unknown, and it is a text all the same."""
+    text = f"""import os
+from rclpy.node import Node
+from somewhere import folder
+class Demo(Node):
+    def __init__(self):
+        super().__init__('demo')
+        held = os.path.join(folder(), 'a.yaml')
+        self.declare_parameter('file', {default})
+"""
+    assert workspace.package({"pkg/demo.py": text}).only("parameter").type == expected
+
+
 DEDUCED = [("0.5", "double"), ("count_", "integer"), ('std::string("a")', "string")]
 
 
