@@ -30,8 +30,8 @@ class Calls:
     waiting: Set[str]
     calm: Set[str]
     writing: Set[str]
-    fluent: Set[str]
     searching: Set[str]
+    fluent: Set[str]
 
     def waits(self, call: Call) -> bool:
         """Tell whether a call may let callbacks of the program run; what joins texts or paths does not."""
@@ -41,7 +41,7 @@ class Calls:
         return isinstance(callee, Name) and callee.id.rsplit("::", 1)[-1] in self.waiting
 
 
-_ROWS: Final = ("changing", "reading", "iterators", "calm", "writing", "fluent", "searching")
+_ROWS: Final = ("changing", "reading", "iterators", "calm", "writing", "searching", "fluent")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -141,9 +141,12 @@ class Effects:
         passed = [(index, arg) for index, arg in enumerate(call.args) if self._passes(arg)]
         named = [(name, arg) for name, arg in call.keywords if self._passes(arg)]
         changing = isinstance(callee, Member) and last in self.calls.changing
-        if not (passed or named) or last in self.calls.reading or changing:
+        library = last in self.calls.reading and not (isinstance(callee, Name) and callee.id == last)
+        if not (passed or named) or library or changing:
             return
         target = self.targets.target(call, self.func, at)
+        if target is None and last in self.calls.reading:
+            return
         own = isinstance(callee, Name) and callee.id in self.own  # a variable that holds a function is no library's
         if target is None and not own and self.targets.keeps(path):
             return

@@ -71,7 +71,8 @@ class StreamFolder:
             return replace(how, **shipped(_TABLE)["plain"][name])
         data = self._only(manipulator.args[0], env) if len(manipulator.args) == 1 else UNKNOWN
         fits = isinstance(data, str if given[name] == "fill" else int)
-        return replace(how, **{given[name]: data}) if fits else None
+        changed: dict[str, Any] = {given[name]: data}
+        return replace(how, **changed) if fits else None
 
     def _only(self, expr: Expr, env: Env) -> Any:
         values = self.folder.fold(expr, env)
@@ -157,8 +158,10 @@ def _is_manipulator(expr: Expr) -> bool:
     table, name = shipped(_TABLE), _named(expr)
     if isinstance(expr, Call):
         return name in table["given"] or name in shipped_names(_TABLE, "others")
-    return isinstance(expr, Name) and expr.id == f"{_PACKAGE}::{name}" and (
-        name in table["plain"] or name in shipped_names(_TABLE, "others")
+    return (
+        isinstance(expr, Name)
+        and expr.id == f"{_PACKAGE}::{name}"
+        and (name in table["plain"] or name in shipped_names(_TABLE, "others"))
     )
 
 

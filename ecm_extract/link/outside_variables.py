@@ -54,14 +54,15 @@ class OutsideVariables:
             if _is_given_out(written, func):
                 return None
             outline = self.folder.flow.outline(func)
-            changed = any(key == written or key.startswith(f"{written}.") for key in outline.changes)
+            variable_there = outline.effects.key(Name(written))
+            changed = any(key == variable_there or key.startswith(f"{variable_there}.") for key in outline.changes)
             found.update([func] if changed and not self.folder.runs_once.never(func) else [])
         return frozenset(found)
 
     def _may_mean(self, written: str, func: Func, variable: Stated) -> bool:
         """Whether a name in a function may mean a variable: what is declared here may be defined in another file."""
-        key = self.folder.flow.effects(func).key(Name(written))
-        if key.startswith(".") or key in self.folder.flow.effects(func).own:
+        own = written in self.folder.flow.effects(func).own
+        if own or self.folder.scope.member_type(written, func.cls):
             return False
         meant = self._meant(written, func)
         return meant is None or meant.constant.scope == variable.constant.scope

@@ -31,7 +31,9 @@ def _gives(name: str, statement: Statement) -> bool:
         return statement.kind != "let" or not isinstance(statement.value, Call) or not pointed(statement.value)
     refers = statement.kind in {"let", "each"} and statement.type.endswith(("&", "*"))
     reached = any(_is_field(part, name) for part in _parts(statement.value)) if refers else False
-    return reached or any(_is_given(part, name) for expr in (statement.target, statement.value) for part in _parts(expr))
+    return reached or any(
+        _is_given(part, name) for expr in (statement.target, statement.value) for part in _parts(expr)
+    )
 
 
 def _parts(expr: Expr | None) -> Iterator[Expr]:
