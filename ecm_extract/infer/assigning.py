@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Set
 from typing import TYPE_CHECKING, Final
 
-from ecm_parsers.source.expr import Call, Expr, Items, Name, Number, Op, Opaque
+from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Number, Op, Opaque
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.effects import bare_names, is_plain
@@ -40,6 +40,7 @@ class Assigning:
         if isinstance(value, Opaque):
             return self.bind(target, Held("lost", "", None, env, at), state)
         state = self._placed(value, state)
+        self._refer_through(target, value)
         state = self.bind(target, Held("value", "", value, env, at), state)
         return self._from_before(target, state) if statement.kept else state
 
@@ -47,9 +48,12 @@ class Assigning:
         """A variable that is kept between calls: what it begins with, or what a call before has left it with."""
         key = self.frame.effects.key(target)
         given_out = "reference" in self.frame.env.func.fact.traits
-        if not given_out and self.frame.outline.changes.get(key, 0) <= 1:
+        if not given_out and (self.frame.outline.changes.get(key, 0) <= 1 or self._runs_once()):
             return state
         return state.having({key: (*state.holds[key], Held("lost", key))})
+
+    def _runs_once(self) -> bool:
+        return self.frame.judge.runs_once(self.frame.env.func)
 
     def _placed(self, value: Expr | None, state: State) -> State:
         """A text of C++ that has no value yet, in the braces of an object: whoever makes that may write it."""
@@ -80,6 +84,15 @@ class Assigning:
             self.memory.escaped.add(self.frame.effects.root(value))
             state = self.memory.lost(state, {self.frame.effects.root(value)})
         return self.memory.hold(key, Held("value", key, value, env, at), self.memory.parts_lost(key, state))
+
+    def _refer_through(self, target: Expr | None, value: Expr | None) -> None:
+        """`auto it = table.find(key);`: who writes to `it->second` changes the table, and the other way round."""
+        key, calls = self.frame.effects.key(target), self.frame.effects.calls
+        callee = value.callee if isinstance(value, Call) and not self.frame.python else None
+        if key and isinstance(callee, Member) and callee.name in calls.iterators | calls.searching:
+            for part in self.frame.outline.changes:
+                if part.startswith(f"{key}."):
+                    self.memory.sharing.refer(part, self.frame.effects.root(callee.base))
 
     def bind(self, target: Expr | None, held: Held, state: State) -> State:
         """Give a variable, a field, an element or several variables what a statement gives them."""

@@ -39,9 +39,14 @@ class Calling:
         if waits:
             state = self._anything(self.memory.lost(state, self._followed(state)))
         if waits or own:
-            outside = [key for key in state.holds if self.memory.is_open(key) and not key.startswith(".")]
-            state = self.memory.given_again(outside, state)
+            state = self.memory.given_again([key for key in state.holds if self._may_be_changed(key)], state)
         return state
+
+    def _may_be_changed(self, key: str) -> bool:
+        """Whether functions that are called may change a variable that is neither the function's own nor a member."""
+        if key.startswith(".") or not self.memory.is_open(key):
+            return False
+        return not self.frame.judge.is_followed(key.partition(".")[0], self.frame.env.func)
 
     def _methods(self, at: int, calls: Sequence[Call], env: Env, state: State) -> State:
         """The state after methods of the object at hand, or of objects that the function made."""

@@ -31,6 +31,7 @@ class Calls:
     calm: Set[str]
     writing: Set[str]
     fluent: Set[str]
+    searching: Set[str]
 
     def waits(self, call: Call) -> bool:
         """Tell whether a call may let callbacks of the program run; what joins texts or paths does not."""
@@ -40,7 +41,7 @@ class Calls:
         return isinstance(callee, Name) and callee.id.rsplit("::", 1)[-1] in self.waiting
 
 
-_ROWS: Final = ("changing", "reading", "iterators", "calm", "writing", "fluent")
+_ROWS: Final = ("changing", "reading", "iterators", "calm", "writing", "fluent", "searching")
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -50,6 +50,12 @@ class Judge(Targets, Protocol):
     def members_changed(self, call: Call, env: Env) -> Mapping[str, str] | None:
         """Return the members that a call of a method may change, each with its key there; None if that is unknown."""
 
+    def is_followed(self, name: str, func: Func) -> bool:
+        """Tell whether a function is the only one that changes a variable outside of functions, and runs once."""
+
+    def runs_once(self, func: Func) -> bool:
+        """Tell whether no program runs a function more than once."""
+
     def outline(self, func: Func) -> Outline:
         """Return what is known of a function before it runs."""
 

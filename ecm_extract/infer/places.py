@@ -8,6 +8,7 @@ from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op
 from ecm_parsers.source.facts import Function
 
 _THIS = Name("this")
+_GET = Name("std::get")
 
 
 def own_names(function: Function, python: bool) -> frozenset[str]:
@@ -60,9 +61,11 @@ def root_of(expr: Expr | None, own: Set[str], member: Callable[[str], bool]) -> 
 
 
 def whole_of(expr: Expr) -> Expr | None:
-    """Return what an expression is a part of: `a` of `a.b`, `a[0]`, `&a` and `a.last()`; None for what is whole."""
+    """Return what an expression is a part of: `a` of `a.b`, `a[0]`, `&a`, `a.last()` and `std::get<0>(a)`."""
     if isinstance(expr, Member):
         return expr.base
     if isinstance(expr, Op) and expr.op in {"[]", "&"}:
         return expr.operands[0]
+    if isinstance(expr, Call) and expr.callee == _GET and len(expr.args) == 1:
+        return expr.args[0]
     return expr.callee.base if isinstance(expr, Call) and isinstance(expr.callee, Member) else None

@@ -37,10 +37,11 @@ class FileScope:
         """Return the type of a variable as declared, empty when none of that name is visible."""
         if env.func.file.language != "cpp":
             return ""
-        found = self._meant(name, env.func)
+        found = self.meant(name, env.func)
         return found.constant.type if found is not None and "enum" not in found.constant.traits else ""
 
-    def _meant(self, name: str, func: Func) -> Stated | None:
+    def meant(self, name: str, func: Func) -> Stated | None:
+        """Return the constant or variable of a namespace that a name means in a function."""
         if name.rsplit("::", 1)[-1] not in self.program.constants:
             return None
         return self.program.constant_named(name, func.file, f"{func.fact.scope}::{func.fact.name}")
@@ -52,8 +53,8 @@ class FileScope:
         if self._assigned is None:
             self._assigned = self._index()
         assigned = self._assigned.get(name.rsplit("::", 1)[-1], [])
-        own = self._meant(name, env.func)
-        return [entry for entry in assigned if self._meant(_target(entry), entry.func) == own]
+        own = self.meant(name, env.func)
+        return [entry for entry in assigned if self.meant(_target(entry), entry.func) == own]
 
     def is_changed(self, name: str, env: Env) -> bool:
         """Tell whether a function that sees a variable assigns it or a part of it, or calls a method of it."""
@@ -62,8 +63,8 @@ class FileScope:
         if self._called is None:
             self._called = self._receivers()
         found = self._called.get(name.rsplit("::", 1)[-1], ())
-        own = self._meant(name, env.func)
-        return any(self._meant(mention.written, mention.func) == own for mention in found)
+        own = self.meant(name, env.func)
+        return any(self.meant(mention.written, mention.func) == own for mention in found)
 
     def _receivers(self) -> Mapping[str, list[Mention]]:
         """Variable -> the functions that call a method of it which changes it, give it parts, or take its address."""

@@ -286,6 +286,14 @@ class Flow:
         """Return the members that a call of a method may change; None where that is not known."""
         return self.folder.methods.changed(call, env)
 
+    def is_followed(self, name: str, func: Func) -> bool:
+        """Tell whether a function is the only one that changes a variable outside of functions, and runs once."""
+        return self.folder.outside.is_followed(name, func)
+
+    def runs_once(self, func: Func) -> bool:
+        """Tell whether no program runs a function more than once."""
+        return self.folder.runs_once.of(func)
+
     def reads(self, func: Func) -> Mapping[int, Sequence[tuple[Expr, Expr, Expr | None]]]:
         """Return statement -> (variable, name, default) of the parameters that a function reads into variables."""
         found: dict[int, list[tuple[Expr, Expr, Expr | None]]] = defaultdict(list)

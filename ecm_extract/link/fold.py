@@ -36,15 +36,20 @@ from ecm_extract.link.fold_members import MemberFolder
 from ecm_extract.link.fold_names import NameFolder
 from ecm_extract.link.fold_operators import OperatorFolder
 from ecm_extract.link.fold_returns import ReturnFolder
+from ecm_extract.link.fold_streams import StreamFolder
 from ecm_extract.link.fold_tables import TableFolder
 from ecm_extract.link.fold_texts import TextFolder
 from ecm_extract.link.list_changes import ListChanges
 from ecm_extract.link.method_effects import MethodEffects
 from ecm_extract.link.object_states import ObjectStates
 from ecm_extract.link.objects import Objects
+from ecm_extract.link.optionals import OptionalFolder
+from ecm_extract.link.outside_variables import OutsideVariables
 from ecm_extract.link.parameter_reads import ParameterReads
 from ecm_extract.link.program import Program
+from ecm_extract.link.runs_once import RunsOnce
 from ecm_extract.link.scope import Scope
+from ecm_extract.link.searches import SearchFolder
 from ecm_extract.link.shifting import Shifting
 from ecm_extract.link.steps import Steps
 from ecm_extract.link.structures import StructureFolder
@@ -89,11 +94,16 @@ class Folder:
         self.list_changes = ListChanges(self)
         self.structures = StructureFolder(self)
         self.tables = TableFolder(self)
+        self.optionals = OptionalFolder(self)
+        self.searches = SearchFolder(self)
         self.operators = OperatorFolder(self)
+        self.streams = StreamFolder(self)
         self.held = HeldFolder(self)
         self.flow = Flow(self)
         self.states = ObjectStates(self)
         self.shifting = Shifting(self)
+        self.runs_once = RunsOnce(self)
+        self.outside = OutsideVariables(self)
         self.methods = MethodEffects(self)
         scope.ways = self.flow.ways
         self.cuts = 0

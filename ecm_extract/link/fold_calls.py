@@ -133,6 +133,9 @@ class CallFolder:
             return self._topic(call.receiver, env) or (unknown(call.last),)
         if call.receiver is not None and call.last in _PROPERTY_READS:
             return self._property(call.receiver, env) or (unknown(call.last),)
+        held = self.folder.optionals.called(call, env)
+        if held is not None:
+            return held
         if call.receiver is not None and call.last in formats.VALUE_READS:
             entry = self._element(call, env) if call.args else None  # `table.get(key)` is no read of a whole value
             return self._read_from(call.receiver, call.last, env) if entry is None else entry
@@ -194,6 +197,12 @@ class CallFolder:
                 return (constant(size == 0 if call.last == "empty" else size)._replace(confidence="folded"),)
             if python and subject is not None:
                 return self.folder.combined([self.folder.fold(subject, env)], _length, "len")
+        searched = None if python else self.folder.searches.count(call, env)
+        if searched is not None:
+            return searched
+        part = None if python else self.folder.structures.part_by_place(call, env)
+        if part is not None:
+            return part
         bound = None if python else limit(call.path, call.types)
         if bound is not None:
             return (constant(bound),)

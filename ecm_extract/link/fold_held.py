@@ -116,7 +116,9 @@ class HeldFolder:
         entry = env.entry()
         name = key.rpartition(".")[2]
         if "." not in key:
-            return self.folder.names.around(name, entry) or (unknown(name),)
+            values = self.folder.names.around(name, entry) or (unknown(name),)
+            shifted = not first and self.folder.objects.file_scope.type_of(name, env)
+            return alternatives((*values, unknown(name))) if shifted else values
         owner = entry.this or entry.func.cls
         if (
             first

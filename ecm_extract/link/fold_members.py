@@ -60,6 +60,9 @@ class MemberFolder:
             cls = env.this or env.func.cls
             found = self.member_value(expr.name, cls, env) if cls is not None else ()
             return found or (unknown(expr.name),)
+        pointed = self.folder.searches.part(expr, env)
+        if pointed is not None:
+            return demoted(self.folder.lists.fold(pointed, env))
         part = self.folder.structures.field(expr, env)
         if not part and expr.name in VALUE_READS:
             return self.folder.fold(expr.base, env.before(env.at))
@@ -78,7 +81,9 @@ class MemberFolder:
         if root is None or env.func.file.language != "cpp" or self.folder.scope.declared_type(root.id, env):
             return False
         file_scope = self.folder.objects.file_scope
-        return bool(file_scope.type_of(root.id, env)) and file_scope.is_changed(root.id, env)
+        if not file_scope.type_of(root.id, env) or not file_scope.is_changed(root.id, env):
+            return False
+        return not self.folder.outside.is_followed(root.id, env.func)
 
     def _of_message(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """`code.ARM`: a constant of the message that an object is."""

@@ -130,7 +130,9 @@ class NameFolder:
 
     def may_change(self, name: str, constant: Constant, env: Env) -> bool:
         """Tell whether a variable of a namespace may hold something else than what it is declared with."""
-        return not _is_fixed(constant) and self.folder.objects.file_scope.is_changed(name, env)
+        if _is_fixed(constant) or not self.folder.objects.file_scope.is_changed(name, env):
+            return False
+        return not self.folder.outside.is_followed(name, env.func)
 
     def at_file(self, file: File, env: Env) -> Env:
         """Return a place at which the names of a file are known; the one at hand where the file has none."""

@@ -45,6 +45,8 @@ class OperatorFolder:
 
     def _sum(self, expr: Op, env: Env) -> tuple[Value, ...]:
         """Texts side by side, or a sum; in C++ a stream writes what is added to it."""
+        if self.folder.streams.writes(expr, env):
+            return self.folder.streams.written(expr, env)
         groups = [self.folder.fold(operand, env) for operand in expr.operands]
         if len(groups) == 1:
             return groups[0]
@@ -119,6 +121,9 @@ class OperatorFolder:
         python = env.func.file.language == "python"
         if expr.op in {"in", "not in"}:
             return self._within(expr, env)
+        searched = None if python else self.folder.searches.compared(expr, env)
+        if searched is not None:
+            return searched
         groups = [self.folder.fold(operand, env) for operand in expr.operands]
         joins = expr.op == "/" and any(_has_text(value) and value.data is None for value in groups[0])
         if joins:  # paths

@@ -51,10 +51,14 @@ class KnownCallers:
         return self._of[func]
 
     def _found(self, func: Func, calls: tuple[Calling, ...]) -> tuple[Calling, ...] | None:
-        straight = all(not call.statement.deferred and self._is_plain(call.func) for call, _ in calls)
+        straight = all(self.is_straight(call) for call, _ in calls)
         itself = (Name(func.fact.name), Member(Name("this"), func.fact.name))
         recursive = any(call.callee in itself for group in func.calls for call in group)
         return calls if calls and straight and not recursive else None
+
+    def is_straight(self, call: Invocation) -> bool:
+        """Tell whether a call runs where it stands, and not in a function that runs who knows when."""
+        return not call.statement.deferred and self._is_plain(call.func)
 
     def _is_plain(self, func: Func) -> bool:
         """Whether a function is none that another one declares, which runs who knows when."""
@@ -69,7 +73,7 @@ class KnownCallers:
         single = all(method is func or (method.cls is cls and "declaration" in method.fact.traits) for method in same)
         if not single or self.folder.flow.keeps(name) or "override" in func.fact.traits:
             return False
-        return not self._may_be_called_outside(name, cls) and not self._is_handed(func)
+        return not self._may_be_called_outside(name, cls) and not self.is_handed(func)
 
     def _may_be_called_outside(self, name: str, cls: Cls) -> bool:
         """Whether a base outside of the tree may call the method."""
@@ -81,8 +85,8 @@ class KnownCallers:
                         return True
         return False
 
-    def _is_handed(self, func: Func) -> bool:
-        """Whether a file that sees the method mentions its name without calling it."""
+    def is_handed(self, func: Func) -> bool:
+        """Tell whether a file that sees the method mentions its name without calling it."""
         program = self.folder.program
         return any(func.fact.name in self._handed_in(file) for file in program.files if program.sees(file, func.file))
 

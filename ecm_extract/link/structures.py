@@ -13,14 +13,19 @@ from ecm_parsers.source.facts import Statement
 from ecm_extract.infer.held import Held
 from ecm_extract.link.calls import Invocation, Step, construction, dotted_name
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, Instance, bind
+from ecm_extract.link.numbers import as_number, kind_of_type
 from ecm_extract.link.overloads import NO, score
+from ecm_extract.link.pointed import is_only_reached_into, pointed
+from ecm_extract.link.spelling import plain
 from ecm_extract.link.units import Cls, Func
-from ecm_extract.link.values import Value, alternatives, demoted, parameter, unknown
+from ecm_extract.link.values import Value, alternatives, constant, demoted, literal, parameter, unknown
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
 
 _PAIR: Final = ("first", "second")
+_GET: Final = "std::get"
+_TUPLES: Final = frozenset({"std::make_pair", "std::make_tuple", "std::pair", "std::tuple"})
 _DECLARED: Final = frozenset({"made", "given", "shared"})
 """Ways to hold an object that say nothing of its fields: it is as it was declared, here or elsewhere."""
 
@@ -38,7 +43,30 @@ class StructureFolder:
             return made
         bound = self._part(expr, env)
         if bound is None:
+            return self._left_out(expr, env)
+        return demoted(self.folder.fold(bound.expr, bound.env.deeper(env.depth + 1)))
+
+    def _left_out(self, expr: Member, env: Env) -> tuple[Value, ...]:
+        """A field that nothing is given to where its object is made: what C++ makes of a value that is left out."""
+        parts = self._parts(expr.base, env) if env.func.file.language == "cpp" else None
+        cls = self._class_at(expr.base, env) if parts is not None else None
+        at = self._place(expr, env) if cls is not None and not cls.fact.bases else None
+        field = cls.fields.get(expr.name) if cls is not None else None
+        if parts is None or at is None or field is None or at < len(parts) or dict(_named(parts)):
             return ()
+        if field.default is not None:
+            return demoted(self.folder.fold(field.default, Env(env.func, depth=env.depth + 1, this=cls)))
+        return _left_empty(field.type)
+
+    def part_by_place(self, call: Invocation, env: Env) -> tuple[Value, ...] | None:
+        """`std::get<1>(pair)`; None for other calls."""
+        at = call.types[0] if call.path == _GET and len(call.args) == len(call.types) == 1 else ""
+        tuple_ = call.args[0] if at.isdigit() else None
+        parted = any(self.folder.flow.ways(Member(tuple_, name), env) for name in _PAIR) if tuple_ is not None else True
+        parts = self._parts(tuple_, env) if tuple_ is not None and not parted else None
+        if parts is None or int(at) >= len(parts):
+            return None
+        bound = parts[int(at)]
         return demoted(self.folder.fold(bound.expr, bound.env.deeper(env.depth + 1)))
 
     def _constructed(self, expr: Member, env: Env) -> tuple[Value, ...]:
@@ -125,7 +153,7 @@ class StructureFolder:
         return made or self.folder.objects.class_of(expr, env)
 
     def _class_called(self, made: Expr, env: Env) -> Cls | None:
-        written = dotted_name(made.callee) if isinstance(made, Call) else ""
+        written = pointed(made) or (dotted_name(made.callee) if isinstance(made, Call) else "")
         return self.folder.objects.class_written(written, env) if written else None
 
     def _parts(self, expr: Expr, env: Env) -> list[Bound] | None:
@@ -136,6 +164,8 @@ class StructureFolder:
             return None
         if isinstance(made, Items):
             return [Bound(item, bound.env) for item in made.items]
+        if dotted_name(made.callee) in _TUPLES and made.args:
+            return [Bound(item, bound.env) for item in made.args]
         cls = self._class_called(made, bound.env)
         if cls is None or any(method.is_constructor for method in cls.methods):
             return None
@@ -169,6 +199,8 @@ class StructureFolder:
         held = helds.pop()
         if helds or held.how != "value" or held.env is None or held.expr is None:
             return None
+        if pointed(held.expr) and not (isinstance(expr, Name) and is_only_reached_into(expr.id, held.env.func)):
+            return None
         return Bound(held.expr, held.env)
 
 
@@ -188,6 +220,16 @@ def _named(parts: Sequence[Bound]) -> Iterator[tuple[str, Bound]]:
 
 def _makers(cls: Cls) -> list[Func]:
     return [func for func in cls.methods if func.is_constructor and "deleted" not in func.fact.traits]
+
+
+def _left_empty(written: str) -> tuple[Value, ...]:
+    """What a field is that begins with nothing: an empty text, zero; nothing is told of other types."""
+    kind, last = kind_of_type(written), plain(written).rsplit("::", 1)[-1]
+    if not kind or "*" in written or "&" in written or "[" in written:
+        return ()
+    if kind == "text":
+        return (literal("")._replace(confidence="folded"),)
+    return demoted((constant(False if last == "bool" else as_number(0, last)),))
 
 
 def _name(expr: Name | Member) -> str:
