@@ -45,6 +45,8 @@ class OperatorFolder:
 
     def _sum(self, expr: Op, env: Env) -> tuple[Value, ...]:
         """Texts side by side, or a sum; in C++ a stream writes what is added to it."""
+        if self.folder.streams.overwrites(expr, env):
+            return (unknown("value"),)
         if self.folder.streams.writes(expr, env):
             return self.folder.streams.written(expr, env)
         groups = [self.folder.fold(operand, env) for operand in expr.operands]

@@ -42,6 +42,16 @@ class StreamFolder:
             return False
         return any(map(_is_manipulator, expr.operands[1:])) or _is_stream(stream, env)
 
+    def overwrites(self, expr: Op, env: Env) -> bool:
+        """Tell whether what is written to a stream takes the place of a text that it was given, from its beginning on.
+
+        Source: en.cppreference.com, basic_ostringstream: without `std::ios::ate` the first output goes to the front.
+        """
+        stream = expr.operands[0]
+        if env.func.file.language != "cpp" or not isinstance(stream, Name) or not _is_stream(stream, env):
+            return False
+        return any(_is_given_text(held) for ways in self.folder.flow.ways(stream, env) for held in ways)
+
     def written(self, expr: Op, env: Env) -> tuple[Value, ...]:
         """Return what a stream holds after operands were written to it."""
         groups = [self.folder.fold(expr.operands[0], env)]
@@ -139,6 +149,15 @@ def _tells(func: Func) -> bool:
         return True
     values = (entry.value for entry in func.fact.body if isinstance(entry.value, Op) and entry.value.op == "+")
     return any(_is_manipulator(operand) for value in values for operand in value.operands[1:])
+
+
+def _is_given_text(held: Held) -> bool:
+    """Whether a stream holds a text that it was made with or that `str(text)` gave it, and nothing written since."""
+    if held.how == "changed" and isinstance(held.expr, Call):
+        return _method(held.expr) == "str" and held.expr.args not in {(), (Text(""),)}
+    if held.how != "value" or held.expr is None or isinstance(held.expr, Op):
+        return False
+    return held.expr != Text("") and not (isinstance(held.expr, Call) and held.expr.args in {(), (Text(""),)})
 
 
 def _is_told_by_methods(name: str, func: Func) -> bool:
