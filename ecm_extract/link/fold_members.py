@@ -81,9 +81,7 @@ class MemberFolder:
         if root is None or env.func.file.language != "cpp" or self.folder.scope.declared_type(root.id, env):
             return False
         file_scope = self.folder.objects.file_scope
-        if not file_scope.type_of(root.id, env) or not file_scope.is_changed(root.id, env):
-            return False
-        return not self.folder.outside.is_followed(root.id, env.func)
+        return bool(file_scope.type_of(root.id, env)) and file_scope.is_changed(root.id, env)
 
     def _of_message(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """`code.ARM`: a constant of the message that an object is."""
