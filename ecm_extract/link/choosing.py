@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from ecm_parsers.source.expr import Call, Expr, Op
 
-from ecm_extract.link.calls import Invocation
+from ecm_extract.link.calls import Invocation, Step, invocation
 from ecm_extract.link.walk import children
 
 _GOES_ON = {"&&": True, "||": False}
@@ -28,13 +28,19 @@ def asked_before(call: Invocation) -> tuple[Asked, ...]:
 
 def _way(expr: Expr, call: Invocation) -> tuple[Asked, ...] | None:
     """The tests on the way to a call; None where it is not."""
-    if isinstance(expr, Call) and expr.line == call.line and expr.args == call.args:
+    if isinstance(expr, Call) and _is(expr, call):
         return ()
     for part, asked in _parts(expr):
         way = _way(part, call)
         if way is not None:
             return (*asked, *way)
     return None
+
+
+def _is(expr: Call, call: Invocation) -> bool:
+    """Whether an expression is a call as the forms see it: two with the same arguments may stand side by side."""
+    found = invocation(Step(call.func, call.at, call.statement), expr)
+    return (found.path, found.receiver, found.line) == (call.path, call.receiver, call.line) and expr.args == call.args
 
 
 def _parts(expr: Expr) -> Iterator[tuple[Expr, tuple[Asked, ...]]]:

@@ -1,4 +1,8 @@
-"""Functions that a program runs at most once: its `main`, and what one statement of such a function calls."""
+"""Functions that a program runs at most once: its `main`, and what one statement of such a function calls.
+
+What a library has may be called by programs outside of the tree, which nobody sees: only functions of the file of a
+`main`, and those that no other file can name, are told of.
+"""
 
 from __future__ import annotations
 
@@ -18,6 +22,8 @@ if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
 
 _MAIN: Final = "main"
+_HIDDEN: Final = frozenset({"anonymous"})
+"""Traits of functions that no other file can name."""
 
 
 class RunsOnce:
@@ -42,19 +48,27 @@ class RunsOnce:
         if known is None:
             callers = self.folder.states.callers
             free = callers.find is not None and _is_free(func) and not callers.is_handed(func)
-            known = self._never[func] = free and not self._mentions(func)
+            known = self._never[func] = free and self._is_of_program(func) and not self._mentions(func)
         return known
 
     def _is_once(self, func: Func) -> bool:
         if func.file.language != "cpp":
             return False
-        if _is_free(func) and func.fact.name == _MAIN and not func.fact.scope:
+        if _is_main(func):
             return True
+        if not self._is_of_program(func):
+            return False
         calls = self._calls(func)
         if len(calls) != 1 or func.fact.name in self._called_by_declarations:
             return False
         call = calls[0]
         return self.folder.states.callers.is_straight(call) and _is_single(call, func.fact.name) and self.of(call.func)
+
+    def _is_of_program(self, func: Func) -> bool:
+        """Whether nobody outside of the tree can call a function."""
+        return not _HIDDEN.isdisjoint(func.fact.traits) or any(
+            map(_is_main, self.folder.program.functions_in(func.file))
+        )
 
     def _calls(self, func: Func) -> list[Invocation]:
         """All calls of a function, none where somebody else may call it."""
@@ -80,6 +94,10 @@ class RunsOnce:
         values += [field.default for cls in classes for field in cls.fact.fields]
         values += [constant.value for group in program.constants.values() for _, constant in group]
         return frozenset(_last(call) for value in values for call in calls_in(value))
+
+
+def _is_main(func: Func) -> bool:
+    return _is_free(func) and func.fact.name == _MAIN and not func.fact.scope
 
 
 def _is_free(func: Func) -> bool:
