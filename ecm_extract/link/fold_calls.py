@@ -39,22 +39,13 @@ from ecm_extract.link.values import (
     setting,
     unknown,
 )
+from ecm_extract.shipped import shipped_names
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
 
-_SAME = frozenset(
-    {
-        "std::string",
-        "string",
-        "str",
-        "std::move",
-        "String",
-        "QString",
-        "std::to_string",
-        "rclcpp::ParameterValue",
-    }
-) | frozenset(NUMBERS)
+_TABLE = "link/library_values.toml"
+_SAME = shipped_names(_TABLE, "conversions") | frozenset(NUMBERS)
 _TOPIC_READS = frozenset({"get_topic_name", "getTopic", "get_service_name", "getService"})
 _MAKES_TOPICS = frozenset(
     {"create_publisher", "create_subscription", "create_service", "create_client", "create_camera_publisher"}
@@ -74,14 +65,9 @@ _PYTHON_FUNCTIONS: Mapping[str, Callable[[list[Any]], Any]] = MappingProxyType(
         "max": lambda data: max(data) if len(data) > 1 and all(map(is_number, data)) else UNKNOWN,
     }
 )
-_PATH_JOINS = frozenset({"os.path.join", "posixpath.join"})
-"""Functions of Python that join paths (docs.python.org: os.path)."""
-_PROPERTIES = frozenset(
-    {"StringProperty", "RosTopicProperty", "RosFilteredTopicProperty", "RosTopicMultiProperty", "TfFrameProperty"}
-    | {"EnumProperty", "EditableEnumProperty", "FilePickerProperty"}
-)
-"""Properties of rviz_common (rviz_common/properties) and rviz (rviz/properties) that hold a text."""
-_PROPERTY_READS = frozenset({"getStdString", "getTopicStd", "getString"})
+_PATH_JOINS = shipped_names(_TABLE, "paths")
+_PROPERTIES = shipped_names(_TABLE, "properties")
+_PROPERTY_READS = shipped_names(_TABLE, "property_reads")
 
 
 class CallFolder:
