@@ -44,6 +44,7 @@ from ecm_extract.link.method_effects import MethodEffects
 from ecm_extract.link.object_states import ObjectStates
 from ecm_extract.link.objects import Objects
 from ecm_extract.link.optionals import OptionalFolder
+from ecm_extract.link.origins import Origins
 from ecm_extract.link.outside_variables import OutsideVariables
 from ecm_extract.link.parameter_reads import ParameterReads
 from ecm_extract.link.program import Program
@@ -87,6 +88,7 @@ class Folder:
         self.fields = FieldFolder(self)
         self.calls = CallFolder(self)
         self.assignments = Assignments(self)
+        self.origins = Origins(self)
         self.lists = ListFolder(self)
         self.comprehended = Comprehended(self)
         self.returns = ReturnFolder(self)
