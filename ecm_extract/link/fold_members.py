@@ -141,7 +141,7 @@ class MemberFolder:
         root = node.id if isinstance(node, Name) else node.name if isinstance(node, Member) else ""
         if self.folder.scope.declared_type(root, env).endswith("Params"):
             return True
-        given = (definition.statement.value for definition, _ in self.folder.assignments.definitions(node, env))
+        given = (held.expr for held in self.folder.origins.of(node, env))
         called = (value.callee for value in given if isinstance(value, Call))
         return any(isinstance(callee, Member) and callee.name == "get_params" for callee in called)
 

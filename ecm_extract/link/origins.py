@@ -4,15 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
-from ecm_parsers.source.expr import Expr, Member, Name
+from ecm_parsers.source.expr import Constant, Expr, Member, Name
 
 from ecm_extract.infer.held import Held
-from ecm_extract.link.env import MAX_DEPTH, Env
+from ecm_extract.link.env import MAX_DEPTH, Bound, Env
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
+
+_NULL: Final = (Constant("null"), Name("NULL"))
+"""What a pointer is given that is no object."""
 
 
 class Origins:
@@ -50,6 +53,17 @@ class Origins:
             else:
                 pending += behind
         return list(found)
+
+    def makers(self, expr: Expr, env: Env) -> list[Bound] | None:
+        """Return the expressions that may have made an object; None where one of them is not known."""
+        found: list[Bound] = []
+        for held in self.of(expr, env):
+            if held.how == "made" or (held.how == "value" and held.expr in _NULL):
+                continue
+            if held.how != "value" or held.expr is None or held.env is None:
+                return None
+            found.append(Bound(held.expr, held.env))
+        return found
 
     def _behind(self, held: Held, env: Env) -> list[Held] | None:
         """What a variable held before nothing was done to it that matters; None for what it was given."""
