@@ -125,11 +125,8 @@ class MemberFolder:
         while isinstance(node, Member) and node.base != Name("this"):
             path.insert(0, node.name)
             node = node.base
-        if not self._holds_parameters(node, env):
-            return None
-        name = ".".join(path)
-        package = env.func.file.package
-        if not self.folder.reads.is_declared(name, package):
+        name, package = ".".join(path), env.func.file.package
+        if not self.folder.reads.is_declared(name, package) or not self._holds_parameters(node, env):
             return None
         known = self.folder.reads.default(name, package)
         asked = ("parameter", package, name)  # a default may be the parameter itself: declare_parameter("a", params_.a)
