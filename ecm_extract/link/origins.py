@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
@@ -23,6 +23,7 @@ class Origins:
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
+        self._asked: set[Held] = set()
 
     def held(self, expr: Expr, env: Env) -> list[Held]:
         """Return what a variable may hold at a place, each with where it is evaluated; nothing where that is unknown.
@@ -32,27 +33,13 @@ class Origins:
         """
         if not isinstance(expr, Name | Member):
             return []
-        ways = self.folder.flow.ways(expr, env)
-        if ways:
-            return list(_placed((held, env) for way in ways for held in way))
-        return self._around(self.folder.flow.effects(env.func).key(expr), env)
+        found = [(held, env) for way in self.folder.flow.ways(expr, env) for held in way]
+        found = found or self._around(self.folder.flow.effects(env.func).key(expr), env)
+        return list(dict.fromkeys(_placed(held, place) for held, place in found))
 
     def of(self, expr: Expr, env: Env) -> list[Held]:
         """Return the same, each as it was given: through loops, calls of methods, and callers that are known."""
-        found: dict[Held, None] = {}
-        pending = self.held(expr, env)
-        seen: set[Held] = set()
-        while pending:
-            held = pending.pop(0)
-            if held in seen or held.env is None:
-                continue
-            seen.add(held)
-            behind = self._behind(held, held.env)
-            if behind is None:
-                found[held] = None
-            else:
-                pending += behind
-        return list(found)
+        return list(dict.fromkeys(origin for held in self.held(expr, env) for origin in self._given(held)))
 
     def makers(self, expr: Expr, env: Env) -> list[Bound] | None:
         """Return the expressions that may have made an object; None where one of them is not known."""
@@ -65,38 +52,58 @@ class Origins:
             found.append(Bound(held.expr, held.env))
         return found
 
-    def _behind(self, held: Held, env: Env) -> list[Held] | None:
-        """What a variable held before nothing was done to it that matters; None for what it was given."""
-        if env.depth > MAX_DEPTH:
+    def _given(self, held: Held) -> tuple[Held, ...]:
+        """Where a variable was given what it holds; nothing for what it comes to in a circle."""
+        known = held.settled.get("origins")
+        if isinstance(known, tuple):
+            return known
+        if held.env is None or held in self._asked or held.env.depth > MAX_DEPTH:
             self.folder.cuts += 1
+            return ()
+        cuts = self.folder.cuts
+        self._asked.add(held)
+        behind = self._behind(held, held.env)
+        self._asked.discard(held)
+        found = (held,) if behind is None else tuple(dict.fromkeys(behind))
+        if cuts == self.folder.cuts:
+            held.settled["origins"] = found
+        return found
+
+    def _behind(self, held: Held, env: Env) -> list[Held] | None:
+        """The origins of what a variable held before nothing was done to it that matters; None for an origin."""
+        before = self._before(held, env)
+        if before is None:
             return None
+        return [origin for each, place in before for origin in self._given(_placed(each, place))]
+
+    def _before(self, held: Held, env: Env) -> list[tuple[Held, Env]] | None:
         if held.how in {"looped", "handed", "entered"} or (held.how in {"given", "shared"} and held.before):
-            return list(_placed((before, env) for before in held.before))
+            return [(before, env) for before in held.before]
         if held.how in {"given", "shared"}:
             entered = self.folder.states.entered(held.name, env) if held.how == "given" else None
-            return list(_placed([(entered, env)])) if entered is not None else self._around(held.name, env) or None
+            return [(entered, env)] if entered is not None else self._around(held.name, env) or None
         left = self.folder.held.left(held, env) if held.how == "after" else None
         left = self.folder.held.out(held, env) if held.how == "out" else left
-        return list(_placed((each, left[1]) for each in left[0])) if left is not None else None
+        return [(each, left[1]) for each in left[0]] if left is not None else None
 
-    def _around(self, key: str, env: Env) -> list[Held]:
+    def _around(self, key: str, env: Env) -> list[tuple[Held, Env]]:
         """What a variable holds that the function at hand has not given anything."""
         cls = env.this or env.func.cls
         if key.startswith("."):
             known = cls is not None and key.count(".") == 1
-            return list(_placed(self.folder.members.sources(key[1:], cls, env))) if known and cls is not None else []
+            return self.folder.members.sources(key[1:], cls, env) if known and cls is not None else []
         given = self.folder.names.argument(key, env)
-        if given is not None:
-            return [Held("value", key, given.expr, given.env)]
-        return list(self._assigned(key, env)) if "." not in key else []
+        if given is None:
+            return list(self._assigned(key, env)) if "." not in key else []
+        further = self.held(given.expr, given.env.deeper(env.depth + 1))
+        return [(held, given.env) for held in further or [Held("value", key, given.expr, given.env)]]
 
-    def _assigned(self, name: str, env: Env) -> Iterator[Held]:
+    def _assigned(self, name: str, env: Env) -> Iterator[tuple[Held, Env]]:
         for entry in self.folder.objects.file_scope.definitions(name, env):
             place = Env(entry.func, entry.at, this=entry.func.cls, depth=env.depth + 1)
-            yield Held("value", name, entry.statement.value, place, entry.at)
+            yield Held("value", name, entry.statement.value, place, entry.at), place
 
 
-def _placed(found: Iterable[tuple[Held, Env]]) -> Iterator[Held]:
-    """Each with the place at which it is evaluated."""
-    for held, env in found:
-        yield held if held.env is not None else replace(held, env=env, settled={})
+def _placed(held: Held, env: Env) -> Held:
+    """The same with the place at which it is evaluated."""
+    return held if held.env is not None else replace(held, env=env, settled={})
