@@ -24,7 +24,6 @@ from ecm_parsers.source.expr import (
 )
 
 from ecm_extract.infer.compute import NULL, UNKNOWN, shown
-from ecm_extract.link.assignments import Assignments
 from ecm_extract.link.comprehended import Comprehended
 from ecm_extract.link.env import MAX_DEPTH, Env
 from ecm_extract.link.flow import Flow
@@ -87,7 +86,6 @@ class Folder:
         self.members = MemberFolder(self)
         self.fields = FieldFolder(self)
         self.calls = CallFolder(self)
-        self.assignments = Assignments(self)
         self.origins = Origins(self)
         self.lists = ListFolder(self)
         self.comprehended = Comprehended(self)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Hashable
+from collections.abc import Collection, Hashable, Iterator
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import (
@@ -14,6 +14,7 @@ from ecm_parsers.source.expr import (
 
 from ecm_extract.infer.held import Held
 from ecm_extract.infer.places import whole_of
+from ecm_extract.infer.run import Run
 from ecm_extract.link.calls import dotted_name
 from ecm_extract.link.env import Env, Instance
 from ecm_extract.link.fold_names import is_fresh
@@ -215,28 +216,32 @@ class MemberFolder:
 
         Of a class whose objects are not known to be of no derived one, what derived classes do counts too.
         """
-        found: list[tuple[Held, Env]] = []
+        found = [(held, place) for run, place in self.ends(name, cls, env) for held in _left(run, name)]
+        return found[: MAX_ALTERNATIVES + 1]
+
+    def ends(self, name: str, cls: Cls, env: Env) -> Iterator[tuple[Run | None, Env]]:
+        """Yield the run of each method that may change a data member, with its place; None for one that is run now."""
         concrete = env.made is not None and bool(env.made.args or env.made.types or env.made.maker)
         derived = () if concrete else self.folder.program.derived(cls)
         for entry in (*self.folder.program.ancestry(cls), *derived):
             for method in self.folder.scope.changing(name, entry):
                 if self.folder.objects.runs(method, env.made):
                     place = self._method_env(method, cls if entry not in derived else entry, env)
-                    found += [(held, place) for held in self._left(method, place, name)]
-        return found[: MAX_ALTERNATIVES + 1]
-
-    def _left(self, method: Func, place: Env, name: str) -> list[Held]:
-        run = self.folder.flow.run(place, whole=method.is_constructor)
-        if run is None:
-            return [Held("lost", name)]
-        key = f".{name}"
-        ends = run.end.holds.get(key, ()) if run.end is not None else ()
-        helds = dict.fromkeys((*run.shown.get(key, ()), *ends))
-        return [held for held in helds if held.how not in {"given", "shared"}]
+                    yield self.folder.flow.run(place, whole=method.is_constructor), place
 
     def _method_env(self, method: Func, cls: Cls, env: Env) -> Env:
         made = env.made if env.made is not None and env.made.cls is cls else None
         return Env(method, this=cls, made=made or Instance(cls, {}, {}), depth=env.depth + 1)
+
+
+def _left(run: Run | None, name: str) -> list[Held]:
+    """What a run leaves a data member with that it gives something."""
+    if run is None:
+        return [Held("lost", name)]
+    key = f".{name}"
+    ends = run.end.holds.get(key, ()) if run.end is not None else ()
+    helds = dict.fromkeys((*run.shown.get(key, ()), *ends))
+    return [held for held in helds if held.how not in {"given", "shared"}]
 
 
 def _is_plain(cls: Cls) -> bool:

@@ -61,40 +61,6 @@ class Scope:
             self._locals[func] = known
         return known
 
-    def local(self, expr: Expr, env: Env) -> list[Definition]:
-        """Return the assignments that may have given a variable of a function what it holds at a place, in order."""
-        found: dict[int, Definition] = {}
-        pending = [held for helds in self.ways(expr, env) for held in helds]
-        seen: set[Held] = set()
-        while pending:
-            held = pending.pop(0)
-            if held in seen:
-                continue
-            seen.add(held)
-            pending += held.before
-            body = env.func.fact.body
-            if held.env is None or held.env.func is not env.func or not 0 <= held.at < len(body):
-                continue
-            if held.how in {"value", "each"} and body[held.at].value is not None:
-                found.setdefault(held.at, Definition(env.func, held.at))
-        return list(found.values())
-
-    def reaching(self, expr: Expr, env: Env) -> list[Definition]:
-        """Return the assignments of which one gave a variable what it holds as long as nobody sets a parameter."""
-        helds = list(dict.fromkeys(held for helds in self.ways(expr, env) for held in helds))
-        pending = [held for held in helds if held.is_likely] or helds
-        found: dict[int, Definition] = {}
-        seen: set[Held] = set()
-        while pending:
-            held = pending.pop(0)
-            seen.add(held)
-            given = held.how in {"value", "each"} and held.env is not None and held.env.func is env.func
-            if given and env.func.fact.body[held.at].value is not None:
-                found.setdefault(held.at, Definition(env.func, held.at))
-            else:
-                pending += [before for before in held.before if before not in seen]
-        return list(found.values())
-
     def is_certain(self, name: str, env: Env) -> bool:
         """Tell whether the function has surely given a variable a value before the place."""
         ways = self.ways(Name(name), env)
