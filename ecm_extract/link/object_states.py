@@ -96,8 +96,6 @@ class ObjectStates:
             if is_own(call.receiver):
                 same = env.this is not None and call.func.cls in self.folder.program.ancestry(env.this)
                 this, made = (env.this, env.made) if same else (call.func.cls, None)
-                if not self.folder.objects.runs(call.func, made):
-                    continue  # another constructor than that of the object
                 yield Bound(THIS, Env(call.func, place.at, this=this, made=made, depth=env.depth + 1))
             elif call.receiver is not None:
                 yield Bound(call.receiver, place.deeper(env.depth + 1))

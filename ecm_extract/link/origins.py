@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import Constant, Expr, Member, Name
 
 from ecm_extract.infer.held import Held
-from ecm_extract.link.env import MAX_DEPTH, Bound, Env
+from ecm_extract.link.env import MAX_DEPTH, Bound, Env, Instance
+from ecm_extract.link.units import Cls
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
@@ -24,6 +25,7 @@ class Origins:
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
         self._asked: set[Held] = set()
+        self._members: set[tuple[Cls | None, str]] = set()
 
     def held(self, expr: Expr, env: Env) -> list[Held]:
         """Return what a variable may hold at a place, each with where it is evaluated; nothing where that is unknown.
@@ -39,18 +41,44 @@ class Origins:
 
     def of(self, expr: Expr, env: Env) -> list[Held]:
         """Return the same, each as it was given: through loops, calls of methods, and callers that are known."""
-        return list(dict.fromkeys(origin for held in self.held(expr, env) for origin in self._given(held)))
+        around, self._members = self._members, set()
+        try:
+            return list(dict.fromkeys(origin for held in self.held(expr, env) for origin in self._given(held)))
+        finally:
+            self._members = around
 
     def makers(self, expr: Expr, env: Env) -> list[Bound] | None:
-        """Return the expressions that may have made an object; None where one of them is not known."""
-        found: list[Bound] = []
-        for held in self.of(expr, env):
-            if held.how == "made" or (held.how == "value" and held.expr in _NULL):
-                continue
-            if held.how != "value" or held.expr is None or held.env is None:
-                return None
-            found.append(Bound(held.expr, held.env))
-        return found
+        """Return the expressions that may have made an object; None where one of them is not known.
+
+        Those of a member are all that its class and its bases assign to it. No further run is needed for either:
+        whoever gets an object may do things with it, and leaves it the one it is.
+        """
+        key = self.folder.flow.effects(env.func).key(expr)
+        is_member = key.startswith(".") and key.count(".") == 1
+        found = self._assigned_to_member(key[1:], env) if is_member else self._made(self.held(expr, env))
+        made = [held for held in dict.fromkeys(found) if held.how != "made" and not _is_null(held)]
+        known = [Bound(held.expr, held.env) for held in made if held.how == "value" and held.expr and held.env]
+        return known if len(known) == len(made) else None
+
+    def _made(self, helds: Iterable[Held]) -> Iterator[Held]:
+        """Yield what variables were given, whatever was done to it since."""
+        pending, seen = list(helds), set[Held]()
+        while pending:
+            held = pending.pop(0)
+            if held.how in {"value", "each"} or not (held.before or held.how in {"given", "shared"}):
+                yield held
+            pending += [before for before in held.before if before not in seen] if held.how != "value" else []
+            seen.update(held.before)
+
+    def _assigned_to_member(self, name: str, env: Env) -> Iterator[Held]:
+        cls = env.this or env.func.cls
+        made = env.made if env.made is not None and env.made.cls is cls else Instance(cls, {}, {}) if cls else None
+        for entry in self.folder.program.ancestry(cls) if cls is not None else ():
+            for func, at in self.folder.scope.members(name, entry):
+                statement = func.fact.body[at]
+                if self.folder.objects.runs(func, env.made):
+                    place = Env(func, at, this=cls, made=made, depth=env.depth + 1)
+                    yield Held("each" if statement.kind == "each" else "value", name, statement.value, place, at)
 
     def _given(self, held: Held) -> tuple[Held, ...]:
         """Where a variable was given what it holds; nothing for what it comes to in a circle."""
@@ -79,6 +107,9 @@ class Origins:
     def _before(self, held: Held, env: Env) -> list[tuple[Held, Env]] | None:
         if held.how in {"looped", "handed", "entered"} or (held.how in {"given", "shared"} and held.before):
             return [(before, env) for before in held.before]
+        if held.how in {"given", "shared"} and (env.this or env.func.cls, held.name) in self._members:
+            self.folder.cuts += 1
+            return []  # what all methods leave it with is among the answers
         if held.how in {"given", "shared"}:
             entered = self.folder.states.entered(held.name, env) if held.how == "given" else None
             return [(entered, env)] if entered is not None else self._around(held.name, env) or None
@@ -90,8 +121,10 @@ class Origins:
         """What a variable holds that the function at hand has not given anything."""
         cls = env.this or env.func.cls
         if key.startswith("."):
-            known = cls is not None and key.count(".") == 1
-            return self.folder.members.sources(key[1:], cls, env) if known and cls is not None else []
+            if cls is None or key.count(".") > 1:
+                return []
+            self._members.add((cls, key))
+            return self.folder.members.sources(key[1:], cls, env)
         given = self.folder.names.argument(key, env)
         if given is None:
             return list(self._assigned(key, env)) if "." not in key else []
@@ -102,6 +135,10 @@ class Origins:
         for entry in self.folder.objects.file_scope.definitions(name, env):
             place = Env(entry.func, entry.at, this=entry.func.cls, depth=env.depth + 1)
             yield Held("value", name, entry.statement.value, place, entry.at), place
+
+
+def _is_null(held: Held) -> bool:
+    return held.how == "value" and held.expr in _NULL
 
 
 def _placed(held: Held, env: Env) -> Held:
