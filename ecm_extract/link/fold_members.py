@@ -216,7 +216,7 @@ class MemberFolder:
 
         Of a class whose objects are not known to be of no derived one, what derived classes do counts too.
         """
-        found = [(held, place) for run, place in self.ends(name, cls, env) for held in _left(run, name)]
+        found = [(held, place) for run, place in self.ends(name, cls, env) for held in self._left(run, name)]
         return found[: MAX_ALTERNATIVES + 1]
 
     def ends(self, name: str, cls: Cls, env: Env) -> Iterator[tuple[Run | None, Env]]:
@@ -229,19 +229,17 @@ class MemberFolder:
                     place = self._method_env(method, cls if entry not in derived else entry, env)
                     yield self.folder.flow.run(place, whole=method.is_constructor), place
 
+    def _left(self, run: Run | None, name: str) -> list[Held]:
+        """What a run leaves a data member with that it gives something."""
+        if run is None:
+            return [Held("lost", name)]
+        key, flow = f".{name}", self.folder.flow
+        helds = dict.fromkeys((*flow.decisions.ways(tuple(run.shown.get(key, ()))), *flow.left(run, key)))
+        return [held for held in helds if held.how not in {"given", "shared"}]
+
     def _method_env(self, method: Func, cls: Cls, env: Env) -> Env:
         made = env.made if env.made is not None and env.made.cls is cls else None
         return Env(method, this=cls, made=made or Instance(cls, {}, {}), depth=env.depth + 1)
-
-
-def _left(run: Run | None, name: str) -> list[Held]:
-    """What a run leaves a data member with that it gives something."""
-    if run is None:
-        return [Held("lost", name)]
-    key = f".{name}"
-    ends = run.end.holds.get(key, ()) if run.end is not None else ()
-    helds = dict.fromkeys((*run.shown.get(key, ()), *ends))
-    return [held for held in helds if held.how not in {"given", "shared"}]
 
 
 def _is_plain(cls: Cls) -> bool:

@@ -67,8 +67,9 @@ class Origins:
             held = pending.pop(0)
             if held.how in {"value", "each"} or not (held.before or held.how in {"given", "shared"}):
                 yield held
-            pending += [before for before in held.before if before not in seen] if held.how != "value" else []
-            seen.update(held.before)
+            before = self.folder.flow.decisions.ways(held.before) if held.how != "value" else ()
+            pending += [each for each in before if each not in seen]
+            seen.update(before)
 
     def _assigned_to_member(self, name: str, env: Env) -> Iterator[Held]:
         cls = env.this or env.func.cls
@@ -106,7 +107,7 @@ class Origins:
 
     def _before(self, held: Held, env: Env) -> list[tuple[Held, Env]] | None:
         if held.how in {"looped", "handed", "entered"} or (held.how in {"given", "shared"} and held.before):
-            return [(before, env) for before in held.before]
+            return [(before, env) for before in self.folder.flow.decisions.ways(held.before)]
         if held.how in {"given", "shared"} and (env.this or env.func.cls, held.name) in self._members:
             self.folder.cuts += 1
             return []  # what all methods leave it with is among the answers

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, Protocol
 
 from ecm_parsers.source.expr import Call, Constant, Expr, Member, Name
@@ -70,7 +70,7 @@ class QosVariables:
         found: Policies = {}
         for part in parts:
             field = part.rpartition(".")[2]
-            for held in state.holds.get(part, ()):
+            for held in self.folder.flow.decisions.ways(state.holds.get(part, ())):
                 known = held.how == "value" and held.expr is not None and held.env is not None
                 told = self.profiles.assigned(field, held.expr, held.env) if known and held.expr and held.env else None
                 found = agreed([found, told]) if field in found and told else found | (told or _unknown(field))
@@ -78,9 +78,10 @@ class QosVariables:
 
     # --- what a variable holds -----------------------------------------------------------------------------
 
-    def _any_of(self, helds: Sequence[Held], env: Env, level: int) -> Policies | None:
+    def _any_of(self, helds: tuple[Held, ...], env: Env, level: int) -> Policies | None:
         """The policies that all things have which a variable may hold; None where not all of them are known."""
-        found = [self._held(held, env, level) for held in helds if not _is_nothing(held)]
+        ways = self.folder.flow.decisions.ways(helds)
+        found = [self._held(held, env, level) for held in ways if not _is_nothing(held)]
         known = [policies for policies in found if policies is not None]
         return agreed(known) if known and len(known) == len(found) else None
 
@@ -111,7 +112,7 @@ class QosVariables:
         if _is_member(key) and cls is not None:
             return self._of_member(key, cls, env, level)
         ways = self.folder.flow.ways(expr, env)
-        return self._any_of(self.folder.origins.held(expr, env), env, level) if not ways else None
+        return self._any_of(tuple(self.folder.origins.held(expr, env)), env, level) if not ways else None
 
     def _of_member(self, key: str, cls: Cls, env: Env, level: int) -> Policies | None:
         """What its constructor makes of a member, or what it is declared with, and what other methods make of that."""
@@ -137,7 +138,7 @@ class QosVariables:
     def _at_end(self, key: str, begun: Policies | None, run: Run | None, place: Env, level: int) -> Policies | None:
         if run is None or run.end is None:
             return dict(UNSEEN) if run is None else None
-        helds = [*run.shown.get(key, ()), *run.end.holds.get(key, ())]
+        helds = (*run.shown.get(key, ()), *self.folder.flow.left(run, key))
         parts = [each for each in run.end.holds if each.startswith(f"{key}.")]
         given = any(held.how not in {"given", "shared"} for held in helds)
         whole = self._any_of(helds, place, level) if given else begun if parts else None
