@@ -111,8 +111,10 @@ class QosVariables:
         cls = env.this or env.func.cls
         if _is_member(key) and cls is not None:
             return self._of_member(key, cls, env, level)
-        ways = self.folder.flow.ways(expr, env)
-        return self._any_of(tuple(self.folder.origins.held(expr, env)), env, level) if not ways else None
+        passed = any(entry.name.lstrip("*") == key for entry in env.func.fact.params)  # who asks knows what for
+        if passed or self.folder.flow.ways(expr, env):
+            return None
+        return self._any_of(tuple(self.folder.origins.held(expr, env)), env, level)
 
     def _of_member(self, key: str, cls: Cls, env: Env, level: int) -> Policies | None:
         """What its constructor makes of a member, or what it is declared with, and what other methods make of that."""
