@@ -131,6 +131,10 @@ class Flow:
         """Return what a run leaves a variable with; nothing where it left it alone, or never ends."""
         return self.decisions.ways(run.end.holds.get(key, ())) if run is not None and run.end is not None else ()
 
+    def shown(self, run: Run, key: str) -> tuple[Held, ...]:
+        """Return what others may find a variable with: while a run calls functions, and when it ends."""
+        return (*self.decisions.ways(tuple(run.shown.get(key, ()))), *self.left(run, key))
+
     def returned(self, run: Run | None) -> list[tuple[int, State]]:
         """Return the `return` statements that a run may get to, with their states."""
         found = run.returns if run is not None else []

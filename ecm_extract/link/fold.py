@@ -24,7 +24,6 @@ from ecm_parsers.source.expr import (
 )
 
 from ecm_extract.infer.compute import NULL, UNKNOWN, shown
-from ecm_extract.link.assignments import Assignments
 from ecm_extract.link.comprehended import Comprehended
 from ecm_extract.link.env import MAX_DEPTH, Env
 from ecm_extract.link.flow import Flow
@@ -45,6 +44,7 @@ from ecm_extract.link.nesting import Nesting
 from ecm_extract.link.object_states import ObjectStates
 from ecm_extract.link.objects import Objects
 from ecm_extract.link.optionals import OptionalFolder
+from ecm_extract.link.origins import Origins
 from ecm_extract.link.outside_variables import OutsideVariables
 from ecm_extract.link.parameter_reads import ParameterReads
 from ecm_extract.link.program import Program
@@ -87,7 +87,7 @@ class Folder:
         self.members = MemberFolder(self)
         self.fields = FieldFolder(self)
         self.calls = CallFolder(self)
-        self.assignments = Assignments(self)
+        self.origins = Origins(self)
         self.lists = ListFolder(self)
         self.comprehended = Comprehended(self)
         self.returns = ReturnFolder(self)
@@ -107,7 +107,7 @@ class Folder:
         self.runs_once = RunsOnce(self)
         self.outside = OutsideVariables(self)
         self.methods = MethodEffects(self)
-        scope.ways, scope.decisions = self.flow.ways, self.flow.decisions
+        scope.ways = self.flow.ways
         self.cuts = 0
         self.cycles = 0
         self.steps = Steps(sum(len(func.fact.body) for group in program.functions.values() for func in group))

@@ -10,6 +10,7 @@ from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.compute import UNKNOWN
 from ecm_extract.infer.held import Held, How, all_ways
+from ecm_extract.link.containers import begins_empty
 from ecm_extract.link.declared_numbers import as_declared
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, bind, invocation_of
 from ecm_extract.link.fold_changes import STREAMS, ChangeFolder
@@ -31,7 +32,6 @@ if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
 
 _TEXTS = STREAMS | {"string", "QString"}
-_CONTAINERS = frozenset({"vector", "map", "unordered_map", "set", "deque", "list", "unordered_set"})
 
 
 class HeldFolder:
@@ -254,8 +254,7 @@ class HeldFolder:
             return self.folder.lists.items(held.expr, inner)
         if held.how == "made":
             statement = _statement(held)
-            last = plain(statement.type).rsplit("::", 1)[-1] if statement is not None else ""
-            return [] if last in _CONTAINERS else None
+            return [] if statement is not None and begins_empty(statement.type) else None
         if held.how in {"given", "shared"}:
             return self._items_at_first(held, env) if not held.before else None
         if held.how == "out":

@@ -12,11 +12,12 @@ from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.held import Held
 from ecm_extract.link.calls import Invocation, Step, construction, dotted_name
+from ecm_extract.link.containers import makes_tuple
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, Instance, bind
 from ecm_extract.link.numbers import as_number, kind_of_type
 from ecm_extract.link.overloads import NO, score
-from ecm_extract.link.pointed import is_only_reached_into, pointed
-from ecm_extract.link.spelling import plain
+from ecm_extract.link.pointed import given_to_pointed, is_only_reached_into, pointed
+from ecm_extract.link.spelling import last_name, plain
 from ecm_extract.link.units import Cls, Func
 from ecm_extract.link.values import Value, alternatives, constant, demoted, literal, parameter, unknown
 
@@ -25,7 +26,6 @@ if TYPE_CHECKING:
 
 _PAIR: Final = ("first", "second")
 _GET: Final = "std::get"
-_TUPLES: Final = frozenset({"std::make_pair", "std::make_tuple", "std::pair", "std::tuple"})
 _DECLARED: Final = frozenset({"made", "given", "shared"})
 """Ways to hold an object that say nothing of its fields: it is as it was declared, here or elsewhere."""
 
@@ -164,13 +164,13 @@ class StructureFolder:
             return None
         if isinstance(made, Items):
             return [Bound(item, bound.env) for item in made.items]
-        if dotted_name(made.callee) in _TUPLES and made.args:
+        if makes_tuple(made) and made.args:
             return [Bound(item, bound.env) for item in made.args]
         cls = self._class_called(made, bound.env)
         if cls is None or any(method.is_constructor for method in cls.methods):
             return None
         named = [Op(".=", (Name(key), value)) for key, value in made.keywords]
-        return [Bound(item, bound.env) for item in (*made.args, *named)]
+        return [Bound(item, bound.env) for item in (*_given(made), *named)]
 
     def _origin(self, expr: Expr, env: Env) -> Bound | None:
         """Return the expression that makes an object, through the variables that it is handed on by."""
@@ -207,8 +207,13 @@ class StructureFolder:
 def _construction(cls: Cls, made: Items | Call, env: Env) -> Invocation:
     """The call of a constructor: braces and parentheses say the same."""
     step = Step(env.func, env.at, Statement("do", cls.fact.line, None))
-    call = construction(step, cls.fact.name, made.items if isinstance(made, Items) else made.args, cls.fact.line)
+    call = construction(step, cls.fact.name, made.items if isinstance(made, Items) else _given(made), cls.fact.line)
     return call if isinstance(made, Items) else msgspec.structs.replace(call, keywords=made.keywords)
+
+
+def _given(made: Call) -> tuple[Expr, ...]:
+    """What the constructor gets of the arguments of a call that makes an object."""
+    return given_to_pointed(last_name(dotted_name(made.callee)), made.args)
 
 
 def _named(parts: Sequence[Bound]) -> Iterator[tuple[str, Bound]]:
