@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Set
 from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 from ecm_parsers.source.expr import Call, Expr
 
 from ecm_extract.infer.effects import Targets
-from ecm_extract.infer.held import Held
+from ecm_extract.infer.held import Held, State
 from ecm_extract.infer.outline import Outline
 
 if TYPE_CHECKING:
@@ -52,6 +52,15 @@ class Judge(Targets, Protocol):
 
     def is_followed(self, name: str, func: Func) -> bool:
         """Tell whether a function is the only one that changes a variable outside of functions, and runs once."""
+
+    def lasting_at(self, func: Func, at: int) -> Set[str]:
+        """Return the variables that outlive a call, by key, which the calls of a statement may change."""
+
+    def lasting_after(self, env: Env, state: State) -> Mapping[str, tuple[Held, ...]]:
+        """Return what the calls of a statement leave such variables with."""
+
+    def lasting_before(self, key: str, env: Env) -> tuple[Held, ...] | None:
+        """Return what such a variable holds when a function begins; None of others, and where that is not known."""
 
     def runs_once(self, func: Func) -> bool:
         """Tell whether no program runs a function more than once."""

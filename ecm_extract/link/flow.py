@@ -154,6 +154,9 @@ class Flow:
         key = effects.key(expr)
         if not key:
             return []
+        lasting = self.folder.lasting_states.at(key, env)
+        if lasting is not None:
+            return lasting
         if env.state is None and not self._may_differ(key, env):
             return self._entered(key, env)
         states = self.states(env)
@@ -288,7 +291,19 @@ class Flow:
 
     def is_followed(self, name: str, func: Func) -> bool:
         """Tell whether a function is the only one that changes a variable outside of functions, and runs once."""
-        return self.folder.outside.is_followed(name, func)
+        return self.folder.outside.is_followed(name, func) or self.folder.lasting.named(name, func) is not None
+
+    def lasting_at(self, func: Func, at: int) -> Set[str]:
+        """Return the variables that outlive a call, by key, which the calls of a statement may change."""
+        return self.folder.lasting.changed_at(func, at)
+
+    def lasting_after(self, env: Env, state: State) -> Mapping[str, tuple[Held, ...]]:
+        """Return what the calls of a statement leave such variables with."""
+        return self.folder.lasting_states.changed(env, state)
+
+    def lasting_before(self, key: str, env: Env) -> tuple[Held, ...] | None:
+        """Return what such a variable holds when a function begins; None of others, and where that is not known."""
+        return self.folder.lasting_states.entered(key, env)
 
     def runs_once(self, func: Func) -> bool:
         """Tell whether no program runs a function more than once."""

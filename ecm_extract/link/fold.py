@@ -39,6 +39,8 @@ from ecm_extract.link.fold_returns import ReturnFolder
 from ecm_extract.link.fold_streams import StreamFolder
 from ecm_extract.link.fold_tables import TableFolder
 from ecm_extract.link.fold_texts import TextFolder
+from ecm_extract.link.lasting import LastingVariables
+from ecm_extract.link.lasting_states import LastingStates
 from ecm_extract.link.list_changes import ListChanges
 from ecm_extract.link.method_effects import MethodEffects
 from ecm_extract.link.object_states import ObjectStates
@@ -104,6 +106,8 @@ class Folder:
         self.shifting = Shifting(self)
         self.runs_once = RunsOnce(self)
         self.outside = OutsideVariables(self)
+        self.lasting = LastingVariables(self)
+        self.lasting_states = LastingStates(self)
         self.methods = MethodEffects(self)
         scope.ways = self.flow.ways
         self.cuts = 0

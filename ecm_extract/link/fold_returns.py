@@ -95,8 +95,9 @@ class ReturnFolder:
     def entered(self, callee: Func, call: Invocation, args: Mapping[str, Bound], env: Env) -> Env:
         """Return the place of evaluation at the entry of a called function."""
         outer = env if self.folder.flow.enclosing(callee) is env.func else None
+        led = self.folder.lasting_states.led(callee, call, env)
         if callee.cls is None and "lambda" not in callee.fact.traits:
-            return Env(callee, 0, args, depth=env.depth + 1, outer=outer)
+            return Env(callee, 0, args, depth=env.depth + 1, outer=outer, call=led)
         if is_own(call.receiver):
             this, made = env.this or env.func.cls or callee.cls, env.made
             caller = Bound(THIS, env) if self.folder.methods.depends(callee, this) else None
@@ -105,7 +106,7 @@ class ReturnFolder:
             this = made.cls if made is not None else callee.cls
             follows = made is not None and self.folder.methods.depends(callee, this)
             caller = Bound(call.receiver, env) if follows and call.receiver is not None else None
-        return Env(callee, 0, args, this=this, made=made, depth=env.depth + 1, outer=outer, caller=caller)
+        return Env(callee, 0, args, this=this, made=made, depth=env.depth + 1, outer=outer, caller=caller, call=led)
 
 
 def _takes(func: Func, kinds: Sequence[str]) -> bool:

@@ -66,9 +66,24 @@ class OutsideVariables:
         watched = any(_is_given_out(func, written, const=True) for func, written in means)
         return None if found and watched else frozenset(found)
 
+    def written(self, variable: Stated) -> Mapping[Func, str] | None:
+        """Return the functions that name a variable, with its key there; None where it has other names as well."""
+        means = [entry for entry in self._mentions.get(variable.constant.name, ()) if self._may_mean(*entry, variable)]
+        if variable.constant.name in self._referred or any(_is_given_out(*entry, const=True) for entry in means):
+            return None
+        found = {func: self.folder.flow.effects(func).key(Name(written)) for func, written in means}
+        return found if len(found) == len(means) else None
+
+    def _is_hidden(self, func: Func, written: str) -> bool:
+        """Whether a function, or one that it is declared in, has a variable of its own of that name."""
+        around: Func | None = func
+        while around is not None and written not in self.folder.flow.effects(around).own:
+            around = self.folder.flow.enclosing(around) if "lambda" in around.fact.traits else None
+        return around is not None
+
     def _may_mean(self, func: Func, written: str, variable: Stated) -> bool:
         """Whether a name in a function may mean a variable: what is declared here may be defined in another file."""
-        own = written in self.folder.flow.effects(func).own
+        own = self._is_hidden(func, written)
         if own or self.folder.scope.member_type(written, func.cls):
             return False
         meant = self._meant(written, func)

@@ -74,6 +74,7 @@ class Sites:
             self.calls[name].append(call)
         self._calls_of = CallTargets(self.folder, self.calls, self._place)
         self.folder.states.callers.find = self._calling
+        self.folder.lasting.find()
         matcher.undeclared.makers = self._making
 
     def find(self, parameters: bool) -> list[Site]:
