@@ -118,12 +118,13 @@ class LastingStates:
         calls = env.func.calls[env.at] if env.at < len(env.func.calls) else ()
         alike = (call for call in calls if call.args == made.args)
         found = [call for call in alike if invocation_of(call, env).path == made.path]
+        found = self._perhaps_made(found, env) if len(found) > 1 else found
         return Bound(found[0], env) if len(found) == 1 else None
 
     def _before_call(self, variable: Lasting, came: Bound, env: Env) -> Ways | None:
         """What a variable holds where a call begins: at its statement, after those that make its arguments."""
         place, call = came.env.deeper(env.depth + 1), came.expr
-        changing = variable.changed_by(place.func, place.at)
+        changing = self._perhaps_made(variable.changed_by(place.func, place.at), place)
         within = [each for each in changing if each is not call and _is_within(each, call)]
         outer = [each for each in changing if each is call or _is_within(call, each)]
         ways = self._at(variable, place)
@@ -140,19 +141,22 @@ class LastingStates:
 
     def _after_all(self, variable: Lasting, calls: Sequence[Call], before: Ways, env: Env) -> Ways | None:
         """What calls of one statement leave; None where their order is not known."""
-        if not all(_is_within(one, other) for one, other in zip(calls, calls[1:], strict=False)):
+        made = self._perhaps_made(calls, env)
+        if not all(_is_within(one, other) for one, other in zip(made, made[1:], strict=False)):
             return None
         ways: Ways | None = before
-        for call in calls:
+        for call in made:
             ways = self._after(variable.key_in(env.func), call, ways, env) if ways is not None else None
         return ways
 
+    def _perhaps_made(self, calls: Sequence[Call], env: Env) -> list[Call]:
+        """The calls of a statement without those on the sides of choices that are not taken."""
+        value = env.func.fact.body[env.at].value
+        return [call for call in calls if self._happens(call, value, env) is not False]
+
     def _after(self, key: str, call: Call, before: Ways, env: Env) -> Ways | None:
-        happens = self._happens(call, env.func.fact.body[env.at].value, env)
-        if happens is False:
-            return before
         held = Held("after", key, call, env, env.at, before=before)
-        ways = (held,) if happens else (*before, held)
+        ways = (held,) if self._happens(call, env.func.fact.body[env.at].value, env) else (*before, held)
         return ways if len(ways) <= MAX_WAYS else None
 
     def _happens(self, call: Call, expr: Expr | None, env: Env) -> bool | None:
