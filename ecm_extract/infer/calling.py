@@ -52,7 +52,7 @@ class Calling:
         """Whether functions that are called may change a variable that is neither the function's own nor a member."""
         if key.startswith(".") or not self.memory.is_open(key):
             return False
-        return not self.frame.judge.is_followed(key.partition(".")[0], self.frame.env.func)
+        return not self.frame.judge.is_followed(key, self.frame.env.func)
 
     def _methods(self, at: int, calls: Sequence[Call], env: Env, state: State) -> State:
         """The state after methods of the object at hand, or of objects that the function made."""

@@ -50,8 +50,8 @@ class Judge(Targets, Protocol):
     def members_changed(self, call: Call, env: Env) -> Mapping[str, str] | None:
         """Return the members that a call of a method may change, each with its key there; None if that is unknown."""
 
-    def is_followed(self, name: str, func: Func) -> bool:
-        """Tell whether a function is the only one that changes a variable outside of functions, and runs once."""
+    def is_followed(self, key: str, func: Func) -> bool:
+        """Tell whether it is known who changes a variable outside of functions, or a field of one, and when."""
 
     def lasting_at(self, func: Func, at: int) -> Set[str]:
         """Return the variables that outlive a call, by key, which the calls of a statement may change."""

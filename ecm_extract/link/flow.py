@@ -257,11 +257,10 @@ class Flow:
         return False
 
     def is_outside(self, name: str, func: Func) -> bool:
-        """Tell whether a name in a method of C++ means a variable of a namespace."""
+        """Tell whether a name in a method of C++, or in a lambda of one, means a variable of a namespace."""
         program = self.folder.program
-        if func.cls is None or name.rpartition("::")[2] not in program.constants:
-            return False
-        if any(name in entry.fields for entry in program.ancestry(func.cls)):
+        cls = self.object_of(func) if name.rpartition("::")[2] in program.constants else None
+        if cls is None or any(name in entry.fields for entry in program.ancestry(cls)):
             return False
         return self.folder.scope.constant(name, Env(func)) is not None
 
@@ -289,9 +288,10 @@ class Flow:
         """Return the members that a call of a method may change; None where that is not known."""
         return self.folder.methods.changed(call, env)
 
-    def is_followed(self, name: str, func: Func) -> bool:
-        """Tell whether a function is the only one that changes a variable outside of functions, and runs once."""
-        return self.folder.outside.is_followed(name, func) or self.folder.lasting.named(name, func) is not None
+    def is_followed(self, key: str, func: Func) -> bool:
+        """Tell whether it is known who changes a variable outside of functions, or a field of one, and when."""
+        alone = self.folder.outside.is_followed(key.partition(".")[0], func)
+        return alone or self.folder.lasting.named(key, func) is not None
 
     def lasting_at(self, func: Func, at: int) -> Set[str]:
         """Return the variables that outlive a call, by key, which the calls of a statement may change."""

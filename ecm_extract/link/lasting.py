@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import Call, Expr, Name
+from ecm_parsers.source.facts import Constant
 from ecm_parsers.source.flow import Block, Branch, Loop, Switch, blocks
 
 from ecm_extract.infer.held import Held
@@ -120,23 +121,46 @@ class LastingVariables:
         return changed and begins and alone and at in outline.certain and "reference" not in func.fact.traits
 
     def _stated(self, file: File) -> Iterator[Lasting]:
-        """The variables of namespaces of a file that functions change as a whole."""
+        """The variables of namespaces of a file that functions change as a whole, and the fields of others."""
         for constant in file.facts.constants:
-            stated = Stated(file, constant)
-            written = self.folder.outside.written(stated) if constant.value is not None else None
-            if written and self._are_whole(written):
+            written = self.folder.outside.written(Stated(file, constant))
+            parts = self._parts(written) if written else set()
+            if written and parts:
                 place = self.folder.names.at_file(file, Env(next(iter(written))))
-                first = Held("value", constant.name, constant.value, place)
-                changing = {func for func, key in written.items() if self._changes(func, key)}
-                yield from self._followed(f"{_MARK}{constant.scope}::{constant.name}", first, changing, written)
+                for part in sorted(parts):
+                    yield from self._one(constant, part, written, place)
+
+    def _one(self, constant: Constant, part: str, written: Mapping[Func, str], place: Env) -> Iterator[Lasting]:
+        """A variable, or a field of it: `part` is empty, or the name of the field behind a dot."""
+        first = self._first(constant, part, place)
+        keys = {func: f"{key}{part}" for func, key in written.items()}
+        changing = {func for func, key in keys.items() if self._changes(func, key)}
+        if first is not None:
+            mark = f"{_MARK}{constant.scope}::{constant.name}::{part.removeprefix('.')}"
+            yield from self._followed(mark, first, changing, keys)
+
+    def _first(self, constant: Constant, part: str, place: Env) -> Held | None:
+        """What a variable, or a field of one that is declared without a value, begins with."""
+        if not part:
+            return Held("value", constant.name, constant.value, place) if constant.value is not None else None
+        cls = self.folder.objects.class_written(constant.type, place) if constant.value is None else None
+        plain = cls is not None and not cls.fact.bases and not cls.methods
+        field = cls.fields.get(part.removeprefix(".")) if cls is not None and plain else None
+        return Held("value", part, field.default, place) if field is not None and field.default is not None else None
 
     def _changes(self, func: Func, key: str) -> bool:
         return key in self.folder.flow.outline(func).changes and not self.folder.runs_once.never(func)
 
-    def _are_whole(self, written: Mapping[Func, str]) -> bool:
-        outlines = [(self.folder.flow.outline(func), key) for func, key in written.items()]
-        parts = any(each.startswith(f"{key}.") for outline, key in outlines for each in outline.changes)
-        return not parts and any(self._changes(*entry) for entry in written.items())
+    def _parts(self, written: Mapping[Func, str]) -> set[str]:
+        """What functions change of a variable: its fields, or all of it; nothing where they do both."""
+        found = {
+            each.removeprefix(key)
+            for func, key in written.items()
+            for each in self.folder.flow.outline(func).changes
+            if each == key or each.startswith(f"{key}.")
+        }
+        mixed = ("" in found and len(found) > 1) or any(part.count(".") > 1 for part in found)
+        return set() if mixed else found
 
     # --- who -----------------------------------------------------------------------------------------------
 
