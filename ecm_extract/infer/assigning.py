@@ -47,7 +47,7 @@ class Assigning:
     def _from_before(self, target: Expr | None, state: State) -> State:
         """A variable that is kept between calls: what it begins with, or what a call before has left it with."""
         key = self.frame.effects.key(target)
-        entered = self.frame.judge.lasting_before(key, self.frame.env)
+        entered = self.frame.judge.lasting.entered(key, self.frame.env)
         if entered is not None:
             return state.having({key: entered})
         given_out = "reference" in self.frame.env.func.fact.traits

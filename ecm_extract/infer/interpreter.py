@@ -152,7 +152,7 @@ class Interpreter:
         raises = self.exits.catches and self._may_raise(statement)
         env = self.frame.place(self._raising(raises, state))
         if raises:  # somewhere on the way through what it calls
-            self.exits.may_raise(self.memory.lost(state, self.frame.judge.lasting_at(self.frame.env.func, at)))
+            self.exits.may_raise(self.memory.lost(state, self.frame.judge.lasting.keys(self.frame.env.func, at)))
         before, state = state, self._read(at, env, self.calling.after(at, state, env))
         if statement.kind == "return":
             self.exits.returned(at, self.calling.undone(at, before, state), state)

@@ -23,8 +23,25 @@ class Verdict(NamedTuple):
     likely: bool | None
 
 
+class Lasting(Protocol):
+    """Who follows variables that outlive a call."""
+
+    def keys(self, func: Func, at: int) -> Set[str]:
+        """Return those, by key, that the calls of a statement may change."""
+
+    def changed(self, env: Env, state: State) -> Mapping[str, tuple[Held, ...]]:
+        """Return what the calls of a statement leave them with, by key."""
+
+    def entered(self, key: str, env: Env) -> tuple[Held, ...] | None:
+        """Return what one holds when a function begins; None of other variables, and where that is not known."""
+
+
 class Judge(Targets, Protocol):
     """Who evaluates expressions for a run."""
+
+    @property
+    def lasting(self) -> Lasting:
+        """Who follows variables that outlive a call."""
 
     def truth(self, test: Expr, env: Env) -> bool | None:
         """Tell whether a condition holds; None when that is not decided."""
@@ -52,15 +69,6 @@ class Judge(Targets, Protocol):
 
     def is_followed(self, key: str, func: Func) -> bool:
         """Tell whether it is known who changes a variable outside of functions, or a field of one, and when."""
-
-    def lasting_at(self, func: Func, at: int) -> Set[str]:
-        """Return the variables that outlive a call, by key, which the calls of a statement may change."""
-
-    def lasting_after(self, env: Env, state: State) -> Mapping[str, tuple[Held, ...]]:
-        """Return what the calls of a statement leave such variables with."""
-
-    def lasting_before(self, key: str, env: Env) -> tuple[Held, ...] | None:
-        """Return what such a variable holds when a function begins; None of others, and where that is not known."""
 
     def runs_once(self, func: Func) -> bool:
         """Tell whether no program runs a function more than once."""

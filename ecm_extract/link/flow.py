@@ -25,6 +25,7 @@ from ecm_extract.link.units import Cls, File, Func
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
+    from ecm_extract.link.lasting_states import LastingStates
 
 MAX_WITHIN = 100
 """Runs that one run leads to, directly or through others."""
@@ -55,6 +56,11 @@ class Flow:
         self._truths = Truths(folder, self.outline)
         self._changes: dict[tuple[Func, str], bool] = {}
         self._inner: dict[File, Mapping[str, list[Func]]] = {}
+
+    @property
+    def lasting(self) -> LastingStates:
+        """Who follows variables that outlive a call."""
+        return self.folder.lasting_states
 
     @property
     def running(self) -> Collection[Func]:
@@ -154,7 +160,7 @@ class Flow:
         key = effects.key(expr)
         if not key:
             return []
-        lasting = self.folder.lasting_states.at(key, env)
+        lasting = self.lasting.at(key, env)
         if lasting is not None:
             return lasting
         if env.state is None and not self._may_differ(key, env):
@@ -241,20 +247,8 @@ class Flow:
         known = self._changes.get(key)
         if known is None:
             self._changes[key] = True  # who asks in a circle is told that it may
-            known = self._changes[key] = self._may_change(func, name)
+            known = self._changes[key] = self.effects(func).may_change(name)
         return known
-
-    def _may_change(self, func: Func, name: str) -> bool:
-        effects = self.effects(func)
-        for at, statement in enumerate(func.fact.body):
-            if any(effect.key == name for effect in effects.of(at)):
-                return True
-            within = effects.root(statement.target) == name and effects.key(statement.target) != name
-            grown = effects.key(statement.target) == name and statement.type.endswith("=")
-            kept = statement.kind in {"set", "return"} and effects.key(statement.value) == name
-            if within or grown or kept:
-                return True
-        return False
 
     def is_outside(self, name: str, func: Func) -> bool:
         """Tell whether a name in a method of C++, or in a lambda of one, means a variable of a namespace."""
@@ -292,18 +286,6 @@ class Flow:
         """Tell whether it is known who changes a variable outside of functions, or a field of one, and when."""
         alone = self.folder.outside.is_followed(key.partition(".")[0], func)
         return alone or self.folder.lasting.named(key, func) is not None
-
-    def lasting_at(self, func: Func, at: int) -> Set[str]:
-        """Return the variables that outlive a call, by key, which the calls of a statement may change."""
-        return self.folder.lasting.changed_at(func, at)
-
-    def lasting_after(self, env: Env, state: State) -> Mapping[str, tuple[Held, ...]]:
-        """Return what the calls of a statement leave such variables with."""
-        return self.folder.lasting_states.changed(env, state)
-
-    def lasting_before(self, key: str, env: Env) -> tuple[Held, ...] | None:
-        """Return what such a variable holds when a function begins; None of others, and where that is not known."""
-        return self.folder.lasting_states.entered(key, env)
 
     def runs_once(self, func: Func) -> bool:
         """Tell whether no program runs a function more than once."""

@@ -164,9 +164,7 @@ class LastingVariables:
 
     # --- who -----------------------------------------------------------------------------------------------
 
-    def _followed(
-        self, key: str, first: Held, changing: set[Func], written: Mapping[Func, str]
-    ) -> Iterator[Lasting]:
+    def _followed(self, key: str, first: Held, changing: set[Func], written: Mapping[Func, str]) -> Iterator[Lasting]:
         leading = self._leading(changing)
         if leading is not None:
             yield Lasting(key, first, leading, written)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Mapping, Sequence
+from collections.abc import Hashable, Mapping, Sequence, Set
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import Call, Expr, Op
@@ -45,6 +46,10 @@ class LastingStates:
         """Return what a variable holds when the function at a place begins; None where that is not known."""
         variable = self.folder.lasting.named(key, env.func)
         return self._entered(variable, env) if variable is not None else None
+
+    def keys(self, func: Func, at: int) -> Set[str]:
+        """Return the variables, by key, that the calls of a statement may change."""
+        return self.folder.lasting.changed_at(func, at)
 
     def changed(self, env: Env, state: State) -> Mapping[str, Ways]:
         """Return what the calls of a statement leave variables with that they may change, by their keys."""
@@ -142,7 +147,7 @@ class LastingStates:
     def _after_all(self, variable: Lasting, calls: Sequence[Call], before: Ways, env: Env) -> Ways | None:
         """What calls of one statement leave; None where their order is not known."""
         made = self._perhaps_made(calls, env)
-        if not all(_is_within(one, other) for one, other in zip(made, made[1:], strict=False)):
+        if not all(_is_within(one, other) for one, other in pairwise(made)):
             return None
         ways: Ways | None = before
         for call in made:

@@ -203,7 +203,6 @@ class StructureFolder:
             return None
         return Bound(held.expr, held.env)
 
-
     def _of_name(self, expr: Name, env: Env) -> Bound | None:
         """What is passed for a parameter, or what a variable of a namespace is declared with that nobody changes."""
         given = env.args.get(expr.id)

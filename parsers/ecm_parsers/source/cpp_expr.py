@@ -51,7 +51,9 @@ class ExprReader:
         called: called with each lambda that is called where it stands; gives the function that it is read as.
     """
 
-    def __init__(self, data: bytes, inline: Callable[[Node], None], called: Callable[[Node], str] | None = None) -> None:
+    def __init__(
+        self, data: bytes, inline: Callable[[Node], None], called: Callable[[Node], str] | None = None
+    ) -> None:
         self.data = data
         self.inline = inline
         self.called = called

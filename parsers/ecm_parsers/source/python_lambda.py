@@ -55,7 +55,9 @@ def _name(scan: Scan, node: Node) -> str:
 
 
 def _is_handed(scan: Scan, parent: Node) -> bool:
-    """Whether what a lambda stands in are the arguments of a function, or of a method of the object at hand."""
+    """Whether a lambda in a function is an argument of a function, or of a method of the object at hand."""
+    if scan.frame.place != "function":
+        return False
     listed = parent.parent if parent.type == "keyword_argument" else parent
     call = listed.parent if listed is not None and listed.type == "argument_list" else None
     callee = call.child_by_field_name("function") if call is not None else None
