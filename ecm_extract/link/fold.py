@@ -48,6 +48,7 @@ from ecm_extract.link.objects import Objects
 from ecm_extract.link.optionals import OptionalFolder
 from ecm_extract.link.outside_variables import OutsideVariables
 from ecm_extract.link.parameter_reads import ParameterReads
+from ecm_extract.link.part_objects import PartObjects
 from ecm_extract.link.program import Program
 from ecm_extract.link.runs_once import RunsOnce
 from ecm_extract.link.scope import Scope
@@ -103,6 +104,7 @@ class Folder:
         self.held = HeldFolder(self)
         self.flow = Flow(self)
         self.states = ObjectStates(self)
+        self.parts = PartObjects(self)
         self.shifting = Shifting(self)
         self.runs_once = RunsOnce(self)
         self.outside = OutsideVariables(self)

@@ -23,6 +23,7 @@ from ecm_extract.link.values import (
     node_name,
     node_namespace,
     unknown,
+    without_defaults,
 )
 
 if TYPE_CHECKING:
@@ -49,6 +50,8 @@ class ReturnFolder:
         if not found or len(found) > MAX_RETURNS:
             return (unknown(call.last),)
         values = [value for expr, place in found for value in self.folder.fold(expr, place)]
+        if call.receiver is not None and not is_own(call.receiver):
+            values = [without_defaults(value) for value in values]  # who made that object may have said otherwise
         open_ = self.may_be_overridden(callee, call, env)
         listed = _beside_joined(values)
         return alternatives(demoted((*listed, *([unknown(call.last)] if open_ else []))))
