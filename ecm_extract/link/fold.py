@@ -39,6 +39,7 @@ from ecm_extract.link.fold_returns import ReturnFolder
 from ecm_extract.link.fold_streams import StreamFolder
 from ecm_extract.link.fold_tables import TableFolder
 from ecm_extract.link.fold_texts import TextFolder
+from ecm_extract.link.given_fields import GivenFields
 from ecm_extract.link.lasting import LastingVariables
 from ecm_extract.link.lasting_states import LastingStates
 from ecm_extract.link.list_changes import ListChanges
@@ -105,6 +106,7 @@ class Folder:
         self.flow = Flow(self)
         self.states = ObjectStates(self)
         self.parts = PartObjects(self)
+        self.given_fields = GivenFields(self)
         self.shifting = Shifting(self)
         self.runs_once = RunsOnce(self)
         self.outside = OutsideVariables(self)

@@ -31,8 +31,20 @@ class PartObjects:
             return None
         if isinstance(expr, Call):
             return self.folder.states.constructor(expr, env) or self._returned(expr, env)
+        name = self._member(expr, env)
+        return self._of_member(name, env) if name else None
+
+    def _member(self, expr: Expr | None, env: Env) -> str:
+        """The member of the object at hand that an expression is, in a lambda that of the method around it."""
         key = self.folder.flow.effects(env.func).key(expr)
-        return self._of_member(key[1:], env) if key.startswith(".") and key.count(".") == 1 else None
+        if key.startswith("."):
+            return key[1:] if key.count(".") == 1 else ""
+        around = env.func if isinstance(expr, Name) and "lambda" in env.func.fact.traits else None
+        while around is not None and key not in self.folder.flow.effects(around).own:
+            if around.cls is not None:
+                return key
+            around = self.folder.flow.enclosing(around)
+        return ""
 
     def _returned(self, expr: Call, env: Env) -> Env | None:
         """What makes the object that a function of the tree returns."""
@@ -47,7 +59,7 @@ class PartObjects:
     # --- members -------------------------------------------------------------------------------------------
 
     def _of_member(self, name: str, env: Env) -> Env | None:
-        owner = env.this or env.func.cls
+        owner = env.this or self.folder.flow.object_of(env.func)
         cls = self._class_of(name, owner, env)
         if owner is None or cls is None or not self._is_steady(name, cls, owner):
             return None
