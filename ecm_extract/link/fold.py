@@ -44,6 +44,7 @@ from ecm_extract.link.lasting import LastingVariables
 from ecm_extract.link.lasting_states import LastingStates
 from ecm_extract.link.list_changes import ListChanges
 from ecm_extract.link.method_effects import MethodEffects
+from ecm_extract.link.nesting import Nesting
 from ecm_extract.link.object_states import ObjectStates
 from ecm_extract.link.objects import Objects
 from ecm_extract.link.optionals import OptionalFolder
@@ -103,6 +104,7 @@ class Folder:
         self.operators = OperatorFolder(self)
         self.streams = StreamFolder(self)
         self.held = HeldFolder(self)
+        self.nesting = Nesting(program)
         self.flow = Flow(self)
         self.states = ObjectStates(self)
         self.parts = PartObjects(self)
@@ -113,7 +115,7 @@ class Folder:
         self.lasting = LastingVariables(self)
         self.lasting_states = LastingStates(self)
         self.methods = MethodEffects(self)
-        scope.ways = self.flow.ways
+        scope.ways, scope.decisions = self.flow.ways, self.flow.decisions
         self.cuts = 0
         self.cycles = 0
         self.steps = Steps(sum(len(func.fact.body) for group in program.functions.values() for func in group))

@@ -1,4 +1,4 @@
-"""Fields of C++ objects that others than their methods give something: who makes an object in braces, or assigns one."""
+"""Fields of C++ objects that others than methods give something: who makes an object in braces, or assigns one."""
 
 from __future__ import annotations
 

@@ -192,8 +192,8 @@ class LastingVariables:
         if odd or not self._has_main(func.file) or any(_called(call) == fact.name for at in func.calls for call in at):
             return False
         if "lambda" in fact.traits:
-            outer = self.folder.flow.enclosing(func)
-            return outer is not None and func in called_by_name(outer, self.folder.flow.inner(outer))
+            outer = self.folder.nesting.enclosing(func)
+            return outer is not None and func in called_by_name(outer, self.folder.nesting.inner(outer))
         callers = self.folder.states.callers
         hosted = func.cls is not None and callers.may_be_called_outside(fact.name, func.cls)
         return not hosted and not callers.is_handed(func) and fact.name not in once.called_by_declarations

@@ -74,20 +74,21 @@ class LastingStates:
         inner = self.folder.returns.entered(callee, call, bind(callee, call, env), env)
         if callee not in variable.changing:
             return held.before, env
-        run = self.folder.flow.run(inner)
+        flow = self.folder.flow
+        run = flow.run(inner)
         if run is None or run.end is None:
             return None
-        return run.end.holds.get(variable.key_in(callee)) or held.before, inner
+        ways = flow.left(run, variable.key_in(callee))
+        return (ways, inner) if ways else (held.before, env)
 
     # --- places --------------------------------------------------------------------------------------------
 
     def _at(self, variable: Lasting, env: Env) -> list[Ways] | None:
-        states = self.folder.flow.states(env)
-        live = [state for state in states if state.live] or states
+        flow = self.folder.flow
         key = variable.key_in(env.func)
         found: list[Ways] = []
-        for state in live:
-            ways = state.holds.get(key) or self._entered(variable, env)
+        for state in flow.states(env):
+            ways = flow.decisions.ways(state.holds.get(key, ())) or self._entered(variable, env)
             if ways is None:
                 return None
             found.append(ways)
@@ -112,7 +113,7 @@ class LastingStates:
         made = self.folder.runs_once.only_call(func)
         if made is None:
             return None
-        return self._call_at(made, Env(made.func, made.at, this=self.folder.flow.object_of(made.func)))
+        return self._call_at(made, Env(made.func, made.at, this=self.folder.nesting.object_of(made.func)))
 
     def led(self, callee: Func, call: Invocation, env: Env) -> Bound | None:
         """Return the call that leads to a function, with its place, where what that does depends on it."""

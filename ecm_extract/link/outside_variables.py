@@ -78,7 +78,7 @@ class OutsideVariables:
         """Whether a function, or one that it is declared in, has a variable of its own of that name."""
         around: Func | None = func
         while around is not None and written not in self.folder.flow.effects(around).own:
-            around = self.folder.flow.enclosing(around) if "lambda" in around.fact.traits else None
+            around = self.folder.nesting.enclosing(around) if "lambda" in around.fact.traits else None
         return around is not None
 
     def _may_mean(self, func: Func, written: str, variable: Stated) -> bool:

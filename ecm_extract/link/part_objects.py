@@ -43,7 +43,7 @@ class PartObjects:
         while around is not None and key not in self.folder.flow.effects(around).own:
             if around.cls is not None:
                 return key
-            around = self.folder.flow.enclosing(around)
+            around = self.folder.nesting.enclosing(around)
         return ""
 
     def _returned(self, expr: Call, env: Env) -> Env | None:
@@ -59,7 +59,7 @@ class PartObjects:
     # --- members -------------------------------------------------------------------------------------------
 
     def _of_member(self, name: str, env: Env) -> Env | None:
-        owner = env.this or self.folder.flow.object_of(env.func)
+        owner = env.this or self.folder.nesting.object_of(env.func)
         cls = self._class_of(name, owner, env)
         if owner is None or cls is None or not self._is_steady(name, cls, owner):
             return None
@@ -95,7 +95,7 @@ class PartObjects:
             program = self.folder.program
             lineage = (*program.ancestry(owner), *program.derived(owner))
             changing = [method for entry in lineage for method in self.folder.scope.changing(name, entry)]
-            inner = [func for method in changing for func in (method, *self.folder.flow.inner(method))]
+            inner = [func for method in changing for func in (method, *self.folder.nesting.inner(method))]
             calm = all(self._leaves(name, cls, func) for func in inner)
             outside = self.folder.states.callers.may_be_written_outside(name, changing[0]) if changing else False
             known = self._steady[owner, name] = calm and not outside
