@@ -199,8 +199,13 @@ class MemberFolder:
         if default is None:
             return ()
         values = demoted(self.folder.fold(default, Env(env.func, depth=env.depth + 1, this=cls)))
-        assigned = cls.file.language == "python" and self.folder.scope.is_assigned_outside(name, "python")
-        return alternatives((*values, unknown(name))) if assigned else values
+        return alternatives((*values, unknown(name))) if self._is_given(name, cls) else values
+
+    def _is_given(self, name: str, cls: Cls) -> bool:
+        """Whether others than the methods of a class give a member of some object of it something."""
+        if cls.file.language == "python":
+            return self.folder.scope.is_assigned_outside(name, "python")
+        return self.folder.given_fields.is_given(name, cls)
 
     def _defined_outside(self, name: str, cls: Cls) -> Expr | None:
         """What a static member of C++ is defined with outside of its class: `double Sensor::limit = 0.5;`."""

@@ -98,6 +98,10 @@ class MethodEffects:
             self._known[asked] = self._reached(func, this)
         return self._known[asked]
 
+    def leaves(self, func: Func, this: Cls) -> bool:
+        """Tell whether a method changes no member of its object, through none of the methods that it calls either."""
+        return self._members(func, this) == frozenset()
+
     def depends(self, func: Func, this: Cls | None) -> bool:
         """Tell whether what a method does depends on when it is called: on members that are given several things."""
         asked = (func, this)
