@@ -12,6 +12,7 @@ from ecm_extract.link.calls import Invocation
 from ecm_extract.link.env import Env, Instance, bind, invocation_of
 from ecm_extract.link.handing_on import THIS
 from ecm_extract.link.object_states import is_own
+from ecm_extract.link.seen_from_outside import leaves_members
 from ecm_extract.link.units import Cls, Func
 
 if TYPE_CHECKING:
@@ -39,6 +40,8 @@ class MethodEffects:
         """
         found = invocation_of(call, env)
         if self._is_outside(found, env) and not self.folder.flow.hands_on(call, env):
+            return {}
+        if leaves_members(found, env, self.folder):
             return {}
         prefix = "" if is_own(found.receiver) else self.holder(found, env)
         if prefix is None:

@@ -171,7 +171,7 @@ class Types:
                 stem = parts[-1].rsplit(".", 1)[0]
                 if len(parts) in {2, 3} and (stem == name or (len(parts) == 3 and stem == snake(name))):
                     return self.full("::".join([*parts[:-1], name]), role)
-        for using in (entry.namespace for entry in env.func.file.facts.usings):
+        for using in (entry.namespace for entry in env.func.file.facts.usings if entry.holds_in(self._scope(env))):
             if using.rsplit("::", 1)[-1] in _KINDS or using.endswith("_msgs"):
                 return self.full(f"{using}::{name}", role)
         return None

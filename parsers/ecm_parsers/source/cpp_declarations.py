@@ -178,8 +178,8 @@ class DeclarationReader:
                 read.initializers(child)
         if body is not None:
             read.read(body)
-        for local in read.types:
-            self._local_type(local, Place(f"{read.scope}()"))
+        for local in read.local_names:
+            self._local_name(local, Place(f"{read.scope}()"))
         params = parameters(self.expr, declarator.child_by_field_name("parameters"))
         traits = (*place.traits(), *function_traits(self.expr, node, declarator, words, body is None))
         returns = self.expr.type_text(kind) if kind is not None else ""
@@ -225,11 +225,11 @@ class DeclarationReader:
             target, outdated = self.expr.type_text(kind), bool(announced_end(self.expr, node))
             self.aliases.append(Alias(self.expr.text(name), place.scope, target, lines_of(node)[0], outdated))
 
-    def _local_type(self, node: Node, place: Place) -> None:
-        """Another name for a type within a function; the scope with `()` keeps it from being one for others."""
+    def _local_name(self, node: Node, place: Place) -> None:
+        """Another way to name something within a function; the scope with `()` keeps it from being one for others."""
         kind = node.child_by_field_name("type")
-        if node.type == "alias_declaration":
-            self.alias(node, place)
+        if node.type != "type_definition":
+            _DECLARATIONS[node.type](self, node, place)
         elif kind is not None and kind.type not in CLASSES | {"enum_specifier"}:
             self.typedef(node, place)
 
