@@ -13,8 +13,10 @@ _OF_SECOND: Final = frozenset({"map", "unordered_map", "multimap"})
 
 
 def element_type(written: str) -> str:
-    """Type of what a container holds; of a map the values. Empty for anything else."""
+    """Type of what a container or an array holds; of a map the values. Empty for anything else."""
     text = written.strip().removeprefix("const ").rstrip("& ")
+    if text.endswith("[]"):
+        return text.removesuffix("[]")
     name = plain(text).rsplit("::", 1)[-1]
     held = template_arguments(text)
     if name in _OF_FIRST and held:

@@ -91,7 +91,7 @@ class Types:
         if event:
             return self.written(template_arguments(text)[0], env, role, depth + 1)
         bare = _bare(text)
-        bound = env.types.get(bare) or (env.made.types.get(bare) if env.made is not None else None)
+        bound = env.types.get(bare) or self.folder.objects.class_types(env).get(bare)
         if bound is not None and bound != bare:
             return self.written(bound, env, role, depth + 1)
         template = self._template_names(env)
