@@ -39,6 +39,7 @@ from ecm_extract.link.names import (
     local_name,
     of_node,
     parameter_name,
+    space_of,
 )
 from ecm_extract.link.node_names import NodeName, NodeNames
 from ecm_extract.link.observe import Observation, observation_forms, observations
@@ -221,7 +222,7 @@ class Linker:
         for unit in units_of(site, self.sites, self.modules):
             for module in self.ownership.owners(unit, site):
                 node = self._node(module, nodes)
-                self._give(site, unit, module, found[module], node.text if node is not None else None)
+                self._give(site, unit, module, found[module], node.full if node is not None else None)
 
     def _give(self, site: Site, unit: Unit, module: Module, found: list[Interface], node: str | None) -> None:
         origin = None if unit is module.cls or unit is module.main or module.kind == "library" else unit.fact.name
@@ -243,7 +244,7 @@ class Linker:
         is_choice = any(named.confidence == "one_of" for named, _ in names)
         for named, default in names:
             value = of_node(named, node, ros)
-            local = local_name(settled(named), handle)
+            local = local_name(settled(named), handle, "" if site.form.row.value else space_of(handle, node))
             name, confidence = self._name(site, value, handle, node, ros), value.confidence
             if is_never_made(value, name) and not site.form.row.value:
                 continue
