@@ -56,7 +56,17 @@ class NodeNames:
     def of_class(self, cls: Cls) -> NodeName | None:
         """Return the name that the class passes to its node base, None when it is not fixed."""
         found = self._passed_on(Instance(cls, {}, {}))
-        return found if found is not None and "{" not in found.space else self._made_with(cls) or found
+        if found is not None and "{" not in found.space:
+            return found
+        return self._made_with(cls) or self._left_to_another(cls) or found
+
+    def _left_to_another(self, cls: Cls) -> NodeName | None:
+        """The name that the constructors of a class agree on which leave it to another: `Demo(options) : Demo("")`."""
+        makers = [func for func in cls.methods if func.is_constructor and "declaration" not in func.fact.traits]
+        whole = [(Instance(cls, {}, {}, func), func) for func in makers]
+        made = [(self.folder.objects.delegated(instance), func) for instance, func in whole]
+        found = [self._passed_on(instance) for instance, func in made if instance.maker is not func]
+        return found[0] if found and len({name.full if name is not None else None for name in found}) == 1 else None
 
     def _passed_on(self, made: Instance) -> NodeName | None:
         """The name that the constructors of an object pass to a node base."""
@@ -89,9 +99,14 @@ class NodeNames:
         name = _known(self.folder.fold(given.name, env), at)
         if name is None or given.space is None or not self._is_text(given.space, env):
             return name
-        values = self.folder.fold(given.space, env)
+        values = self.folder.fold(self._default(given.space, env) or given.space, env)
         value = values[0] if len(values) == 1 else unknown("namespace")
         return replace(name, space=value.text.strip("/"))
+
+    def _default(self, expr: Expr, env: Env) -> Expr | None:
+        """What a parameter is that nobody is seen to give."""
+        name = expr.id if isinstance(expr, Name) and expr.id not in env.args else ""
+        return dict(env.func.defaults).get(name)
 
     def _is_text(self, expr: Expr, env: Env) -> bool:
         """Tell whether the second argument of a node is its namespace; options are an object."""
@@ -107,7 +122,7 @@ class NodeNames:
                 if constructor is None:
                     return None
                 given = bind(constructor, call, self.sites.root_env(call.func, call.at))
-                name = self._passed_on(Instance(cls, given, {}, constructor))
+                name = self._passed_on(self.folder.objects.delegated(Instance(cls, given, {}, constructor)))
                 found.append(replace(name, at=_place(call)) if name is not None else None)
         texts = {name.full if name is not None else None for name in found}
         return found[0] if len(texts) == 1 else None
