@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
-from typing import TypeVar
+from dataclasses import dataclass, field, replace
+from typing import Any, TypeVar
 
 from ecm_checker.contract import Evidence, Interface, Qos
 from ecm_parsers.source.expr import Expr, Items, Name, Text
@@ -248,7 +248,7 @@ class Linker:
             name, confidence = self._name(site, value, handle, node, ros), value.confidence
             if is_never_made(value, name) and not site.form.row.value:
                 continue
-            kind, data = self.typing.of(site, default)
+            kind, data = self._typed(site, default)
             if is_below_node(value):
                 confidence = "folded"
             if not site.certain or (is_choice and named.confidence == "pattern"):
@@ -271,6 +271,15 @@ class Linker:
                 when=when,
             )
             yield interface, name.resolved if _is_absolute(site) else local
+
+    def _typed(self, site: Site, default: Expr | None) -> tuple[str | None, Any]:
+        """The type and default of a site; where an object is made with these, what all places make it with."""
+        kind, data = self.typing.of(site, default)
+        if data is not UNKNOWN or default is None or site.chain:
+            return kind, data
+        places = self.sites.makings(site.call.func, site.call.at)
+        found = [self.typing.of(replace(site, env=place), default) for place in places]
+        return found[0] if found and all(each == found[0] for each in found) else (kind, data)
 
     def _name(self, site: Site, value: Value, handle: Handle, node: str | None, ros: int | None) -> RosName:
         if _is_absolute(site):

@@ -7,11 +7,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from ecm_checker.contract import Evidence
-from ecm_parsers.source.expr import Call, Expr, Member, Name
+from ecm_parsers.source.expr import Call, Constant, Expr, Member, Name
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.link.calls import Invocation
-from ecm_extract.link.env import Env, Instance, bind
+from ecm_extract.link.env import Bound, Env, Instance, bind
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.module_kinds import is_node_base
 from ecm_extract.link.sites import Sites
@@ -58,15 +58,21 @@ class NodeNames:
         found = self._passed_on(Instance(cls, {}, {}))
         if found is not None and "{" not in found.space:
             return found
-        return self._made_with(cls) or self._left_to_another(cls) or found
+        return self._made_with(cls) or self._left_to_another(cls) or self._by_default(cls) or found
+
+    def _by_default(self, cls: Cls) -> NodeName | None:
+        """The name that a class gives its node where nobody is seen to give it arguments."""
+        makers = [func for func in cls.methods if func.is_constructor and "declaration" not in func.fact.traits]
+        given = [{name: Bound(default, Env(func)) for name, default in func.defaults} for func in makers]
+        made = [Instance(cls, args, {}, func) for args, func in zip(given, makers, strict=True) if args]
+        return _agreed([self._passed_on(instance) for instance in made])
 
     def _left_to_another(self, cls: Cls) -> NodeName | None:
         """The name that the constructors of a class agree on which leave it to another: `Demo(options) : Demo("")`."""
         makers = [func for func in cls.methods if func.is_constructor and "declaration" not in func.fact.traits]
         whole = [(Instance(cls, {}, {}, func), func) for func in makers]
         made = [(self.folder.objects.delegated(instance), func) for instance, func in whole]
-        found = [self._passed_on(instance) for instance, func in made if instance.maker is not func]
-        return found[0] if found and len({name.full if name is not None else None for name in found}) == 1 else None
+        return _agreed([self._passed_on(instance) for instance, func in made if instance.maker is not func])
 
     def _passed_on(self, made: Instance) -> NodeName | None:
         """The name that the constructors of an object pass to a node base."""
@@ -99,17 +105,14 @@ class NodeNames:
         name = _known(self.folder.fold(given.name, env), at)
         if name is None or given.space is None or not self._is_text(given.space, env):
             return name
-        values = self.folder.fold(self._default(given.space, env) or given.space, env)
+        values = self.folder.fold(given.space, env)
         value = values[0] if len(values) == 1 else unknown("namespace")
         return replace(name, space=value.text.strip("/"))
 
-    def _default(self, expr: Expr, env: Env) -> Expr | None:
-        """What a parameter is that nobody is seen to give."""
-        name = expr.id if isinstance(expr, Name) and expr.id not in env.args else ""
-        return dict(env.func.defaults).get(name)
-
     def _is_text(self, expr: Expr, env: Env) -> bool:
-        """Tell whether the second argument of a node is its namespace; options are an object."""
+        """Tell whether the second argument of a node is its namespace; options are an object, in Python it is named."""
+        if env.func.file.language == "python":
+            return expr != Constant("null")
         written = self.folder.objects.type_of(expr, env)
         return "string" in written or is_known(self.folder.fold(expr, env)[0])
 
@@ -124,8 +127,7 @@ class NodeNames:
                 given = bind(constructor, call, self.sites.root_env(call.func, call.at))
                 name = self._passed_on(self.folder.objects.delegated(Instance(cls, given, {}, constructor)))
                 found.append(replace(name, at=_place(call)) if name is not None else None)
-        texts = {name.full if name is not None else None for name in found}
-        return found[0] if len(texts) == 1 else None
+        return _agreed(found)
 
     def of_program(self, main: Func) -> NodeName | None:
         """Return the name that a program gives its node, by a call in the file of its main function."""
@@ -171,6 +173,11 @@ def _base_arguments(statement: Statement) -> Given | None:
 
 def _given(name: Expr | None, space: Expr | None) -> Given | None:
     return Given(name, space) if name is not None else None
+
+
+def _agreed(found: Sequence[NodeName | None]) -> NodeName | None:
+    """The name that several ways to make a node agree on."""
+    return found[0] if len({name.full if name is not None else None for name in found}) == 1 else None
 
 
 def _place(call: Invocation) -> Evidence:
