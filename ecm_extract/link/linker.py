@@ -279,7 +279,8 @@ class Linker:
             return kind, data
         places = self.sites.makings(site.call.func, site.call.at)
         found = [self.typing.of(replace(site, env=place), default) for place in places]
-        return found[0] if found and all(each == found[0] for each in found) else (kind, data)
+        agreed = found[0] if found and all(each == found[0] for each in found) else (kind, data)
+        return agreed[0] or kind, agreed[1]
 
     def _name(self, site: Site, value: Value, handle: Handle, node: str | None, ros: int | None) -> RosName:
         if _is_absolute(site):
