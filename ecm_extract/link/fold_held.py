@@ -16,6 +16,7 @@ from ecm_extract.link.env import MAX_DEPTH, Bound, Env, bind, invocation_of
 from ecm_extract.link.fold_changes import STREAMS, ChangeFolder
 from ecm_extract.link.named_alike import is_name_of_node
 from ecm_extract.link.spelling import plain
+from ecm_extract.link.units import Cls
 from ecm_extract.link.values import (
     Value,
     alternatives,
@@ -148,11 +149,17 @@ class HeldFolder:
         if cls is None or not env.func.is_constructor:
             return ()
         for base in self.folder.program.bases(cls):
-            if self.folder.scope.member_type(name, base) or self.folder.members.sources(name, base, env):
+            if self._is_of(name, base):
                 return self.folder.members.member_value(name, base, env)
         values = self.folder.members.initial(name, env.this or cls, env)
         last = plain(self.folder.scope.member_type(name, cls)).rsplit("::", 1)[-1]
         return values or ((literal("")._replace(confidence="folded"),) if last in _TEXTS else ())
+
+    def _is_of(self, name: str, base: Cls) -> bool:
+        """Tell whether a base has a member, or gives it a value."""
+        lineage = self.folder.program.ancestry(base)
+        changing = self.folder.scope.changing
+        return bool(self.folder.scope.member_type(name, base)) or any(changing(name, entry) for entry in lineage)
 
     def _after(self, held: Held, env: Env) -> tuple[Value, ...]:
         """A member after a method that may have changed it."""

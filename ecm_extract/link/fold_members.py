@@ -17,7 +17,6 @@ from ecm_extract.infer.places import whole_of
 from ecm_extract.infer.run import Run
 from ecm_extract.link.calls import dotted_name
 from ecm_extract.link.env import Env, Instance
-from ecm_extract.link.fold_names import is_fresh
 from ecm_extract.link.formats import VALUE_READS
 from ecm_extract.link.spelling import plain, pointee
 from ecm_extract.link.units import Cls, Func
@@ -55,7 +54,7 @@ class MemberFolder:
         if ways:
             return self.folder.held.of(ways, env)
         if expr.base == Name("this"):
-            first = self.folder.held.at_first(expr.name, env) if is_fresh(env) else ()
+            first = self.folder.held.at_first(expr.name, env) if self.folder.names.is_fresh(env) else ()
             if first:
                 return first
             cls = env.this or env.func.cls

@@ -272,7 +272,7 @@ class Sites:
         return {name: self._bound_type(written, env) for name, written in types.items()}
 
     def _bound_type(self, written: str, env: Env) -> str:
-        outer = env.types.get(written) or (env.made.types.get(written) if env.made is not None else None)
+        outer = env.types.get(written) or self.folder.objects.class_types(env).get(written)
         if outer is not None:
             return outer
         return self.program.alias(written, env.func.file, env.scope) or written

@@ -91,7 +91,7 @@ class Types:
         if event:
             return self.written(template_arguments(text)[0], env, role, depth + 1)
         bare = _bare(text)
-        bound = env.types.get(bare) or (env.made.types.get(bare) if env.made is not None else None)
+        bound = env.types.get(bare) or self.folder.objects.class_types(env).get(bare)
         if bound is not None and bound != bare:
             return self.written(bound, env, role, depth + 1)
         template = self._template_names(env)
@@ -171,7 +171,7 @@ class Types:
                 stem = parts[-1].rsplit(".", 1)[0]
                 if len(parts) in {2, 3} and (stem == name or (len(parts) == 3 and stem == snake(name))):
                     return self.full("::".join([*parts[:-1], name]), role)
-        for using in (entry.namespace for entry in env.func.file.facts.usings):
+        for using in (entry.namespace for entry in env.func.file.facts.usings if entry.holds_in(self._scope(env))):
             if using.rsplit("::", 1)[-1] in _KINDS or using.endswith("_msgs"):
                 return self.full(f"{using}::{name}", role)
         return None

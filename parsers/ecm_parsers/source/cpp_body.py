@@ -33,7 +33,7 @@ class BodyReader:
     Attributes:
         writer: what was read so far, in source order, and how it follows each other.
         functions: lambdas bound to a name, read as functions of their own.
-        types: `using A = B` and typedefs, whoever reads declarations reads them.
+        local_names: `using A = B`, `using namespace a` and the like; whoever reads declarations reads them.
     """
 
     def __init__(self, data: bytes, scope: str) -> None:
@@ -41,7 +41,7 @@ class BodyReader:
         self.scope = scope
         self.writer = StatementWriter()
         self.functions: list[Function] = []
-        self.types: list[Node] = []
+        self.local_names: list[Node] = []
         self._assigning = Assigning(self.expr, self.writer)
         self._binding = Binding(self.expr, self.writer, self._named_lambda)
         self._nesting = 0
@@ -67,8 +67,8 @@ class BodyReader:
         for child in node.named_children:
             self._assigning.expression(child)
 
-    def _local_type(self, node: Node) -> None:
-        self.types.append(node)
+    def _local_name(self, node: Node) -> None:
+        self.local_names.append(node)
 
     def initializers(self, node: Node) -> None:
         """Read a constructor's initialiser list."""
@@ -308,8 +308,10 @@ def _otherwise(node: Node) -> Node | None:
 _STEPS: dict[str, Callable[[BodyReader, Node], None]] = {
     "expression_statement": BodyReader._expressions,
     "declaration": BodyReader._declaration,
-    "alias_declaration": BodyReader._local_type,
-    "type_definition": BodyReader._local_type,
+    "alias_declaration": BodyReader._local_name,
+    "type_definition": BodyReader._local_name,
+    "using_declaration": BodyReader._local_name,
+    "namespace_alias_definition": BodyReader._local_name,
     "return_statement": BodyReader._return,
     "co_return_statement": BodyReader._return,
     "break_statement": BodyReader._break,
