@@ -28,7 +28,7 @@ class Decided:
 
     def callers(self, site: Site) -> Sequence[Func] | None:
         """Return the functions whose calls get to a site; None where no argument decides, or others may call it."""
-        if not self._depends(site) or self._is_open(site):
+        if self._is_open(site) or not self._depends(site):
             return None
         entered = list(self.sites.entering(site))
         if all(reached for _, reached in entered):
@@ -41,7 +41,8 @@ class Decided:
         env = site.places[0] if site.places else site.env
         if not given or env.func is not site.root:
             return False
-        turns = [turn for state in self.sites.folder.flow.reached(env) for turn in state.path]
+        flow = self.sites.folder.flow
+        turns = [turn for state in flow.reached(env) for turn in flow.decisions.turns(state)]
         return any(turn.test is not None and given & set(_names(turn.test)) for turn in turns)
 
     def _is_open(self, site: Site) -> bool:

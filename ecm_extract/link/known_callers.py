@@ -62,7 +62,7 @@ class KnownCallers:
 
     def _is_plain(self, func: Func) -> bool:
         """Whether a function is none that another one declares, which runs who knows when."""
-        return "lambda" not in func.fact.traits and self.folder.flow.enclosing(func) is None
+        return "lambda" not in func.fact.traits and self.folder.nesting.enclosing(func) is None
 
     def _is_closed(self, func: Func) -> bool:
         cls, name = func.cls, func.fact.name
@@ -107,8 +107,9 @@ class KnownCallers:
         known = self._kept.get((func, name))
         if known is None:
             own = name in self.folder.flow.effects(func).own
-            given = any(self._gives(statement, name, func, at) for at, statement in enumerate(func.fact.body))
-            known = self._kept[func, name] = own and not given
+            body = enumerate(func.fact.body)
+            kept = own and not any(self._gives(statement, name, func, at) for at, statement in body)
+            known = self._kept[func, name] = kept
         return known
 
     def _gives(self, statement: Statement, name: str, func: Func, at: int) -> bool:
