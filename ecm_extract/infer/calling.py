@@ -124,8 +124,9 @@ class Calling:
 
     def _anything(self, state: State) -> State:
         """The state after functions that may assign members as they like."""
-        state = self.memory.given_again([key for key in state.holds if key.startswith(".")], state)
-        return replace(state, called=True)
+        judge, env = self.frame.judge, self.frame.env
+        again = [key for key in state.holds if key.startswith(".") and not judge.is_fixed(key, env)]
+        return replace(self.memory.given_again(again, state), called=True)
 
     def _apply(self, effect: Effect, at: int, env: Env, state: State) -> State:
         if effect.kind == "swapped":

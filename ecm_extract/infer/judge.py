@@ -61,6 +61,9 @@ class Judge(Targets, Protocol):
     def members_changed(self, call: Call, env: Env) -> Mapping[str, str] | None:
         """Return the members that a call of a method may change, each with its key there; None if that is unknown."""
 
+    def is_fixed(self, key: str, env: Env) -> bool:
+        """Tell whether nobody gives a member anything else once the constructor gave it what it holds."""
+
     def is_followed(self, key: str, func: Func) -> bool:
         """Tell whether it is known who changes a variable outside of functions, or a field of one, and when."""
 

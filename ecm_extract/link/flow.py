@@ -7,12 +7,13 @@ from collections import defaultdict
 from collections.abc import Collection, Hashable, Mapping, Sequence, Set
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name
+from ecm_parsers.source.expr import Call, Expr, Name
 
 from ecm_extract.infer.effects import Effects
 from ecm_extract.infer.held import Held, State, joined_states
 from ecm_extract.infer.interpreter import Interpreter
 from ecm_extract.infer.outline import Outline
+from ecm_extract.infer.places import as_written
 from ecm_extract.infer.routes import Gate, Verdict
 from ecm_extract.infer.run import Run
 from ecm_extract.link.decisions import Decisions
@@ -199,7 +200,7 @@ class Flow:
     def _entered(self, key: str, env: Env) -> list[tuple[Held, ...]]:
         """What a member holds that the function has left as its callers did, where they are known."""
         if env.outer is not None and self._is_shared(key, env):
-            return self.ways(_as_written(key), env.outer)
+            return self.ways(as_written(key), env.outer)
         held = self.folder.states.entered(key, env)
         return [(held,)] if held is not None else []
 
@@ -304,6 +305,10 @@ class Flow:
         """Return the members that a call of a method may change; None where that is not known."""
         return self.folder.methods.changed(call, env)
 
+    def is_fixed(self, key: str, env: Env) -> bool:
+        """Tell whether nobody gives a member anything else once the constructor gave it what it holds."""
+        return self.folder.shifting.is_fixed(key, env)
+
     def is_followed(self, key: str, func: Func) -> bool:
         """Tell whether it is known who changes a variable outside of functions, or a field of one, and when."""
         alone = self.folder.outside.is_followed(key.partition(".")[0], func)
@@ -327,8 +332,3 @@ class Flow:
         if held.env is not None:
             self.folder.held.values(held, held.env)
             self.folder.held.items(held, held.env)
-
-
-def _as_written(key: str) -> Expr:
-    """A variable of the object, or one outside of functions, as a function of its own names writes it."""
-    return Member(Name("this"), key[1:]) if key.startswith(".") else Name(key)

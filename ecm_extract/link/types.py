@@ -62,8 +62,9 @@ class Types:
             return UNKNOWN_TYPE
         if kind in {"callback", "service_callback"}:
             return self._callback(arg, env, role, kind == "service_callback")
-        if kind == "variable":
-            return self.written(self.folder.objects.type_of(arg, env), env, role)
+        if kind in {"variable", "request"}:
+            held = self.folder.objects.type_of(arg, env)
+            return self.written(_REQUEST.sub(r"\1", held) if kind == "request" else held, env, role)
         return self.expression(arg, env, role)
 
     def expression(self, expr: Expr, env: Env, role: Role) -> TypeFound:
