@@ -128,3 +128,22 @@ def test_catkin_simple() -> None:
         "e": ("src/b.cpp",),
     }
     assert [(rule.items, rule.destination) for rule in found[TOP].installs] == [(("l",), "lib"), (("e",), "lib/p")]
+
+
+def test_what_catkin_simple_shares() -> None:
+    """`cs_install` installs headers and the folders of a package that have the usual names."""
+    listed = ("src/a.cpp", "include/p/a.hpp", "launch/a.launch", "other/b.yaml")
+    (file,) = facts("cs_add_library(l src/a.cpp)\ncs_install()", listed, {}, ".txt").values()
+    rules = {(rule.kind, rule.items, rule.destination) for rule in file.installs}
+    assert rules == {
+        ("targets", ("l",), "lib"),
+        ("directory", ("include/",), "include"),
+        ("directory", ("launch/",), "share/p/launch"),
+    }
+
+
+def test_a_folder_of_modules_comes_first() -> None:
+    """`list(INSERT ... 0)` adds to a list of which nothing is known, as APPEND does."""
+    lines = "list(INSERT CMAKE_MODULE_PATH 0 ${PROJECT_SOURCE_DIR}/cmake)\ninclude(own)\nadd_library(n ${V})"
+    found = facts(lines, FILES, {"cmake__own": "set(V src/a.cpp)"}, ".cmake")
+    assert targets_of(found)["n"].sources == ("src/a.cpp",)
