@@ -9,7 +9,7 @@ from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Number, Op,
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.effects import bare_names, is_plain
-from ecm_extract.infer.held import Held, State
+from ecm_extract.infer.held import Held, State, all_ways
 from ecm_extract.infer.memory import Memory
 from ecm_extract.infer.run import Frame
 from ecm_extract.link.spelling import last_name
@@ -60,7 +60,7 @@ class Assigning:
         if self.frame.python:
             return state
         keys = {self.frame.effects.key(expr) for braces in _braces(value) for expr in bare_names(braces)}
-        empty = {key for key in keys if key in state.holds and all(map(_is_empty, state.holds[key]))}
+        empty = {key for key in keys if key in state.holds and all(map(_is_empty, all_ways(state.holds[key])))}
         return self.memory.lost(state, empty)
 
     def shared_change(self, statement: Statement, state: State) -> State:
@@ -69,7 +69,7 @@ class Assigning:
         if not (self.frame.python and key and statement.type.endswith("=")):
             return state
         before = self.memory.known(key, state, None)
-        if all(held.how == "value" and is_plain(held.expr) for held in before):
+        if all(held.how == "value" and is_plain(held.expr) for held in all_ways(before)):
             return state
         alike = self.memory.sharing.alike(key, state)
         others = (alike | self.memory.sharing.holding(alike, state) | self.memory.sharing.roots({key})) - {key}

@@ -31,14 +31,15 @@ class Branching:
         self.blocks = blocks
 
     def branch(self, step: Branch, state: State) -> State | None:
-        """Run the side of a branch that is taken, or both."""
-        holds, likely = self.frame.verdict(step.test, state)
-        if holds is not None:
+        """Run both sides of a branch; which of them is taken is decided when somebody wants to know."""
+        gate = self.frame.gate(step.test, state)
+        holds = self.frame.judge.decided(gate).holds if gate is not None and self.frame.rounds else None
+        if holds is not None:  # whether a loop goes on must be known now
             self.blocks.unreached(step.other if holds else step.then, state)
             return self.blocks.run(step.then if holds else step.other, state)
-        then = self.blocks.run(step.then, state.on(self.frame.side(step.test, True, state), likely is not False))
-        other = self.blocks.run(step.other, state.on(self.frame.side(step.test, False, state), likely is not True))
-        return _behind(step, state, joined_states([other, then] if likely is False else [then, other]))
+        then = self.blocks.run(step.then, state.on(self.frame.side(step.test, True, state, gate)))
+        other = self.blocks.run(step.other, state.on(self.frame.side(step.test, False, state, gate)))
+        return _behind(step, state, joined_states([then, other]))
 
     def switch(self, step: Switch, state: State) -> State | None:
         """Run the cases that may apply."""

@@ -10,7 +10,7 @@ from ecm_parsers.source.expr import Call, Text
 from ecm_parsers.source.flow import Block, statements
 
 from ecm_extract.infer.effects import Effect, is_plain
-from ecm_extract.infer.held import Held, State
+from ecm_extract.infer.held import Held, State, all_ways
 from ecm_extract.infer.memory import MAX_LENGTH, Memory
 from ecm_extract.infer.run import Frame
 
@@ -105,7 +105,7 @@ class Calling:
 
     def _followed(self, state: State) -> list[str]:
         """The objects that the function made and called methods of."""
-        after = [key for key, ways in state.holds.items() if any(held.how == "after" for held in ways)]
+        after = [key for key, ways in state.holds.items() if any(held.how == "after" for held in all_ways(ways))]
         return [key.partition(".")[0] for key in after if not key.startswith(".")]
 
     def _after(self, key: str, name: str, call: Call, at: int, env: Env, state: State) -> Held:
@@ -123,7 +123,7 @@ class Calling:
         if effect.kind == "swapped":
             return self.memory.exchanged(effect.key, self.memory.known(effect.name, env.state or state, env), state)
         before = self.memory.known(effect.key, state, env)
-        if effect.kind == "handed" and all(self._keeps_its_text(held) for held in before):
+        if effect.kind == "handed" and all(self._keeps_its_text(held) for held in all_ways(before)):
             return state
         how = effect.kind
         name = effect.name if how == "out" else effect.key

@@ -10,6 +10,7 @@ from ecm_parsers.source.facts import Statement
 from ecm_extract.infer.assigning import Assigning
 from ecm_extract.infer.held import State
 from ecm_extract.infer.looping import MAX_ROUNDS
+from ecm_extract.infer.routes import NOWHERE
 from ecm_extract.infer.run import Frame
 from ecm_extract.link.walk import comprehensions
 
@@ -39,7 +40,7 @@ class Comprehending:
         if not found:  # a condition of a comprehension: what its loops bind is not known yet
             for loop in self._pending:
                 states = [self.assigning.element(self.frame.body[loop], loop, entry) for entry in states]
-        return states or [replace(state, live=False)]
+        return states or [replace(state, route=NOWHERE)]
 
     def _elements(self, entry: Comprehension, state: State) -> list[State]:
         states = [state]

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 from ecm_parsers.source.expr import Expr
+
+from ecm_extract.infer.routes import START, Gate, Route, fork, met_routes
 
 if TYPE_CHECKING:
     from ecm_extract.link.env import Env
@@ -33,6 +35,7 @@ How = Literal[
     "looped",
     "after",
     "entered",
+    "met",
 ]
 
 
@@ -49,12 +52,14 @@ class Held:
             value); `out`: written by a function that got it (`expr` the call, `name` its parameter there); `handed` to
             somebody who may have changed what it consists of; `looped`: what it held before a loop or after a round
             of it (`before`); `after` a method that may have changed it (`expr` the call, `name` the member in it);
-            `entered`: what it held where somebody called the function (`env`, `before`).
+            `entered`: what it held where somebody called the function (`env`, `before`); `met`: what it held on one of
+            several routes (`parts`), of which not all may be taken.
         name: the variable, for messages and patterns; of `out` the parameter.
         env: where the expressions are evaluated.
         at: statement that made it so; -1 for none.
         before: what it held before.
         settled: what was found when it was evaluated, by the kind of question.
+        parts: what it held on each of the routes that met, which parted at `since`.
     """
 
     how: How
@@ -65,19 +70,23 @@ class Held:
     more: Expr | None = None
     before: tuple[Held, ...] = ()
     settled: dict[str, object] = field(default_factory=dict)
-
-    @property
-    def is_likely(self) -> bool:
-        """Whether it is made so as long as nobody sets a parameter, or whether nothing tells that."""
-        return self.env is None or self.env.state is None or self.env.state.likely
+    parts: tuple[Part, ...] = ()
+    since: Route = START
 
     @property
     def length(self) -> int:
         """How many changes lead to it, along the first way."""
         count, held = 0, self
-        while held.before and held.how != "value" and "values" not in held.settled and count < 64:
-            count, held = count + 1, held.before[0]
+        while (held.before or held.parts) and held.how != "value" and "values" not in held.settled and count < 64:
+            count, held = count + 1, (held.before or held.parts[0].ways)[0]
         return count
+
+
+class Part(NamedTuple):
+    """What a variable holds on one of several routes that meet."""
+
+    route: Route
+    ways: tuple[Held, ...]
 
 
 class Layers(Mapping[str, tuple[Held, ...]]):
@@ -130,16 +139,18 @@ class Turn:
         holds: whether the test holds on this side.
         env: where the test is evaluated.
         left: how the other side left, which this one came past; empty within the branch.
+        gate: the branch, where that is decided when somebody wants to know; None where it is not decided.
     """
 
     test: Expr | None = None
     holds: bool = True
     env: Env | None = None
     left: Literal["", "return", "throw"] = ""
+    gate: Gate | None = None
 
     def past(self, left: Literal["return", "throw"]) -> Turn:
         """The same side behind the branch, which the other side left the function by."""
-        return Turn(self.test, self.holds, self.env, left)
+        return Turn(self.test, self.holds, self.env, left, self.gate)
 
 
 @dataclass(slots=True, eq=False, repr=False)
@@ -148,31 +159,30 @@ class State:
 
     Attributes:
         holds: variable -> the things that it may hold, of which one is true.
-        path: the undecided branches on the way, by the side that was taken.
-        live: whether the way is one that a run can take; the others tell what code that is never reached would do.
+        path: the branches on the way, by the side that was taken.
+        route: the same branches, and all others that decide whether a run gets there.
         called: whether functions of the tree were called on it, which may have given members anything they give them.
-        likely: whether it comes about as long as nobody sets a parameter, or whether nothing tells that.
     """
 
     holds: Layers = field(default_factory=Layers)
     path: tuple[Turn, ...] = ()
-    live: bool = True
+    route: Route = START
     called: bool = False
-    likely: bool = True
 
     def having(self, changes: Mapping[str, tuple[Held, ...]]) -> State:
         """The same state with other things in some variables."""
         if not changes:
             return self
-        return State(self.holds.having(changes), self.path, self.live, self.called, self.likely)
+        return State(self.holds.having(changes), self.path, self.route, self.called)
 
-    def on(self, turn: Turn, likely: bool = True) -> State:
-        """The same state beyond a branch that nobody can decide."""
-        return State(self.holds, (*self.path, turn), self.live, self.called, self.likely and likely)
+    def on(self, turn: Turn) -> State:
+        """The same state on one side of a branch."""
+        route = self.route.through(turn.gate, turn.holds) if turn.gate is not None else self.route
+        return State(self.holds, (*self.path, turn), route, self.called)
 
     def along(self, path: tuple[Turn, ...]) -> State:
         """The same state on another path."""
-        return State(self.holds, path, self.live, self.called, self.likely)
+        return State(self.holds, path, self.route, self.called)
 
 
 def joined_states(states: Iterable[State | None]) -> State | None:
@@ -187,10 +197,10 @@ def joined_states(states: Iterable[State | None]) -> State | None:
 
 
 def _joined(one: State, other: State) -> State:
-    path = _common(one.path, other.path)
-    live, called, likely = one.live or other.live, one.called or other.called, one.likely or other.likely
+    path, route = _common(one.path, other.path), met_routes(one.route, other.route)
+    called = one.called or other.called
     if one.holds is other.holds:
-        return State(one.holds, path, live, called, likely)
+        return State(one.holds, path, route, called)
     met: dict[tuple[tuple[Held, ...], tuple[Held, ...]], tuple[Held, ...]] = {}
     holds: dict[str, tuple[Held, ...]] = {}
     for name in one.holds.apart(other.holds):
@@ -200,20 +210,43 @@ def _joined(one: State, other: State) -> State:
             continue
         key = (left, right)  # what two names share before, they share after
         if key not in met:
-            met[key] = _ways(name, left, right)
+            same = one.route is other.route
+            met[key] = (
+                either(name, left, right) if same else (_met(name, Part(one.route, left), Part(other.route, right)),)
+            )
         holds[name] = met[key]
-    return State(one.holds.having(holds), path, live, called, likely)
+    return State(one.holds.having(holds), path, route, called)
+
+
+def _met(name: str, one: Part, other: Part) -> Held:
+    return Held("met", name, parts=(one, other), since=fork(one.route, other.route))
 
 
 def _given(name: str, state: State) -> Held:
     return Held("shared" if state.called and name.startswith(".") else "given", name)
 
 
-def _ways(name: str, left: tuple[Held, ...], right: tuple[Held, ...]) -> tuple[Held, ...]:
+def either(name: str, left: tuple[Held, ...], right: tuple[Held, ...]) -> tuple[Held, ...]:
+    """Return what a variable may hold that holds one or the other; one of too many things is unknown."""
     own = any(held.how == "given" for held in left)
     more = [held for held in right if held not in left and not (own and held.how == "given")]
     ways = (*left, *more)
     return ways if len(ways) <= MAX_WAYS else (Held("lost", name, before=ways[:MAX_WAYS]),)
+
+
+def all_ways(ways: Iterable[Held]) -> tuple[Held, ...]:
+    """Return what a variable may hold on any route, whichever are taken."""
+    found: dict[Held, None] = {}
+    pending = list(ways)
+    seen: set[Held] = set()
+    while pending:
+        held = pending.pop(0)
+        if held.how != "met":
+            found[held] = None
+        elif held not in seen:
+            seen.add(held)
+            pending[:0] = [way for part in held.parts for way in part.ways]
+    return tuple(found)
 
 
 def _common(one: tuple[Turn, ...], other: tuple[Turn, ...]) -> tuple[Turn, ...]:

@@ -1,7 +1,8 @@
 """Runs a function abstractly: every statement with the states in which it is reached.
 
-Where a condition is decided one side runs, else both and their states join. Loops over what is known are unrolled,
-others run once with what their body changes unknown. What is not modelled makes a value unknown, never stale.
+Both sides of a branch run and their states join; which of them is taken is decided when somebody wants to know (see
+`routes`), and at once in the rounds of a loop. Loops over what is known are unrolled, others run once with what their
+body changes unknown. What is not modelled makes a value unknown, never stale.
 """
 
 from __future__ import annotations
@@ -22,6 +23,7 @@ from ecm_extract.infer.judge import Judge
 from ecm_extract.infer.looping import Looping
 from ecm_extract.infer.memory import Memory
 from ecm_extract.infer.raising import asks_what_raises, may_raise
+from ecm_extract.infer.routes import NOWHERE
 from ecm_extract.infer.run import Frame, Run
 
 if TYPE_CHECKING:
@@ -84,7 +86,7 @@ class Interpreter:
             return
         self.frame.blurred += 1
         with self.exits.unreached():
-            self.run(block, replace(state, live=False))
+            self.run(block, replace(state, route=NOWHERE))
         self.frame.blurred -= 1
 
     def _outside_again(self, block: Block, before: State | None, state: State | None) -> State | None:

@@ -3,24 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from ecm_parsers.source.expr import Call, Expr
 
 from ecm_extract.infer.effects import Targets
 from ecm_extract.infer.held import Held
 from ecm_extract.infer.outline import Outline
+from ecm_extract.infer.routes import Gate, Verdict
 
 if TYPE_CHECKING:
     from ecm_extract.link.env import Bound, Env
     from ecm_extract.link.units import Func
-
-
-class Verdict(NamedTuple):
-    """Whether a condition holds: proved, and as long as nobody sets a parameter; None when that is not known."""
-
-    holds: bool | None
-    likely: bool | None
 
 
 class Judge(Targets, Protocol):
@@ -29,8 +23,8 @@ class Judge(Targets, Protocol):
     def truth(self, test: Expr, env: Env) -> bool | None:
         """Tell whether a condition holds; None when that is not decided."""
 
-    def verdict(self, test: Expr, env: Env) -> Verdict:
-        """Tell whether a condition holds, and whether it likely does."""
+    def decided(self, gate: Gate) -> Verdict:
+        """Tell whether what a branch asks holds, and whether it likely does."""
 
     def alike(self, one: Expr, other: Expr, env: Env) -> bool | None:
         """Tell whether two expressions have the same value; None when that is not decided."""

@@ -8,7 +8,7 @@ from ecm_extract.infer.assigning import Assigning
 from ecm_extract.infer.branching import Blocks
 from ecm_extract.infer.calling import Calling
 from ecm_extract.infer.exits import Exits
-from ecm_extract.infer.held import MAX_WAYS, Held, State, joined_states
+from ecm_extract.infer.held import MAX_WAYS, Held, State, all_ways, joined_states
 from ecm_extract.infer.run import MAX_STEPS, Frame
 
 MAX_ROUNDS = 64
@@ -55,9 +55,11 @@ class Looping:
     def _round(self, loop: Loop, state: State) -> State | None:
         """Run the body once; what comes after a way out that may have been taken is not certain any more."""
         before = self.exits.broken() + self.exits.ways_out
+        self.frame.rounds += 1
         after = self.blocks.run(loop.body, state)
         after = joined_states([after, *self.exits.next_round()])
         after = self.blocks.run(loop.step, after) if after is not None else None
+        self.frame.rounds -= 1
         left = self.exits.broken() + self.exits.ways_out > before
         return self.frame.undecided(after) if after is not None and left else after
 
@@ -108,7 +110,7 @@ class Looping:
 
     def _close(self, head: Held, before: tuple[Held, ...], after: tuple[Held, ...]) -> None:
         """What a variable holds when a round begins: what it held before the loop, or what a round left."""
-        ways = tuple(dict.fromkeys([*before, *(held for held in after if held is not head)]))
+        ways = tuple(dict.fromkeys([*all_ways(before), *(held for held in all_ways(after) if held is not head)]))
         if len(ways) <= MAX_WAYS and head.name not in self.memory.escaped:
             head.how, head.before = "looped", ways
             head.settled.clear()

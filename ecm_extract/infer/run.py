@@ -12,8 +12,9 @@ from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.effects import Effects
 from ecm_extract.infer.held import Held, State, Turn, joined_states
-from ecm_extract.infer.judge import Judge, Verdict
+from ecm_extract.infer.judge import Judge
 from ecm_extract.infer.outline import Outline
+from ecm_extract.infer.routes import Gate
 
 if TYPE_CHECKING:
     from ecm_extract.link.env import Env
@@ -29,8 +30,8 @@ class Run:
     """What a function does for one binding of its parameters.
 
     Attributes:
-        states: statement -> the states in which it is reached, live ones first if there are any.
-        returns: the reached `return` statements with their states.
+        states: statement -> the states in which it is reached, if their routes are taken.
+        returns: the `return` statements with their states.
         end: the state in which the function is left; None when it never is.
         shown: member or variable outside of functions -> what it holds while other functions may run.
         cut: whether a bound was hit.
@@ -41,12 +42,6 @@ class Run:
     end: State | None = None
     shown: dict[str, list[Held]] = field(default_factory=lambda: defaultdict(list))
     cut: bool = False
-
-    def at(self, at: int) -> list[State]:
-        """Return the states of a statement: live ones, else what it would do if it were reached."""
-        found = self.states.get(at, [])
-        live = [state for state in found if state.live]
-        return live or found
 
 
 class Frame:
@@ -60,6 +55,7 @@ class Frame:
     Attributes:
         at: the statement at hand. steps: statements taken so far.
         blurred: loops around, of which one round stands for all. later: functions around, which run any time later.
+        rounds: loops around that are run round by round.
     """
 
     def __init__(self, env: Env, judge: Judge, whole: bool) -> None:
@@ -76,6 +72,7 @@ class Frame:
         self.steps = 0
         self.blurred = 0
         self.later = 0
+        self.rounds = 0
 
     @property
     def unrolls(self) -> bool:
@@ -90,13 +87,13 @@ class Frame:
         """Tell whether a condition holds in a state; None when that is not decided."""
         return self.judge.truth(test, self.place(state)) if self.whole else None
 
-    def verdict(self, test: Expr, state: State) -> Verdict:
-        """Tell whether a condition holds in a state, and whether it likely does."""
-        return self.judge.verdict(test, self.place(state)) if self.whole else Verdict(None, None)
+    def gate(self, test: Expr, state: State) -> Gate | None:
+        """Return what a branch asks in a state; None where nothing is decided."""
+        return Gate(test, self.place(state)) if self.whole else None
 
-    def side(self, test: Expr | None, holds: bool, state: State) -> Turn:
-        """Return one side of a branch that nobody can decide, by what is asked there."""
-        return Turn(test, holds, self.place(state))
+    def side(self, test: Expr | None, holds: bool, state: State, gate: Gate | None = None) -> Turn:
+        """Return one side of a branch, by what is asked there."""
+        return Turn(test, holds, self.place(state), gate=gate)
 
     def undecided(self, state: State) -> State:
         """Return a state beyond a branch that nobody can decide."""

@@ -8,7 +8,7 @@ from ecm_parsers.source.expr import Member, Name
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.effects import bare_names
-from ecm_extract.infer.held import Held, State
+from ecm_extract.infer.held import Held, State, all_ways
 from ecm_extract.infer.outline import Outline
 
 
@@ -108,7 +108,7 @@ class Sharing:
         """Return variables that may be, or consist of, what some names mean."""
         found: set[str] = set()
         for name, ways in state.holds.items():
-            for held in ways:
+            for held in all_ways(ways):
                 meant = self._meant(held)
                 if meant & keys:
                     found.add(name)

@@ -106,7 +106,7 @@ class CallTargets:
     def _classes(self, call: Invocation) -> Container[Cls]:
         """The classes whose method a call can run: those of its receiver, any for one of unknown type."""
         if call.receiver is None:
-            own = self.folder.flow.object_of(call.func)
+            own = self.folder.nesting.object_of(call.func)
             return self.folder.program.ancestry(own) if own is not None else ()
         env = self.place(call)
         owner = self.folder.objects.class_of(call.receiver, env)

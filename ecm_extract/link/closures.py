@@ -31,7 +31,7 @@ class Making(NamedTuple):
 
 def around(func: Func, folder: Folder) -> Func | None:
     """Return the function that one is declared in; None of methods and of what stands alone."""
-    return folder.flow.enclosing(func) if func.cls is None and func.fact.scope else None
+    return folder.nesting.enclosing(func) if func.cls is None and func.fact.scope else None
 
 
 def is_returned(func: Func, outer: Func) -> bool:

@@ -52,7 +52,7 @@ class Conditions:
     def of(self, call: Invocation, env: Env) -> tuple[Told, ...]:
         """Return what must hold where a call is evaluated: the branches around its statement, and the tests in it."""
         state = joined_states(self.folder.flow.reached(env))
-        turns = state.path if state is not None else ()
+        turns = self.folder.flow.decisions.turns(state) if state is not None else ()
         around = (told for turn in turns for told in self._of_turn(turn))
         within = (told for asked in asked_before(call) for told in self._tested(asked.test, asked.holds, env))
         return tuple(dict.fromkeys(chain(around, within)))

@@ -38,7 +38,8 @@ class Decided:
         env = site.places[0] if site.places else site.env
         if not given or env.func is not site.root:
             return False
-        turns = [turn for state in self.sites.folder.flow.reached(env) for turn in state.path]
+        flow = self.sites.folder.flow
+        turns = [turn for state in flow.reached(env) for turn in flow.decisions.turns(state)]
         return any(turn.test is not None and given & set(_names(turn.test)) for turn in turns)
 
     def _is_open(self, site: Site) -> bool:

@@ -12,16 +12,17 @@ from ecm_parsers.source.expr import Call, Expr, Member, Name
 from ecm_extract.infer.effects import Effects
 from ecm_extract.infer.held import Held, State, joined_states
 from ecm_extract.infer.interpreter import Interpreter
-from ecm_extract.infer.judge import Verdict
 from ecm_extract.infer.outline import Outline
+from ecm_extract.infer.routes import Gate, Verdict
 from ecm_extract.infer.run import Run
+from ecm_extract.link.decisions import Decisions
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, invocation_of
 from ecm_extract.link.naming_calls import leaves_arguments
 from ecm_extract.link.own_calls import OwnCalls
 from ecm_extract.link.run_keys import RunKeys
 from ecm_extract.link.spelling import last_name
 from ecm_extract.link.truths import Truths
-from ecm_extract.link.units import Cls, File, Func
+from ecm_extract.link.units import Func
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
@@ -48,18 +49,22 @@ class Flow:
         self._runs: dict[Hashable, tuple[Env, Run]] = {}
         self._running: dict[Hashable, Func] = {}
         self._meanwhile: dict[Hashable, tuple[Env, Run]] = {}
-        self._around: dict[Func, Func | None] = {}
         self._within = 0
         self._outlines: dict[Func, Outline] = {}
         self._own = OwnCalls(folder.program)
         self._truths = Truths(folder, self.outline)
+        self.decisions = Decisions(folder, self._truths)
         self._changes: dict[tuple[Func, str], bool] = {}
-        self._inner: dict[File, Mapping[str, list[Func]]] = {}
 
     @property
     def running(self) -> Collection[Func]:
-        """The functions that are run right now."""
-        return self._running.values()
+        """The functions that are run right now, or of which a branch is decided."""
+        return [*self._running.values(), *self.decisions.deciding]
+
+    @property
+    def is_busy(self) -> bool:
+        """Whether anything is run or decided right now."""
+        return bool(self._running) or bool(self.decisions.deciding)
 
     def forget(self) -> None:
         """Drop runs, since more is known of parameters now."""
@@ -86,9 +91,9 @@ class Flow:
             self._runs = {asked: known for asked, known in self._runs.items() if not known[0].args}
         cuts = self.folder.cuts
         run = self._fresh(key, env, whole)
-        whole = cuts == self.folder.cuts or not self._running
+        whole = cuts == self.folder.cuts or not self.is_busy
         (self._runs if whole else self._meanwhile)[key] = (env, run)
-        if not self._running:
+        if not self.is_busy:
             self._meanwhile.clear()
             self._within = 0
         return run
@@ -111,7 +116,7 @@ class Flow:
             return False
         return sum(func is env.func for func in self._running.values()) < MAX_RECURSION
 
-    def states(self, env: Env) -> list[State]:
+    def states(self, env: Env) -> Sequence[State]:
         """Return the states in which a place is reached; none where nothing is known of it."""
         if env.state is not None:
             return [env.state]
@@ -119,10 +124,19 @@ class Flow:
         if run is None:
             return []
         if env.at < len(env.func.fact.body):
-            return run.at(env.at)
+            return self.decisions.live(run.states.get(env.at, ()))
         return [run.end] if run.end is not None else [state for found in run.states.values() for state in found[-1:]]
 
-    def reached(self, env: Env) -> list[State]:
+    def left(self, run: Run | None, key: str) -> tuple[Held, ...]:
+        """Return what a run leaves a variable with; nothing where it left it alone, or never ends."""
+        return self.decisions.ways(run.end.holds.get(key, ())) if run is not None and run.end is not None else ()
+
+    def returned(self, run: Run | None) -> list[tuple[int, State]]:
+        """Return the `return` statements that a run may get to, with their states."""
+        found = run.returns if run is not None else []
+        return [(at, state) for at, state in found if self.decisions.is_live(state.route)]
+
+    def reached(self, env: Env) -> Sequence[State]:
         """Return the states in which a place is reached, none where every run gets there."""
         return [] if self._is_certain(env) else self.states(env)
 
@@ -143,7 +157,7 @@ class Flow:
         if self._is_certain(env):
             return True
         states = self.states(env)
-        return not states or any(state.live for state in states)
+        return not states or any(self.decisions.is_live(state.route) for state in states)
 
     def _is_certain(self, env: Env) -> bool:
         return env.state is None and env.at in self.outline(env.func).certain
@@ -157,7 +171,7 @@ class Flow:
         if env.state is None and not self._may_differ(key, env):
             return self._entered(key, env)
         states = self.states(env)
-        found = [state.holds.get(key, ()) for state in states]
+        found = [self.decisions.ways(state.holds.get(key, ())) for state in states]
         if not any(found):
             return [] if any(state.called for state in states) else self._entered(key, env)
         shared = key.startswith(".") and key.count(".") == 1 and any(state.called for state in states)
@@ -194,7 +208,7 @@ class Flow:
         """Return what is known of a function before it runs."""
         known = self._outlines.get(func)
         if known is None:
-            known = self._outlines[func] = Outline(func, self.reads(func), self.inner(func), self)
+            known = self._outlines[func] = Outline(func, self.reads(func), self.folder.nesting.inner(func), self)
         return known
 
     def effects(self, func: Func) -> Effects:
@@ -214,6 +228,10 @@ class Flow:
     def verdict(self, test: Expr, env: Env) -> Verdict:
         """Tell whether a condition holds, and whether it likely does."""
         return self._truths.verdict(test, env)
+
+    def decided(self, gate: Gate) -> Verdict:
+        """Tell whether what a branch asks holds, and whether it likely does."""
+        return self.decisions.of(gate)
 
     def alike(self, one: Expr, other: Expr, env: Env) -> bool | None:
         """Tell whether two expressions have the same value; None when that is not decided."""
@@ -302,39 +320,6 @@ class Flow:
                 if not target.startswith("."):
                     found[at].append((Name(target), name, default))
         return found
-
-    def inner(self, func: Func) -> Sequence[Func]:
-        """Return the functions that are declared within a function."""
-        by_scope = self._inside(func.file)
-        if func.fact.name == "<module>":
-            return [entry for group in by_scope.values() for entry in group if entry.fact.shared]
-        scope = f"{func.fact.scope}::{func.fact.name}" if func.fact.scope else func.fact.name
-        return by_scope.get(scope, ())
-
-    def enclosing(self, func: Func) -> Func | None:
-        """Return the function that one is declared in."""
-        if func not in self._around:
-            head, _, last = func.fact.scope.rpartition("::")
-            named = (other for other in self.folder.program.functions_in(func.file) if other.fact.name == last)
-            self._around[func] = next((other for other in named if other.fact.scope == head and other.fact.body), None)
-        return self._around[func]
-
-    def object_of(self, func: Func) -> Cls | None:
-        """Return the class of the object at hand: that of a method, of a lambda that of the function around it."""
-        while func.cls is None and "lambda" in func.fact.traits:
-            outer = self.enclosing(func)
-            if outer is None or outer is func:
-                return None
-            func = outer
-        return func.cls
-
-    def _inside(self, file: File) -> Mapping[str, list[Func]]:
-        known = self._inner.get(file)
-        if known is None:
-            known = self._inner[file] = defaultdict(list)
-            for func in self.folder.program.functions_in(file):
-                known[func.fact.scope].append(func)
-        return known
 
     def settle(self, held: Held) -> None:
         """Evaluate now, so that a long chain of changes needs no deep recursion later."""

@@ -41,6 +41,7 @@ from ecm_extract.link.fold_tables import TableFolder
 from ecm_extract.link.fold_texts import TextFolder
 from ecm_extract.link.list_changes import ListChanges
 from ecm_extract.link.method_effects import MethodEffects
+from ecm_extract.link.nesting import Nesting
 from ecm_extract.link.object_states import ObjectStates
 from ecm_extract.link.objects import Objects
 from ecm_extract.link.optionals import OptionalFolder
@@ -99,13 +100,14 @@ class Folder:
         self.operators = OperatorFolder(self)
         self.streams = StreamFolder(self)
         self.held = HeldFolder(self)
+        self.nesting = Nesting(program)
         self.flow = Flow(self)
         self.states = ObjectStates(self)
         self.shifting = Shifting(self)
         self.runs_once = RunsOnce(self)
         self.outside = OutsideVariables(self)
         self.methods = MethodEffects(self)
-        scope.ways = self.flow.ways
+        scope.ways, scope.decisions = self.flow.ways, self.flow.decisions
         self.cuts = 0
         self.cycles = 0
         self.steps = Steps(sum(len(func.fact.body) for group in program.functions.values() for func in group))

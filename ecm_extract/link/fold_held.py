@@ -9,7 +9,7 @@ from ecm_parsers.source.expr import Call, Member
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.compute import UNKNOWN
-from ecm_extract.infer.held import Held, How
+from ecm_extract.infer.held import Held, How, all_ways
 from ecm_extract.link.declared_numbers import as_declared
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, bind, invocation_of
 from ecm_extract.link.fold_changes import STREAMS, ChangeFolder
@@ -55,7 +55,7 @@ class HeldFolder:
 
     def of(self, ways: Iterable[tuple[Held, ...]], env: Env) -> tuple[Value, ...]:
         """Return the values of a variable: `ways` has what it may hold in each state of the place."""
-        states = list(dict.fromkeys(ways))
+        states = list(dict.fromkeys(map(self.folder.flow.decisions.ways, ways)))
         found: list[Value] = []
         for helds in states:
             values = [value for held in helds for value in self.values(held, env)]
@@ -158,7 +158,7 @@ class HeldFolder:
         run = self.folder.flow.run(inner) if inner is not None else None
         if inner is None or run is None or run.end is None:
             return None
-        ways = run.end.holds.get(held.name)
+        ways = self.folder.flow.left(run, held.name)
         if ways:
             return ways, inner
         return (held.before, env) if not run.end.called else ((Held("shared", held.name),), inner)
@@ -202,7 +202,7 @@ class HeldFolder:
         values = self._before(held, env)
         if python:
             return values
-        made = any(before.how == "made" for before in held.before)
+        made = any(before.how == "made" for before in all_ways(held.before))
         return (unknown(_label(held.name)),) if made else lowered(values, "one_of")
 
     # --- functions that write to what they get ---------------------------------------------------------------
@@ -220,7 +220,7 @@ class HeldFolder:
         run = self.folder.flow.run(inner)
         if run is None or run.end is None:
             return None
-        return run.end.holds.get(held.name) or (Held("given", held.name),), inner
+        return self.folder.flow.left(run, held.name) or (Held("given", held.name),), inner
 
     def _written(self, held: Held, env: Env) -> tuple[Value, ...]:
         if env.func.file.language == "python":  # where a function cannot give the variables of its caller other texts
@@ -282,7 +282,7 @@ class HeldFolder:
 
     def items_of(self, ways: Iterable[tuple[Held, ...]], env: Env) -> list[Bound] | None:
         """Return the elements of a list that a variable surely holds; None for one of several lists."""
-        states = list(dict.fromkeys(ways))
+        states = list(dict.fromkeys(map(self.folder.flow.decisions.ways, ways)))
         if len(states) != 1 or len(states[0]) != 1:
             return None
         return self.items(states[0][0], env)
@@ -291,7 +291,8 @@ class HeldFolder:
         """Return the elements of all lists that a variable may hold, and whether that is all of them."""
         found: list[Bound] = []
         known = True
-        for held in dict.fromkeys(held for helds in ways for held in helds):
+        settled = map(self.folder.flow.decisions.ways, ways)
+        for held in dict.fromkeys(held for helds in settled for held in helds):
             items = self.items(held, env)
             known = known and items is not None
             found += items or []

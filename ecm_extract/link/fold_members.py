@@ -233,8 +233,8 @@ class MemberFolder:
         if run is None:
             return [Held("lost", name)]
         key = f".{name}"
-        ends = run.end.holds.get(key, ()) if run.end is not None else ()
-        helds = dict.fromkeys((*run.shown.get(key, ()), *ends))
+        flow = self.folder.flow
+        helds = dict.fromkeys((*flow.decisions.ways(tuple(run.shown.get(key, ()))), *flow.left(run, key)))
         return [held for held in helds if held.how not in {"given", "shared"}]
 
     def _method_env(self, method: Func, cls: Cls, env: Env) -> Env:

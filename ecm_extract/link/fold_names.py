@@ -68,7 +68,7 @@ class NameFolder:
     def _captured(self, name: str, env: Env) -> tuple[Value, ...]:
         """A variable of the function around the one at hand: of who calls it there, else if it has one value."""
         flow = self.folder.flow
-        outer = flow.enclosing(env.func)
+        outer = self.folder.nesting.enclosing(env.func)
         if outer is None or name not in flow.effects(outer).own:
             return ()
         if env.outer is not None and env.outer.func is outer:

@@ -89,12 +89,12 @@ class ReturnFolder:
         inner = self.entered(callee, call, bind(callee, call, env), env)
         run = self.folder.flow.run(inner)
         body = callee.fact.body
-        found = [(body[at].value, inner.within(state, at)) for at, state in run.returns] if run is not None else []
+        found = [(body[at].value, inner.within(state, at)) for at, state in self.folder.flow.returned(run)]
         return [(value, place) for value, place in found if value is not None]
 
     def entered(self, callee: Func, call: Invocation, args: Mapping[str, Bound], env: Env) -> Env:
         """Return the place of evaluation at the entry of a called function."""
-        outer = env if self.folder.flow.enclosing(callee) is env.func else None
+        outer = env if self.folder.nesting.enclosing(callee) is env.func else None
         if callee.cls is None and "lambda" not in callee.fact.traits:
             return Env(callee, 0, args, depth=env.depth + 1, outer=outer)
         if is_own(call.receiver):

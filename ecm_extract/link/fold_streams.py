@@ -121,7 +121,7 @@ class StreamFolder:
         return PLAIN if held.how == "made" else None
 
     def _all(self, helds: tuple[Held, ...], env: Env) -> StreamFormat | None:
-        found = {self._of(held, env) for held in helds}
+        found = {self._of(held, env) for held in self.folder.flow.decisions.ways(helds)}
         return found.pop() if len(found) == 1 else None
 
     def _after(self, expr: Expr | None, env: Env) -> StreamFormat | None:

@@ -167,9 +167,10 @@ class TableFolder:
             left = self.folder.held.left(held, inner)
             single = left is not None and len(left[0]) == 1
             return self.held_entries(left[0][0], left[1].deeper(env.depth + 1)) if left and single else None
+        ways = self.folder.flow.decisions.ways(held.before)
         if held.how == "entered":
-            return self.held_entries(held.before[0], inner) if len(held.before) == 1 else None
-        before = self.held_entries(held.before[0], env) if len(held.before) == 1 else None
+            return self.held_entries(ways[0], inner) if len(ways) == 1 else None
+        before = self.held_entries(ways[0], env) if len(ways) == 1 else None
         if before is None:
             return None
         if held.how == "stored" and held.expr is not None and held.more is not None:

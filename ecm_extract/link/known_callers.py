@@ -62,7 +62,7 @@ class KnownCallers:
 
     def _is_plain(self, func: Func) -> bool:
         """Whether a function is none that another one declares, which runs who knows when."""
-        return "lambda" not in func.fact.traits and self.folder.flow.enclosing(func) is None
+        return "lambda" not in func.fact.traits and self.folder.nesting.enclosing(func) is None
 
     def _is_closed(self, func: Func) -> bool:
         cls, name = func.cls, func.fact.name

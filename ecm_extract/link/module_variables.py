@@ -71,7 +71,7 @@ class ModuleVariables:
     def _left(self, name: str, end: Env) -> tuple[Value, ...]:
         """What a function leaves a variable with, at its end and whenever it calls others."""
         run = self.folder.flow.run(end)
-        ways = run.end.holds.get(name, ()) if run is not None and run.end is not None else ()
+        ways = self.folder.flow.left(run, name)
         if run is None or not ways or name not in end.func.fact.shared:
             return (unknown(name),)
         return self.folder.held.of([ways, *((held,) for held in run.shown.get(name, ()))], end)

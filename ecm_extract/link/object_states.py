@@ -107,8 +107,9 @@ class ObjectStates:
         if not prefix and not is_own(caller.expr):
             return None
         ways: dict[Held, None] = {}
-        for state in self.folder.flow.states(place):
-            found = self._in_state(key, prefix, state, place, env) if state.live else ()
+        flow = self.folder.flow
+        for state in flow.states(place):
+            found = self._in_state(key, prefix, state, place, env) if flow.decisions.is_live(state.route) else ()
             if found is None:
                 return None
             ways.update(dict.fromkeys(found))
@@ -118,9 +119,9 @@ class ObjectStates:
         made = self._maker(prefix, state, place) if prefix else None
         if prefix and (made is None or not _may_be(made.made, env.made)):
             return None
-        held = state.holds.get(prefix + key)
-        if held:
-            return tuple(held)
+        helds = self.folder.flow.decisions.ways(state.holds.get(prefix + key, ()))
+        if helds:
+            return helds
         if state.called:
             return None
         return (Held("given", key),) if made is None else self._as_made(key, made)
@@ -130,7 +131,7 @@ class ObjectStates:
         run = self.folder.flow.run(maker)
         if run is None or run.end is None or run.end.called:
             return None
-        return (Held("entered", key, env=maker, before=run.end.holds.get(key) or (Held("given", key),)),)
+        return (Held("entered", key, env=maker, before=self.folder.flow.left(run, key) or (Held("given", key),)),)
 
     # --- objects -------------------------------------------------------------------------------------------
 
@@ -144,7 +145,7 @@ class ObjectStates:
 
     def _maker(self, key: str, state: State, env: Env) -> Env | None:
         """The beginning of the constructor that made the object in a local variable which nobody else has."""
-        helds = state.holds.get(key, ())
+        helds = self.folder.flow.decisions.ways(state.holds.get(key, ()))
         held = helds[0] if len(helds) == 1 else None
         if held is None or held.how != "value" or held.env is None or "." in key or not isinstance(held.expr, Call):
             return None

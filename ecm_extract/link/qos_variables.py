@@ -78,7 +78,7 @@ class QosVariables:
         found: Policies = {}
         for part in parts:
             field = part.rpartition(".")[2]
-            for held in state.holds.get(part, ()):
+            for held in self.folder.flow.decisions.ways(state.holds.get(part, ())):
                 known = held.how == "value" and held.expr is not None and held.env is not None
                 told = self.profiles.assigned(field, held.expr, held.env) if known and held.expr and held.env else None
                 found = agreed([found, told]) if field in found and told else found | (told or _unknown(field))
@@ -86,9 +86,9 @@ class QosVariables:
 
     # --- what a variable holds -----------------------------------------------------------------------------
 
-    def _any_of(self, helds: Sequence[Held], env: Env, level: int) -> Policies | None:
+    def _any_of(self, helds: tuple[Held, ...], env: Env, level: int) -> Policies | None:
         """The policies that all things have which a variable may hold; None where not all of them are known."""
-        found = [self._held(held, env, level) for held in helds]
+        found = [self._held(held, env, level) for held in self.folder.flow.decisions.ways(helds)]
         known = [policies for policies in found if policies is not None]
         return agreed(known) if known and len(known) == len(found) else None
 

@@ -96,7 +96,7 @@ class Sites:
 
     def root_env(self, func: Func, at: int) -> Env:
         """Return the place of a statement of a function about whose callers nothing is assumed."""
-        own = self.folder.flow.object_of(func)
+        own = self.folder.nesting.object_of(func)
         made = Instance(own, {}, {}) if own is not None else None
         return Env(func, at, this=own, made=made)
 
@@ -140,7 +140,7 @@ class Sites:
     def _places(self, env: Env) -> Iterator[tuple[Env, bool]]:
         """A place once for each state, and whether a run that gets there in one of them does so in all."""
         places = self.folder.flow.places(env)
-        paths = {place.state.path for place in places if place.state is not None}
+        paths = {self.folder.flow.decisions.turns(place.state) for place in places if place.state is not None}
         for place in places:
             yield place, len(paths) <= 1
 

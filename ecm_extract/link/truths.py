@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 from ecm_parsers.source.expr import Call, Expr, Member, Op, Opaque, Text
 
 from ecm_extract.infer.compute import UNKNOWN, operate, truth
-from ecm_extract.infer.judge import Verdict
 from ecm_extract.infer.outline import Outline
+from ecm_extract.infer.routes import OPEN, Verdict
 from ecm_extract.link.env import Env
 from ecm_extract.link.units import Func
 from ecm_extract.link.values import Value, data_in, is_known, is_proved
@@ -17,9 +17,6 @@ from ecm_extract.link.walk import children
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
-
-
-_OPEN = Verdict(None, None)
 
 
 class Truths:
@@ -63,14 +60,14 @@ class Truths:
 
     def _judged(self, test: Expr, env: Env) -> Verdict:
         if isinstance(test, Opaque):
-            return _OPEN
+            return OPEN
         if isinstance(test, Op) and test.op == "!":
             inner = self._judged(test.operands[0], env)
             return Verdict(_negated(inner.holds), _negated(inner.likely))
         if isinstance(test, Op) and test.op in {"&&", "||"}:
             return self._all_of(test, env)
         if self._is_exposed(test, env.func):
-            return _OPEN
+            return OPEN
         python = env.func.file.language == "python"
         full = None if python else self.folder.optionals.holds(test, env)
         if full is not None:

@@ -37,7 +37,7 @@ class Undeclared:
 
     def _saying(self, func: Func) -> Iterator[Func]:
         """Yield the functions in which options of the node can stand."""
-        own = self.folder.flow.object_of(func)
+        own = self.folder.nesting.object_of(func)
         for cls in self.folder.program.ancestry(own) if own is not None else ():
             yield from cls.methods
         yield from self.folder.program.functions_in(func.file)

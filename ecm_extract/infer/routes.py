@@ -1,0 +1,93 @@
+"""How places are reached: through which sides of branches, of which each is decided when somebody wants to know.
+
+Most of what a function asks decides nothing that anybody wants to know of it, and asking is what takes time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final, NamedTuple
+
+from ecm_parsers.source.expr import Expr
+
+if TYPE_CHECKING:
+    from ecm_extract.link.env import Env
+
+
+class Verdict(NamedTuple):
+    """Whether a condition holds: proved, and as long as nobody sets a parameter; None when that is not known."""
+
+    holds: bool | None
+    likely: bool | None
+
+
+OPEN: Final = Verdict(None, None)
+
+
+@dataclass(slots=True, eq=False)
+class Gate:
+    """What a branch asks, and where.
+
+    Attributes:
+        test: the condition.
+        env: where it is evaluated.
+        found: what it is decided to be, once somebody wanted to know (see `Judge.decided`).
+    """
+
+    test: Expr
+    env: Env
+    found: Verdict | None = None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Route:
+    """How a place is reached; each is itself only.
+
+    Attributes:
+        before: the routes that lead here, of which any is taken; none where a function begins.
+        gate: the branch behind them; None where several meet.
+        holds: the side of it.
+        dead: whether no run comes here.
+    """
+
+    before: tuple[Route, ...] = ()
+    gate: Gate | None = None
+    holds: bool = True
+    dead: bool = False
+
+    def through(self, gate: Gate, holds: bool) -> Route:
+        """The route on one side of a branch."""
+        return Route((self,), gate, holds)
+
+
+START: Final = Route()
+NOWHERE: Final = Route(dead=True)
+"""The route to code that no run reaches."""
+
+
+def met_routes(one: Route, other: Route) -> Route:
+    """Return the route to where two meet; both sides of one branch lead to where it was come from."""
+    both = one.gate is not None and one.gate is other.gate and one.holds is not other.holds
+    if one is other or (both and one.before == other.before):
+        return one if one is other else one.before[0]
+    return Route(tuple(dict.fromkeys((*_met(one), *_met(other)))))
+
+
+def fork(one: Route, other: Route) -> Route:
+    """Return the last place that both routes surely came by: what decided whether that is reached is the same."""
+    passed = dict.fromkeys(_back(one))
+    return next((route for route in _back(other) if route in passed), START)
+
+
+def _back(route: Route) -> Iterator[Route]:
+    """A route and those before it, as far as each came one way only."""
+    yield route
+    while len(route.before) == 1:
+        route = route.before[0]
+        yield route
+
+
+def _met(route: Route) -> Iterable[Route]:
+    """What a place where routes meet is reached by; another one by itself."""
+    return route.before if route.gate is None and route.before else (route,)
