@@ -117,6 +117,11 @@ def test_angles_are_radians(text: str, value: object, tmp_path: Path) -> None:
     assert found == pytest.approx(value) if isinstance(value, float) else found == value
 
 
+def test_degrees_have_the_last_digit_of_rosparam(tmp_path: Path) -> None:
+    """The order of a product and a quotient decides it."""
+    assert parameters(tmp_path, "<rosparam>a: deg(145)</rosparam>")["/a"] == 145 * math.pi / 180.0
+
+
 REMAPS = [
     ('<remap from="a" to="b" if="false"/>', {}),
     ('<remap from="a" to="b" if="true"/><remap from="a" to="c" unless="true"/>', {"a": "b"}),
