@@ -47,6 +47,9 @@ class Assigning:
     def _from_before(self, target: Expr | None, state: State) -> State:
         """A variable that is kept between calls: what it begins with, or what a call before has left it with."""
         key = self.frame.effects.key(target)
+        entered = self.frame.judge.lasting.entered(key, self.frame.env)
+        if entered is not None:
+            return state.having({key: entered})
         given_out = "reference" in self.frame.env.func.fact.traits
         if not given_out and (self.frame.outline.changes.get(key, 0) <= 1 or self._runs_once()):
             return state

@@ -19,8 +19,10 @@ ELEMENT_METHODS: Final = frozenset({"at", "front", "back", "top"})
 
 
 def element_type(written: str) -> str:
-    """Type of what a container holds; of a map the values. Empty for anything else."""
+    """Type of what a container or an array holds; of a map the values. Empty for anything else."""
     text = written.strip().removeprefix("const ").rstrip("& ")
+    if text.endswith("[]"):
+        return text.removesuffix("[]")
     name = last_name(plain(text))
     held = template_arguments(text)
     if name in _OF_FIRST and held:

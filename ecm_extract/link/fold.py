@@ -38,6 +38,9 @@ from ecm_extract.link.fold_returns import ReturnFolder
 from ecm_extract.link.fold_streams import StreamFolder
 from ecm_extract.link.fold_tables import TableFolder
 from ecm_extract.link.fold_texts import TextFolder
+from ecm_extract.link.given_fields import GivenFields
+from ecm_extract.link.lasting import LastingVariables
+from ecm_extract.link.lasting_states import LastingStates
 from ecm_extract.link.list_changes import ListChanges
 from ecm_extract.link.method_effects import MethodEffects
 from ecm_extract.link.nesting import Nesting
@@ -47,6 +50,7 @@ from ecm_extract.link.optionals import OptionalFolder
 from ecm_extract.link.origins import Origins
 from ecm_extract.link.outside_variables import OutsideVariables
 from ecm_extract.link.parameter_reads import ParameterReads
+from ecm_extract.link.part_objects import PartObjects
 from ecm_extract.link.program import Program
 from ecm_extract.link.runs_once import RunsOnce
 from ecm_extract.link.scope import Scope
@@ -103,9 +107,13 @@ class Folder:
         self.nesting = Nesting(program)
         self.flow = Flow(self)
         self.states = ObjectStates(self)
+        self.parts = PartObjects(self)
+        self.given_fields = GivenFields(self)
         self.shifting = Shifting(self)
         self.runs_once = RunsOnce(self)
         self.outside = OutsideVariables(self)
+        self.lasting = LastingVariables(self)
+        self.lasting_states = LastingStates(self)
         self.methods = MethodEffects(self)
         scope.ways = self.flow.ways
         self.cuts = 0

@@ -204,11 +204,11 @@ class ListFolder:
         found = self.sources(expr, env)
         if found:
             return self.folder.held.items(*found[0]) if len(found) == 1 else None
-        return (
-            self._default(expr, env)
-            if isinstance(expr, Member)
-            else self._default(expr, env) or self._constant(expr, env)
-        )
+        default = self._default(expr, env)
+        if isinstance(expr, Name):
+            return default or self._constant(expr, env)
+        field = self.folder.structures.listed(expr, env) if default is None else None
+        return self.items(field.expr, field.env) if field is not None else default
 
     def sources(self, expr: Name | Member, env: Env) -> list[tuple[Held, Env]]:
         """Return what methods leave a member with that is a list."""

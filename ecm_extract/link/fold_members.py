@@ -17,7 +17,6 @@ from ecm_extract.infer.places import whole_of
 from ecm_extract.infer.run import Run
 from ecm_extract.link.calls import dotted_name
 from ecm_extract.link.env import Env, Instance
-from ecm_extract.link.fold_names import is_fresh
 from ecm_extract.link.formats import VALUE_READS
 from ecm_extract.link.spelling import plain, pointee
 from ecm_extract.link.units import Cls, Func
@@ -55,7 +54,7 @@ class MemberFolder:
         if ways:
             return self.folder.held.of(ways, env)
         if expr.base == Name("this"):
-            first = self.folder.held.at_first(expr.name, env) if is_fresh(env) else ()
+            first = self.folder.held.at_first(expr.name, env) if self.folder.names.is_fresh(env) else ()
             if first:
                 return first
             cls = env.this or env.func.cls
@@ -199,8 +198,13 @@ class MemberFolder:
         if default is None:
             return ()
         values = demoted(self.folder.fold(default, Env(env.func, depth=env.depth + 1, this=cls)))
-        assigned = cls.file.language == "python" and self.folder.scope.is_assigned_outside(name, "python")
-        return alternatives((*values, unknown(name))) if assigned else values
+        return alternatives((*values, unknown(name))) if self._is_given(name, cls) else values
+
+    def _is_given(self, name: str, cls: Cls) -> bool:
+        """Whether others than the methods of a class give a member of some object of it something."""
+        if cls.file.language == "python":
+            return self.folder.scope.is_assigned_outside(name, "python")
+        return self.folder.given_fields.is_given(name, cls)
 
     def _defined_outside(self, name: str, cls: Cls) -> Expr | None:
         """What a static member of C++ is defined with outside of its class: `double Sensor::limit = 0.5;`."""
@@ -233,8 +237,7 @@ class MemberFolder:
         """What a run leaves a data member with that it gives something."""
         if run is None:
             return [Held("lost", name)]
-        key, flow = f".{name}", self.folder.flow
-        helds = dict.fromkeys((*flow.decisions.ways(tuple(run.shown.get(key, ()))), *flow.left(run, key)))
+        helds = dict.fromkeys(self.folder.flow.shown(run, f".{name}"))
         return [held for held in helds if held.how not in {"given", "shared"}]
 
     def _method_env(self, method: Func, cls: Cls, env: Env) -> Env:

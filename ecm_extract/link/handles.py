@@ -16,7 +16,7 @@ from ecm_extract.link.host_arguments import HostArguments
 from ecm_extract.link.spelling import by_value, last_name, plain, pointee
 from ecm_extract.link.texts import is_text
 from ecm_extract.link.units import Func
-from ecm_extract.link.values import Value, is_known, joined, literal, unknown
+from ecm_extract.link.values import Value, is_known, joined, literal, node_namespace, unknown
 
 MAX_DEPTH = 12
 _PRIVATE = frozenset({"getPrivateNodeHandle", "getMTPrivateNodeHandle"})
@@ -121,6 +121,8 @@ class Handles:
         written = self.folder.objects.type_of(expr, env)
         if last_name(plain(pointee(written))) in carriers() and isinstance(value, Call):
             return self._known(next(iter(_initialised_with(expr, value)), None), env, depth + 1)
+        if by_value(written) and last_name(plain(written)) in _NODES and isinstance(value, Call) and value.args:
+            return self._new_node(value.args, env)
         if not by_value(written) or last_name(plain(written)) != "NodeHandle":
             return self._known(value, env, depth + 1)
         return self._node_handle(_initialised_with(expr, value), env, depth)
@@ -170,7 +172,7 @@ class Handles:
         if last == "create_sub_node" and call.args:
             return self._nested(self._known(call.receiver, env, depth + 1) or OWN, call.args[0], env)
         if last in _NODES and call.args and (len(call.args) >= 2 or not isinstance(call.args[0], Name)):
-            return self._new_node(call, env)
+            return self._new_node(call.args, env)
         if last in carriers() and call.args:
             return self._known(call.args[0], env, depth + 1)
         if last in _SAME:
@@ -216,11 +218,13 @@ class Handles:
         value = self.folder.fold(name, env)[0]
         return Handle(under(parent.prefix, value), parent.node)
 
-    def _new_node(self, call: Invocation, env: Env) -> Handle:
-        name = self.folder.fold(call.args[0], env)[0]
-        if len(call.args) >= 2 and self._is_namespace(call.args[1], env):
-            name = under(self.folder.fold(call.args[1], env)[0], name)
-        return Handle(literal(""), name)
+    def _new_node(self, args: Sequence[Expr], env: Env) -> Handle:
+        name = self.folder.fold(args[0], env)[0]
+        if len(args) < 2 or not self._is_namespace(args[1], env):
+            return Handle(literal(""), name)
+        space = self.folder.fold(args[1], env)[0]
+        own = space.parts == node_namespace().parts  # that of the node which makes it
+        return Handle(literal(""), name if own else under(space, name))
 
     def _is_namespace(self, expr: Expr, env: Env) -> bool:
         """Tell whether the second argument of a node is text; its options are an object."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Hashable, Iterable, Sequence
+from collections.abc import Hashable, Iterable, Mapping, Sequence
 from typing import Final
 
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Op, Text
@@ -161,6 +161,14 @@ class Objects:
                 continue
             return self.part(self.base_instance(made, parent, written), base, depth + 1)
         return None
+
+    def class_types(self, env: Env) -> Mapping[str, str]:
+        """Return what the object at hand has for the template parameters of the class whose method runs."""
+        made, cls = env.made, env.func.cls
+        if made is None or cls is None or made.cls is cls or not cls.fact.template:
+            return made.types if made is not None else {}
+        part = self.part(made, cls)
+        return part.types if part is not None else made.types
 
     def held(self, expr: Expr | None, cls: Cls, env: Env) -> Instance:
         """Return the part of class `cls` of an object of which only the type is known, with its template arguments."""

@@ -78,9 +78,9 @@ class QosVariables:
 
     # --- what a variable holds -----------------------------------------------------------------------------
 
-    def _any_of(self, helds: tuple[Held, ...], env: Env, level: int) -> Policies | None:
+    def _any_of(self, helds: Iterable[Held], env: Env, level: int) -> Policies | None:
         """The policies that all things have which a variable may hold; None where not all of them are known."""
-        ways = self.folder.flow.decisions.ways(helds)
+        ways = self.folder.flow.decisions.ways(tuple(helds))
         found = [self._held(held, env, level) for held in ways if not _is_nothing(held)]
         known = [policies for policies in found if policies is not None]
         return agreed(known) if known and len(known) == len(found) else None
@@ -112,9 +112,10 @@ class QosVariables:
         if _is_member(key) and cls is not None:
             return self._of_member(key, cls, env, level)
         passed = any(entry.name.lstrip("*") == key for entry in env.func.fact.params)  # who asks knows what for
-        if passed or self.folder.flow.ways(expr, env):
+        if passed:
             return None
-        return self._any_of(tuple(self.folder.origins.held(expr, env)), env, level)
+        ways = self.folder.flow.ways(expr, env)
+        return self._any_of(self.folder.origins.held(expr, env), env, level) if not ways else None
 
     def _of_member(self, key: str, cls: Cls, env: Env, level: int) -> Policies | None:
         """What its constructor makes of a member, or what it is declared with, and what other methods make of that."""
@@ -140,7 +141,7 @@ class QosVariables:
     def _at_end(self, key: str, begun: Policies | None, run: Run | None, place: Env, level: int) -> Policies | None:
         if run is None or run.end is None:
             return dict(UNSEEN) if run is None else None
-        helds = (*run.shown.get(key, ()), *self.folder.flow.left(run, key))
+        helds = self.folder.flow.shown(run, key)
         parts = [each for each in run.end.holds if each.startswith(f"{key}.")]
         given = any(held.how not in {"given", "shared"} for held in helds)
         whole = self._any_of(helds, place, level) if given else begun if parts else None

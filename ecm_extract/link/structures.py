@@ -195,13 +195,34 @@ class StructureFolder:
             return None
         helds = self._helds(expr, env)
         if all(held.how == "given" for held in helds):
-            return env.args.get(expr.id) if isinstance(expr, Name) else self._part(expr, env)
+            return self._of_name(expr, env) if isinstance(expr, Name) else self._part(expr, env)
         held = helds.pop()
         if helds or held.how != "value" or held.env is None or held.expr is None:
             return None
         if pointed(held.expr) and not (isinstance(expr, Name) and is_only_reached_into(expr.id, held.env.func)):
             return None
         return Bound(held.expr, held.env)
+
+    def _of_name(self, expr: Name, env: Env) -> Bound | None:
+        """What is passed for a parameter, or what a variable of a namespace is declared with that nobody changes."""
+        given = env.args.get(expr.id)
+        if given is not None or not self.folder.outside.is_untouched(expr.id, env.func):
+            return given
+        found = self.folder.scope.constant(expr.id, env)
+        value = found[0].value if found is not None else None
+        return Bound(value, self.folder.names.at_file(found[1], env).deeper(env.depth + 1)) if found and value else None
+
+    def listed(self, expr: Member, env: Env) -> Bound | None:
+        """Return the list that a field of a variable of a namespace is which nobody changes; None of other objects."""
+        cls = self.folder.objects.class_of(expr.base, env)
+        root = expr.base.id if isinstance(expr.base, Name) else ""
+        if cls is None or not root or not self.folder.outside.is_untouched(root, env.func):
+            return None
+        bound, found = self._origin(expr.base, env), self.folder.scope.constant(root, env)
+        if bound is not None or found is not None:
+            return self._part(expr, env)
+        default = cls.fields[expr.name].default if expr.name in cls.fields and not _makers(cls) else None
+        return Bound(default, Env(env.func, depth=env.depth + 1, this=cls)) if default is not None else None
 
 
 def _construction(cls: Cls, made: Items | Call, env: Env) -> Invocation:

@@ -62,8 +62,9 @@ class Types:
             return UNKNOWN_TYPE
         if kind in {"callback", "service_callback"}:
             return self._callback(arg, env, role, kind == "service_callback")
-        if kind == "variable":
-            return self.written(self.folder.objects.type_of(arg, env), env, role)
+        if kind in {"variable", "request"}:
+            held = self.folder.objects.type_of(arg, env)
+            return self.written(_REQUEST.sub(r"\1", held) if kind == "request" else held, env, role)
         return self.expression(arg, env, role)
 
     def expression(self, expr: Expr, env: Env, role: Role) -> TypeFound:
@@ -91,7 +92,7 @@ class Types:
         if event:
             return self.written(template_arguments(text)[0], env, role, depth + 1)
         bare = _bare(text)
-        bound = env.types.get(bare) or (env.made.types.get(bare) if env.made is not None else None)
+        bound = env.types.get(bare) or self.folder.objects.class_types(env).get(bare)
         if bound is not None and bound != bare:
             return self.written(bound, env, role, depth + 1)
         template = self._template_names(env)
@@ -171,7 +172,7 @@ class Types:
                 stem = parts[-1].rsplit(".", 1)[0]
                 if len(parts) in {2, 3} and (stem == name or (len(parts) == 3 and stem == snake(name))):
                     return self.full("::".join([*parts[:-1], name]), role)
-        for using in (entry.namespace for entry in env.func.file.facts.usings):
+        for using in (entry.namespace for entry in env.func.file.facts.usings if entry.holds_in(self._scope(env))):
             if using.rsplit("::", 1)[-1] in _KINDS or using.endswith("_msgs"):
                 return self.full(f"{using}::{name}", role)
         return None

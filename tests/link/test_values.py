@@ -64,8 +64,10 @@ ROWS = [
         "folded",
     ),
     (
-        'rclcpp::Subscription<M>::SharedPtr s; if (x) { s = create_subscription<M>("first", 1, f); }'
-        ' else { s = create_subscription<M>("second", 1, f); }',
+        (
+            'rclcpp::Subscription<M>::SharedPtr s; if (x) { s = create_subscription<M>("first", 1, f); }'
+            ' else { s = create_subscription<M>("second", 1, f); }'
+        ),
         "s->get_topic_name()",
         None,
         "one_of",
