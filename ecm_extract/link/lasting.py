@@ -85,14 +85,17 @@ class LastingVariables:
 
     def named(self, key: str, func: Func) -> Lasting | None:
         """Return the one that has a key in a function."""
-        return next((each for each in self.of(func) if each.key_in(func) == key), None)
+        known = self._by_func.get(func)  # most functions have none
+        return next((each for each in known if each.key_in(func) == key), None) if known else None
 
     def is_concerned(self, func: Func) -> bool:
         """Tell whether what a function does depends on one of them, through what it calls as well."""
         return func in self._reading
 
-    def changed_at(self, func: Func, at: int) -> set[str]:
+    def changed_at(self, func: Func, at: int) -> Set[str]:
         """Return the keys of those that calls in a statement may change."""
+        if func not in self._by_func:
+            return frozenset()
         return {each.key_in(func) for each in self.of(func) if each.changed_by(func, at)}
 
     def differs(self, key: str, func: Func) -> bool:

@@ -253,8 +253,10 @@ def test_shebang_is_kept_as_written() -> None:
             ["f", "<lambda 2:14>", "<lambda 3:12>"],
         ),
         ("def f(a):\n    v = lambda b: b\n    o.g(lambda b: a(b))\n", ["f"]),
+        ("def f(a):\n    g(lambda b: a(b))\n    self.h(x=lambda b: a(b))\n", ["f", "<lambda 2:7>", "<lambda 3:14>"]),
+        ("def f(a):\n    map(lambda b: a(b), a)\n", ["f"]),
     ],
 )
 def test_a_lambda_that_calls_and_has_a_holder_is_a_function(source: str, names: list[str]) -> None:
-    """One that gets a name, is kept in a member or is returned; one that is handed on is not."""
+    """One that gets a name, is kept, returned or handed to a function; one that others are handed is not."""
     assert [each.name for each in facts(source).functions if each.name != "<module>"] == names
