@@ -69,3 +69,8 @@ def whole_of(expr: Expr) -> Expr | None:
     if isinstance(expr, Call) and expr.callee == _GET and len(expr.args) == 1:
         return expr.args[0]
     return expr.callee.base if isinstance(expr, Call) and isinstance(expr.callee, Member) else None
+
+
+def as_written(key: str) -> Expr:
+    """Return a variable of the object, or one outside of functions, as a function of its own names writes it."""
+    return Member(Name("this"), key[1:]) if key.startswith(".") else Name(key)

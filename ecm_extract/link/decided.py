@@ -6,14 +6,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import Final
 
-from ecm_parsers.source.expr import Expr, Name
+from ecm_parsers.source.expr import Expr, Member, Name
 
 from ecm_extract.link.references import References
 from ecm_extract.link.site import Site
 from ecm_extract.link.sites import Sites, overrides
 from ecm_extract.link.units import Func
 from ecm_extract.link.walk import children
+
+_THIS: Final = Name("this")
 
 
 class Decided:
@@ -25,7 +28,7 @@ class Decided:
 
     def callers(self, site: Site) -> Sequence[Func] | None:
         """Return the functions whose calls get to a site; None where no argument decides, or others may call it."""
-        if not self._depends(site) or self._is_open(site):
+        if self._is_open(site) or not self._depends(site):
             return None
         entered = list(self.sites.entering(site))
         if all(reached for _, reached in entered):
@@ -33,8 +36,8 @@ class Decided:
         return [func for func, reached in entered if reached]
 
     def _depends(self, site: Site) -> bool:
-        """Whether a branch on the way asks for a parameter of the outermost function."""
-        given = {parameter.name for parameter in site.root.fact.params}
+        """Whether a branch on the way asks for a parameter of the outermost function, or for what holds one."""
+        given = _given(site.root)
         env = site.places[0] if site.places else site.env
         if not given or env.func is not site.root:
             return False
@@ -51,8 +54,19 @@ class Decided:
         return overrides(site.root) or self.references.hands(site.root.fact.name)
 
 
+def _given(func: Func) -> set[str]:
+    """The names of the parameters of a function, and of variables and members that it gives one of them."""
+    given = {parameter.name for parameter in func.fact.params}
+    for statement in func.fact.body if given else ():
+        if statement.target is not None and statement.value is not None and given & set(_names(statement.value)):
+            given |= set(_names(statement.target))
+    return given
+
+
 def _names(expr: Expr) -> Iterator[str]:
     if isinstance(expr, Name):
         yield expr.id
+    if isinstance(expr, Member) and expr.base == _THIS:
+        yield expr.name
     for part in children(expr):
         yield from _names(part)

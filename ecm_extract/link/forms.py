@@ -19,7 +19,7 @@ import msgspec
 from ecm_checker.hub.roles import Role, RoleKind, roles
 
 _POSITION = re.compile(
-    r"(?:arg|text|template|callback|service_callback|receiver|variable):\d+|kw:\w+|field:\d+(?:\.\w+)+"
+    r"(?:arg|text|template|callback|service_callback|receiver|variable|request):\d+|kw:\w+|field:\d+(?:\.\w+)+"
 )
 
 Match = Literal["method", "function", "construct"]
@@ -38,6 +38,7 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         qos: position of the QoS profile or queue size. default: position of a parameter's default.
         out: position of the variable that receives a parameter's value.
         receiver: last names of the classes whose objects have the method; empty for any.
+        gives: what the method returns, as a qualified class name: a sign of the class of an object of unknown type.
         node: position of the node or node handle when it is an argument.
         fixed: the name, when the form implies it; `~/x` is private, or below the handle at `node` where one is given.
         place: what the endpoint is called where the name that is given is not its own: `{name}/get`,
@@ -64,6 +65,7 @@ class Form(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     default: str = ""
     out: str = ""
     receiver: tuple[str, ...] = ()
+    gives: str = ""
     node: str = ""
     fixed: str = ""
     place: str = ""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final, NamedTuple
 
-from ecm_parsers.source.expr import Call, Constant, Expr, Member, Name, Op
+from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
 
 from ecm_extract.link.calls import Invocation
 from ecm_extract.link.carriers import carriers
@@ -29,7 +29,6 @@ _SAME = frozenset(
 """Calls that give the object they are given, or that they are called on."""
 _TEXTS: Final = ("string", "char")
 _THIS: Final = Name("this")
-_NULL: Final = (Constant("null"), Name("NULL"))
 
 
 class Handle(NamedTuple):
@@ -110,19 +109,15 @@ class Handles:
         return self._variable(Member(_THIS, expr.name), Env(env.func, env.at, this=cls, depth=env.depth + 1), depth)
 
     def _variable(self, expr: Name | Member, env: Env, depth: int) -> Handle | None:
-        """What all assignments of a variable agree on, and else what it is as it is declared."""
-        given = [
-            (definition.statement.value, inner)
-            for definition, inner in self.folder.assignments.definitions(expr, env)
-            if definition.statement.kind != "each" and definition.statement.value not in _NULL
-        ]
-        found = [self._given(expr, value, inner, depth) for value, inner in given if value is not None]
-        if not found:
-            return self._declared(expr, env)
-        return _agreed(found)
+        """What all that may have made a variable agree on, and else what it is as it is declared."""
+        makers = self.folder.origins.makers(expr, env)
+        if makers is None:
+            return None
+        return _agreed([self._given(expr, each, depth) for each in makers]) if makers else self._declared(expr, env)
 
-    def _given(self, expr: Name | Member, value: Expr, env: Env, depth: int) -> Handle | None:
+    def _given(self, expr: Name | Member, made: Bound, depth: int) -> Handle | None:
         """`nh_("~x")` and `nh_(parent, "x")` in an initialiser list make a handle without naming it."""
+        value, env = made.expr, made.env
         written = self.folder.objects.type_of(expr, env)
         if last_name(plain(pointee(written))) in carriers() and isinstance(value, Call):
             return self._known(next(iter(_initialised_with(expr, value)), None), env, depth + 1)

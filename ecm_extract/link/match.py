@@ -13,6 +13,7 @@ from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.forms import Form, FormTable
 from ecm_extract.link.module_kinds import is_node_base
+from ecm_extract.link.signs import Signs
 from ecm_extract.link.spelling import last_name, plain, pointee
 from ecm_extract.link.texts import text_arguments
 from ecm_extract.link.undeclared import Undeclared
@@ -28,6 +29,7 @@ class Matcher:
         self.forms = forms
         self.folder = folder
         self.undeclared = Undeclared(folder)
+        self.signs = Signs(forms, folder)
 
     def fitting(self, call: Invocation, env: Env) -> Iterator[Form]:
         """Yield the rows that a call is: the first that fits, and those that hold beside it."""
@@ -92,12 +94,12 @@ class Matcher:
         return any(method.fact.name == call.last for entry in own for method in entry.methods)
 
     def _receiver(self, form: Form, call: Invocation, env: Env) -> bool:
-        """Whether the object is of a class of the row; of one of unknown type the message types of the call tell it."""
+        """Whether the object is of a class of the row; of one of unknown type what is done with it tells that."""
         if call.receiver is None:
             return False
         written = self.folder.objects.type_of(call.receiver, env)
         if not written:
-            return bool(call.types) and "template:" in form.type
+            return self.signs.show(form, call, env)
         bare = plain(pointee(written))
         target = self.folder.program.alias(bare, call.func.file, env.scope) or bare
         last = last_name(plain(pointee(target)))

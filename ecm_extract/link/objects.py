@@ -13,6 +13,7 @@ from ecm_extract.link.containers import ELEMENT_METHODS, element_type
 from ecm_extract.link.env import MAX_DEPTH, Env, Instance, bind
 from ecm_extract.link.file_scope import FileScope
 from ecm_extract.link.overloads import NO, score
+from ecm_extract.link.pointed import pointed
 from ecm_extract.link.program import Program
 from ecm_extract.link.scope import Scope
 from ecm_extract.link.spelling import last_name, plain, pointee, template_arguments
@@ -112,8 +113,8 @@ class Objects:
     def _made_type(self, expr: Call, env: Env) -> str:
         if isinstance(expr.callee, Name):
             last = expr.callee.id.rsplit("::", 1)[-1]
-            if last in {"make_shared", "make_unique"} and expr.types:
-                return expr.types[0]
+            if pointed(expr):
+                return pointed(expr)
             if last in {"dynamic_pointer_cast", "static_pointer_cast"} and expr.types:
                 return expr.types[0]
             if last in HANDLES_OF_NODELETS:

@@ -14,7 +14,7 @@ from ecm_extract.link.site import Site
 from ecm_extract.link.texts import is_text_type
 from ecm_extract.link.types import Types
 from ecm_extract.link.units import Cls, Func
-from ecm_extract.link.values import Value
+from ecm_extract.link.values import Hole, Value
 from ecm_extract.link.walk import children
 
 MAX_CHAIN = 5
@@ -29,7 +29,7 @@ class Openness:
         self.types = types
         self.derived = derived
 
-    def of(self, site: Site, names: Iterable[Value]) -> tuple[frozenset[str], frozenset[str]]:
+    def of(self, site: Site, names: Sequence[Value]) -> tuple[frozenset[str], frozenset[str]]:
         """Return the parameters and the constructor parameters that name, type and profile depend on."""
         params: frozenset[str] = frozenset()
         made: frozenset[str] = frozenset()
@@ -40,19 +40,28 @@ class Openness:
         if found is not None and found.open:
             params |= found.open
             made |= found.open
-        made |= self._redefined(site)
+        made |= self._redefined(site, names)
         for expr, accepts in ((handle_argument(site.form, site.call), _is_handle), (_qos(site), _is_qos)):
             given, kept = self._origin(expr, site, accepts)
             params, made = params | given, made | given | kept
         return params, made
 
-    def _redefined(self, site: Site) -> frozenset[str]:
-        """Attributes of a Python class that a name is made of and that a derived class has a value of its own for."""
+    def _redefined(self, site: Site, names: Sequence[Value]) -> frozenset[str]:
+        """What a name is made of that derived classes have of their own: attributes of Python, and methods."""
         owner = site.owner
-        derived = self.derived(owner) if owner is not None and owner.file.language == "python" else ()
-        used = _attributes(name_argument(site.form, site.call)) if derived else set()
-        fields = (entry.fields.get(name) for name in used for entry in derived)
-        return frozenset(field.name for field in fields if field is not None and field.default is not None)
+        derived = self.derived(owner) if owner is not None else ()
+        if owner is None or not derived:
+            return frozenset()
+        used = _attributes(name_argument(site.form, site.call))
+        fields = (entry.fields.get(name) for name in used for entry in derived if owner.file.language == "python")
+        own = (field.name for field in fields if field is not None and field.default is not None)
+        return frozenset(own) | self._methods(owner, derived, {label for value in names for label in _unknown(value)})
+
+    def _methods(self, owner: Cls, derived: Iterable[Cls], asked: set[str]) -> frozenset[str]:
+        """The methods among what is not known that only derived classes, or other bases of them, have."""
+        program = self.folder.program
+        others = [entry for each in derived for entry in program.ancestry(each)] if asked else []
+        return frozenset(asked & set(_with_bodies(others)) - set(_with_bodies(program.ancestry(owner))))
 
     def _origin(
         self, expr: Expr | None, site: Site, accepts: Callable[[str, Func], bool]
@@ -92,16 +101,15 @@ class Openness:
 
     def _initialisers(self, name: str, env: Env) -> Iterator[tuple[Expr | None, Env]]:
         """Yield what each constructor at hand makes of a member, and what a handle of a body is below."""
-        for definition, inner in self.folder.assignments.definitions(Name(name), env):
-            outer = _below(definition.statement)
+        for made in self.folder.origins.makers(Name(name), env) or ():
+            body = made.env.func.fact.body
+            statement = body[made.env.at] if 0 <= made.env.at < len(body) else None
+            outer = _below(statement) if statement is not None else None
             if outer is not None:
-                yield outer, inner
-                continue
-            kinds = {"init", "set"} if definition.func.file.language == "python" else {"init"}
-            if definition.statement.kind in kinds and definition.func.is_constructor:
-                value = definition.statement.value
-                made = isinstance(value, Call) and len(value.args) == 1
-                yield (value.args[0] if made and isinstance(value, Call) else value), inner
+                yield outer, made.env
+            elif statement is not None and _initialises(statement, made.env.func):
+                is_call = isinstance(made.expr, Call) and len(made.expr.args) == 1
+                yield (made.expr.args[0] if is_call and isinstance(made.expr, Call) else made.expr), made.env
 
 
 def _variable(expr: Expr | None) -> str:
@@ -136,10 +144,25 @@ def _below(statement: Statement) -> Expr | None:
     return next(iter(statement.value.args), None)
 
 
+def _initialises(statement: Statement, func: Func) -> bool:
+    """Tell whether a constructor makes a member by a statement."""
+    kinds = {"init", "set"} if func.file.language == "python" else {"init"}
+    return statement.kind in kinds and func.is_constructor
+
+
 def _is_qos(name: str, func: Func) -> bool:
     """Tell whether a function takes a profile by this name; Python need not write its type."""
     python = func.file.language == "python"
     return any(entry.name == name and (python or "qos" in entry.type.lower()) for entry in func.fact.params)
+
+
+def _unknown(value: Value) -> Iterator[str]:
+    """What a value leaves open without knowing who knows it."""
+    return (part.label for part in value.parts if isinstance(part, Hole) and part.kind == "unknown")
+
+
+def _with_bodies(classes: Iterable[Cls]) -> Iterator[str]:
+    return (method.fact.name for entry in classes for method in entry.methods if method.fact.body)
 
 
 def _attributes(expr: Expr | None) -> set[str]:

@@ -35,11 +35,16 @@ class Ownership:
         return running
 
     def _deciding(self, site: Site, modules: list[Module]) -> tuple[Module, ...]:
-        """Those of several modules whose arguments lead to a site, where arguments decide."""
-        callers = self.decided.callers(site) if len(modules) > 1 else None
+        """Those of the modules whose arguments lead to a site, where arguments decide."""
+        asked = len(modules) > 1 or (bool(modules) and not self._is_loaded(site))
+        callers = self.decided.callers(site) if asked else None
         if callers is None:
             return tuple(modules)
         return tuple([each for each in modules if any(self.reach.reaches(each, [func]) for func in callers)])
+
+    def _is_loaded(self, site: Site) -> bool:
+        """Whether a class has a contract of its own, of which whoever loads it may make something else."""
+        return site.root.cls is not None and self.modules.is_module(site.root.cls)
 
     def _library(self, unit: Unit) -> tuple[Module, ...]:
         """The library that has what no module runs; what a client library declares is told of whoever calls it."""

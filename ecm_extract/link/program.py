@@ -10,7 +10,7 @@ from ecm_parsers.source.facts import Constant, Function
 from msgspec.structs import replace
 
 from ecm_extract.link.class_alternatives import alternatives_joined
-from ecm_extract.link.spelling import plain
+from ecm_extract.link.spelling import plain, template_arguments
 from ecm_extract.link.units import Cls, File, Func
 from ecm_extract.resolve.cpp_constants import Stated
 from ecm_extract.resolve.headers import Headers
@@ -210,9 +210,19 @@ class Program:
             self._mro[cls] = (cls,)  # of a class that derives from itself
             ordered = [cls]
             for entry in ordered:
-                ordered.extend(base for base in self.bases(entry) if base not in ordered)
+                ordered.extend(base for base in (*self.bases(entry), *self._given(entry)) if base not in ordered)
             known = self._mro[cls] = tuple(ordered)
         return known
+
+    def _given(self, cls: Cls) -> Iterator[Cls]:
+        """The bases that a class gives its own base, which derives from a parameter of its template."""
+        for written in cls.fact.bases if cls.file.language == "cpp" else ():
+            parent = self.class_named(plain(written), cls.file, cls.fact.scope) if "<" in written else None
+            given = dict(zip(parent.fact.template, template_arguments(written), strict=False)) if parent else {}
+            for base in parent.fact.bases if parent is not None and given else ():
+                found = self.class_named(plain(given.get(base, "")), cls.file, cls.fact.scope)
+                if found is not None and found is not cls:
+                    yield found
 
     def derived(self, cls: Cls) -> Sequence[Cls]:
         """Return the classes of the tree that derive from a class, at any distance."""

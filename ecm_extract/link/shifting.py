@@ -12,6 +12,7 @@ from ecm_extract.link.units import Cls, Func
 from ecm_extract.link.walk import expressions
 
 if TYPE_CHECKING:
+    from ecm_extract.link.env import Env
     from ecm_extract.link.fold import Folder
 
 
@@ -30,6 +31,13 @@ class Shifting:
         if known is None:
             known = self._members[cls, name] = self._shifts(name, cls)
         return known
+
+    def is_fixed(self, key: str, env: Env) -> bool:
+        """Tell whether nobody gives a member (see `places`) anything else once the constructor at hand made it."""
+        cls, name = env.this or env.func.cls, key[1:]
+        if cls is None or "." in name or self.member(name, cls):
+            return False
+        return not self.folder.states.callers.may_be_written_outside(name, env.func)
 
     def is_passed(self, name: str, cls: Cls) -> bool:
         """Tell whether a member does not shift, but is made of what the constructor gets."""

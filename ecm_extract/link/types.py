@@ -10,7 +10,7 @@ from ecm_checker.match.generated import snake
 from ecm_parsers.source.expr import Call, Expr, Lambda, Member, Name, Op, Text
 
 from ecm_extract.link.calls import Invocation
-from ecm_extract.link.env import Env
+from ecm_extract.link.env import MAX_DEPTH, Bound, Env
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.python_types import PythonTypes
 from ecm_extract.link.sent_as import sent_as
@@ -62,8 +62,9 @@ class Types:
             return UNKNOWN_TYPE
         if kind in {"callback", "service_callback"}:
             return self._callback(arg, env, role, kind == "service_callback")
-        if kind == "variable":
-            return self.written(self.folder.objects.type_of(arg, env), env, role)
+        if kind in {"variable", "request"}:
+            held = self.folder.objects.type_of(arg, env)
+            return self.written(_REQUEST.sub(r"\1", held) if kind == "request" else held, env, role)
         return self.expression(arg, env, role)
 
     def expression(self, expr: Expr, env: Env, role: Role) -> TypeFound:
@@ -218,12 +219,15 @@ class Types:
                 inner = Env(func, types=env.types, this=env.this, made=env.made)
                 written = _REQUEST.sub(r"\1", params[0].type) if service else params[0].type
                 return self.written(written, inner, role)
-        for definition in self.folder.scope.local(Name(name), env):
-            value = definition.statement.value
-            if value is not None:
-                return self._callback(value, env.before(definition.at), role, service)
+        made = {self._callback(each.expr, each.env, role, service) for each in self._held(name, env)}
+        if made:
+            return made.pop() if len(made) == 1 else UNKNOWN_TYPE
         held = _FUNCTION.search(self.folder.objects.type_of(expr, env)) if isinstance(expr, Name | Member) else None
         return self.written(template_arguments(f"<{held[1]}>")[0], env, role) if held else UNKNOWN_TYPE
+
+    def _held(self, name: str, env: Env) -> Sequence[Bound]:
+        """What a variable may hold that is called like a callback, where all of it is known."""
+        return self.folder.origins.makers(Name(name), env) or () if env.depth <= MAX_DEPTH else ()
 
     def _named(self, name: str, env: Env) -> list[Func]:
         last = name.rsplit("::", 1)[-1]

@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
 _ASSIGNING = frozenset({"-=", "*=", "/=", "%=", "|=", "&=", "^=", "<<=", ">>="})
 _LOGGING = (b"RCLCPP_", b"ROS_", b"RCUTILS_", b"ASSERT_", b"EXPECT_")
+_ASSERTING = b"ROS_ASSERT"
+"""Macros of ros/assert.h: what they ask for are settings as well as errors."""
 
 
 class Assigning:
@@ -26,7 +28,7 @@ class Assigning:
 
     def expression(self, node: Node) -> None:
         """Read an expression whose value nobody takes."""
-        if node.type == "call_expression" and self.expr.data.startswith(_LOGGING, node.start_byte):
+        if node.type == "call_expression" and self._logs(node.start_byte):
             return
         if node.type == "comma_expression":
             for child in node.named_children:
@@ -37,6 +39,10 @@ class Assigning:
             self._counted(node, self.expr.read(counter))
             return
         self.effect(node, self.expr.read(node))
+
+    def _logs(self, at: int) -> bool:
+        """Whether a call says something and does nothing else."""
+        return self.expr.data.startswith(_LOGGING, at) and not self.expr.data.startswith(_ASSERTING, at)
 
     def effect(self, node: Node, value: Expr) -> None:
         """Write what an expression assigns, or that it calls something."""

@@ -23,15 +23,7 @@ if TYPE_CHECKING:
 MAX_NESTING = 200
 RETURNED = "<returned>"
 """Name of a lambda that a function returns."""
-_BLOCKS = frozenset(
-    {
-        "compound_statement",
-        "else_clause",
-        "case_statement",
-        "labeled_statement",
-        "ERROR",
-    }
-)
+_BLOCKS = frozenset({"compound_statement", "else_clause", "case_statement", "labeled_statement", "ERROR"})
 _TRUE = Constant("true")
 
 
@@ -45,7 +37,7 @@ class BodyReader:
     """
 
     def __init__(self, data: bytes, scope: str) -> None:
-        self.expr = ExprReader(data, self._lambda_body)
+        self.expr = ExprReader(data, self._lambda_body, self._called_lambda)
         self.scope = scope
         self.writer = StatementWriter()
         self.functions: list[Function] = []
@@ -258,6 +250,13 @@ class BodyReader:
             return
         for declarator in node.children_by_field_name("declarator"):
             self._binding.bind(node, declarator)
+
+    def _called_lambda(self, node: Node) -> str:
+        """Read a lambda that is called where it stands as a function of that place; return its name."""
+        row, column = node.start_point
+        name = f"<lambda {row + 1}:{column + 1}>"
+        self._named_lambda(name, node)
+        return name
 
     def _named_lambda(self, name: str, node: Node) -> None:
         body = node.child_by_field_name("body")

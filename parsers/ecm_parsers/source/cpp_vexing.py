@@ -2,13 +2,22 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.cpp_expr import ExprReader
-from ecm_parsers.source.expr import Call, Expr, Name, Op
+from ecm_parsers.source.expr import Call, Constant, Expr, Name, Op
 
 if TYPE_CHECKING:
     from tree_sitter import Node
+
+
+_CONSTANTS: Final[Mapping[str, Constant]] = {
+    "true": Constant("true"),
+    "false": Constant("false"),
+    "nullptr": Constant("null"),
+}
+"""Words that the grammar takes for types where it reads a function."""
 
 
 def as_arguments(reader: ExprReader, listed: Node) -> tuple[Expr, ...] | None:
@@ -27,9 +36,9 @@ def _argument(reader: ExprReader, child: Node) -> Expr | None:
     written, declarator = child.child_by_field_name("type"), child.child_by_field_name("declarator")
     if written is None:
         return None
-    name = Name(reader.name(written))
+    name: Expr = Name(reader.name(written))
     if declarator is None:
-        return name
+        return _CONSTANTS.get(reader.name(written), name)
     if len(declarator.named_children) != 1:
         return None
     size, inner = declarator.child_by_field_name("size"), declarator.child_by_field_name("parameters")
