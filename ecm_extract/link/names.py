@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from ecm_extract.link.handles import Handle, under
+from ecm_extract.link.own_spaces import marked
 from ecm_extract.link.values import Hole, Value, settled, with_node
 
 
@@ -26,7 +27,7 @@ def space_of(handle: Handle, node: str | None) -> str:
 
 
 def local_name(value: Value, handle: Handle, space: str = "") -> str:
-    """Return a name for any namespace and node name: `/absolute`, `~/private` or relative, then below `space`.
+    """Return a name for any namespace and node name: `/absolute`, `~/private` or relative, of a node in `space`.
 
     `${parameter=default}` stands where a ROS parameter gives a part of it.
     """
@@ -38,9 +39,11 @@ def local_name(value: Value, handle: Handle, space: str = "") -> str:
     if prefix and not name.startswith(("/", "~")) and not value.text.startswith("/"):
         name = f"{prefix}/{name}"
     if not name.startswith("~"):
-        return name if not space or name.startswith("/") else f"{space}/{name}"
+        return marked(space, name)
     private = name[1:].lstrip("/")
-    return f"~/{private}" if handle.node is None else f"{handle.node.text}/{private}"
+    if handle.node is None:
+        return marked(space, f"~/{private}")
+    return marked(space, f"{handle.node.text.removeprefix(space).lstrip('/')}/{private}")
 
 
 def endpoint_name(value: Value, handle: Handle, node: str | None, ros: int | None) -> RosName:

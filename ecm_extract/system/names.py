@@ -11,6 +11,7 @@ from dataclasses import replace
 from typing import Any, NamedTuple
 
 from ecm_extract.link.filling import filled
+from ecm_extract.link.own_spaces import unmarked
 from ecm_extract.link.values import NAMESPACE, PARENT_NAMESPACE
 from ecm_extract.system.model import Remapping, join
 
@@ -45,6 +46,10 @@ def resolve(local: str, around: Around) -> list[Resolved]:
         local: for any namespace and node, as `ecm_extract.link.names.local_name` gives it.
         around: the node.
     """
+    own = unmarked(local)
+    if own.space:
+        is_given = bool(around.namespace.strip("/"))
+        return resolve(own.name, around if is_given else around._replace(namespace=f"/{own.space}"))
     used = tuple(match[1] for match in _PARAMETER.finditer(local))
     above = around.namespace.rstrip("/").rpartition("/")[0]
     known = {"node": around.node, NAMESPACE: around.namespace.rstrip("/"), PARENT_NAMESPACE: above}

@@ -104,3 +104,32 @@ def test_a_member_that_holds_the_name_of_its_node(tmp_path: Path) -> None:
     names = {entry.name for entry in endpoints(tmp_path, NAMED, launch)}
     state = {"/floor/change_state", "/floor/get_state", "/floor/transition_event"}
     assert names == {"/clear_floor", "/load_map_server", *state}
+
+
+OWN = """
+#include <rclcpp/rclcpp.hpp>
+class Arm : public rclcpp::Node {
+public:
+  Arm() : Node("arm", "robot") {
+    create_publisher<std_msgs::msg::Bool>("out", 1);
+    create_publisher<std_msgs::msg::Bool>("~/own", 1);
+    create_publisher<std_msgs::msg::Bool>("/abs", 1);
+  }
+};
+int main(int argc, char ** argv) { rclcpp::init(argc, argv); rclcpp::spin(std::make_shared<Arm>()); }
+"""
+
+
+@pytest.mark.parametrize(
+    ("space", "names"),
+    [
+        ("", {"/robot/out", "/robot/arm/own", "/abs"}),
+        ("left", {"/left/out", "/left/arm/own", "/abs"}),
+    ],
+)
+def test_a_namespace_that_code_gives_is_replaced_by_that_of_a_launch(
+    tmp_path: Path, space: str, names: set[str]
+) -> None:
+    """`__ns` takes the place of the namespace in the constructor; without it that one holds."""
+    launch = f"<launch><node pkg='p' exec='layer' namespace='{space}'/></launch>"
+    assert {entry.name for entry in endpoints(tmp_path, OWN, launch)} == names
