@@ -17,7 +17,7 @@ def read_forms(*names: str) -> Mapping[str, list[str]]:
     return found
 
 
-FORMS: Final = read_forms("cmake_forms.toml", "cmake_statements.toml", "cmake_ros.toml")
+FORMS: Final = read_forms("cmake_forms.toml", "cmake_statements.toml", "cmake_ros.toml", "cmake_packages.toml")
 PLACES: Final = {
     1: {
         "share": "${CATKIN_PACKAGE_SHARE_DESTINATION}",

@@ -92,6 +92,34 @@ function(catkin_install_python programs)
   install(PROGRAMS ${ARG_UNPARSED_ARGUMENTS} DESTINATION ${ARG_DESTINATION})
 endfunction()
 """,
+    "catkin_simple": """
+macro(catkin_simple)
+endmacro()
+macro(cs_add_executable name)
+  cmake_parse_arguments(ARG "NO_AUTO_LINK;NO_AUTO_DEP" "" "" ${ARGN})
+  add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
+  list(APPEND ${PROJECT_NAME}_TARGETS ${name})
+endmacro()
+macro(cs_add_library name)
+  cmake_parse_arguments(ARG "NO_AUTO_LINK;NO_AUTO_DEP;NO_AUTO_EXPORT" "" "" ${ARGN})
+  add_library(${name} ${ARG_UNPARSED_ARGUMENTS})
+  list(APPEND ${PROJECT_NAME}_TARGETS ${name})
+endmacro()
+macro(cs_install)
+  install(TARGETS ${${PROJECT_NAME}_TARGETS} ${ARGN} ARCHIVE DESTINATION lib LIBRARY DESTINATION lib
+    RUNTIME DESTINATION lib/${PROJECT_NAME})
+  if(IS_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/include)
+    install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/include/ DESTINATION include FILES_MATCHING PATTERN "*.hpp")
+  endif()
+  foreach(_dir launch rviz urdf meshes maps worlds Media param)
+    if(IS_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/${_dir})
+      install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/${_dir}/ DESTINATION share/${PROJECT_NAME}/${_dir})
+    endif()
+  endforeach()
+endmacro()
+macro(cs_export)
+endmacro()
+""",
 }
 _NOTHING = (
     *("rosidl_generate_interfaces", "generate_parameter_library", "pluginlib_export_plugin_description_file"),

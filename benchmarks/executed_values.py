@@ -91,7 +91,8 @@ def _means(told: Told, name: str) -> bool:
     if "{" not in told.name:
         return told.name == name
     parts = [re.escape(part) for part in _HOLE.split(told.name)]
-    return re.fullmatch(".*".join(parts), name) is not None or re.fullmatch(".*".join(parts), "/" + name) is not None
+    written = (name, f"/{name}", f"{name}/")  # what is unknown may be empty, and a `/` at an end is dropped
+    return any(re.fullmatch(".*".join(parts), each) is not None for each in written)
 
 
 def _resolved(name: str) -> str:

@@ -2,8 +2,9 @@
 
 Launch files are drawn from clones by a seed and read with their default arguments, by roslaunch's own loader
 (`apt-get install python3-roslaunch`) and by our reader; packages are those of the clone. Nothing is started,
-commands that launch files name are not run. Compared are nodes with their program, remaps and parameters. Copies in
-install spaces, and packages that are marked to be ignored, are left out as they are everywhere.
+commands that launch files name are not run. Both readers are given the same environment. Compared are nodes with their
+program, remaps and parameters. Copies in install spaces, and packages that are marked to be ignored, are left out as
+they are everywhere.
 """
 
 from __future__ import annotations
@@ -87,7 +88,7 @@ def _judged(clone: Path, files: list[Path], counts: Counter[str]) -> Iterator[st
             continue
         counts["files"] += 1
         relative = str(path.relative_to(clone))
-        told = _told(launched(read.tree, read.files, [relative], Given()), read)
+        told = _told(launched(read.tree, read.files, [relative], Given(environment=environment)), read)
         differences = list(_differences(told, _truth(truth), counts))
         counts["files equal"] += not differences
         yield from (f"{clone.name}/{relative}: {text}" for text in differences)

@@ -15,6 +15,8 @@ from ecm_extract.cmake.keywords import split
 from ecm_extract.cmake.state import both
 
 _SUFFIXES: Final = (".c", ".cc", ".cpp", ".cxx")
+_SHARED: Final = ("launch", "rviz", "urdf", "meshes", "maps", "worlds", "Media", "param")
+"""Folders that `cs_install` shares (catkin_simple-extras.cmake)."""
 _LIBRARY: Final = "ament_auto_add_library"
 _EXECUTABLE: Final = "ament_auto_add_executable"
 
@@ -48,10 +50,16 @@ def installed_by_auto(call: Call, calls: Sequence[Call], files: BuildFiles) -> I
         yield _rule("directory", [call.file(folder)], f"share/{project}", call)
 
 
-def installed_by_simple(call: Call, calls: Sequence[Call]) -> Iterator[Install]:
-    """Yield the rules of `cs_install()` (catkin_simple): all targets of `cs_add_*`."""
+def installed_by_simple(call: Call, calls: Sequence[Call], files: BuildFiles) -> Iterator[Install]:
+    """Yield the rules of `cs_install()` (catkin_simple): all targets of `cs_add_*`, and folders that are there."""
+    project = _project(calls)
     yield from _of_targets(_made("cs_add_library", calls), "lib", call)
-    yield from _of_targets(_made("cs_add_executable", calls), f"lib/{_project(calls)}", call)
+    yield from _of_targets(_made("cs_add_executable", calls), f"lib/{project}", call)
+    if files.is_folder(posixpath.join(call.folder, "include")):
+        yield _rule("directory", [call.file("include/")], "include", call)
+    for folder in _SHARED:
+        if files.is_folder(posixpath.join(call.folder, folder)):
+            yield _rule("directory", [call.file(f"{folder}/")], f"share/{project}/{folder}", call)
 
 
 def _project(calls: Sequence[Call]) -> str:

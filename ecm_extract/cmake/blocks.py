@@ -11,6 +11,7 @@ import msgspec
 from ecm_parsers.cmake_blocks import Block, Branch
 from ecm_parsers.cmake_tokens import Argument
 
+from ecm_extract.cmake import policies
 from ecm_extract.cmake.answers import Answers
 from ecm_extract.cmake.conditions import Judged, holds, judged
 from ecm_extract.cmake.functions import Function
@@ -50,20 +51,26 @@ def _define(run: Run, block: Block) -> None:
     # Of two definitions that exclude each other, that of a build without settings counts.
     if name and (run.state.path.by_default is not False or name not in run.functions):
         params = tuple(argument.text for argument in branch.header[1:])
-        run.functions[name] = Function(block.kind == "macro", params, branch.body)
+        run.functions[name] = Function(block.kind == "macro", params, branch.body, policies.held(run.state.variables))
 
 
 def _scoped(run: Run, branch: Branch, place: Place) -> bool:
-    """`block([SCOPE_FOR [POLICIES] [VARIABLES]] [PROPAGATE names...])`: variables that go when it ends."""
+    """`block([SCOPE_FOR [POLICIES] [VARIABLES]] [PROPAGATE names...])`: variables and policies that go when it ends."""
     words = run.worlds(lambda look: tuple(all_values(branch.header, look))).first
     groups = split(words, frozenset({"SCOPE_FOR", "PROPAGATE"}))
-    if groups.get("SCOPE_FOR") == ["POLICIES"]:
-        return run.steps(branch.body, place)
+    kinds = groups.get("SCOPE_FOR") or ["POLICIES", "VARIABLES"]
+    if "VARIABLES" not in kinds:
+        before = policies.held(run.state.variables)
+        goes_on = run.steps(branch.body, place)
+        policies.put_back(run.state.variables, before)
+        return goes_on
     run.state.scopes.append(dict(run.state.variables))
     goes_on = run.steps(branch.body, place)
     inner = run.state.scopes.pop()
     for name in groups.get("PROPAGATE", []):
         run.state.assign(name, inner.get(name, Value((None,))))
+    if "POLICIES" not in kinds:
+        policies.put_back(run.state.variables, policies.held(inner))
     return goes_on
 
 

@@ -8,12 +8,12 @@ from typing import Final
 
 from ecm_parsers.cmake_tokens import Command
 
+from ecm_extract.cmake import policies
 from ecm_extract.cmake.calls import Call
 from ecm_extract.cmake.change import Change
 from ecm_extract.cmake.functions import Function, bound, substituted
 from ecm_extract.cmake.known import commands, is_true, known
 from ecm_extract.cmake.look import Outcomes
-from ecm_extract.cmake.policies import is_new
 from ecm_extract.cmake.run import Arm, Place, Run
 from ecm_extract.cmake.setters import ALSO_CALLS
 from ecm_extract.cmake.special import SPECIAL
@@ -64,7 +64,7 @@ def _record(run: Run, command: Command, outcomes: Outcomes[tuple[str, ...]], pla
         conditions=path.conditions,
         by_default=path.by_default,
         is_test=path.is_test,
-        is_relative_here=is_new(run.look(), "CMP0076"),
+        is_relative_here=policies.is_new(run.look(), "CMP0076"),
         makes_shared=_makes_shared(run) if command.name in _LIBRARIES else None,
     )
     run.found.calls.append(call)
@@ -144,6 +144,15 @@ def _invoke_each(run: Run, command: Command, function: Function, place: Place) -
 
 def _invoke(run: Run, function: Function, args: tuple[str, ...], place: Place) -> bool:
     run.work += len(args) // 8 + (0 if function.is_macro else len(run.state.variables) // 20)
+    before = policies.held(run.state.variables)
+    policies.put_back(run.state.variables, function.policies)
+    goes_on = _run_body(run, function, args, place)
+    own = policies.changed(function.policies, run.state.variables)
+    policies.put_back(run.state.variables, {**before, **own})
+    return goes_on
+
+
+def _run_body(run: Run, function: Function, args: tuple[str, ...], place: Place) -> bool:
     if function.is_macro:
         return run.steps(substituted(function, args), place)
     run.state.scopes.append({**run.state.variables, **bound(function, args)})

@@ -12,6 +12,7 @@ from ecm_extract.cmake import patterns
 from ecm_extract.cmake.comparisons import COMPARISONS, NUMBER
 from ecm_extract.cmake.lists import items
 from ecm_extract.cmake.look import Look
+from ecm_extract.cmake.policies import is_known_to_all
 from ecm_extract.cmake.state import both, either, opposite
 from ecm_extract.cmake.text import values
 from ecm_extract.cmake.values import is_known, unknown
@@ -239,6 +240,9 @@ class _Condition:
         """A folder that has files in the tree is none."""
         return False if is_known(word.text) and self._world.is_directory(word.text) else None
 
+    def is_policy(self, word: _Word) -> bool | None:
+        return is_known_to_all(word.text) or None
+
     def is_unknown(self, word: _Word) -> bool | None:
         del word
         return None
@@ -265,7 +269,7 @@ _UNARY: Final[dict[str, Callable[[_Condition, _Word], bool | None]]] = {
     "TARGET": _Condition.is_target,
     "COMMAND": _Condition.is_command,
     "DEFINED": _Condition.is_defined,
-    "POLICY": _Condition.is_unknown,
+    "POLICY": _Condition.is_policy,
     "TEST": _Condition.is_unknown,
     "IS_SYMLINK": _Condition.is_link,
     "IS_READABLE": _Condition.is_unknown,

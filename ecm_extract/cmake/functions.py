@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from typing import Final
 
 import msgspec
@@ -15,11 +16,12 @@ _REFERENCE: Final = re.compile(r"\$\{(\w+)\}")
 
 
 class Function(msgspec.Struct, frozen=True):
-    """A command that a file of the tree defines."""
+    """A command that a file of the tree defines; `policies` are those that held there, and hold where it runs."""
 
     is_macro: bool
     params: tuple[str, ...]
     body: tuple[Step, ...]
+    policies: Mapping[str, Value]
 
 
 def _named(function: Function, args: tuple[str, ...]) -> dict[str, str]:

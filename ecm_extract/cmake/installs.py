@@ -47,7 +47,7 @@ def installs(calls: tuple[Call, ...], targets: Mapping[str, Target], files: Buil
         elif call.name == "ament_auto_package":
             yield from installed_by_auto(call, calls, files)
         elif call.name == "cs_install":
-            yield from installed_by_simple(call, calls)
+            yield from installed_by_simple(call, calls, files)
 
 
 def _each(call: Call, kind: InstallKind, targets: Mapping[str, Target]) -> Iterator[Install]:

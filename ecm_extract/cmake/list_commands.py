@@ -34,7 +34,8 @@ def run_list(args: list[str], look: Look) -> Sequence[Change]:
     else:
         target = name
     form = _CHANGES.get(action)
-    found = form(items(text), rest, look) if form is not None and (is_known(text) or action in _GROWING) else None
+    grows = action in _GROWING or (action == "INSERT" and rest[:1] == ["0"])
+    found = form(items(text), rest, look) if form is not None and (is_known(text) or grows) else None
     return not_known(target) if found is None else [Change(target, _text(found))]
 
 

@@ -18,7 +18,7 @@ from ecm_extract.cmake.known import known
 from ecm_extract.cmake.lists import items
 from ecm_extract.cmake.run import Place, Run
 from ecm_extract.cmake.state import either
-from ecm_extract.cmake.values import BINARY, SOURCE, is_known, unknown, written
+from ecm_extract.cmake.values import BINARY, SOURCE, Value, is_known, unknown, written
 
 _STOPS: Final = frozenset({"FATAL_ERROR", "SEND_ERROR"})
 _LIST_NAMES: Final = ("CMAKE_CURRENT_LIST_FILE", "CMAKE_CURRENT_LIST_DIR")
@@ -66,12 +66,21 @@ def _include(run: Run, command: Command, args: tuple[str, ...], place: Place) ->
     path = _included(run, name)
     _tell_found(run, args, path)
     if path is not None:
-        return run_file(run, path, place)
+        return _with_own_policies(run, path, args, place)
     if not _is_nowhere(run, name):
         run.brought.find([name])
     if "OPTIONAL" not in args and ("/" in name or "." in name or not is_known(name)):
         run.open(place, command.line, f"include of {written(name)}")
     return True
+
+
+def _with_own_policies(run: Run, path: str, args: tuple[str, ...], place: Place) -> bool:
+    """Run an included file; what it does to policies ends with it, unless it has no scope of them."""
+    before = policies.held(run.state.variables)
+    goes_on = run_file(run, path, place)
+    if "NO_POLICY_SCOPE" not in args:
+        policies.put_back(run.state.variables, before)
+    return goes_on
 
 
 def _tell_found(run: Run, args: tuple[str, ...], path: str | None) -> None:
@@ -165,9 +174,8 @@ def _project(run: Run, command: Command, args: tuple[str, ...], place: Place) ->
 def _require(run: Run, command: Command, args: tuple[str, ...], place: Place) -> bool:
     del command, place
     version = "".join(args[args.index("VERSION") + 1 :][:1]) if "VERSION" in args else ""
-    for name in [each for each in run.state.variables if each.startswith(policies.PREFIX)]:
-        del run.state.variables[name]
-    run.set(policies.VERSION, policies.upper(version))
+    for change in policies.of_version(version):
+        run.state.assign(change.name, Value((change.text,)))
     run.minimum = tuple(int(part) for part in version.partition("...")[0].split(".") if part.isdigit())
     return True
 

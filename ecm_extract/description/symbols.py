@@ -127,9 +127,13 @@ class Unknown:
     """A value with a part that only the launch knows, which stands in braces; no text, so that none is taken for one.
 
     Whoever writes it out says so by `str`.
+
+    Attributes:
+        text: as it is written out. data: list, tuple or map of which a part is not known; None for a text.
     """
 
     text: str
+    data: Any = None
 
     def __str__(self) -> str:
         return self.text
@@ -147,19 +151,18 @@ class Watched(Mapping[str, Any]):
         self._extra = extra
         self.touched = False
 
-    def anew(self) -> Watched:
-        """Return the same names with nothing noted."""
-        return Watched(self._symbols, self._extra)
-
     def __contains__(self, name: object) -> bool:
         return name in self._extra or name in self._symbols
 
     def __getitem__(self, name: str) -> Any:
-        value = self._extra[name] if name in self._extra else self._symbols[name]
+        return self.told(self._extra[name] if name in self._extra else self._symbols[name])
+
+    def told(self, value: Any) -> Any:
+        """Return a value as the expression has it; that it is not known is noted."""
         if not isinstance(value, Unknown):
             return value
         self.touched = True
-        return value.text
+        return value.text if value.data is None else value.data
 
     def __iter__(self) -> Iterator[str]:
         yield from self._extra

@@ -5,19 +5,19 @@ Source: the xacro wiki page, "Math expressions", "YAML support"; wiki.ros.org/ro
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Mapping
+from functools import partial
 from typing import Any
 
-from ecm_parsers.expression import MAX_LENGTH, Budget, ExpressionError, evaluate
+from ecm_parsers.expression import Budget, ExpressionError, evaluate
 
 from ecm_extract.description.symbols import Symbols, Unknown, Watched
-from ecm_extract.description.xacro_text import closing, typed
+from ecm_extract.description.xacro_files import MARK
+from ecm_extract.description.xacro_text import typed
 
-MAX_CALLS = 20
 MAX_WORK = 4_000_000
-_CALL = re.compile(r"(?<![\w.])(?:xacro\.)?(?P<name>load_yaml|arg|find|optenv|env|dirname)\(")
-_WORD = re.compile(r"'([^']*)'|\"([^\"]*)\"")
+_SUBSTITUTIONS = ("find", "optenv", "env", "dirname")
+_SPOKEN = ("message", "warning", "error", "print_location")
 
 
 class XacroExpression:
@@ -49,53 +49,76 @@ class XacroExpression:
             symbols: properties.
             names: further names.
         """
-        extra = dict(names or {})
-        watched = Watched(symbols, extra)
+        watched = Watched(symbols, names or {})
         try:
-            found = evaluate(self._without_calls(code, watched, extra), watched, self._budget)
+            found = evaluate(code, watched, self._budget, self._functions(watched))
         except ExpressionError as error:
             if not watched.touched:
                 self.problem(str(error))
             return _hole(code)
-        if not watched.touched or isinstance(found, dict | list | tuple):
-            return found
-        return Unknown(found) if isinstance(found, str) and "{" in found else _hole(code)
+        return _with_holes(found, code) if watched.touched else found
 
     def launch_value(self, code: str, symbols: Symbols) -> Any:
         """Return the value of `$(eval ...)`, which knows the arguments by name."""
         return self.value(code, symbols, {name: typed(value) for name, value in self.arguments.items()})
 
-    def _without_calls(self, code: str, watched: Watched, extra: dict[str, Any]) -> str:
-        """Replace calls that this evaluator makes itself by names that hold their results."""
-        for _ in range(MAX_CALLS if len(code) <= MAX_LENGTH else 0):
-            calls = list(_CALL.finditer(code))
-            end = closing(code, calls[-1].end() - 1) if calls else -1  # the last call has no other call inside it
-            if end < 0:
-                break
-            label = f"called_{len(extra)}"
-            extra[label] = self._called(calls[-1]["name"], code[calls[-1].end() : end], watched)
-            code = code[: calls[-1].start()] + label + code[end + 1 :]
-        return code
+    def _functions(self, watched: Watched) -> Mapping[str, Callable[..., Any]]:
+        """Functions of xacro beside those of all expressions."""
+        return {
+            **{name: partial(self._substituted, name, watched) for name in _SUBSTITUTIONS},
+            **dict.fromkeys(_SPOKEN, lambda *_, **__: ""),
+            "arg": partial(self._argument, watched),
+            "load_yaml": partial(self._loaded, watched),
+            "abs_filename": self._absolute,
+            "dotify": lambda table: table,
+            "tokenize": _tokens,
+            "fatal": _ended,
+        }
 
-    def _called(self, name: str, inside: str, watched: Watched) -> Any:
-        if name == "load_yaml":
-            return self._loaded(inside, watched)
-        word = " ".join(single or double for single, double in _WORD.findall(inside))
-        known = typed(self.arguments.get(word)) if name == "arg" else self.substitute(name, word)
-        if known is None:
-            self.problem(f"`{name}({inside.strip()})` is known at launch only", "late")
-            return _hole(word)
-        return known
+    def _argument(self, watched: Watched, name: str) -> Any:
+        return self._known(watched, "arg", name, typed(self.arguments.get(name)))
 
-    def _loaded(self, inside: str, watched: Watched) -> Any:
-        own = watched.anew()
-        path = str(evaluate(inside, own, self._budget))
-        if own.touched:
-            return _hole(path)
+    def _substituted(self, word: str, watched: Watched, *rest: object) -> Any:
+        words = " ".join(map(str, rest))
+        return self._known(watched, word, words, self.substitute(word, words))
+
+    def _known(self, watched: Watched, name: str, inside: str, value: Any) -> Any:
+        if value is None:
+            self.problem(f"`{name}({inside!r})` is known at launch only", "late")
+            value = _hole(inside)
+        return watched.told(value)
+
+    def _loaded(self, watched: Watched, name: str) -> Any:
+        path = str(name)
+        if watched.touched and "{" in path:
+            return watched.told(_hole(path))
         data = self.yaml(path)
         if isinstance(data, Unknown):
             self.problem(f"file `{data.text.strip('{}')}` is not in the tree")
-        return data
+        return watched.told(data)
+
+    def _absolute(self, name: str) -> str:
+        """A path that is relative is one of the folder of the file that is read."""
+        is_absolute = name.startswith(("/", MARK))
+        return name if is_absolute else f"{self.substitute('dirname', '')}/{name}"
+
+
+def _tokens(text: str, sep: str = ",; ", skip_empty: bool = True) -> list[str]:
+    for each in sep[1:]:
+        text = text.replace(each, sep[0])
+    return [token for token in text.split(sep[0]) if token or not skip_empty]
+
+
+def _ended(*words: object) -> Any:
+    msg = f"The description ends itself: {' '.join(map(str, words))[:200]}"
+    raise ExpressionError(msg)
+
+
+def _with_holes(found: Any, code: str) -> Unknown:
+    """What an expression gives of which a part is not known."""
+    if isinstance(found, dict | list | tuple):
+        return Unknown(str(found), found)
+    return Unknown(found) if isinstance(found, str) and "{" in found else _hole(code)
 
 
 def _hole(code: str) -> Unknown:

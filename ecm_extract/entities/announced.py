@@ -17,6 +17,7 @@ from ecm_checker.hub.provision import Line, Provision
 from ecm_extract.entities.cpp import MARKED
 from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.source_suffixes import is_included
 
 _MARK = re.compile(r"deprecat|obsolete", re.IGNORECASE)
 _DIRECTIVE = re.compile(
@@ -24,7 +25,6 @@ _DIRECTIVE = re.compile(
 )
 _JOIN = re.compile(r"\\\s|[\"()]+\s*[\"()]+")
 _COMMENT = re.compile(r"^\s*(?://|/\*|\*)")
-_HEADERS = (".h", ".hh", ".hpp", ".hxx")
 _TEMPLATE = re.compile(r"^\s*template\s*<.*>\s*$")
 _ENDED = re.compile(r"(?i)^#+\s*(?:(?:it|this|the)\b.{0,60}\b(?:is|has been|was)\s+)?(?:deprecated|obsolete)\b")
 _ATTRIBUTE = re.compile(r"\bdeprecated\s*\(((?:\s*\"(?:[^\"\\]|\\.)*\")+)")
@@ -37,7 +37,7 @@ def announced(side: SideTexts, packages: Iterable[PackageFacts], entities: Seque
     """Return the entities, with what their declarations say about their end."""
     texts = _descriptions(packages)
     lines: dict[str, list[str]] = defaultdict(list)
-    headers = {entity.path for entity in entities if entity.row.included and entity.path.endswith(_HEADERS)}
+    headers = {entity.path for entity in entities if entity.row.included and is_included(entity.path)}
     texts |= _interface_heads(side, {entity.path for entity in entities if entity.row.generated})
     for path, data in side.speaking.items():
         if path in headers:

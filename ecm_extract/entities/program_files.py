@@ -10,7 +10,7 @@ from ecm_parsers.cmake_facts import Target
 from ecm_parsers.source.facts import SourceFile
 
 from ecm_extract.read.facts import PackageFacts
-from ecm_extract.source_suffixes import INCLUDED
+from ecm_extract.source_suffixes import is_included
 
 
 def of_programs(facts: PackageFacts) -> frozenset[str]:
@@ -20,11 +20,11 @@ def of_programs(facts: PackageFacts) -> frozenset[str]:
     linked = _library_sources(facts)
     homes: dict[str, set[bool]] = defaultdict(set)
     for path, source in facts.sources.items():
-        if source.language == "cpp" and not path.endswith(tuple(INCLUDED)):
+        if source.language == "cpp" and not is_included(path):
             for function in source.functions:
                 if "declaration" not in function.traits:
                     homes[function.scope].add(path in linked or path.rpartition(".")[0] in linked)
-    headers = ((path, source) for path, source in facts.sources.items() if path.endswith(tuple(INCLUDED)))
+    headers = ((path, source) for path, source in facts.sources.items() if is_included(path))
     return frozenset(path for path, source in headers if _places(source, homes) == {False})
 
 

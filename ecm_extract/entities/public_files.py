@@ -9,7 +9,7 @@ from ecm_parsers.cmake_facts import FileReference
 
 from ecm_extract.entities.program_files import of_programs, script_modules
 from ecm_extract.read.facts import PackageFacts
-from ecm_extract.source_suffixes import INCLUDED
+from ecm_extract.source_suffixes import is_included
 
 _NO_PACKAGES = frozenset({"src", "test", "tests", "example", "examples"})
 HIDDEN = frozenset({"detail", "details", "internal", "impl", "_internal", "private", "anonymous"})
@@ -26,8 +26,7 @@ def public_headers(facts: PackageFacts) -> dict[str, str]:
     found: dict[str, str] = {}
     for entry in facts.root.files:
         parts = entry.path.split("/")
-        suffix = f".{parts[-1].rpartition('.')[2].lower()}" if "." in parts[-1] else ""
-        if suffix not in INCLUDED or not HIDDEN.isdisjoint(parts):
+        if not is_included(entry.path) or not HIDDEN.isdisjoint(parts):
             continue
         include = _below_include(inside(entry.path, facts.root.path))
         if include is not None and not kept_back:

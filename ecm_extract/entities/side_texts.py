@@ -15,6 +15,7 @@ from ecm_parsers.result import Facts, Parsed
 
 from ecm_extract.read.cuts import report_cuts
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.source_suffixes import is_included
 from ecm_extract.system.launch_files import is_launch_file
 from ecm_extract.tree import Tree
 
@@ -22,7 +23,6 @@ DESCRIPTIONS: Final = (".urdf", ".xacro")
 PARAMETERS: Final = (".yaml", ".yml")
 _BUILDS: Final = ("CMakeLists.txt", ".cmake", ".sdf")
 """What requirements are read from as well: build files, and descriptions of worlds."""
-_HEADERS: Final = (".h", ".hh", ".hpp", ".hxx")
 _ENDS: Final = re.compile(rb"[Dd]eprecat|DEPRECAT|[Oo]bsolete")
 
 
@@ -44,7 +44,7 @@ class SideTexts:
             path for path in listed if path.endswith((*DESCRIPTIONS, *PARAMETERS, *_BUILDS)) or is_launch_file(path)
         }
         searched = {path for facts in packages for path in (*facts.sources, *facts.interfaces)}
-        searched |= {path for path in listed if path.endswith(_HEADERS)}
+        searched |= {path for path in listed if is_included(path)}
         for path, data in tree.read_many(sorted(whole | searched)):
             if path in whole:
                 self._whole[path] = data

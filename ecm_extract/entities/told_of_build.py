@@ -16,13 +16,13 @@ from ecm_extract.entities.fetched import fetched_repositories
 from ecm_extract.entities.install_rules import InstallRule, install_rules, is_open, place_of, tells_installed
 from ecm_extract.entities.possible import makers_of, open_kinds, possible_names, runs_files
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.source_suffixes import COMPILED
 from ecm_extract.tree import Tree
 from ecm_extract.tree.checkout import left_out
 from ecm_extract.tree.submodules import FILE_NAME, submodule_names
 
 FILE: Final = "file"
 _MAKING: Final = frozenset({"add_custom_command", "configure_file"})
-_COMPILED: Final = frozenset({".c", ".cc", ".cpp", ".cxx"})
 _COPYING: Final = frozenset({"FILES", "DIRECTORY"})
 
 
@@ -88,7 +88,7 @@ def makes_files(facts: PackageFacts) -> bool:
 def _unbuilt(facts: PackageFacts) -> list[str]:
     """Sources of C++ that no target has; none where the build does not tell all that it compiles."""
     built = built_sources(facts.cmake) if facts.cmake else None
-    sources = (path for path in facts.sources if PurePosixPath(path).suffix in _COMPILED)
+    sources = (path for path in facts.sources if PurePosixPath(path).suffix in COMPILED)
     return [] if built is None else sorted(path for path in sources if path not in built)
 
 

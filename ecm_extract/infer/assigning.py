@@ -12,6 +12,7 @@ from ecm_extract.infer.effects import bare_names, is_plain
 from ecm_extract.infer.held import Held, State, all_ways
 from ecm_extract.infer.memory import Memory
 from ecm_extract.infer.run import Frame
+from ecm_extract.link.containers import makes_tuple
 from ecm_extract.link.spelling import last_name
 from ecm_extract.link.walk import children
 
@@ -20,7 +21,6 @@ if TYPE_CHECKING:
 
 _TIE: Final = "tie"
 """en.cppreference.com, std::tie: references to what it is given."""
-_MAKERS: Final = frozenset({"make_pair", "make_tuple"})
 
 
 class Assigning:
@@ -47,6 +47,9 @@ class Assigning:
     def _from_before(self, target: Expr | None, state: State) -> State:
         """A variable that is kept between calls: what it begins with, or what a call before has left it with."""
         key = self.frame.effects.key(target)
+        entered = self.frame.judge.lasting.entered(key, self.frame.env)
+        if entered is not None:
+            return state.having({key: entered})
         given_out = "reference" in self.frame.env.func.fact.traits
         if not given_out and (self.frame.outline.changes.get(key, 0) <= 1 or self._runs_once()):
             return state
@@ -167,8 +170,7 @@ class Assigning:
 
 def _of_maker(value: Expr | None, python: bool) -> Expr | None:
     """The values that a pair or tuple of C++ is made of; anything else as it is."""
-    made = last_name(value.callee.id) if isinstance(value, Call) and isinstance(value.callee, Name) else ""
-    return Items(value.args) if isinstance(value, Call) and not python and made in _MAKERS else value
+    return Items(value.args) if isinstance(value, Call) and not python and makes_tuple(value) else value
 
 
 def _braces(value: Expr | None) -> list[Items]:

@@ -38,15 +38,21 @@ class Calling:
         state = self._inner(at, calls, env, state)
         if waits:
             state = self._anything(self.memory.lost(state, self._followed(state)))
+        state = state.having(self.frame.judge.lasting.changed(env, state))
         if waits or own:
             state = self.memory.given_again([key for key in state.holds if self._may_be_changed(key)], state)
         return state
+
+    def undone(self, at: int, before: State, state: State) -> State:
+        """The state in which calls of a statement find the variables that outlive them."""
+        keys = self.frame.judge.lasting.keys(self.frame.env.func, at)
+        return state.having({key: self.memory.known(key, before, None) for key in keys})
 
     def _may_be_changed(self, key: str) -> bool:
         """Whether functions that are called may change a variable that is neither the function's own nor a member."""
         if key.startswith(".") or not self.memory.is_open(key):
             return False
-        return not self.frame.judge.is_followed(key.partition(".")[0], self.frame.env.func)
+        return not self.frame.judge.is_followed(key, self.frame.env.func)
 
     def _methods(self, at: int, calls: Sequence[Call], env: Env, state: State) -> State:
         """The state after methods of the object at hand, or of objects that the function made."""
@@ -76,7 +82,9 @@ class Calling:
 
     def _inner(self, at: int, calls: Sequence[Call], env: Env, state: State) -> State:
         """The state after functions that are declared within the one at hand and change its variables."""
-        changing = [(call, keys) for call in calls if (keys := self.frame.outline.changed_by_inner(call))]
+        lasting = self.frame.judge.lasting.keys(self.frame.env.func, at)
+        inner = ((call, self.frame.outline.changed_by_inner(call) - lasting) for call in calls)
+        changing = [(call, keys) for call, keys in inner if keys]
         if len(changing) > 1 or not self.frame.whole:
             return self.memory.lost(state, {key for _, keys in changing for key in keys})
         for call, keys in changing:

@@ -107,6 +107,18 @@ class Effects:
         """Return the key of the variable that an expression reaches into, empty for none."""
         return root_of(expr, self.own, self.is_member)
 
+    def may_change(self, name: str) -> bool:
+        """Tell whether the function may change what its parameter consists of, or give it to somebody who may."""
+        for at, statement in enumerate(self.func.fact.body):
+            if any(effect.key == name for effect in self.of(at)):
+                return True
+            within = self.root(statement.target) == name and self.key(statement.target) != name
+            grown = self.key(statement.target) == name and statement.type.endswith("=")
+            kept = statement.kind in {"set", "return"} and self.key(statement.value) == name
+            if within or grown or kept:
+                return True
+        return False
+
     def is_member(self, name: str) -> bool:
         """Tell whether a name that the function does not declare is a member of its object."""
         if not self.member:

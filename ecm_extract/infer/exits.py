@@ -44,15 +44,22 @@ class Exits:
         for frame in self._raised:
             frame.append(state)
 
-    def returned(self, at: int, state: State) -> None:
-        """Note a `return` statement that is reached; that of a lambda leaves the lambda only."""
+    def returned(self, at: int, state: State, after: State) -> None:
+        """Note a `return` statement that is reached; that of a lambda leaves the lambda only.
+
+        Args:
+            at: the statement.
+            state: where its value is evaluated.
+            after: what it leaves.
+        """
         if not self._frame.later:
             self._frame.run.returns.append((at, state))
+            self.left.append(after)
 
     @property
     def ways_out(self) -> int:
         """How many ways have left the function so far."""
-        return len(self.left) + len(self._frame.run.returns)
+        return len(self.left)
 
     # --- what is around ----------------------------------------------------------------------------------
 

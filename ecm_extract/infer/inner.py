@@ -16,6 +16,16 @@ if TYPE_CHECKING:
 
 
 def only_called(func: Func, inner: Sequence[Func]) -> Iterator[Func]:
+    """Yield those that are only called by name, and have no copies of variables that they change.
+
+    Args:
+        func: the function around.
+        inner: the functions that are declared in it.
+    """
+    yield from (entry for entry in called_by_name(func, inner) if "mutable" not in entry.fact.traits)
+
+
+def called_by_name(func: Func, inner: Sequence[Func]) -> Iterator[Func]:
     """Yield those that the function itself calls by name, and that nobody else gets: not even one another.
 
     Args:
@@ -27,7 +37,7 @@ def only_called(func: Func, inner: Sequence[Func]) -> Iterator[Func]:
     handed |= {name for entry in inner for statement in entry.fact.body for name in _named(statement)}
     for entry in inner:
         name = entry.fact.name
-        if names[name] == 1 and name not in handed and not {"mutable"} & set(entry.fact.traits):
+        if names[name] == 1 and name not in handed:
             yield entry
 
 

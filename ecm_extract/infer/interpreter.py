@@ -51,7 +51,7 @@ class Interpreter:
         """Run the function from its beginning."""
         run = self.frame.run
         end = self.run(self.frame.outline.block, State())
-        run.end = joined_states([*self.exits.left, *(state for _, state in run.returns), end])
+        run.end = joined_states([*self.exits.left, end])
         return run
 
     # --- blocks ------------------------------------------------------------------------------------------
@@ -153,9 +153,11 @@ class Interpreter:
         self.frame.record(at, self.comprehending.states(statement, at, state))
         raises = self.exits.catches and self._may_raise(statement)
         env = self.frame.place(self._raising(raises, state))
-        state = self._read(at, env, self.calling.after(at, state, env))
+        if raises:  # somewhere on the way through what it calls
+            self.exits.may_raise(self.memory.lost(state, self.frame.judge.lasting.keys(self.frame.env.func, at)))
+        before, state = state, self._read(at, env, self.calling.after(at, state, env))
         if statement.kind == "return":
-            self.exits.returned(at, state)
+            self.exits.returned(at, self.calling.undone(at, before, state), state)
             return None
         return self._given(statement, at, env, self._raising(raises, state))
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Set
 from typing import TYPE_CHECKING, Protocol
 
 from ecm_parsers.source.expr import Call, Expr
 
 from ecm_extract.infer.effects import Targets
-from ecm_extract.infer.held import Held
+from ecm_extract.infer.held import Held, State
 from ecm_extract.infer.outline import Outline
 from ecm_extract.infer.routes import Gate, Verdict
 
@@ -17,8 +17,25 @@ if TYPE_CHECKING:
     from ecm_extract.link.units import Func
 
 
+class Lasting(Protocol):
+    """Who follows variables that outlive a call."""
+
+    def keys(self, func: Func, at: int) -> Set[str]:
+        """Return those, by key, that the calls of a statement may change."""
+
+    def changed(self, env: Env, state: State) -> Mapping[str, tuple[Held, ...]]:
+        """Return what the calls of a statement leave them with, by key."""
+
+    def entered(self, key: str, env: Env) -> tuple[Held, ...] | None:
+        """Return what one holds when a function begins; None of other variables, and where that is not known."""
+
+
 class Judge(Targets, Protocol):
     """Who evaluates expressions for a run."""
+
+    @property
+    def lasting(self) -> Lasting:
+        """Who follows variables that outlive a call."""
 
     def truth(self, test: Expr, env: Env) -> bool | None:
         """Tell whether a condition holds; None when that is not decided."""
@@ -47,8 +64,8 @@ class Judge(Targets, Protocol):
     def is_fixed(self, key: str, env: Env) -> bool:
         """Tell whether nobody gives a member anything else once the constructor gave it what it holds."""
 
-    def is_followed(self, name: str, func: Func) -> bool:
-        """Tell whether a function is the only one that changes a variable outside of functions, and runs once."""
+    def is_followed(self, key: str, func: Func) -> bool:
+        """Tell whether it is known who changes a variable outside of functions, or a field of one, and when."""
 
     def runs_once(self, func: Func) -> bool:
         """Tell whether no program runs a function more than once."""

@@ -127,7 +127,7 @@ class Memory:
             self._refer(self.frame.body[at])
         found: set[str] = set()
         for at in statements(block):
-            found |= self._changed_by(at)
+            found |= self._changed_by(at) | self.frame.judge.lasting.keys(self.frame.env.func, at)
         return found
 
     def _refer(self, let: Statement) -> None:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Container, Mapping, Sequence
+from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 
 from ecm_extract.link.calls import Invocation
-from ecm_extract.link.closures import around, is_returned, uses
+from ecm_extract.link.closures import around, handed_to, is_returned, uses, uses_handed
 from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.overloads import NO, score
@@ -43,7 +43,13 @@ class CallTargets:
         if outer is None:
             return self._by_name(func)
         makers = self.callers(outer) if is_returned(func, outer) else ()
-        return [*self._by_name(func), *uses(func, outer, makers)]
+        return [*self._by_name(func), *uses(func, outer, makers), *self._handed(func, outer)]
+
+    def _handed(self, func: Func, outer: Func) -> Iterator[Invocation]:
+        """The calls of a function by those that the function around it hands it to."""
+        for call, arg in handed_to(func, outer):
+            for callee in self.targets(call):
+                yield from uses_handed(call, arg, callee)
 
     def _by_name(self, func: Func) -> Sequence[Invocation]:
         asked = (func.fact.name, func.file.package)

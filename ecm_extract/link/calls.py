@@ -14,6 +14,7 @@ from ecm_parsers.source.expr import (
 )
 from ecm_parsers.source.facts import Statement
 
+from ecm_extract.link.pointed import given_to_pointed, makes_pointed
 from ecm_extract.link.spelling import (
     by_value,
     is_node_interface,
@@ -23,8 +24,6 @@ from ecm_extract.link.spelling import (
     template_arguments,
 )
 from ecm_extract.link.units import Func
-
-_MAKERS = frozenset({"make_shared", "make_unique", "allocate_shared"})
 
 
 class Step(NamedTuple):
@@ -93,7 +92,7 @@ def _last_of(call: Call, func: Func) -> str:
     if isinstance(callee, Name) and name in func.file.imported:
         return last_name(func.file.imported[name])
     last = name.rsplit("::", 1)[-1]
-    if last not in _MAKERS:
+    if not makes_pointed(last):
         return last
     owner = call.types[0] if call.types else name.rsplit("::", 1)[0]
     return last_name(plain(owner))
@@ -110,8 +109,8 @@ def invocation(step: Step, call: Call) -> Invocation:
         return Invocation(*step, callee.name, callee.base, args, call.keywords, call.types, call.line)
     path = callee.id if isinstance(callee, Name) else ""
     last = path.rsplit("::", 1)[-1]
-    if last in _MAKERS and call.types:
-        return construction(step, call.types[0], args, call.line)
+    if makes_pointed(last) and call.types:
+        return construction(step, call.types[0], one_node(func, given_to_pointed(last, call.args)), call.line)
     if last == "make_shared" and "::" in path and path not in {"std::make_shared", "boost::make_shared"}:
         return Invocation(*step, path.rsplit("::", 1)[0], None, args, (), call.types, call.line, True)
     made = statement.kind == "let" and statement.value is call and plain(statement.type) == path

@@ -60,6 +60,36 @@ def uses(func: Func, outer: Func, makers: Iterable[Invocation]) -> Iterator[Invo
             yield from _of_holder(maker.statement.target, maker.func)
 
 
+def handed_to(func: Func, outer: Func) -> Iterator[tuple[Invocation, Expr]]:
+    """Yield the calls in the function around that hand a function to somebody, with the argument that it is."""
+    for at, calls in enumerate(outer.calls):
+        for call in calls:
+            given = (arg for arg in (*call.args, *(value for _, value in call.keywords)) if _is(arg, func))
+            yield from ((invocation(Step(outer, at, outer.fact.body[at]), call), arg) for arg in given)
+
+
+def uses_handed(call: Invocation, arg: Expr, callee: Func) -> Iterator[Invocation]:
+    """Yield the calls of a parameter in a function that is given an argument for it."""
+    bound = bind(callee, call, Env(call.func, call.at))
+    names = {name for name, each in bound.items() if each.expr is arg}
+    yield from (use for use in invocations(callee, names) if use.simple and use.path in names)
+
+
+def given(func: Func, use: Invocation, env: Env) -> Env | None:
+    """Return the place at which a function was handed to who calls it at a place; None where another one was."""
+    bound = env.args.get(use.path) if is_of_parameter(use) else None
+    return bound.env if bound is not None and _is(bound.expr, func) else None
+
+
+def is_of_parameter(use: Invocation) -> bool:
+    """Tell whether a call is one of what its function is given."""
+    return use.simple and any(parameter.name == use.path for parameter in use.func.fact.params)
+
+
+def _is(expr: Expr, func: Func) -> bool:
+    return isinstance(expr, Lambda | Name) and _named(expr) == func.fact.name
+
+
 def captured(func: Func, use: Invocation, env: Env, folder: Folder) -> Env:
     """Return the place at which a function within another was made, of which it sees the variables.
 
@@ -72,6 +102,9 @@ def captured(func: Func, use: Invocation, env: Env, folder: Folder) -> Env:
     outer = around(func, folder)
     if outer is None:
         return env
+    handed = given(func, use, env)
+    if handed is not None:
+        return handed
     made = _making(use) if is_returned(func, outer) else None
     if made is None:
         return _nearest(outer, env)

@@ -12,6 +12,7 @@ from typing import Any
 from ecm_parsers.numbers import real
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Number, Op
 
+from ecm_extract.infer.held import Held
 from ecm_extract.link.data import UNKNOWN, data_of
 from ecm_extract.link.env import Env
 from ecm_extract.link.fold import Folder
@@ -117,28 +118,31 @@ def _period(expr: Call, env: Env, folder: Folder, depth: int) -> float | None:
     callee = expr.callee
     if not isinstance(callee, Member) or callee.name != "period" or not isinstance(callee.base, Name | Member):
         return None
-    for definition, inner in folder.assignments.definitions(callee.base, env):
-        made = definition.statement.value
-        hertz = seconds_of(made.args[-1], inner, folder, depth + 1) if isinstance(made, Call) and made.args else None
-        if hertz:
-            return 1 / hertz
-    return None
+    found = {_made_with(held, folder, depth) for held in folder.origins.of(callee.base, env)}
+    hertz = found.pop() if len(found) == 1 else None
+    return 1 / hertz if hertz else None
+
+
+def _made_with(held: Held, folder: Folder, depth: int) -> float | None:
+    """What a rate is made with; None for what shows no such thing."""
+    if held.how != "value" or held.env is None or not isinstance(held.expr, Call) or not held.expr.args:
+        return None
+    return seconds_of(held.expr.args[-1], held.env, folder, depth + 1)
 
 
 def _variable(expr: Name | Member, env: Env, folder: Folder, depth: int) -> float | None:
-    """A variable that is given several known durations has none that is known."""
-    given = folder.assignments.definitions(expr, env)
-    if any(definition.statement.kind == "each" for definition, _ in given):
-        return None
-    found = {seconds_of(definition.statement.value, inner, folder, depth + 1) for definition, inner in given} - {None}
-    return _plain(expr, env, folder) if not found else found.pop() if len(found) == 1 else None
+    """A variable that may hold several durations, or one that is not known, has none that is known."""
+    given = folder.origins.of(expr, env)
+    if not given or any(held.how != "value" for held in given):
+        return _plain(expr, env, folder)
+    found = {seconds_of(held.expr, held.env, folder, depth + 1) for held in given if held.env is not None}
+    return found.pop() if len(found) == 1 else None
 
 
 def _plain(expr: Expr, env: Env, folder: Folder) -> float | None:
     value = data_of(expr, env, folder)
-    if value is UNKNOWN or value is None:
-        folded = folder.fold(expr, env)[0]
-        value = folded.text if folded.confidence != "pattern" else _declared(expr, env, folder)
+    if value is UNKNOWN and all(folded.confidence == "pattern" for folded in folder.fold(expr, env)):
+        value = _declared(expr, env, folder)
     return real(str(value)) if isinstance(value, int | float | str) and not isinstance(value, bool) else None
 
 

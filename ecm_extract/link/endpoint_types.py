@@ -80,8 +80,9 @@ class EndpointTypes:
             return None
         if isinstance(described, Call):
             return _descriptor_type(described)
-        made = (entry.statement.value for entry, _ in self.folder.assignments.definitions(described, site.env))
-        return next((_descriptor_type(value) for value in made if isinstance(value, Call)), None)
+        made = [held.expr if held.how == "value" else None for held in self.folder.origins.of(described, site.env)]
+        found = {_descriptor_type(value) if isinstance(value, Call) else None for value in made}
+        return found.pop() if len(found) == 1 else None
 
     def _bound_stated(self, default: Expr | None, env: Env) -> str | None:
         bound = env.args.get(getattr(default, "id", "")) if default is not None else None

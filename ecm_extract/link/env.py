@@ -60,6 +60,7 @@ class Env:
         state: what the variables hold there; None for every state in which the statement is reached.
         outer: the place that calls a function which is declared there, and so sees its variables.
         caller: the object that a method is called on, as who calls it writes it; None where that is not known.
+        call: the call that led here, with its place, where what the function does depends on when it is called.
         asked: what tells runs apart, once that was asked (see `flow`).
     """
 
@@ -73,6 +74,7 @@ class Env:
     state: State | None = None
     outer: Env | None = None
     caller: Bound | None = None
+    call: Bound | None = None
     asked: RunKey | None = None
 
     def before(self, at: int) -> Env:
@@ -93,7 +95,7 @@ class Env:
         return self._at(0, self.depth + 1, state)
 
     def _at(self, at: int, depth: int, state: State | None) -> Env:
-        around = (self.outer, self.caller)
+        around = (self.outer, self.caller, self.call)
         return Env(self.func, at, self.args, self.types, self.this, self.made, depth, state, *around)
 
     @property

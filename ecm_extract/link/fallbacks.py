@@ -62,6 +62,5 @@ def _held_before(out: Name | Member, env: Env, folder: Folder) -> Expr | None:
         return None
     if isinstance(out, Name) and folder.scope.locals_of(env.func).get(out.id):
         return out if folder.scope.is_certain(out.id, env) else None
-    given = [definition for definition, _ in folder.assignments.definitions(out, env)]
-    made = all(definition.statement.kind == "init" or definition.func is env.func for definition in given)
-    return out if made else None
+    given = (held.env.func for held in folder.origins.of(out, env) if held.env is not None)
+    return out if all(func.is_constructor or func is env.func for func in given) else None

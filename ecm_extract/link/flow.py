@@ -27,6 +27,7 @@ from ecm_extract.link.units import Func
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
+    from ecm_extract.link.lasting_states import LastingStates
 
 MAX_WITHIN = 100
 """Runs that one run leads to, directly or through others."""
@@ -56,6 +57,11 @@ class Flow:
         self._truths = Truths(folder, self.outline)
         self.decisions = Decisions(folder, self._truths)
         self._changes: dict[tuple[Func, str], bool] = {}
+
+    @property
+    def lasting(self) -> LastingStates:
+        """Who follows variables that outlive a call."""
+        return self.folder.lasting_states
 
     @property
     def running(self) -> Collection[Func]:
@@ -132,6 +138,10 @@ class Flow:
         """Return what a run leaves a variable with; nothing where it left it alone, or never ends."""
         return self.decisions.ways(run.end.holds.get(key, ())) if run is not None and run.end is not None else ()
 
+    def shown(self, run: Run, key: str) -> tuple[Held, ...]:
+        """Return what others may find a variable with: while a run calls functions, and when it ends."""
+        return (*self.decisions.ways(tuple(run.shown.get(key, ()))), *self.left(run, key))
+
     def returned(self, run: Run | None) -> list[tuple[int, State]]:
         """Return the `return` statements that a run may get to, with their states."""
         found = run.returns if run is not None else []
@@ -169,6 +179,9 @@ class Flow:
         key = effects.key(expr)
         if not key:
             return []
+        lasting = self.lasting.at(key, env)
+        if lasting is not None:
+            return lasting
         if env.state is None and not self._may_differ(key, env):
             return self._entered(key, env)
         states = self.states(env)
@@ -257,27 +270,14 @@ class Flow:
         known = self._changes.get(key)
         if known is None:
             self._changes[key] = True  # who asks in a circle is told that it may
-            known = self._changes[key] = self._may_change(func, name)
+            known = self._changes[key] = self.effects(func).may_change(name)
         return known
 
-    def _may_change(self, func: Func, name: str) -> bool:
-        effects = self.effects(func)
-        for at, statement in enumerate(func.fact.body):
-            if any(effect.key == name for effect in effects.of(at)):
-                return True
-            within = effects.root(statement.target) == name and effects.key(statement.target) != name
-            grown = effects.key(statement.target) == name and statement.type.endswith("=")
-            kept = statement.kind in {"set", "return"} and effects.key(statement.value) == name
-            if within or grown or kept:
-                return True
-        return False
-
     def is_outside(self, name: str, func: Func) -> bool:
-        """Tell whether a name in a method of C++ means a variable of a namespace."""
+        """Tell whether a name in a method of C++, or in a lambda of one, means a variable of a namespace."""
         program = self.folder.program
-        if func.cls is None or name.rpartition("::")[2] not in program.constants:
-            return False
-        if any(name in entry.fields for entry in program.ancestry(func.cls)):
+        cls = self.folder.nesting.object_of(func) if name.rpartition("::")[2] in program.constants else None
+        if cls is None or any(name in entry.fields for entry in program.ancestry(cls)):
             return False
         return self.folder.scope.constant(name, Env(func)) is not None
 
@@ -309,9 +309,10 @@ class Flow:
         """Tell whether nobody gives a member anything else once the constructor gave it what it holds."""
         return self.folder.shifting.is_fixed(key, env)
 
-    def is_followed(self, name: str, func: Func) -> bool:
-        """Tell whether a function is the only one that changes a variable outside of functions, and runs once."""
-        return self.folder.outside.is_followed(name, func)
+    def is_followed(self, key: str, func: Func) -> bool:
+        """Tell whether it is known who changes a variable outside of functions, or a field of one, and when."""
+        alone = self.folder.outside.is_followed(key.partition(".")[0], func)
+        return alone or self.folder.lasting.named(key, func) is not None
 
     def runs_once(self, func: Func) -> bool:
         """Tell whether no program runs a function more than once."""

@@ -24,7 +24,6 @@ from ecm_parsers.source.expr import (
 )
 
 from ecm_extract.infer.compute import NULL, UNKNOWN, shown
-from ecm_extract.link.assignments import Assignments
 from ecm_extract.link.comprehended import Comprehended
 from ecm_extract.link.env import MAX_DEPTH, Env
 from ecm_extract.link.flow import Flow
@@ -39,14 +38,19 @@ from ecm_extract.link.fold_returns import ReturnFolder
 from ecm_extract.link.fold_streams import StreamFolder
 from ecm_extract.link.fold_tables import TableFolder
 from ecm_extract.link.fold_texts import TextFolder
+from ecm_extract.link.given_fields import GivenFields
+from ecm_extract.link.lasting import LastingVariables
+from ecm_extract.link.lasting_states import LastingStates
 from ecm_extract.link.list_changes import ListChanges
 from ecm_extract.link.method_effects import MethodEffects
 from ecm_extract.link.nesting import Nesting
 from ecm_extract.link.object_states import ObjectStates
 from ecm_extract.link.objects import Objects
 from ecm_extract.link.optionals import OptionalFolder
+from ecm_extract.link.origins import Origins
 from ecm_extract.link.outside_variables import OutsideVariables
 from ecm_extract.link.parameter_reads import ParameterReads
+from ecm_extract.link.part_objects import PartObjects
 from ecm_extract.link.program import Program
 from ecm_extract.link.runs_once import RunsOnce
 from ecm_extract.link.scope import Scope
@@ -87,7 +91,7 @@ class Folder:
         self.members = MemberFolder(self)
         self.fields = FieldFolder(self)
         self.calls = CallFolder(self)
-        self.assignments = Assignments(self)
+        self.origins = Origins(self)
         self.lists = ListFolder(self)
         self.comprehended = Comprehended(self)
         self.returns = ReturnFolder(self)
@@ -103,11 +107,15 @@ class Folder:
         self.nesting = Nesting(program)
         self.flow = Flow(self)
         self.states = ObjectStates(self)
+        self.parts = PartObjects(self)
+        self.given_fields = GivenFields(self)
         self.shifting = Shifting(self)
         self.runs_once = RunsOnce(self)
         self.outside = OutsideVariables(self)
+        self.lasting = LastingVariables(self)
+        self.lasting_states = LastingStates(self)
         self.methods = MethodEffects(self)
-        scope.ways, scope.decisions = self.flow.ways, self.flow.decisions
+        scope.ways = self.flow.ways
         self.cuts = 0
         self.cycles = 0
         self.steps = Steps(sum(len(func.fact.body) for group in program.functions.values() for func in group))

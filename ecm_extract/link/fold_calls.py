@@ -28,6 +28,7 @@ from ecm_extract.link.spelling import last_name
 from ecm_extract.link.values import (
     Hole,
     Value,
+    alternatives,
     constant,
     data_in,
     demoted,
@@ -39,22 +40,13 @@ from ecm_extract.link.values import (
     setting,
     unknown,
 )
+from ecm_extract.shipped import shipped_names
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
 
-_SAME = frozenset(
-    {
-        "std::string",
-        "string",
-        "str",
-        "std::move",
-        "String",
-        "QString",
-        "std::to_string",
-        "rclcpp::ParameterValue",
-    }
-) | frozenset(NUMBERS)
+_TABLE = "link/library_values.toml"
+_SAME = shipped_names(_TABLE, "conversions") | frozenset(NUMBERS)
 _TOPIC_READS = frozenset({"get_topic_name", "getTopic", "get_service_name", "getService"})
 _MAKES_TOPICS = frozenset(
     {"create_publisher", "create_subscription", "create_service", "create_client", "create_camera_publisher"}
@@ -74,14 +66,9 @@ _PYTHON_FUNCTIONS: Mapping[str, Callable[[list[Any]], Any]] = MappingProxyType(
         "max": lambda data: max(data) if len(data) > 1 and all(map(is_number, data)) else UNKNOWN,
     }
 )
-_PATH_JOINS = frozenset({"os.path.join", "posixpath.join"})
-"""Functions of Python that join paths (docs.python.org: os.path)."""
-_PROPERTIES = frozenset(
-    {"StringProperty", "RosTopicProperty", "RosFilteredTopicProperty", "RosTopicMultiProperty", "TfFrameProperty"}
-    | {"EnumProperty", "EditableEnumProperty", "FilePickerProperty"}
-)
-"""Properties of rviz_common (rviz_common/properties) and rviz (rviz/properties) that hold a text."""
-_PROPERTY_READS = frozenset({"getStdString", "getTopicStd", "getString"})
+_PATH_JOINS = shipped_names(_TABLE, "paths")
+_PROPERTIES = shipped_names(_TABLE, "properties")
+_PROPERTY_READS = shipped_names(_TABLE, "property_reads")
 
 
 class CallFolder:
@@ -256,23 +243,21 @@ class CallFolder:
 
     def _topic(self, receiver: Expr, env: Env) -> tuple[Value, ...]:
         """The name that a publisher, subscription, service or client was made with."""
-        for definition, inner in self.folder.assignments.definitions(receiver, env):
-            made = definition.statement.value
-            if isinstance(made, Call):
-                call = invocation_of(made, inner)
-                free = call.receiver is None and "::" in call.path
-                position = 1 if free or call.args[:1] == (Name("this"),) else 0
-                named = call.last in _MAKES_TOPICS and len(call.args) > position
-                return demoted(self.folder.fold(call.args[position], inner)) if named else ()
-        return ()
+        return self._of_makers(receiver, env, _topic_of)
 
     def _property(self, receiver: Expr, env: Env) -> tuple[Value, ...]:
         """An rviz property `new XProperty("Topic", "/default", ...)` is read like a parameter with that default."""
-        for definition, inner in self.folder.assignments.definitions(receiver, env):
-            made = definition.statement.value
-            if isinstance(made, Call) and isinstance(made.callee, Name) and last_name(made.callee.id) in _PROPERTIES:
-                return lowered(self.folder.fold(made.args[1], inner), "default") if len(made.args) > 1 else ()
-        return ()
+        return lowered(self._of_makers(receiver, env, _text_of_property), "default")
+
+    def _of_makers(self, receiver: Expr, env: Env, named: Callable[[Call, Env], Expr | None]) -> tuple[Value, ...]:
+        """What the calls that may have made an object name it with; empty where one of them is not known."""
+        found: list[Value] = []
+        for made in self.folder.origins.makers(receiver, env) or ():
+            name = named(made.expr, made.env) if isinstance(made.expr, Call) else None
+            if name is None:
+                return ()
+            found += self.folder.fold(name, made.env)
+        return alternatives(demoted(found)) if found else ()
 
     def folded_parts(self, parts: Sequence[Expr | str], env: Env) -> list[tuple[Value, ...]]:
         """Return the values of the pieces of a format, in order."""
@@ -308,6 +293,20 @@ class CallFolder:
         if values and (values[0].text or len(values) > 1):
             return values
         return (setting(name.rsplit("/", 1)[-1].rsplit(".", 1)[-1].strip("~{}")),)
+
+
+def _topic_of(made: Call, env: Env) -> Expr | None:
+    """The name in a call that makes an endpoint."""
+    call = invocation_of(made, env)
+    free = call.receiver is None and "::" in call.path
+    position = 1 if free or call.args[:1] == (Name("this"),) else 0
+    return call.args[position] if call.last in _MAKES_TOPICS and len(call.args) > position else None
+
+
+def _text_of_property(made: Call, env: Env) -> Expr | None:
+    """The text that a property of rviz begins with."""
+    of_property = isinstance(made.callee, Name) and last_name(made.callee.id) in _PROPERTIES
+    return made.args[1] if of_property and len(made.args) > 1 else None
 
 
 def _is_unknown(value: Value) -> bool:

@@ -10,11 +10,13 @@ from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.compute import UNKNOWN
 from ecm_extract.infer.held import Held, How, all_ways
+from ecm_extract.link.containers import begins_empty
 from ecm_extract.link.declared_numbers import as_declared
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, bind, invocation_of
 from ecm_extract.link.fold_changes import STREAMS, ChangeFolder
 from ecm_extract.link.named_alike import is_name_of_node
 from ecm_extract.link.spelling import plain
+from ecm_extract.link.units import Cls
 from ecm_extract.link.values import (
     Value,
     alternatives,
@@ -31,7 +33,6 @@ if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
 
 _TEXTS = STREAMS | {"string", "QString"}
-_CONTAINERS = frozenset({"vector", "map", "unordered_map", "set", "deque", "list", "unordered_set"})
 
 
 class HeldFolder:
@@ -82,13 +83,22 @@ class HeldFolder:
         if held.how == "shared" and held.before:
             return self.folder.names.variables.given(held.name, env.func.file, self.of([held.before], env))
         if held.how in {"given", "shared"}:
-            entered = self.folder.states.entered(held.name, env) if held.how == "given" else None
+            entered = self._entered(held, env)
             return self.values(entered, env) if entered else self.given(held.name, env, first=held.how == "given")
         if held.how == "looped":
             return self.of([held.before], env)
         if held.how == "handed":
             return self._handed(held, env, inner.func.file.language == "python")
         return self._assigned(held, env, inner) if held.how == "value" else (unknown(_label(held.name)),)
+
+    def _entered(self, held: Held, env: Env) -> Held | None:
+        """What a variable held where the function was called that did not give it anything yet."""
+        if held.how != "given":
+            return None
+        lasting = self.folder.lasting_states.entered(held.name, env)
+        if lasting is not None:
+            return Held("entered", held.name, env=env, before=lasting)
+        return self.folder.states.entered(held.name, env)
 
     def _assigned(self, held: Held, env: Env, inner: Env) -> tuple[Value, ...]:
         statement = _statement(held)
@@ -139,11 +149,17 @@ class HeldFolder:
         if cls is None or not env.func.is_constructor:
             return ()
         for base in self.folder.program.bases(cls):
-            if self.folder.scope.member_type(name, base) or self.folder.members.sources(name, base, env):
+            if self._is_of(name, base):
                 return self.folder.members.member_value(name, base, env)
         values = self.folder.members.initial(name, env.this or cls, env)
         last = plain(self.folder.scope.member_type(name, cls)).rsplit("::", 1)[-1]
         return values or ((literal("")._replace(confidence="folded"),) if last in _TEXTS else ())
+
+    def _is_of(self, name: str, base: Cls) -> bool:
+        """Tell whether a base has a member, or gives it a value."""
+        lineage = self.folder.program.ancestry(base)
+        changing = self.folder.scope.changing
+        return bool(self.folder.scope.member_type(name, base)) or any(changing(name, entry) for entry in lineage)
 
     def _after(self, held: Held, env: Env) -> tuple[Value, ...]:
         """A member after a method that may have changed it."""
@@ -154,6 +170,8 @@ class HeldFolder:
         """Return what a called method leaves a member with, and the place to evaluate it at."""
         if not isinstance(held.expr, Call):
             return None
+        if self.folder.lasting.named(held.name, env.func) is not None:
+            return self.folder.lasting_states.left(held, env)
         inner = self.folder.methods.begun(invocation_of(held.expr, env), env)
         run = self.folder.flow.run(inner) if inner is not None else None
         if inner is None or run is None or run.end is None:
@@ -254,8 +272,7 @@ class HeldFolder:
             return self.folder.lists.items(held.expr, inner)
         if held.how == "made":
             statement = _statement(held)
-            last = plain(statement.type).rsplit("::", 1)[-1] if statement is not None else ""
-            return [] if last in _CONTAINERS else None
+            return [] if statement is not None and begins_empty(statement.type) else None
         if held.how in {"given", "shared"}:
             return self._items_at_first(held, env) if not held.before else None
         if held.how == "out":
@@ -275,7 +292,7 @@ class HeldFolder:
 
     def _items_at_first(self, held: Held, env: Env) -> list[Bound] | None:
         """The elements of a list that the function did not change."""
-        entered = self.folder.states.entered(held.name, env) if held.how == "given" else None
+        entered = self._entered(held, env)
         if entered is not None:
             return self.items(entered, env)
         return self.folder.lists.given(held.name, env, held.how == "given")

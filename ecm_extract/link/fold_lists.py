@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
@@ -21,12 +20,12 @@ from ecm_parsers.source.expr import (
 from ecm_extract.infer.compute import UNKNOWN, method
 from ecm_extract.infer.held import Held, State
 from ecm_extract.link.calls import Invocation
+from ecm_extract.link.containers import begins_empty, is_container
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, invocation_of
 from ecm_extract.link.fold_tables import is_plain_table
 from ecm_extract.link.numbers import kind_of_type
 from ecm_extract.link.open_lists import OpenLists
 from ecm_extract.link.python_lists import LIST_CALLS, MAX_ITEMS, SPLITS
-from ecm_extract.link.spelling import plain
 from ecm_extract.link.subscripts import character_of, part_of, slice_of
 from ecm_extract.link.units import Cls
 from ecm_extract.link.values import (
@@ -42,8 +41,6 @@ if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
 
 
-_CONTAINER = re.compile(r"(?:vector|deque|array|list|map|set)$")
-_TABLES = frozenset({"map", "unordered_map"})
 _ENDS = frozenset({"begin", "end", "rbegin", "rend", "cbegin", "cend"})
 
 
@@ -207,11 +204,11 @@ class ListFolder:
         found = self.sources(expr, env)
         if found:
             return self.folder.held.items(*found[0]) if len(found) == 1 else None
-        return (
-            self._default(expr, env)
-            if isinstance(expr, Member)
-            else self._default(expr, env) or self._constant(expr, env)
-        )
+        default = self._default(expr, env)
+        if isinstance(expr, Name):
+            return default or self._constant(expr, env)
+        field = self.folder.structures.listed(expr, env) if default is None else None
+        return self.items(field.expr, field.env) if field is not None else default
 
     def sources(self, expr: Name | Member, env: Env) -> list[tuple[Held, Env]]:
         """Return what methods leave a member with that is a list."""
@@ -260,8 +257,8 @@ class ListFolder:
             if found:
                 return self.folder.held.items(*found[0]) if len(found) == 1 else None
         default = self._default(Member(Name("this"), name), entry)
-        last = plain(self.folder.scope.member_type(name, cls)).rsplit("::", 1)[-1]
-        return default if default is not None else [] if _CONTAINER.search(last) else None
+        empty = begins_empty(self.folder.scope.member_type(name, cls))
+        return default if default is not None else [] if empty else None
 
     def _shared(self, name: str, env: Env) -> list[Bound] | None:
         """What all methods together leave a member with."""
@@ -277,7 +274,7 @@ class ListFolder:
             work = LIST_CALLS.get(last if call.receiver is not None else call.path)
             if work is not None:
                 return work(self, call, env)
-        elif call.receiver is None and _CONTAINER.search(call.path):
+        elif call.receiver is None and is_container(call.path):
             return self._made(call, env)
         return self._returned(call, env)
 
@@ -314,7 +311,7 @@ class ListFolder:
         written = self.folder.objects.type_of(arg, env)
         if kind_of_type(written):
             return True
-        listed = _CONTAINER.search(plain(written)) is not None or (not written and isinstance(arg, Name | Member))
+        listed = is_container(written) or (not written and isinstance(arg, Name | Member))
         return not listed and all(value.confidence != "pattern" for value in self.folder.fold(arg, env))
 
     def _returned(self, call: Invocation, env: Env) -> list[Bound] | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Hashable
+from collections.abc import Collection, Hashable, Iterator
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import (
@@ -14,9 +14,9 @@ from ecm_parsers.source.expr import (
 
 from ecm_extract.infer.held import Held
 from ecm_extract.infer.places import whole_of
+from ecm_extract.infer.run import Run
 from ecm_extract.link.calls import dotted_name
 from ecm_extract.link.env import Env, Instance
-from ecm_extract.link.fold_names import is_fresh
 from ecm_extract.link.formats import VALUE_READS
 from ecm_extract.link.spelling import plain, pointee
 from ecm_extract.link.units import Cls, Func
@@ -54,7 +54,7 @@ class MemberFolder:
         if ways:
             return self.folder.held.of(ways, env)
         if expr.base == Name("this"):
-            first = self.folder.held.at_first(expr.name, env) if is_fresh(env) else ()
+            first = self.folder.held.at_first(expr.name, env) if self.folder.names.is_fresh(env) else ()
             if first:
                 return first
             cls = env.this or env.func.cls
@@ -125,11 +125,8 @@ class MemberFolder:
         while isinstance(node, Member) and node.base != Name("this"):
             path.insert(0, node.name)
             node = node.base
-        if not self._holds_parameters(node, env):
-            return None
-        name = ".".join(path)
-        package = env.func.file.package
-        if not self.folder.reads.is_declared(name, package):
+        name, package = ".".join(path), env.func.file.package
+        if not self.folder.reads.is_declared(name, package) or not self._holds_parameters(node, env):
             return None
         known = self.folder.reads.default(name, package)
         asked = ("parameter", package, name)  # a default may be the parameter itself: declare_parameter("a", params_.a)
@@ -141,7 +138,7 @@ class MemberFolder:
         root = node.id if isinstance(node, Name) else node.name if isinstance(node, Member) else ""
         if self.folder.scope.declared_type(root, env).endswith("Params"):
             return True
-        given = (definition.statement.value for definition, _ in self.folder.assignments.definitions(node, env))
+        given = (held.expr for held in self.folder.origins.of(node, env))
         called = (value.callee for value in given if isinstance(value, Call))
         return any(isinstance(callee, Member) and callee.name == "get_params" for callee in called)
 
@@ -201,8 +198,13 @@ class MemberFolder:
         if default is None:
             return ()
         values = demoted(self.folder.fold(default, Env(env.func, depth=env.depth + 1, this=cls)))
-        assigned = cls.file.language == "python" and self.folder.scope.is_assigned_outside(name, "python")
-        return alternatives((*values, unknown(name))) if assigned else values
+        return alternatives((*values, unknown(name))) if self._is_given(name, cls) else values
+
+    def _is_given(self, name: str, cls: Cls) -> bool:
+        """Whether others than the methods of a class give a member of some object of it something."""
+        if cls.file.language == "python":
+            return self.folder.scope.is_assigned_outside(name, "python")
+        return self.folder.given_fields.is_given(name, cls)
 
     def _defined_outside(self, name: str, cls: Cls) -> Expr | None:
         """What a static member of C++ is defined with outside of its class: `double Sensor::limit = 0.5;`."""
@@ -218,23 +220,24 @@ class MemberFolder:
 
         Of a class whose objects are not known to be of no derived one, what derived classes do counts too.
         """
-        found: list[tuple[Held, Env]] = []
+        found = [(held, place) for run, place in self.ends(name, cls, env) for held in self._left(run, name)]
+        return found[: MAX_ALTERNATIVES + 1]
+
+    def ends(self, name: str, cls: Cls, env: Env) -> Iterator[tuple[Run | None, Env]]:
+        """Yield the run of each method that may change a data member, with its place; None for one that is run now."""
         concrete = env.made is not None and bool(env.made.args or env.made.types or env.made.maker)
         derived = () if concrete else self.folder.program.derived(cls)
         for entry in (*self.folder.program.ancestry(cls), *derived):
             for method in self.folder.scope.changing(name, entry):
                 if self.folder.objects.runs(method, env.made):
                     place = self._method_env(method, cls if entry not in derived else entry, env)
-                    found += [(held, place) for held in self._left(method, place, name)]
-        return found[: MAX_ALTERNATIVES + 1]
+                    yield self.folder.flow.run(place, whole=method.is_constructor), place
 
-    def _left(self, method: Func, place: Env, name: str) -> list[Held]:
-        run = self.folder.flow.run(place, whole=method.is_constructor)
+    def _left(self, run: Run | None, name: str) -> list[Held]:
+        """What a run leaves a data member with that it gives something."""
         if run is None:
             return [Held("lost", name)]
-        key = f".{name}"
-        flow = self.folder.flow
-        helds = dict.fromkeys((*flow.decisions.ways(tuple(run.shown.get(key, ()))), *flow.left(run, key)))
+        helds = dict.fromkeys(self.folder.flow.shown(run, f".{name}"))
         return [held for held in helds if held.how not in {"given", "shared"}]
 
     def _method_env(self, method: Func, cls: Cls, env: Env) -> Env:

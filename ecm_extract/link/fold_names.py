@@ -58,8 +58,15 @@ class NameFolder:
         if ways:
             return self.folder.held.of(ways, env)
         key = self.folder.flow.effects(env.func).key(Name(name))
-        first = self.folder.held.at_first(name, env) if key.startswith(".") and is_fresh(env) else ()
+        first = self.folder.held.at_first(name, env) if key.startswith(".") and self.is_fresh(env) else ()
         return first or self.around(name, env) or (unknown(name),)
+
+    def is_fresh(self, env: Env) -> bool:
+        """Tell whether a place is one on which no function of the tree was called before, in every state of it."""
+        if env.state is not None:
+            return not env.state.called
+        states = self.folder.flow.states(env) if env.func.is_constructor and env.func.file.language == "cpp" else []
+        return bool(states) and not any(state.called for state in states)
 
     def around(self, name: str, env: Env) -> tuple[Value, ...]:
         """Return what a name means that the function at hand does not give a value; empty when nothing shows it."""
@@ -195,11 +202,6 @@ class NameFolder:
 
 def _read(known: str | float | None) -> tuple[Value, ...]:
     return () if known is None else demoted((literal(known) if isinstance(known, str) else constant(known),))
-
-
-def is_fresh(env: Env) -> bool:
-    """Tell whether a place is one on which no function of the tree was called before."""
-    return env.state is not None and not env.state.called
 
 
 def _is_fixed(constant: Constant) -> bool:

@@ -23,6 +23,7 @@ from ecm_extract.link.values import (
     node_name,
     node_namespace,
     unknown,
+    without_defaults,
 )
 
 if TYPE_CHECKING:
@@ -49,6 +50,8 @@ class ReturnFolder:
         if not found or len(found) > MAX_RETURNS:
             return (unknown(call.last),)
         values = [value for expr, place in found for value in self.folder.fold(expr, place)]
+        if call.receiver is not None and not is_own(call.receiver):
+            values = [without_defaults(value) for value in values]  # who made that object may have said otherwise
         open_ = self.may_be_overridden(callee, call, env)
         listed = _beside_joined(values)
         return alternatives(demoted((*listed, *([unknown(call.last)] if open_ else []))))
@@ -95,14 +98,15 @@ class ReturnFolder:
     def entered(self, callee: Func, call: Invocation, args: Mapping[str, Bound], env: Env) -> Env:
         """Return the place of evaluation at the entry of a called function."""
         outer = env if self.folder.nesting.enclosing(callee) is env.func else None
+        led = self.folder.lasting_states.led(callee, call, env)
         if callee.cls is None and "lambda" not in callee.fact.traits:
-            return Env(callee, 0, args, depth=env.depth + 1, outer=outer)
+            return Env(callee, 0, args, depth=env.depth + 1, outer=outer, call=led)
         made = self._made(call, env)
         this = _class_of(made, callee, call, env)
         caller = THIS if is_own(call.receiver) else call.receiver if made is not None else None
         follows = caller is not None and self.folder.methods.depends(callee, this)
         within = Bound(caller, env) if follows and caller is not None else None
-        return Env(callee, 0, args, this=this, made=made, depth=env.depth + 1, outer=outer, caller=within)
+        return Env(callee, 0, args, this=this, made=made, depth=env.depth + 1, outer=outer, caller=within, call=led)
 
     def object_at(self, callee: Func, call: Invocation, env: Env) -> Cls | None:
         """Return the class of the object that a called method has at hand."""

@@ -10,14 +10,12 @@ from ecm_parsers.source.expr import Call, Comprehension, Constant, Expr, Items, 
 from ecm_extract.infer.compute import NULL
 from ecm_extract.infer.held import Held, State
 from ecm_extract.link.calls import Invocation
+from ecm_extract.link.containers import is_map
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, invocation_of
-from ecm_extract.link.spelling import last_name, plain
 from ecm_extract.link.values import Value, alternatives, constant, data_in, demoted, is_proved, unknown
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
-
-_TABLES = frozenset({"map", "unordered_map"})
 
 
 class Entry(NamedTuple):
@@ -111,7 +109,7 @@ class TableFolder:
             copies = call.path == "dict" or (call.last == "copy" and call.receiver is not None)
             base = call.args[0] if call.path == "dict" else call.receiver
             return self.entries(base, env) if copies and len(call.args) <= 1 else self._returned_entries(call, env)
-        if call.receiver is None and last_name(call.path) in _TABLES:
+        if call.receiver is None and is_map(call.path):
             listed = call.args[0] if len(call.args) == 1 and _is_nested(call.args[0]) else Items(call.args)
             return self._pairs(listed, env)
         return self._returned_entries(call, env)
@@ -181,7 +179,7 @@ class TableFolder:
         """Whether a variable of C++ is declared as a table."""
         body = held.env.func.fact.body if held.env is not None else ()
         written = body[held.at].type if 0 <= held.at < len(body) else ""
-        return last_name(plain(written)) in _TABLES
+        return is_map(written)
 
     def _given_entries(self, key: str, env: Env) -> list[Entry] | None:
         """A member at the start of a constructor is empty, or what it is declared with."""
@@ -197,7 +195,7 @@ class TableFolder:
         if field is None:
             return None
         if field.default is None:
-            return [] if last_name(plain(field.type)) in _TABLES else None
+            return [] if is_map(field.type) else None
         place = Env(env.func, 0, depth=env.depth + 1, this=cls)
         return (
             self._pairs(field.default, place)

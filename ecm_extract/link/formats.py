@@ -8,20 +8,14 @@ from collections.abc import Sequence
 from ecm_parsers.source.expr import Expr, Items, Name, Op, Text
 
 from ecm_extract.link.calls import Invocation
+from ecm_extract.shipped import shipped_names
 
-VALUE_READS = frozenset(
-    {"as_string", "as_string_array", "get_parameter_value", "get_value", "string_array_value", "string_value", "value"}
-    | {"as_posix", "c_str", "data", "decode", "encode", "get", "str", "string", "toStdString", "to_string"}
-)
+_TABLE = "link/library_values.toml"
+PARAMETER_READS = shipped_names(_TABLE, "parameter_texts")
+"""Members and methods that give the text of a value of a parameter."""
+VALUE_READS = PARAMETER_READS | shipped_names(_TABLE, "texts")
 """Members and methods that give the text of what they are called on."""
-PARAMETER_READS = frozenset(
-    {"as_string", "as_string_array", "get_parameter_value", "string_array_value", "string_value"}
-)
-"""Those of them that values of parameters alone have."""
-_JOINING = frozenset(
-    {"rospy.names.ns_join", "pathlib.Path", "pathlib.PosixPath", "pathlib.PurePath", "pathlib.PurePosixPath"}
-)
-"""Functions of Python that put `/` between what they get (docs.python.org: pathlib; rospy.names)."""
+_JOINING = shipped_names(_TABLE, "slashes")
 _MAX_INDEX = 6
 """Digits of an index that are read: no call has as many arguments."""
 _PERCENT = re.compile(r"%(?:\((\w+)\))?[-+ #0-9.]*(?:hh|h|ll|l|z)?[a-zA-Z]")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final, NamedTuple
 
-from ecm_parsers.source.expr import Call, Constant, Expr, Member, Name, Op
+from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
 
 from ecm_extract.link.calls import Invocation
 from ecm_extract.link.carriers import carriers
@@ -16,7 +16,7 @@ from ecm_extract.link.host_arguments import HostArguments
 from ecm_extract.link.spelling import by_value, last_name, plain, pointee
 from ecm_extract.link.texts import is_text
 from ecm_extract.link.units import Func
-from ecm_extract.link.values import Value, is_known, joined, literal, unknown
+from ecm_extract.link.values import Value, is_known, joined, literal, node_namespace, unknown
 
 MAX_DEPTH = 12
 _PRIVATE = frozenset({"getPrivateNodeHandle", "getMTPrivateNodeHandle"})
@@ -29,7 +29,6 @@ _SAME = frozenset(
 """Calls that give the object they are given, or that they are called on."""
 _TEXTS: Final = ("string", "char")
 _THIS: Final = Name("this")
-_NULL: Final = (Constant("null"), Name("NULL"))
 
 
 class Handle(NamedTuple):
@@ -110,22 +109,20 @@ class Handles:
         return self._variable(Member(_THIS, expr.name), Env(env.func, env.at, this=cls, depth=env.depth + 1), depth)
 
     def _variable(self, expr: Name | Member, env: Env, depth: int) -> Handle | None:
-        """What all assignments of a variable agree on, and else what it is as it is declared."""
-        given = [
-            (definition.statement.value, inner)
-            for definition, inner in self.folder.assignments.definitions(expr, env)
-            if definition.statement.kind != "each" and definition.statement.value not in _NULL
-        ]
-        found = [self._given(expr, value, inner, depth) for value, inner in given if value is not None]
-        if not found:
-            return self._declared(expr, env)
-        return _agreed(found)
+        """What all that may have made a variable agree on, and else what it is as it is declared."""
+        makers = self.folder.origins.makers(expr, env)
+        if makers is None:
+            return None
+        return _agreed([self._given(expr, each, depth) for each in makers]) if makers else self._declared(expr, env)
 
-    def _given(self, expr: Name | Member, value: Expr, env: Env, depth: int) -> Handle | None:
+    def _given(self, expr: Name | Member, made: Bound, depth: int) -> Handle | None:
         """`nh_("~x")` and `nh_(parent, "x")` in an initialiser list make a handle without naming it."""
+        value, env = made.expr, made.env
         written = self.folder.objects.type_of(expr, env)
         if last_name(plain(pointee(written))) in carriers() and isinstance(value, Call):
             return self._known(next(iter(_initialised_with(expr, value)), None), env, depth + 1)
+        if by_value(written) and last_name(plain(written)) in _NODES and isinstance(value, Call) and value.args:
+            return self._new_node(value.args, env)
         if not by_value(written) or last_name(plain(written)) != "NodeHandle":
             return self._known(value, env, depth + 1)
         return self._node_handle(_initialised_with(expr, value), env, depth)
@@ -175,7 +172,7 @@ class Handles:
         if last == "create_sub_node" and call.args:
             return self._nested(self._known(call.receiver, env, depth + 1) or OWN, call.args[0], env)
         if last in _NODES and call.args and (len(call.args) >= 2 or not isinstance(call.args[0], Name)):
-            return self._new_node(call, env)
+            return self._new_node(call.args, env)
         if last in carriers() and call.args:
             return self._known(call.args[0], env, depth + 1)
         if last in _SAME:
@@ -221,11 +218,13 @@ class Handles:
         value = self.folder.fold(name, env)[0]
         return Handle(under(parent.prefix, value), parent.node)
 
-    def _new_node(self, call: Invocation, env: Env) -> Handle:
-        name = self.folder.fold(call.args[0], env)[0]
-        if len(call.args) >= 2 and self._is_namespace(call.args[1], env):
-            name = under(self.folder.fold(call.args[1], env)[0], name)
-        return Handle(literal(""), name)
+    def _new_node(self, args: Sequence[Expr], env: Env) -> Handle:
+        name = self.folder.fold(args[0], env)[0]
+        if len(args) < 2 or not self._is_namespace(args[1], env):
+            return Handle(literal(""), name)
+        space = self.folder.fold(args[1], env)[0]
+        own = space.parts == node_namespace().parts  # that of the node which makes it
+        return Handle(literal(""), name if own else under(space, name))
 
     def _is_namespace(self, expr: Expr, env: Env) -> bool:
         """Tell whether the second argument of a node is text; its options are an object."""

@@ -73,10 +73,10 @@ class KnownCallers:
         single = all(method is func or (method.cls is cls and "declaration" in method.fact.traits) for method in same)
         if not single or self.folder.flow.keeps(name) or "override" in func.fact.traits:
             return False
-        return not self._may_be_called_outside(name, cls) and not self.is_handed(func)
+        return not self.may_be_called_outside(name, cls) and not self.is_handed(func)
 
-    def _may_be_called_outside(self, name: str, cls: Cls) -> bool:
-        """Whether a base outside of the tree may call the method."""
+    def may_be_called_outside(self, name: str, cls: Cls) -> bool:
+        """Tell whether a base outside of the tree may call a method of a class."""
         for entry in self.folder.program.ancestry(cls):
             for base in entry.fact.bases:
                 if self.folder.program.class_named(plain(base), entry.file, entry.fact.scope) is None:

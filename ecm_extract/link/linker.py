@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
-from typing import TypeVar
+from dataclasses import dataclass, field, replace
+from typing import Any, TypeVar
 
 from ecm_checker.contract import Evidence, Interface, Qos
 from ecm_parsers.source.expr import Expr, Items, Name, Text
@@ -39,6 +39,7 @@ from ecm_extract.link.names import (
     local_name,
     of_node,
     parameter_name,
+    space_of,
 )
 from ecm_extract.link.node_names import NodeName, NodeNames
 from ecm_extract.link.observe import Observation, observation_forms, observations
@@ -221,7 +222,7 @@ class Linker:
         for unit in units_of(site, self.sites, self.modules):
             for module in self.ownership.owners(unit, site):
                 node = self._node(module, nodes)
-                self._give(site, unit, module, found[module], node.text if node is not None else None)
+                self._give(site, unit, module, found[module], node.full if node is not None else None)
 
     def _give(self, site: Site, unit: Unit, module: Module, found: list[Interface], node: str | None) -> None:
         origin = None if unit is module.cls or unit is module.main or module.kind == "library" else unit.fact.name
@@ -243,11 +244,11 @@ class Linker:
         is_choice = any(named.confidence == "one_of" for named, _ in names)
         for named, default in names:
             value = of_node(named, node, ros)
-            local = local_name(settled(named), handle)
+            local = local_name(settled(named), handle, "" if site.form.row.value else space_of(handle, node))
             name, confidence = self._name(site, value, handle, node, ros), value.confidence
             if is_never_made(value, name) and not site.form.row.value:
                 continue
-            kind, data = self.typing.of(site, default)
+            kind, data = self._typed(site, default)
             if is_below_node(value):
                 confidence = "folded"
             if not site.certain or (is_choice and named.confidence == "pattern"):
@@ -270,6 +271,16 @@ class Linker:
                 when=when,
             )
             yield interface, name.resolved if _is_absolute(site) else local
+
+    def _typed(self, site: Site, default: Expr | None) -> tuple[str | None, Any]:
+        """The type and default of a site; where an object is made with these, what all places make it with."""
+        kind, data = self.typing.of(site, default)
+        if data is not UNKNOWN or default is None or site.chain:
+            return kind, data
+        places = self.sites.makings(site.call.func, site.call.at)
+        found = [self.typing.of(replace(site, env=place), default) for place in places]
+        agreed = found[0] if found and all(each == found[0] for each in found) else (kind, data)
+        return agreed[0] or kind, agreed[1]
 
     def _name(self, site: Site, value: Value, handle: Handle, node: str | None, ros: int | None) -> RosName:
         if _is_absolute(site):

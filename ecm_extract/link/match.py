@@ -115,7 +115,7 @@ class Matcher:
         if target is not None:
             return _qualified(plain(target), form.callee)
         namespace = form.callee.rsplit("::", 1)[0]
-        usings = (using.namespace for using in call.func.file.facts.usings)
+        usings = (using.namespace for using in call.func.file.facts.usings if using.holds_in(call.func.scope))
         return any(using == namespace or using.endswith("::" + namespace) for using in usings)
 
 

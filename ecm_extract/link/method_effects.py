@@ -12,6 +12,7 @@ from ecm_extract.link.calls import Invocation
 from ecm_extract.link.env import Env, Instance, bind, invocation_of
 from ecm_extract.link.handing_on import THIS
 from ecm_extract.link.object_states import is_own
+from ecm_extract.link.seen_from_outside import leaves_members
 from ecm_extract.link.units import Cls, Func
 
 if TYPE_CHECKING:
@@ -40,6 +41,8 @@ class MethodEffects:
         found = invocation_of(call, env)
         if self._is_outside(found, env) and not self.folder.flow.hands_on(call, env):
             return {}
+        if self._makes_base(found) or leaves_members(found, env, self.folder):
+            return {}
         prefix = "" if is_own(found.receiver) else self.holder(found, env)
         if prefix is None:
             return None
@@ -48,6 +51,13 @@ class MethodEffects:
             return None
         members = self._members(callee, self.folder.returns.object_at(callee, found, env))
         return None if members is None else {prefix + key: key for key in sorted(members)}
+
+    def _makes_base(self, call: Invocation) -> bool:
+        """Whether a call makes a base of the object at hand, whose own members begin after that."""
+        cls, last = call.func.cls, call.last
+        if call.statement.kind != "init" or cls is None or last == cls.fact.name:
+            return False
+        return any(entry.fact.name == last for entry in self.folder.program.ancestry(cls)[1:])
 
     def _is_outside(self, call: Invocation, env: Env) -> bool:
         """Whether a call on the object at hand means a method of a base outside of the tree."""
@@ -97,6 +107,10 @@ class MethodEffects:
         if asked not in self._known:
             self._known[asked] = self._reached(func, this)
         return self._known[asked]
+
+    def leaves(self, func: Func, this: Cls) -> bool:
+        """Tell whether a method changes no member of its object, through none of the methods that it calls either."""
+        return self._members(func, this) == frozenset()
 
     def depends(self, func: Func, this: Cls | None) -> bool:
         """Tell whether what a method does depends on when it is called: on members that are given several things."""

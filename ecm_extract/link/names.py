@@ -1,7 +1,7 @@
 """ROS names: from what a call passes to the name in the graph.
 
 Sources: ROS wiki "Names", design.ros2.org "Topic and Service name mapping". The launch namespace is not known from
-source alone, so names resolve in `/`.
+source alone, so names resolve in `/`, or in the namespace that the code gives its node (`Node("demo", "arm")`).
 """
 
 from __future__ import annotations
@@ -19,8 +19,14 @@ class RosName(NamedTuple):
     resolved: str
 
 
-def local_name(value: Value, handle: Handle) -> str:
-    """Return a name for any namespace and node name: `/absolute`, `~/private` or relative.
+def space_of(handle: Handle, node: str | None) -> str:
+    """Return the namespace that code gives a node: what stands before its name; empty without one."""
+    own = handle.node.text if handle.node is not None else node or ""
+    return own.rpartition("/")[0].strip("/")
+
+
+def local_name(value: Value, handle: Handle, space: str = "") -> str:
+    """Return a name for any namespace and node name: `/absolute`, `~/private` or relative, then below `space`.
 
     `${parameter=default}` stands where a ROS parameter gives a part of it.
     """
@@ -32,20 +38,20 @@ def local_name(value: Value, handle: Handle) -> str:
     if prefix and not name.startswith(("/", "~")) and not value.text.startswith("/"):
         name = f"{prefix}/{name}"
     if not name.startswith("~"):
-        return name
+        return name if not space or name.startswith("/") else f"{space}/{name}"
     private = name[1:].lstrip("/")
     return f"~/{private}" if handle.node is None else f"{handle.node.text}/{private}"
 
 
 def endpoint_name(value: Value, handle: Handle, node: str | None, ros: int | None) -> RosName:
-    """Return the name of a topic, service or action."""
+    """Return the name of a topic, service or action; `node` may have its namespace before its name."""
     raw = value.text
     own = _after(value, "node")
     if own is not None:
         return RosName(f"~{own}" if ros == 1 else raw, _private(own, handle, node))
     beside = _after(value, "space")
     if beside is not None:
-        return RosName(raw, _clean(f"/{beside}"))
+        return RosName(raw, _clean(f"/{space_of(handle, node)}/{beside}"))
     if raw.startswith("/"):
         return RosName(raw, _clean(raw))
     if raw.startswith("~"):
@@ -53,7 +59,7 @@ def endpoint_name(value: Value, handle: Handle, node: str | None, ros: int | Non
     relative = under(handle.prefix, value).text
     if relative.startswith("~"):
         return RosName(relative, _private(relative[1:].lstrip("/"), handle, node))
-    return RosName(relative if ros == 1 else raw, _clean(f"/{relative}"))
+    return RosName(relative if ros == 1 else raw, _clean(f"/{space_of(handle, node)}/{relative}"))
 
 
 def is_never_made(value: Value, name: RosName) -> bool:
@@ -89,7 +95,7 @@ def is_below_handle(value: Value) -> bool:
 def of_node(value: Value, node: str | None, ros: int | None) -> Value:
     """Fill in the name of the node; in ROS 1 a name below it is private, whatever name a launch file gives the node."""
     private = ros == 1 and is_below_node(value)
-    return settled(value if private else with_node(value, node))
+    return settled(value if private else with_node(value, node and node.rpartition("/")[2]))
 
 
 def _private(rest: str, handle: Handle, node: str | None) -> str:

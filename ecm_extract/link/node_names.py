@@ -7,17 +7,17 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from ecm_checker.contract import Evidence
-from ecm_parsers.source.expr import Call, Expr, Member, Name
+from ecm_parsers.source.expr import Call, Constant, Expr, Member, Name
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.link.calls import Invocation
-from ecm_extract.link.env import Env, Instance, bind
+from ecm_extract.link.env import Bound, Env, Instance, bind
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.module_kinds import is_node_base
 from ecm_extract.link.sites import Sites
 from ecm_extract.link.spelling import plain
 from ecm_extract.link.units import Cls, File, Func
-from ecm_extract.link.values import Value
+from ecm_extract.link.values import Value, is_known, unknown
 
 _INITS = {"ros::init": 2, "rospy.init_node": 0, "rclpy.create_node": 0}
 _NAMING = ("init", "init_node", "create_node", "Node", "LifecycleNode", "make_shared")
@@ -25,10 +25,24 @@ _NAMING = ("init", "init_node", "create_node", "Node", "LifecycleNode", "make_sh
 
 @dataclass(frozen=True, slots=True)
 class NodeName:
-    """The name that a node gives itself, and the line that says it."""
+    """The name that a node gives itself, the line that says it, and the namespace that it puts itself in."""
 
     text: str
     at: Evidence
+    space: str = ""
+
+    @property
+    def full(self) -> str:
+        """Return the name with the namespace before it."""
+        return f"{self.space}/{self.text}" if self.space else self.text
+
+
+@dataclass(frozen=True, slots=True)
+class Given:
+    """What a node is made with: its name, and what may be its namespace."""
+
+    name: Expr
+    space: Expr | None
 
 
 class NodeNames:
@@ -41,7 +55,24 @@ class NodeNames:
 
     def of_class(self, cls: Cls) -> NodeName | None:
         """Return the name that the class passes to its node base, None when it is not fixed."""
-        return self._passed_on(Instance(cls, {}, {})) or self._made_with(cls)
+        found = self._passed_on(Instance(cls, {}, {}))
+        if found is not None and "{" not in found.space:
+            return found
+        return self._made_with(cls) or self._left_to_another(cls) or self._by_default(cls) or found
+
+    def _by_default(self, cls: Cls) -> NodeName | None:
+        """The name that a class gives its node where nobody is seen to give it arguments."""
+        makers = [func for func in cls.methods if func.is_constructor and "declaration" not in func.fact.traits]
+        given = [{name: Bound(default, Env(func)) for name, default in func.defaults} for func in makers]
+        made = [Instance(cls, args, {}, func) for args, func in zip(given, makers, strict=True) if args]
+        return _agreed([self._passed_on(instance) for instance in made])
+
+    def _left_to_another(self, cls: Cls) -> NodeName | None:
+        """The name that the constructors of a class agree on which leave it to another: `Demo(options) : Demo("")`."""
+        makers = [func for func in cls.methods if func.is_constructor and "declaration" not in func.fact.traits]
+        whole = [(Instance(cls, {}, {}, func), func) for func in makers]
+        made = [(self.folder.objects.delegated(instance), func) for instance, func in whole]
+        return _agreed([self._passed_on(instance) for instance, func in made if instance.maker is not func])
 
     def _passed_on(self, made: Instance) -> NodeName | None:
         """The name that the constructors of an object pass to a node base."""
@@ -64,11 +95,26 @@ class NodeNames:
 
     def _passed(self, func: Func, env: Env) -> NodeName | None:
         for at, statement in enumerate(func.fact.body):
-            arg = _base_argument(statement)
-            if arg is not None:
+            given = _base_arguments(statement)
+            if given is not None:
                 place = Evidence(func.file.path, statement.line)
-                return _known(self.folder.fold(arg, env.before(at)), place)
+                return self._named(given, env.before(at), place)
         return None
+
+    def _named(self, given: Given, env: Env, at: Evidence) -> NodeName | None:
+        name = _known(self.folder.fold(given.name, env), at)
+        if name is None or given.space is None or not self._is_text(given.space, env):
+            return name
+        values = self.folder.fold(given.space, env)
+        value = values[0] if len(values) == 1 else unknown("namespace")
+        return replace(name, space=value.text.strip("/"))
+
+    def _is_text(self, expr: Expr, env: Env) -> bool:
+        """Tell whether the second argument of a node is its namespace; options are an object, in Python it is named."""
+        if env.func.file.language == "python":
+            return expr != Constant("null")
+        written = self.folder.objects.type_of(expr, env)
+        return "string" in written or is_known(self.folder.fold(expr, env)[0])
 
     def _made_with(self, cls: Cls) -> NodeName | None:
         """The name that the places that make the class agree on."""
@@ -79,10 +125,9 @@ class NodeNames:
                 if constructor is None:
                     return None
                 given = bind(constructor, call, self.sites.root_env(call.func, call.at))
-                name = self._passed_on(Instance(cls, given, {}, constructor))
+                name = self._passed_on(self.folder.objects.delegated(Instance(cls, given, {}, constructor)))
                 found.append(replace(name, at=_place(call)) if name is not None else None)
-        texts = {name.text if name is not None else None for name in found}
-        return found[0] if len(texts) == 1 else None
+        return _agreed(found)
 
     def of_program(self, main: Func) -> NodeName | None:
         """Return the name that a program gives its node, by a call in the file of its main function."""
@@ -108,20 +153,31 @@ class NodeNames:
         if index is None or index >= len(call.args):
             return None
         env = self.sites.root_env(call.func, call.at)
-        return _known(self.folder.fold(call.args[index], env), _place(call))
+        after = call.args[index + 1 : index + 2] if is_node_base(call.path) else ()
+        space = next(iter(after), dict(call.keywords).get("namespace"))
+        return self._named(Given(call.args[index], space), env, _place(call))
 
 
-def _base_argument(statement: Statement) -> Expr | None:
-    """The first argument that a constructor hands to a node base: initialiser or `super().__init__`."""
+def _base_arguments(statement: Statement) -> Given | None:
+    """What a constructor hands to a node base: initialiser or `super().__init__`."""
     value, target = statement.value, statement.target
     if statement.kind == "init" and isinstance(target, Name) and is_node_base(plain(target.id)):
         args = value.args if isinstance(value, Call) and value.callee == target else (value,)
-        return args[0] if args else None
+        return _given(args[0] if args else None, args[1] if len(args) > 1 else None)
     if isinstance(value, Call) and isinstance(value.callee, Member) and value.callee.name == "__init__":
         args = value.args[1:] if value.args[:1] == (Name("this"),) else value.args
         keywords = dict(value.keywords)
-        return args[0] if args else keywords.get("node_name")
+        return _given(args[0] if args else keywords.get("node_name"), keywords.get("namespace"))
     return None
+
+
+def _given(name: Expr | None, space: Expr | None) -> Given | None:
+    return Given(name, space) if name is not None else None
+
+
+def _agreed(found: Sequence[NodeName | None]) -> NodeName | None:
+    """The name that several ways to make a node agree on."""
+    return found[0] if len({name.full if name is not None else None for name in found}) == 1 else None
 
 
 def _place(call: Invocation) -> Evidence:

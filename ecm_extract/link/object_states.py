@@ -103,6 +103,10 @@ class ObjectStates:
     def _left(self, key: str, caller: Bound, env: Env) -> Held | None:
         """What a member of an object holds at a call on it."""
         place = caller.env
+        part = None if is_own(caller.expr) else self.folder.parts.maker(caller.expr, place)
+        if part is not None:
+            made = self._as_made(key, part)
+            return made[0] if made else None
         prefix = "" if is_own(caller.expr) else self.folder.flow.effects(place.func).key(caller.expr)
         if not prefix and not is_own(caller.expr):
             return None
@@ -136,7 +140,10 @@ class ObjectStates:
     # --- objects -------------------------------------------------------------------------------------------
 
     def instance(self, receiver: Expr, env: Env) -> Instance | None:
-        """Return how an object is made that a variable of the function at hand surely holds; None for others."""
+        """Return how an object is made: of a variable of the function that surely holds it, or as a part of others."""
+        part = self.folder.parts.maker(receiver, env)
+        if part is not None:
+            return part.made
         key = self.folder.flow.effects(env.func).key(receiver)
         made = [self._maker(key, state, env) for state in self.folder.flow.states(env)] if key else []
         known = [entry.made for entry in made if entry is not None and entry.made is not None]
@@ -151,9 +158,10 @@ class ObjectStates:
         held = helds[0] if len(helds) == 1 else None
         if held is None or held.how != "value" or held.env is None or not isinstance(held.expr, Call):
             return None
-        return self._constructor(held.expr, held.env)
+        return self.constructor(held.expr, held.env)
 
-    def _constructor(self, call: Call, env: Env) -> Env | None:
+    def constructor(self, call: Call, env: Env) -> Env | None:
+        """Return the beginning of the constructor that a call runs; None of other calls."""
         made = invocation_of(call, env)
         cls = self.folder.objects.class_written(made.path.replace(".", "::"), env) if made.receiver is None else None
         maker = self.folder.objects.constructor(cls, len(made.args)) if cls is not None else None

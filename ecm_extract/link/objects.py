@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Hashable, Iterable, Sequence
+from collections.abc import Hashable, Iterable, Mapping, Sequence
 from typing import Final
 
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Op, Text
@@ -13,6 +13,7 @@ from ecm_extract.link.containers import ELEMENT_METHODS, element_type
 from ecm_extract.link.env import MAX_DEPTH, Env, Instance, bind
 from ecm_extract.link.file_scope import FileScope
 from ecm_extract.link.overloads import NO, score
+from ecm_extract.link.pointed import pointed
 from ecm_extract.link.program import Program
 from ecm_extract.link.scope import Scope
 from ecm_extract.link.spelling import last_name, plain, pointee, template_arguments
@@ -112,8 +113,8 @@ class Objects:
     def _made_type(self, expr: Call, env: Env) -> str:
         if isinstance(expr.callee, Name):
             last = expr.callee.id.rsplit("::", 1)[-1]
-            if last in {"make_shared", "make_unique"} and expr.types:
-                return expr.types[0]
+            if pointed(expr):
+                return pointed(expr)
             if last in {"dynamic_pointer_cast", "static_pointer_cast"} and expr.types:
                 return expr.types[0]
             if last in HANDLES_OF_NODELETS:
@@ -160,6 +161,14 @@ class Objects:
                 continue
             return self.part(self.base_instance(made, parent, written), base, depth + 1)
         return None
+
+    def class_types(self, env: Env) -> Mapping[str, str]:
+        """Return what the object at hand has for the template parameters of the class whose method runs."""
+        made, cls = env.made, env.func.cls
+        if made is None or cls is None or made.cls is cls or not cls.fact.template:
+            return made.types if made is not None else {}
+        part = self.part(made, cls)
+        return part.types if part is not None else made.types
 
     def held(self, expr: Expr | None, cls: Cls, env: Env) -> Instance:
         """Return the part of class `cls` of an object of which only the type is known, with its template arguments."""

@@ -101,16 +101,15 @@ class Openness:
 
     def _initialisers(self, name: str, env: Env) -> Iterator[tuple[Expr | None, Env]]:
         """Yield what each constructor at hand makes of a member, and what a handle of a body is below."""
-        for definition, inner in self.folder.assignments.definitions(Name(name), env):
-            outer = _below(definition.statement)
+        for made in self.folder.origins.makers(Name(name), env) or ():
+            body = made.env.func.fact.body
+            statement = body[made.env.at] if 0 <= made.env.at < len(body) else None
+            outer = _below(statement) if statement is not None else None
             if outer is not None:
-                yield outer, inner
-                continue
-            kinds = {"init", "set"} if definition.func.file.language == "python" else {"init"}
-            if definition.statement.kind in kinds and definition.func.is_constructor:
-                value = definition.statement.value
-                made = isinstance(value, Call) and len(value.args) == 1
-                yield (value.args[0] if made and isinstance(value, Call) else value), inner
+                yield outer, made.env
+            elif statement is not None and _initialises(statement, made.env.func):
+                is_call = isinstance(made.expr, Call) and len(made.expr.args) == 1
+                yield (made.expr.args[0] if is_call and isinstance(made.expr, Call) else made.expr), made.env
 
 
 def _variable(expr: Expr | None) -> str:
@@ -143,6 +142,12 @@ def _below(statement: Statement) -> Expr | None:
     if statement.kind != "let" or "NodeHandle" not in statement.type or not isinstance(statement.value, Call):
         return None
     return next(iter(statement.value.args), None)
+
+
+def _initialises(statement: Statement, func: Func) -> bool:
+    """Tell whether a constructor makes a member by a statement."""
+    kinds = {"init", "set"} if func.file.language == "python" else {"init"}
+    return statement.kind in kinds and func.is_constructor
 
 
 def _is_qos(name: str, func: Func) -> bool:

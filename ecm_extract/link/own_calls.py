@@ -47,11 +47,16 @@ class OwnCalls:
         if found.receiver == THIS or is_super(found.receiver):
             return True
         implied = found.receiver is None and env.func.file.language != "python"
-        return self.hands_on(call, env) or (implied and self._is_method(found.last, env))
+        makes = found.statement.kind != "init" and self._is_class(found.last, env)  # another object, not this one
+        return self.hands_on(call, env) or (implied and not makes and self._is_method(found.last, env))
 
     def hands_on(self, call: Call, env: Env) -> bool:
         """Tell whether a call gives others the object at hand, or a function that may use it."""
         return hands_on(call, lambda name: self._is_method(name, env))
+
+    def _is_class(self, name: str, env: Env) -> bool:
+        cls = env.this or env.func.cls
+        return cls is not None and any(entry.fact.name == name for entry in self.program.ancestry(cls))
 
     def _is_method(self, name: str, env: Env) -> bool:
         cls = env.this or env.func.cls

@@ -11,14 +11,28 @@ from ecm_parsers.source.facts import Statement
 from ecm_extract.link.spelling import last_name
 from ecm_extract.link.units import Func
 from ecm_extract.link.walk import children
+from ecm_extract.shipped import shipped_names
 
-_MAKERS: Final = frozenset({"make_shared", "make_unique"})
+_TABLE: Final = "link/library_values.toml"
+_POINTERS: Final = shipped_names(_TABLE, "pointers")
+_ALLOCATED: Final = shipped_names(_TABLE, "allocated")
 
 
 def pointed(expr: Expr) -> str:
     """Return the class of the object that an expression makes behind a pointer; empty for others."""
-    made = expr.callee if isinstance(expr, Call) and len(expr.types) == 1 else None
-    return expr.types[0] if isinstance(made, Name) and last_name(made.id) in _MAKERS and isinstance(expr, Call) else ""
+    made = expr.callee if isinstance(expr, Call) and expr.types else None
+    is_made = isinstance(made, Name) and makes_pointed(last_name(made.id))
+    return expr.types[0] if is_made and isinstance(expr, Call) else ""
+
+
+def makes_pointed(last: str) -> bool:
+    """Tell whether a function of a last name makes an object behind a pointer."""
+    return last in _POINTERS or last in _ALLOCATED
+
+
+def given_to_pointed(last: str, args: tuple[Expr, ...]) -> tuple[Expr, ...]:
+    """Return what such a function gives the constructor of the object, which is all but an allocator."""
+    return args[1:] if last in _ALLOCATED else args
 
 
 def is_only_reached_into(name: str, func: Func) -> bool:

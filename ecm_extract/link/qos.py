@@ -13,6 +13,7 @@ from ecm_checker.match.generated import snake
 from ecm_parsers.numbers import real, truncated
 from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member, Name, Number, Op
 
+from ecm_extract.infer.held import Held
 from ecm_extract.link.calls import dotted_name
 from ecm_extract.link.data import declared_type, plain_type
 from ecm_extract.link.env import Bound, Env, bind, invocation_of
@@ -217,13 +218,13 @@ class QosReader:
         bound = env.args.get(value.id) if isinstance(value, Name) else None
         if bound is not None:
             return self._words(bound.expr, bound.env, level + 1)
-        found = {
-            word
-            for definition, inner in self.folder.assignments.definitions(value, env)
-            if definition.statement.value is not None
-            for word in self._words(definition.statement.value, inner, level + 1)
-        }
+        found = {word for held in self.folder.origins.of(value, env) for word in self._words_held(held, level)}
         return found or {"unknown"}
+
+    def _words_held(self, held: Held, level: int) -> set[str]:
+        if held.how != "value" or held.expr is None or held.env is None:
+            return {"unknown"}
+        return self._words(held.expr, held.env, level + 1)
 
     def _variable(self, expr: Name | Member, env: Env, level: int) -> dict[str, Any]:
         name = expr.id if isinstance(expr, Name) else expr.name

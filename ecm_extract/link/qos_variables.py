@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any, Protocol
 
 from ecm_parsers.source.expr import Call, Constant, Expr, Member, Name
-from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.held import Held, State
+from ecm_extract.infer.run import Run
 from ecm_extract.link.env import Env
 from ecm_extract.link.qos_presets import UNSEEN, agreed
-from ecm_extract.link.scope import Definition
+from ecm_extract.link.units import Cls
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
 
-MAX_STEPS = 40
-"""Statements after the making of a member that are looked at."""
 Policies = dict[str, Any]
 """Policy -> its value."""
 
@@ -38,19 +36,13 @@ class Profiles(Protocol):
         """Return what the assignment of a field sets."""
 
 
-class _Steps(NamedTuple):
-    """What follows the making of a profile, and how many branches enclose it."""
-
-    statements: Sequence[Statement]
-    depth: int = 0
-
-
 class QosVariables:
     """Tells what variables hold: as the run of their function has it, or else as all methods leave a member."""
 
     def __init__(self, folder: Folder, profiles: Profiles) -> None:
         self.folder = folder
         self.profiles = profiles
+        self._begun: dict[tuple[Cls, str], Policies | None] = {}
 
     def at(self, expr: Name | Member, env: Env, level: int) -> Policies | None:
         """Return the policies of a variable at a place; None for a variable that nobody gives a profile."""
@@ -61,7 +53,7 @@ class QosVariables:
         ways = self.folder.flow.ways(expr, env)
         found = [self._any_of(helds, env, level) for helds in ways]
         if not found or None in found:
-            return self._of_member(expr, env, level)
+            return self._around(expr, key, env, level)
         return agreed([policies for policies in found if policies is not None])
 
     def _in_states(self, key: str, parts: Iterable[str], env: Env, level: int) -> Policies | None:
@@ -86,16 +78,17 @@ class QosVariables:
 
     # --- what a variable holds -----------------------------------------------------------------------------
 
-    def _any_of(self, helds: tuple[Held, ...], env: Env, level: int) -> Policies | None:
+    def _any_of(self, helds: Iterable[Held], env: Env, level: int) -> Policies | None:
         """The policies that all things have which a variable may hold; None where not all of them are known."""
-        found = [self._held(held, env, level) for held in self.folder.flow.decisions.ways(helds)]
+        ways = self.folder.flow.decisions.ways(tuple(helds))
+        found = [self._held(held, env, level) for held in ways if not _is_nothing(held)]
         known = [policies for policies in found if policies is not None]
         return agreed(known) if known and len(known) == len(found) else None
 
     def _held(self, held: Held, env: Env, level: int) -> Policies | None:
         inner = held.env if held.env is not None else env
         if held.how == "value" and held.expr is not None:
-            return None if isinstance(held.expr, Constant) else self.profiles.policies(held.expr, inner, level + 1)
+            return self.profiles.policies(held.expr, inner, level + 1)
         if held.how == "made":
             return {}
         if held.how == "changed" and isinstance(held.expr, Call):
@@ -106,69 +99,69 @@ class QosVariables:
         if held.how == "after":
             left = self.folder.held.left(held, inner)
             return self._any_of(left[0], left[1], level) if left is not None else None
+        cls = inner.this or inner.func.cls
+        if held.how in {"given", "shared"} and _is_member(held.name) and cls is not None:
+            return self._of_member(held.name, cls, inner, level)
         return dict(UNSEEN) if held.how in {"lost", "out", "stored", "read"} else None
 
     # --- members -------------------------------------------------------------------------------------------
 
-    def _of_member(self, expr: Name | Member, env: Env, level: int) -> Policies | None:
-        """What all methods leave a member with, and what it is declared with."""
-        name = expr.id if isinstance(expr, Name) else expr.name
-        given = self.folder.assignments.definitions(expr, env)
-        found = [self._defined(definition, name, inner, level) for definition, inner in given]
-        known = [policies for policies in found if policies is not None]
-        sure = any(definition.statement.depth == 0 for definition, _ in given)
-        declared = None if known and sure else self._declared(name, expr, env, level)
-        return (
-            agreed([*known, *([declared] if declared is not None else [])]) if known or declared is not None else None
-        )
-
-    def _defined(self, definition: Definition, name: str, env: Env, level: int) -> Policies | None:
-        value = definition.statement.value
-        if value is None or definition.statement.kind == "each" or isinstance(value, Constant):
-            return None
-        later = definition.func.fact.body[definition.at :]
-        return self._mutated(
-            self.profiles.policies(value, env, level + 1), name, _Steps(later, definition.statement.depth), env
-        )
-
-    def _declared(self, name: str, expr: Name | Member, env: Env, level: int) -> Policies | None:
-        """What a data member, its own or of a base, is declared with, and what methods set on it; None for no such."""
+    def _around(self, expr: Name | Member, key: str, env: Env, level: int) -> Policies | None:
+        """What a variable is where the function at hand leaves it alone."""
         cls = env.this or env.func.cls
-        if cls is None or (isinstance(expr, Member) and expr.base != Name("this")):
-            return None
-        ancestry = self.folder.program.ancestry(cls)
-        default = next((own.fields[name].default for own in ancestry if name in own.fields), None)
+        if _is_member(key) and cls is not None:
+            return self._of_member(key, cls, env, level)
+        ways = self.folder.flow.ways(expr, env)
+        return self._any_of(self.folder.origins.held(expr, env), env, level) if not ways else None
+
+    def _of_member(self, key: str, cls: Cls, env: Env, level: int) -> Policies | None:
+        """What its constructor makes of a member, or what it is declared with, and what other methods make of that."""
+        if (cls, key) in self._begun:
+            return self._begun[cls, key]
+        self._begun[cls, key] = self._declared(key[1:], cls, env, level)
+        try:
+            ends = list(self.folder.members.ends(key[1:], cls, env))
+            made = self._left(key, cls, [end for end in ends if end[1].func.is_constructor], level)
+            self._begun[cls, key] = agreed(made) if made else self._begun[cls, key]
+            later = self._left(key, cls, [end for end in ends if not end[1].func.is_constructor], level)
+            declared = self._begun[cls, key] if not made and not later else None
+            found = [*made, *later, *([declared] if declared is not None else [])]
+            return agreed(found) if found else None
+        finally:
+            del self._begun[cls, key]
+
+    def _left(self, key: str, cls: Cls, ends: Iterable[tuple[Run | None, Env]], level: int) -> list[Policies]:
+        """What methods leave a member with that they give something."""
+        found = [self._at_end(key, self._begun[cls, key], run, place, level) for run, place in ends]
+        return [policies for policies in found if policies is not None]
+
+    def _at_end(self, key: str, begun: Policies | None, run: Run | None, place: Env, level: int) -> Policies | None:
+        if run is None or run.end is None:
+            return dict(UNSEEN) if run is None else None
+        helds = self.folder.flow.shown(run, key)
+        parts = [each for each in run.end.holds if each.startswith(f"{key}.")]
+        given = any(held.how not in {"given", "shared"} for held in helds)
+        whole = self._any_of(helds, place, level) if given else begun if parts else None
+        return None if whole is None else whole | self._of_parts(parts, run.end)
+
+    def _declared(self, name: str, cls: Cls, env: Env, level: int) -> Policies | None:
+        """What a data member, its own or of a base, is declared with; None for no such."""
+        default = next(
+            (own.fields[name].default for own in self.folder.program.ancestry(cls) if name in own.fields), None
+        )
         if default is None:
             return None
-        policies = self.profiles.policies(default, Env(env.func, depth=env.depth + 1, this=cls), level + 1)
-        for method in (method for own in ancestry for method in own.methods):
-            inner = Env(method, this=cls, depth=env.depth + 1)
-            policies = self._mutated(policies, name, _Steps(method.fact.body), inner)
-        return policies
-
-    def _mutated(self, policies: Policies, name: str, steps: _Steps, env: Env) -> Policies:
-        """What a profile is after `qos.reliable();` and `qos.depth = 5`; where a branch does so, it may be either."""
-        for statement in steps.statements[:MAX_STEPS]:
-            changed = {**policies, **self._mutation(name, statement, env)}
-            policies = changed if statement.depth <= steps.depth else agreed([policies, changed])
-        return policies
-
-    def _mutation(self, name: str, statement: Statement, env: Env) -> Policies:
-        value, target = statement.value, statement.target
-        if statement.kind == "do" and isinstance(value, Call) and _root(value) == name:
-            return self.profiles.chain(value, env)
-        if statement.kind == "set" and isinstance(target, Member) and _root(target) == name and value is not None:
-            return self.profiles.assigned(target.name, value, env)
-        return {}
+        return self.profiles.policies(default, Env(env.func, depth=env.depth + 1, this=cls), level + 1)
 
 
 def _unknown(field: str) -> Policies:
     return {field: UNSEEN[field]} if field in UNSEEN else {}
 
 
-def _root(expr: Expr) -> str:
-    while isinstance(expr, Call | Member):
-        if isinstance(expr, Member) and expr.base == Name("this"):
-            return expr.name
-        expr = expr.callee if isinstance(expr, Call) else expr.base
-    return expr.id if isinstance(expr, Name) else ""
+def _is_member(key: str) -> bool:
+    return key.startswith(".") and key.count(".") == 1
+
+
+def _is_nothing(held: Held) -> bool:
+    """Tell whether a variable is given no object."""
+    return held.how == "value" and isinstance(held.expr, Constant)

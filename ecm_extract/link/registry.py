@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from fnmatch import fnmatch
 from pathlib import PurePosixPath
 
 from ecm_checker.match.generated import snake
 from ecm_parsers.cmake_facts import Target
 
+from ecm_extract.cmake.sources import paths_of
 from ecm_extract.link.module_kinds import class_kind
 from ecm_extract.link.modules import Registry, registration_kind
 from ecm_extract.link.program import Program
@@ -19,7 +20,6 @@ from ecm_extract.link.wrapper_scripts import Wrapped, runs_as_main
 from ecm_extract.read.facts import PackageFacts
 
 _TEMPLATE = re.compile(r"<([\w:\s]+)>")
-_SUFFIXES = ("", ".cpp", ".cc", ".cxx", ".c", ".py")
 
 
 def build_registry(program: Program, packages: Iterable[PackageFacts]) -> Registry:
@@ -116,18 +116,13 @@ def _targets(package: PackageFacts, listed: set[str], registry: Registry) -> Non
                     registry.libraries.setdefault(source, target.name)
 
 
-def _sources(target: Target, cmake: str, listed: set[str]) -> list[str]:
-    """Return the files of a target: names without a suffix are tried as CMake does, patterns are expanded."""
-    folder = str(PurePosixPath(cmake).parent)
-    prefix = "" if folder == "." else f"{folder}/"
-    found = []
-    for source in target.sources:
-        path = prefix + source.removeprefix("./")
-        if "*" in path:
-            found.extend(sorted(entry for entry in listed if fnmatch(entry, path)))
-        else:
-            found.extend(path + suffix for suffix in _SUFFIXES if path + suffix in listed)
-    return found
+def _sources(target: Target, cmake: str, listed: set[str]) -> Iterator[str]:
+    """Yield the files of a target: names without a suffix are tried as CMake does, patterns are expanded."""
+    for path in paths_of(target, cmake):
+        if path in listed:
+            yield path
+        elif "*" in path:
+            yield from sorted(entry for entry in listed if fnmatch(entry, path))
 
 
 def _programs(package: PackageFacts, files: list[File], program: Program, registry: Registry) -> None:

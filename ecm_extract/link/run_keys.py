@@ -35,8 +35,9 @@ class RunKeys:
             this = env.this or env.func.cls
             around = (self.of(env.outer, depth + 1), env.outer.at, env.outer.state) if env.outer is not None else None
             caller = self._bound(env.caller, depth, {}) if env.caller is not None else None
+            call = self._bound(env.call, depth, {}) if env.call is not None else None
             args = self._all_bound(env.args, depth)
-            env.asked = self._key((env.func, args, this, self._made(env.made, depth), around, caller))
+            env.asked = self._key((env.func, args, this, self._made(env.made, depth), around, caller, call))
         return env.asked
 
     def _key(self, parts: Hashable) -> RunKey:

@@ -51,15 +51,20 @@ class RunsOnce:
             known = self._never[func] = free and self._is_of_program(func) and not self._mentions(func)
         return known
 
+    def only_call(self, func: Func) -> Invocation | None:
+        """Return the one call of a function that programs run at most once; None of `main`, and of all others."""
+        calls = self._calls(func) if self.of(func) and not is_main(func) else []
+        return calls[0] if calls else None
+
     def _is_once(self, func: Func) -> bool:
         if func.file.language != "cpp":
             return False
-        if _is_main(func):
+        if is_main(func):
             return True
         if not self._is_of_program(func):
             return False
         calls = self._calls(func)
-        if len(calls) != 1 or func.fact.name in self._called_by_declarations:
+        if len(calls) != 1 or func.fact.name in self.called_by_declarations:
             return False
         call = calls[0]
         return self.folder.states.callers.is_straight(call) and _is_single(call, func.fact.name) and self.of(call.func)
@@ -67,7 +72,7 @@ class RunsOnce:
     def _is_of_program(self, func: Func) -> bool:
         """Whether nobody outside of the tree can call a function."""
         return not _HIDDEN.isdisjoint(func.fact.traits) or any(
-            map(_is_main, self.folder.program.functions_in(func.file))
+            map(is_main, self.folder.program.functions_in(func.file))
         )
 
     def _calls(self, func: Func) -> list[Invocation]:
@@ -80,12 +85,12 @@ class RunsOnce:
         return [call for call, _ in callers.all(func)]
 
     def _mentions(self, func: Func) -> bool:
-        if func.fact.name in self._called_by_declarations:
+        if func.fact.name in self.called_by_declarations:
             return True
         return any(True for _ in self.folder.states.callers.all(func))
 
     @cached_property
-    def _called_by_declarations(self) -> Set[str]:
+    def called_by_declarations(self) -> Set[str]:
         """The functions that defaults of parameters and members, and values of variables, call."""
         program = self.folder.program
         functions = (func for group in program.functions.values() for func in group)
@@ -96,7 +101,8 @@ class RunsOnce:
         return frozenset(_last(call) for value in values for call in calls_in(value))
 
 
-def _is_main(func: Func) -> bool:
+def is_main(func: Func) -> bool:
+    """Tell whether a function is where a program of C++ begins."""
     return _is_free(func) and func.fact.name == _MAIN and not func.fact.scope
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Callable, Iterator, Sequence
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import Final, NamedTuple
 
 from ecm_parsers.source import expr as expressions
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Text
@@ -16,9 +16,6 @@ from ecm_extract.link.env import Env
 from ecm_extract.link.program import Program
 from ecm_extract.link.spelling import plain
 from ecm_extract.link.units import Cls, File, Func
-
-if TYPE_CHECKING:
-    from ecm_extract.link.decisions import Decisions
 
 _FLAGS: Final = {"store_true": "false", "store_false": "true"}
 
@@ -38,14 +35,12 @@ class Definition(NamedTuple):
 class Scope:
     """Definition look-ups over a program, each function and class indexed once.
 
-    `ways` gives what a variable may hold at a place, `decisions` tells which of it is taken; whoever runs functions
-    sets them.
+    `ways` gives what a variable may hold at a place; whoever runs functions sets it.
     """
 
     def __init__(self, program: Program) -> None:
         self.program = program
         self.ways: Callable[[Expr, Env], Sequence[Sequence[Held]]] = _nothing
-        self.decisions: Decisions | None = None
         self._locals: dict[Func, dict[str, list[int]]] = {}
         self._options: dict[tuple[File, str], Expr] | None = None
         self._passed: dict[Func, dict[str, list[tuple[int, Call, int]]]] = {}
@@ -65,47 +60,6 @@ class Scope:
                     known[statement.target.id].append(at)
             self._locals[func] = known
         return known
-
-    def local(self, expr: Expr, env: Env) -> list[Definition]:
-        """Return the assignments that may have given a variable of a function what it holds at a place, in order."""
-        found: dict[int, Definition] = {}
-        pending = [held for helds in self.ways(expr, env) for held in helds]
-        seen: set[Held] = set()
-        while pending:
-            held = pending.pop(0)
-            if held in seen:
-                continue
-            seen.add(held)
-            pending += self._before(held)
-            body = env.func.fact.body
-            if held.env is None or held.env.func is not env.func or not 0 <= held.at < len(body):
-                continue
-            if held.how in {"value", "each"} and body[held.at].value is not None:
-                found.setdefault(held.at, Definition(env.func, held.at))
-        return list(found.values())
-
-    def reaching(self, expr: Expr, env: Env) -> list[Definition]:
-        """Return the assignments of which one gave a variable what it holds as long as nobody sets a parameter."""
-        helds = list(dict.fromkeys(held for helds in self.ways(expr, env) for held in helds))
-        pending = [held for held in helds if self._is_likely(held)] or helds
-        found: dict[int, Definition] = {}
-        seen: set[Held] = set()
-        while pending:
-            held = pending.pop(0)
-            seen.add(held)
-            given = held.how in {"value", "each"} and held.env is not None and held.env.func is env.func
-            if given and env.func.fact.body[held.at].value is not None:
-                found.setdefault(held.at, Definition(env.func, held.at))
-            else:
-                pending += [before for before in self._before(held) if before not in seen]
-        return list(found.values())
-
-    def _before(self, held: Held) -> Sequence[Held]:
-        return self.decisions.ways(held.before) if self.decisions is not None else ()
-
-    def _is_likely(self, held: Held) -> bool:
-        state = held.env.state if held.env is not None else None
-        return state is None or self.decisions is None or self.decisions.is_likely(state.route)
 
     def is_certain(self, name: str, env: Env) -> bool:
         """Tell whether the function has surely given a variable a value before the place."""

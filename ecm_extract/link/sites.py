@@ -15,7 +15,7 @@ from ecm_parsers.source.expr import Expr, Name
 from ecm_extract.link.call_index import call_index
 from ecm_extract.link.call_targets import CallTargets
 from ecm_extract.link.calls import Invocation
-from ecm_extract.link.closures import around, captured
+from ecm_extract.link.closures import around, captured, given, is_of_parameter
 from ecm_extract.link.emplaced import EMPLACING, emplaced
 from ecm_extract.link.env import Env, Instance, bind
 from ecm_extract.link.fold import Folder
@@ -74,6 +74,7 @@ class Sites:
             self.calls[name].append(call)
         self._calls_of = CallTargets(self.folder, self.calls, self._place)
         self.folder.states.callers.find = self._calling
+        self.folder.lasting.find()
         matcher.undeclared.makers = self._making
 
     def find(self, parameters: bool) -> list[Site]:
@@ -190,7 +191,10 @@ class Sites:
                 continue
             for outer, certain in self._places(self.root_env(call.func, call.at)):
                 wider = self._through(replace(site, certain=site.certain and certain), call, outer)
-                if not self._names_an_instance(wider, root):
+                if is_of_parameter(call):
+                    handing = self._callers(wider)
+                    yield from (each for each in handing if given(root, call, each.places[1]) is not None)
+                elif not self._names_an_instance(wider, root):
                     yield wider
 
     def entering(self, site: Site) -> Iterator[tuple[Func, bool]]:
@@ -268,7 +272,7 @@ class Sites:
         return {name: self._bound_type(written, env) for name, written in types.items()}
 
     def _bound_type(self, written: str, env: Env) -> str:
-        outer = env.types.get(written) or (env.made.types.get(written) if env.made is not None else None)
+        outer = env.types.get(written) or self.folder.objects.class_types(env).get(written)
         if outer is not None:
             return outer
         return self.program.alias(written, env.func.file, env.scope) or written

@@ -13,6 +13,7 @@ _QUALIFIERS = frozenset({"const", "typename", "class", "struct", "volatile", "pu
 _POINTERS = frozenset(
     {"shared_ptr", "unique_ptr", "scoped_ptr", "optional", "SharedPtr", "UniquePtr", "Ptr", "weak_ptr"}
 )
+_MARKS = str.maketrans("&*[]", "    ")
 _ALIASED = re.compile(r"::(?:Const)?(?:SharedPtr|UniquePtr|Ptr|WeakPtr|SharedConstPtr)$")
 
 
@@ -20,7 +21,7 @@ _ALIASED = re.compile(r"::(?:Const)?(?:SharedPtr|UniquePtr|Ptr|WeakPtr|SharedCon
 def plain(text: str) -> str:
     """Return a type name without template arguments, qualifiers and marks."""
     head = text.split("<", 1)[0] if "<" in text else text
-    words = [word for word in head.replace("&", " ").replace("*", " ").split() if word not in _QUALIFIERS]
+    words = [word for word in head.translate(_MARKS).split() if word not in _QUALIFIERS]
     return words[-1] if words else ""
 
 
@@ -39,14 +40,14 @@ def last_name(path: str) -> str:
 @lru_cache(maxsize=MAX_SPELLINGS)
 def by_value(written: str) -> bool:
     """Tell whether a variable of a type is an object itself, not a pointer or reference to one."""
-    text = written.removeprefix("const ").removeprefix("::")
+    text = written.removeprefix("const ").removeprefix("::").rstrip("[]")
     return text[:1].isalpha() and text != "auto" and not text.endswith(("*", "&")) and pointee(text) == text
 
 
 @lru_cache(maxsize=MAX_SPELLINGS)
 def pointee(written: str) -> str:
     """Return the class that a type's objects are of: through smart pointers and `::SharedPtr` aliases."""
-    text = written.strip().removeprefix("const ").rstrip("&* ")
+    text = written.strip().removeprefix("const ").rstrip("&*[] ")
     for _ in range(4):
         name = plain(text)
         last = name.rsplit("::", 1)[-1]

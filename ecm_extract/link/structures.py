@@ -12,11 +12,12 @@ from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.held import Held
 from ecm_extract.link.calls import Invocation, Step, construction, dotted_name
+from ecm_extract.link.containers import makes_tuple
 from ecm_extract.link.env import MAX_DEPTH, Bound, Env, Instance, bind
 from ecm_extract.link.numbers import as_number, kind_of_type
 from ecm_extract.link.overloads import NO, score
-from ecm_extract.link.pointed import is_only_reached_into, pointed
-from ecm_extract.link.spelling import plain
+from ecm_extract.link.pointed import given_to_pointed, is_only_reached_into, pointed
+from ecm_extract.link.spelling import last_name, plain
 from ecm_extract.link.units import Cls, Func
 from ecm_extract.link.values import Value, alternatives, constant, demoted, literal, parameter, unknown
 
@@ -25,7 +26,6 @@ if TYPE_CHECKING:
 
 _PAIR: Final = ("first", "second")
 _GET: Final = "std::get"
-_TUPLES: Final = frozenset({"std::make_pair", "std::make_tuple", "std::pair", "std::tuple"})
 _DECLARED: Final = frozenset({"made", "given", "shared"})
 """Ways to hold an object that say nothing of its fields: it is as it was declared, here or elsewhere."""
 
@@ -164,13 +164,13 @@ class StructureFolder:
             return None
         if isinstance(made, Items):
             return [Bound(item, bound.env) for item in made.items]
-        if dotted_name(made.callee) in _TUPLES and made.args:
+        if makes_tuple(made) and made.args:
             return [Bound(item, bound.env) for item in made.args]
         cls = self._class_called(made, bound.env)
         if cls is None or any(method.is_constructor for method in cls.methods):
             return None
         named = [Op(".=", (Name(key), value)) for key, value in made.keywords]
-        return [Bound(item, bound.env) for item in (*made.args, *named)]
+        return [Bound(item, bound.env) for item in (*_given(made), *named)]
 
     def _origin(self, expr: Expr, env: Env) -> Bound | None:
         """Return the expression that makes an object, through the variables that it is handed on by."""
@@ -195,7 +195,7 @@ class StructureFolder:
             return None
         helds = self._helds(expr, env)
         if all(held.how == "given" for held in helds):
-            return env.args.get(expr.id) if isinstance(expr, Name) else self._part(expr, env)
+            return self._of_name(expr, env) if isinstance(expr, Name) else self._part(expr, env)
         held = helds.pop()
         if helds or held.how != "value" or held.env is None or held.expr is None:
             return None
@@ -203,12 +203,38 @@ class StructureFolder:
             return None
         return Bound(held.expr, held.env)
 
+    def _of_name(self, expr: Name, env: Env) -> Bound | None:
+        """What is passed for a parameter, or what a variable of a namespace is declared with that nobody changes."""
+        given = env.args.get(expr.id)
+        if given is not None or not self.folder.outside.is_untouched(expr.id, env.func):
+            return given
+        found = self.folder.scope.constant(expr.id, env)
+        value = found[0].value if found is not None else None
+        return Bound(value, self.folder.names.at_file(found[1], env).deeper(env.depth + 1)) if found and value else None
+
+    def listed(self, expr: Member, env: Env) -> Bound | None:
+        """Return the list that a field of a variable of a namespace is which nobody changes; None of other objects."""
+        cls = self.folder.objects.class_of(expr.base, env)
+        root = expr.base.id if isinstance(expr.base, Name) else ""
+        if cls is None or not root or not self.folder.outside.is_untouched(root, env.func):
+            return None
+        bound, found = self._origin(expr.base, env), self.folder.scope.constant(root, env)
+        if bound is not None or found is not None:
+            return self._part(expr, env)
+        default = cls.fields[expr.name].default if expr.name in cls.fields and not _makers(cls) else None
+        return Bound(default, Env(env.func, depth=env.depth + 1, this=cls)) if default is not None else None
+
 
 def _construction(cls: Cls, made: Items | Call, env: Env) -> Invocation:
     """The call of a constructor: braces and parentheses say the same."""
     step = Step(env.func, env.at, Statement("do", cls.fact.line, None))
-    call = construction(step, cls.fact.name, made.items if isinstance(made, Items) else made.args, cls.fact.line)
+    call = construction(step, cls.fact.name, made.items if isinstance(made, Items) else _given(made), cls.fact.line)
     return call if isinstance(made, Items) else msgspec.structs.replace(call, keywords=made.keywords)
+
+
+def _given(made: Call) -> tuple[Expr, ...]:
+    """What the constructor gets of the arguments of a call that makes an object."""
+    return given_to_pointed(last_name(dotted_name(made.callee)), made.args)
 
 
 def _named(parts: Sequence[Bound]) -> Iterator[tuple[str, Bound]]:

@@ -13,7 +13,7 @@ from ecm_extract.infer.routes import OPEN, Verdict
 from ecm_extract.link.env import Env
 from ecm_extract.link.units import Func
 from ecm_extract.link.values import Value, data_in, is_known, is_proved
-from ecm_extract.link.walk import children
+from ecm_extract.link.walk import calls_in, children, names_in
 
 if TYPE_CHECKING:
     from ecm_extract.link.fold import Folder
@@ -43,6 +43,15 @@ class Truths:
         """Tell whether a condition holds; None when that is not decided."""
         return self._judged(test, env).holds
 
+    def _before(self, test: Expr, env: Env) -> bool | None:
+        """What a condition was on the way, where it asks for nothing but parameters that stay what they are."""
+        turns = env.state.path if env.state is not None else ()
+        asked = next((turn for turn in turns if turn.test == test and turn.env is not None), None)
+        if asked is None or asked.env is None or asked.env.func is not env.func or calls_in(test):
+            return None
+        given = {entry.name for entry in env.func.fact.params} - set(self._outline(env.func).changes)
+        return asked.holds if set(names_in(test)) <= given else None
+
     def _if_given(self, test: Expr, env: Env) -> bool | None:
         if isinstance(test, Op) and test.op == "!":
             inner = self._if_given(test.operands[0], env)
@@ -68,6 +77,9 @@ class Truths:
             return self._all_of(test, env)
         if self._is_exposed(test, env.func):
             return OPEN
+        before = self._before(test, env)
+        if before is not None:
+            return Verdict(before, before)
         python = env.func.file.language == "python"
         full = None if python else self.folder.optionals.holds(test, env)
         if full is not None:

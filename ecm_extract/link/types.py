@@ -10,7 +10,7 @@ from ecm_checker.match.generated import snake
 from ecm_parsers.source.expr import Call, Expr, Lambda, Member, Name, Op, Text
 
 from ecm_extract.link.calls import Invocation
-from ecm_extract.link.env import Env
+from ecm_extract.link.env import MAX_DEPTH, Bound, Env
 from ecm_extract.link.fold import Folder
 from ecm_extract.link.python_types import PythonTypes
 from ecm_extract.link.sent_as import sent_as
@@ -92,7 +92,7 @@ class Types:
         if event:
             return self.written(template_arguments(text)[0], env, role, depth + 1)
         bare = _bare(text)
-        bound = env.types.get(bare) or (env.made.types.get(bare) if env.made is not None else None)
+        bound = env.types.get(bare) or self.folder.objects.class_types(env).get(bare)
         if bound is not None and bound != bare:
             return self.written(bound, env, role, depth + 1)
         template = self._template_names(env)
@@ -172,7 +172,7 @@ class Types:
                 stem = parts[-1].rsplit(".", 1)[0]
                 if len(parts) in {2, 3} and (stem == name or (len(parts) == 3 and stem == snake(name))):
                     return self.full("::".join([*parts[:-1], name]), role)
-        for using in (entry.namespace for entry in env.func.file.facts.usings):
+        for using in (entry.namespace for entry in env.func.file.facts.usings if entry.holds_in(self._scope(env))):
             if using.rsplit("::", 1)[-1] in _KINDS or using.endswith("_msgs"):
                 return self.full(f"{using}::{name}", role)
         return None
@@ -219,12 +219,15 @@ class Types:
                 inner = Env(func, types=env.types, this=env.this, made=env.made)
                 written = _REQUEST.sub(r"\1", params[0].type) if service else params[0].type
                 return self.written(written, inner, role)
-        for definition in self.folder.scope.local(Name(name), env):
-            value = definition.statement.value
-            if value is not None:
-                return self._callback(value, env.before(definition.at), role, service)
+        made = {self._callback(each.expr, each.env, role, service) for each in self._held(name, env)}
+        if made:
+            return made.pop() if len(made) == 1 else UNKNOWN_TYPE
         held = _FUNCTION.search(self.folder.objects.type_of(expr, env)) if isinstance(expr, Name | Member) else None
         return self.written(template_arguments(f"<{held[1]}>")[0], env, role) if held else UNKNOWN_TYPE
+
+    def _held(self, name: str, env: Env) -> Sequence[Bound]:
+        """What a variable may hold that is called like a callback, where all of it is known."""
+        return self.folder.origins.makers(Name(name), env) or () if env.depth <= MAX_DEPTH else ()
 
     def _named(self, name: str, env: Env) -> list[Func]:
         last = name.rsplit("::", 1)[-1]

@@ -192,6 +192,16 @@ def settled(value: Value) -> Value:
     return Value(parts, "pattern" if rest else "default", value.template)
 
 
+def without_defaults(value: Value) -> Value:
+    """The same value where it is not known what the makers of its object say."""
+    if not any(isinstance(part, Hole) and part.kind == "made" and part.default is not None for part in value.parts):
+        return value
+    parts = [
+        part._replace(default=None) if isinstance(part, Hole) and part.kind == "made" else part for part in value.parts
+    ]
+    return value._replace(parts=tuple(parts))
+
+
 def node_name() -> Value:
     """The name of the node that the code runs in."""
     return Value((Hole("node", "node"),), "pattern")

@@ -71,6 +71,14 @@ def _collect(expr: Expr, found: list[Call]) -> None:
         found.append(expr)
 
 
+def names_in(expr: Expr | None) -> Iterator[str]:
+    """Yield the names of an expression."""
+    if isinstance(expr, Name):
+        yield expr.id
+    for part in children(expr) if expr is not None else ():
+        yield from names_in(part)
+
+
 def children(expr: Expr) -> tuple[Expr, ...]:
     """Return the direct parts of an expression."""
     parts = _PARTS.get(type(expr))

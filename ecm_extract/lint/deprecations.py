@@ -13,10 +13,11 @@ from ecm_extract.lint.alternatives import has_alternative
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.shipped import shipped_as
+from ecm_extract.source_suffixes import CPP
 from ecm_extract.test_code import is_test_path
 
 _KINDS = {
-    "cpp": (".h", ".hh", ".hpp", ".hxx", ".c", ".cc", ".cpp", ".cxx"),
+    "cpp": tuple(CPP),
     "python": (".py",),
     "launch": (".launch", ".launch.xml", ".xml.launch"),
     "cmake": ("CMakeLists.txt", ".cmake"),

@@ -35,7 +35,7 @@ class Messages:
         kind, _, last = name.partition("::")
         if kind not in KINDS or not last or "::" in last:
             return None
-        for package in (*enclosing_scopes(scope.removeprefix("::")), *self._used(file)):
+        for package in (*enclosing_scopes(scope.removeprefix("::")), *self._used(file, scope)):
             if package and self._has(package, kind, last, file):
                 return f"{package}::{name}"
         return None
@@ -49,7 +49,8 @@ class Messages:
             scope: in which it stands.
         """
         bare = name.removeprefix("::")
-        around = (*enclosing_scopes(scope.removeprefix("::")), *self._used(file)) if file.language == "cpp" else ()
+        scopes = (*enclosing_scopes(scope.removeprefix("::")), *self._used(file, scope))
+        around = scopes if file.language == "cpp" else ()
         whole = (f"{outer}::{bare}" for outer in around if outer)
         return next((found for each in (*whole, bare) if (found := self._stated(each)) is not None), None)
 
@@ -59,9 +60,9 @@ class Messages:
         inner = rest[1:] if rest[:1] and rest[0] in KINDS else rest
         return layout.constants.get(".".join(inner)) if layout is not None else None
 
-    def _used(self, file: File) -> Iterator[str]:
+    def _used(self, file: File, scope: str) -> Iterator[str]:
         for each in (file, *self._included(file)):
-            yield from (using.namespace for using in each.facts.usings)
+            yield from (using.namespace for using in each.facts.usings if using.holds_in(scope.removeprefix("::")))
 
     def _has(self, package: str, kind: str, name: str, file: File) -> bool:
         layout = self._layouts.get(package)

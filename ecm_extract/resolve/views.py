@@ -20,7 +20,7 @@ class View:
         found: dict[str, set[str]] = defaultdict(set)
         for file in self.files:
             for using in file.facts.usings:
-                found[using.scope].add(using.namespace)
+                found[using.where].add(using.namespace)
         self.usings: Mapping[str, Sequence[str]] = {scope: sorted(names) for scope, names in found.items()}
 
     def __contains__(self, file: File) -> bool:

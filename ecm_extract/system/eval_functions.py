@@ -1,15 +1,15 @@
-"""What `$(eval ...)` of roslaunch may call: `arg`, `env`, `optenv`, `find`, `anon`, `dirname`.
+"""What `$(eval ...)` of roslaunch may name and call: arguments, `arg`, `env`, `optenv`, `find`, `anon`, `dirname`.
 
 Source: roslaunch `substitution_args._eval`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from typing import Any, Protocol
 
-from ecm_parsers.expression import ExpressionError
+from ecm_parsers.expression import ExpressionError, UnknownNameError
 from ecm_parsers.launch.model import Substitution, Template
 
 from ecm_extract.system.model import Text
@@ -24,6 +24,27 @@ class Texts(Protocol):
 
     def text(self, template: Template | None, depth: int = 0) -> Text:
         """Return the text of a template."""
+
+
+class EvalNames(Mapping[str, Any]):
+    """The arguments by name; one that only the launch knows hides the constant or function of its name all the same."""
+
+    def __init__(self, arguments: Mapping[str, Text], typed: Callable[[str], Any]) -> None:
+        self._arguments = arguments
+        self._typed = typed
+
+    def __getitem__(self, name: str) -> Any:
+        found = self._arguments[name]
+        if not found.known:
+            msg = f"`{name}` is known to the launch only. Give its value."
+            raise UnknownNameError(msg)
+        return self._typed(found.text)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._arguments)
+
+    def __len__(self) -> int:
+        return len(self._arguments)
 
 
 def launch_functions(texts: Texts, typed: Callable[[str], Any]) -> Mapping[str, Callable[..., Any]]:

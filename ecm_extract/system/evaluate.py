@@ -177,6 +177,8 @@ class Evaluator:
 
     def _configuration(self, file: _File, action: Action, scope: Scope) -> None:
         assert isinstance(action, SetConfiguration)
+        if action.environment and file.facts.ros == 1:
+            return  # roslaunch sets it for nodes alone: `$(env x)` is what the shell has
         substituter = self._substituter(file, scope)
         target = scope.environment if action.environment else scope.arguments
         target[substituter.text(action.name).text] = substituter.text(action.value)

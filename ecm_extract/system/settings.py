@@ -5,13 +5,23 @@ Sources: wiki.ros.org/roslaunch/XML/rosparam; `launch_ros.parameter_descriptions
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from fnmatch import fnmatchcase
 from typing import Any
 
-from ecm_parsers.launch.model import Data, ParameterFile, ParameterSource, ParameterValue, Substitution, Typing
+from ecm_parsers.launch.model import (
+    Data,
+    ParameterFile,
+    ParameterSource,
+    ParameterValue,
+    Substitution,
+    Template,
+    Typing,
+)
 from ecm_parsers.launch.substitution import parse_template
-from ecm_parsers.parameter_yaml import ParameterSet, parse_parameter_yaml
+from ecm_parsers.parameter_yaml import ParameterFile as Sets
+from ecm_parsers.parameter_yaml import ParameterSet, parse_parameter_yaml, parse_rosparam_yaml
+from ecm_parsers.result import Parsed
 from ecm_parsers.yaml_tree import parse_yaml, plain
 
 from ecm_extract.read.cuts import located
@@ -53,11 +63,13 @@ class Settings:
                 yield from self._file(source, namespace)
 
     def _file(self, source: ParameterFile, namespace: str) -> Iterator[Setting]:
-        path, sets = self._sets(source)
+        path = self._found(source)
+        if path is None:
+            return
         root = self.substituter.text(source.namespace).text
         rewrites = [(self.substituter.text(key).text, self.substituter.text(value)) for key, value in source.rewrites]
         prefix = self.substituter.text(source.prefix).text
-        for entry in sets:
+        for entry in self._sets(path, parse_parameter_yaml):
             if source.plain:
                 yield Setting(_dotted(prefix, entry), entry.value, Place(path, entry.line))
                 continue
@@ -84,12 +96,7 @@ class Settings:
         if self.substituter.truth(source.condition) is False:
             return
         if isinstance(source, ParameterFile):
-            path, sets = self._sets(source)
-            base = join(namespace, self.substituter.text(source.namespace).text)
-            for entry in sets:
-                value = self._substituted(entry.value) if source.substitutes else entry.value
-                yield Setting(join(base, entry.name), value, Place(path, entry.line))
-            yield from self._whole(path, base) if not sets else ()
+            yield from self._loaded(source, join(namespace, self.substituter.text(source.namespace).text))
             return
         name = self.substituter.text(source.name).text.removeprefix("~")
         if source.typing != "yaml":
@@ -97,36 +104,54 @@ class Settings:
             name = name.lstrip("/") if in_node else name
             yield Setting(join(namespace, name), value, Place(self.path, source.line))
             return
-        yield from self._written(source, join(namespace, name))
-
-    def _written(self, source: ParameterValue, base: str) -> Iterator[Setting]:
-        """YAML that stands in the launch file itself."""
         template = source.value if isinstance(source.value, tuple) else ()
+        yield from self._written(template, join(namespace, name), Place(self.path, source.line))
+
+    def _loaded(self, source: ParameterFile, base: str) -> Iterator[Setting]:
+        """A file as rosparam loads it; where it substitutes, that is before it is YAML."""
+        path = self._found(source)
+        if path is None:
+            return
+        if source.substitutes:
+            text = (self.files.read(path) or b"").decode("utf-8", "replace")
+            yield from self._written(parse_template(text), base, Place(path, 1))
+            return
+        sets = self._sets(path, parse_rosparam_yaml)
+        yield from (Setting(join(base, entry.name), entry.value, Place(path, entry.line)) for entry in _given(sets))
+        yield from self._whole(path, base) if not sets else ()
+
+    def _written(self, template: Template, base: str, begin: Place) -> Iterator[Setting]:
+        """YAML whose text is evaluated first."""
         text, holes = marked(template, self.substituter)
-        found = parse_parameter_yaml(text.encode()).facts.sets
-        for entry in found:
-            place = Place(self.path, source.line + max(entry.line - 1, 0))
+        found = parse_rosparam_yaml(text.encode()).facts.sets
+        for entry in _given(found):
+            place = Place(begin.path, begin.line + max(entry.line - 1, 0))
             yield Setting(join(base, filled(entry.name, holes)), filled(entry.value, holes), place)
         if not found and text.strip():
-            yield Setting(base, filled(value_of(text, "yaml"), holes), Place(self.path, source.line))
+            yield Setting(base, filled(value_of(text, "yaml"), holes), begin)
 
     def _whole(self, path: str, base: str) -> Iterator[Setting]:
         """A file that holds no map is one value, of the name that it is loaded to."""
-        parsed = self.files.parsed(path, parse_yaml) if path != self.path else None
+        parsed = self.files.parsed(path, parse_yaml)
         value = plain(parsed.facts[0]) if parsed is not None and parsed.facts else None
         if isinstance(value, list):
             yield Setting(base, value, Place(path, 1))
 
-    def _sets(self, source: ParameterFile) -> tuple[str, tuple[ParameterSet, ...]]:
+    def _found(self, source: ParameterFile) -> str | None:
         text = self.substituter.text(source.path)
         path = self.files.find(text.text) if text.known else None
-        parsed = self.files.parsed(path, parse_parameter_yaml) if path is not None else None
-        if path is None or parsed is None:
+        if path is None or self.files.read(path) is None:
             self._not_found(source, text)
-            return self.path, ()
+            return None
+        return path
+
+    def _sets(self, path: str, parser: Callable[[bytes], Parsed[Sets]]) -> tuple[ParameterSet, ...]:
+        parsed = self.files.parsed(path, parser)
+        if parsed is None:
+            return ()
         for entry in parsed.diagnostics:
             self.tree.report(located(path, entry))
-        return path, parsed.facts.sets
+        return parsed.facts.sets
 
     def _not_found(self, source: ParameterFile, text: Text) -> None:
         shown = text.text.removeprefix("tree:")
@@ -158,6 +183,11 @@ class Settings:
         if isinstance(value, list) and depth < MAX_DEPTH:
             return [self._substituted(item, depth + 1) for item in value]
         return value
+
+
+def _given(sets: Sequence[ParameterSet]) -> Iterator[ParameterSet]:
+    """What a ROS 1 launch sets: an empty map has nothing in it, and is no value."""
+    return (entry for entry in sets if entry.value != {})
 
 
 def _rewritten(setting: Setting, rewrites: Sequence[tuple[str, Text]], converts: bool) -> Any:

@@ -14,7 +14,7 @@ from ecm_parsers.expression import ExpressionError, evaluate
 from ecm_parsers.launch.model import Substitution, Template
 
 from ecm_extract.system.budget import Budget
-from ecm_extract.system.eval_functions import launch_functions
+from ecm_extract.system.eval_functions import EvalNames, launch_functions
 from ecm_extract.system.files import Files
 from ecm_extract.system.model import Text
 from ecm_extract.system.scope import Scope
@@ -132,7 +132,7 @@ class Substituter:
         text = self.text(part.args[0] if part.args else (), depth)
         if not text.known:
             return Text(f"{{{text.text.strip()}}}", known=False)
-        names: dict[str, Any] = {name: typed(value.text) for name, value in self.arguments.items() if value.known}
+        names = EvalNames(self.arguments, typed)
         try:
             return Text(plain_text(evaluate(text.text.strip(), names, functions=launch_functions(self, typed))))
         except ExpressionError:

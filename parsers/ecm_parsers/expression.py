@@ -6,110 +6,38 @@ Sources: wiki.ros.org/xacro "Math expressions", wiki.ros.org/roslaunch/XML "eval
 from __future__ import annotations
 
 import ast
-import math
-import operator
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from types import MappingProxyType
 from typing import Any
 
+from ecm_parsers.expression_binding import Function, bound
 from ecm_parsers.expression_limits import (
     MAX_SIZE,
     TOO_LARGE,
     Budget,
     ExpressionError,
     UnknownNameError,
-    bounded_range,
+    check_format,
     check_growth,
-    check_repetition,
     check_scalar,
     formatted,
-    power,
     size_of,
 )
-from ecm_parsers.expression_set import KINDS, Members, is_of
+from ecm_parsers.expression_names import CONSTANTS, FUNCTIONS, METHODS, MODULES
+from ecm_parsers.expression_operators import COMPARE, UNARY, binary
+from ecm_parsers.expression_set import Members
 
 MAX_LENGTH = 5_000
 MAX_STEPS = 5_000
-
-_BINARY: Mapping[type[ast.operator], Callable[[Any, Any], Any]] = MappingProxyType(
-    {
-        ast.Add: operator.add,
-        ast.Sub: operator.sub,
-        ast.Mult: operator.mul,
-        ast.Div: operator.truediv,
-        ast.FloorDiv: operator.floordiv,
-        ast.Mod: operator.mod,
-    }
-)
-_UNARY: Mapping[type[ast.unaryop], Callable[[Any], Any]] = MappingProxyType(
-    {ast.USub: operator.neg, ast.UAdd: operator.pos, ast.Not: operator.not_}
-)
-_COMPARE: Mapping[type[ast.cmpop], Callable[[Any, Any], bool]] = MappingProxyType(
-    {
-        ast.Eq: operator.eq,
-        ast.NotEq: operator.ne,
-        ast.Lt: operator.lt,
-        ast.LtE: operator.le,
-        ast.Gt: operator.gt,
-        ast.GtE: operator.ge,
-        ast.In: lambda item, items: item in items,
-        ast.NotIn: lambda item, items: item not in items,
-        ast.Is: operator.is_,
-        ast.IsNot: operator.is_not,
-    }
-)
-_FUNCTIONS: Mapping[str, Callable[..., Any]] = MappingProxyType(
-    {
-        **{name: getattr(math, name) for name in ("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt")},
-        **{name: getattr(math, name) for name in ("radians", "degrees", "floor", "ceil", "fabs", "exp", "log")},
-        **{name: getattr(math, name) for name in ("log10", "hypot", "fmod", "isnan", "isinf", "copysign", "trunc")},
-        "pow": lambda base, exponent: power(base, exponent),
-        "abs": abs,
-        "int": int,
-        "float": float,
-        "str": str,
-        "bool": bool,
-        "len": len,
-        "min": min,
-        "max": max,
-        "round": lambda number, digits=0: round(number, digits) if abs(digits) < 30 else number,
-        "sum": sum,
-        "sorted": sorted,
-        "list": list,
-        "tuple": tuple,
-        "set": Members,
-        "isinstance": is_of,
-        "dict": dict,
-        "any": any,
-        "all": all,
-        "range": lambda *bounds: bounded_range(*bounds),
-        "zip": lambda *items: list(zip(*items, strict=False)),
-        "enumerate": lambda items: list(enumerate(items)),
-    }
-)
-_CONSTANTS: Mapping[str, Any] = MappingProxyType(
-    {"pi": math.pi, "e": math.e, "inf": math.inf, "nan": math.nan, "true": True, "false": False}
-)
-_METHODS: Mapping[type, frozenset[str]] = MappingProxyType(
-    {
-        str: frozenset(
-            {"lower", "upper", "strip", "lstrip", "rstrip", "split", "join", "startswith", "endswith", "replace"}
-            | {"title", "capitalize", "isdigit", "find", "count", "format"}
-        ),
-        dict: frozenset({"get", "keys", "values", "items"}),
-        list: frozenset({"index", "count"}),
-        tuple: frozenset({"index", "count"}),
-    }
-)
-_MODULES = frozenset({"math", "xacro", "python", "np", "numpy"})
 
 
 def evaluate(
     text: str,
     names: Mapping[str, Any],
     budget: Budget | None = None,
-    functions: Mapping[str, Callable[..., Any]] = _FUNCTIONS,
+    functions: Mapping[str, Callable[..., Any]] = FUNCTIONS,
 ) -> Any:
     """Evaluate an expression.
 
@@ -120,7 +48,7 @@ def evaluate(
         functions: that may be called by name, beside those of all expressions; they raise `ExpressionError`.
 
     Returns:
-        Text, number, truth value, None, list, tuple or dict.
+        Text, number, truth value, None, list, tuple, dict or set; a `Function` for a `lambda`.
 
     Raises:
         UnknownNameError: a name has no value.
@@ -133,7 +61,7 @@ def evaluate(
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             tree = ast.parse(text.strip(), mode="eval")
-        return _Evaluator(names, budget or Budget(), functions).value(tree.body)
+        return _Evaluator(names, budget or Budget(), functions).whole(tree.body)
     except ExpressionError:
         raise
     except (SyntaxError, ValueError, TypeError, ArithmeticError, LookupError, AttributeError) as error:
@@ -153,6 +81,15 @@ class _Evaluator:
         self.steps = 0
         self._budget = budget
         self._local: dict[str, Any] = {}
+
+    def whole(self, node: ast.expr) -> Any:
+        """Return the value of the whole expression, after which no function of it can be called."""
+        found = self.value(node)
+        self.steps = MAX_STEPS
+        if callable(found):
+            msg = "The value is a function. Call it."
+            raise ExpressionError(msg)
+        return found
 
     def value(self, node: ast.expr) -> Any:
         self.steps += 1
@@ -176,7 +113,7 @@ class _Evaluator:
         return self._named(node.id)
 
     def _named(self, name: str) -> Any:
-        for table in (self._local, self.names, _CONSTANTS, KINDS):
+        for table in (self._local, self.names, CONSTANTS, self._functions, FUNCTIONS):
             if name in table:
                 return table[name]
         msg = f"`{name}` has no value here. Define it."
@@ -186,7 +123,7 @@ class _Evaluator:
         dotted = ast.unparse(node)
         if dotted in self.names:
             return self.names[dotted]
-        if isinstance(node.value, ast.Name) and node.value.id in _MODULES:
+        if isinstance(node.value, ast.Name) and node.value.id in MODULES:
             return self._named(node.attr)
         owner = self.value(node.value)
         if isinstance(owner, dict) and node.attr in owner:  # xacro lets `a.b` stand for `a['b']`
@@ -195,19 +132,7 @@ class _Evaluator:
         raise UnknownNameError(msg)
 
     def _operation(self, node: ast.BinOp) -> Any:
-        left, right = self.value(node.left), self.value(node.right)
-        if isinstance(node.op, ast.Pow):
-            return power(left, right)
-        function = _BINARY.get(type(node.op))
-        if function is None:
-            msg = f"{type(node.op).__name__} is not allowed in an expression. Write it without."
-            raise ExpressionError(msg)
-        if isinstance(node.op, ast.Mult):
-            check_repetition(left, right)
-        if isinstance(node.op, ast.Mod) and isinstance(left, str):
-            msg = "Formatting with % is not allowed in an expression. Use +."
-            raise ExpressionError(msg)
-        return function(left, right)
+        return binary(type(node.op), self.value(node.left), self.value(node.right))
 
     def _logic(self, node: ast.BoolOp) -> Any:
         wanted = isinstance(node.op, ast.Or)
@@ -222,39 +147,80 @@ class _Evaluator:
         left = self.value(node.left)
         for kind, part in zip(node.ops, node.comparators, strict=True):
             right = self.value(part)
-            if not _COMPARE[type(kind)](left, right):
+            if not COMPARE[type(kind)](left, right):
                 return False
             left = right
         return True
 
     def _call(self, node: ast.Call) -> Any:
-        args = [self.value(arg) for arg in node.args]
-        keywords = {str(entry.arg): self.value(entry.value) for entry in node.keywords if entry.arg}
+        args, keywords = self._items(node.args), self._keywords(node.keywords)
         if isinstance(node.func, ast.Attribute) and not _is_module(node.func.value):
             return self._method(node.func, args, keywords)
-        name = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
-        function = self._functions.get(name) or _FUNCTIONS.get(name)
-        if function is None:
-            msg = f"`{name}` is no function of expressions. Write it without."
+        function = self._function(node.func)
+        if isinstance(function, Function):
+            return self._applied(function, *args, **keywords)
+        return function(*map(self._passed, args), **{name: self._passed(value) for name, value in keywords.items()})
+
+    def _function(self, node: ast.expr) -> Any:
+        name = node.attr if isinstance(node, ast.Attribute) else node.id if isinstance(node, ast.Name) else None
+        if name is not None and name not in self._local and (name in self._functions or name in FUNCTIONS):
+            return self._functions.get(name) or FUNCTIONS[name]
+        found = self.value(node) if name is None else self._named(name)
+        if not isinstance(found, Function) and not callable(found):
+            msg = f"`{ast.unparse(node)[:80]}` is no function of expressions. Write it without."
             raise UnknownNameError(msg)
-        return function(*args, **keywords)
+        return found
+
+    def _passed(self, value: Any) -> Any:
+        """What a function that is not written in the expression is given: it can call a `lambda`."""
+        return partial(self._applied, value) if isinstance(value, Function) else value
+
+    def _applied(self, function: Function, *args: Any, **keywords: Any) -> Any:
+        outer, self._local = self._local, function.names(args, keywords)
+        try:
+            return self.value(function.node.body)
+        finally:
+            self._local = outer
+
+    def _lambda(self, node: ast.Lambda) -> Function:
+        if node.args.kwonlyargs or node.args.kwarg:
+            msg = "A lambda with keywords only is not allowed in an expression. Write it without."
+            raise ExpressionError(msg)
+        return Function(node, self._local, [self.value(each) for each in node.args.defaults])
+
+    def _items(self, nodes: Iterable[ast.expr]) -> list[Any]:
+        found: list[Any] = []
+        for node in nodes:
+            found += list(self.value(node.value)) if isinstance(node, ast.Starred) else [self.value(node)]
+        return found
+
+    def _keywords(self, nodes: Iterable[ast.keyword]) -> dict[str, Any]:
+        found: dict[str, Any] = {}
+        for node in nodes:
+            value = self.value(node.value)
+            found |= value if node.arg is None else {node.arg: value}
+        return found
 
     def _method(self, func: ast.Attribute, args: list[Any], keywords: dict[str, Any]) -> Any:
         owner = self.value(func.value)
-        if func.attr not in _METHODS.get(type(owner), frozenset()):
+        if func.attr not in METHODS.get(type(owner), frozenset()):
             msg = f"`.{func.attr}()` is no method of expressions. Write it without."
             raise UnknownNameError(msg)
         check_growth(func.attr, owner, args)
         if func.attr == "format":
             return formatted(owner, args, keywords)
-        found = getattr(owner, func.attr)(*args)
+        found = getattr(owner, func.attr)(*args, **keywords)
         return list(found) if func.attr in {"keys", "values", "items"} else found
 
     def _field(self, node: ast.FormattedValue) -> Any:
-        if node.format_spec is not None or node.conversion != -1:
-            msg = "A format of an f-string is not allowed in an expression. Use `format`."
-            raise ExpressionError(msg)
-        return self.value(node.value)
+        found = self.value(node.value)
+        if node.conversion != -1:
+            found = _CONVERSIONS[chr(node.conversion)](found)
+        if node.format_spec is None:
+            return found
+        spec = self.value(node.format_spec)
+        check_format(spec)
+        return format(found, spec)
 
     def _subscript(self, node: ast.Subscript) -> Any:
         return self.value(node.value)[self.value(node.slice)]
@@ -263,44 +229,58 @@ class _Evaluator:
         return slice(*(None if part is None else self.value(part) for part in (node.lower, node.upper, node.step)))
 
     def _dict(self, node: ast.Dict) -> dict[Any, Any]:
-        return {
-            self.value(key): self.value(value)
-            for key, value in zip(node.keys, node.values, strict=True)
-            if key is not None
-        }
+        found: dict[Any, Any] = {}
+        for key, value in zip(node.keys, node.values, strict=True):
+            found |= self.value(value) if key is None else {self.value(key): self.value(value)}
+        return found
 
-    def _comprehension(self, node: ast.ListComp | ast.GeneratorExp) -> list[Any]:
-        if len(node.generators) != 1 or not isinstance(node.generators[0].target, ast.Name):
-            msg = "Only one plain loop is allowed in an expression. Simplify it."
-            raise ExpressionError(msg)
-        loop = node.generators[0]
-        name, outer, found = loop.target.id, dict(self._local), []  # type: ignore[attr-defined]
-        for item in list(self.value(loop.iter)):
-            self._local = {**outer, name: item}
-            if all(self.value(test) for test in loop.ifs):
-                found.append(self.value(node.elt))
+    def _comprehension(self, node: ast.ListComp | ast.GeneratorExp | ast.SetComp) -> list[Any]:
+        outer = self._local
+        found = [self.value(node.elt) for _ in self._loops(node.generators)]
+        self._local = outer
+        return Members(found) if isinstance(node, ast.SetComp) else found
+
+    def _dict_comprehension(self, node: ast.DictComp) -> dict[Any, Any]:
+        outer = self._local
+        found = {self.value(node.key): self.value(node.value) for _ in self._loops(node.generators)}
         self._local = outer
         return found
 
+    def _loops(self, generators: Sequence[ast.comprehension]) -> Iterator[None]:
+        """Bind the names of the loops, those of the last one fastest."""
+        if not generators:
+            yield
+            return
+        first, *rest = generators
+        for item in list(self.value(first.iter)):
+            self._local = {**self._local, **dict(bound(first.target, item))}
+            if all(self.value(test) for test in first.ifs):
+                yield from self._loops(rest)
 
+
+_CONVERSIONS: Mapping[str, Callable[[Any], str]] = MappingProxyType({"r": repr, "s": str, "a": ascii})
 _READERS: Mapping[type[ast.expr], Callable[[_Evaluator, Any], Any]] = MappingProxyType(
     {
         ast.Constant: lambda _, node: node.value,
         ast.Name: _Evaluator._name,
         ast.Attribute: _Evaluator._attribute,
         ast.BinOp: _Evaluator._operation,
-        ast.UnaryOp: lambda self, node: _UNARY[type(node.op)](self.value(node.operand)),
+        ast.UnaryOp: lambda self, node: UNARY[type(node.op)](self.value(node.operand)),
         ast.BoolOp: _Evaluator._logic,
         ast.Compare: _Evaluator._compare,
         ast.IfExp: lambda self, node: self.value(node.body if self.value(node.test) else node.orelse),
         ast.Call: _Evaluator._call,
         ast.Subscript: _Evaluator._subscript,
         ast.Slice: _Evaluator._slice,
-        ast.List: lambda self, node: [self.value(item) for item in node.elts],
-        ast.Tuple: lambda self, node: tuple([self.value(item) for item in node.elts]),
+        ast.List: lambda self, node: self._items(node.elts),
+        ast.Tuple: lambda self, node: tuple(self._items(node.elts)),
+        ast.Set: lambda self, node: Members(self._items(node.elts)),
         ast.Dict: _Evaluator._dict,
         ast.ListComp: _Evaluator._comprehension,
         ast.GeneratorExp: _Evaluator._comprehension,
+        ast.SetComp: _Evaluator._comprehension,
+        ast.DictComp: _Evaluator._dict_comprehension,
+        ast.Lambda: _Evaluator._lambda,
         ast.JoinedStr: lambda self, node: "".join(str(self.value(part)) for part in node.values),
         ast.FormattedValue: _Evaluator._field,
     }
@@ -308,7 +288,7 @@ _READERS: Mapping[type[ast.expr], Callable[[_Evaluator, Any], Any]] = MappingPro
 
 
 def _is_module(node: ast.expr) -> bool:
-    return isinstance(node, ast.Name) and node.id in _MODULES
+    return isinstance(node, ast.Name) and node.id in MODULES
 
 
 __all__ = ["Budget", "ExpressionError", "UnknownNameError", "evaluate"]

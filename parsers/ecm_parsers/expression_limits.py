@@ -10,7 +10,11 @@ from typing import Any
 MAX_SIZE = 20_000
 MAX_WORK = 400_000
 MAX_INTEGER = 1 << 256
-_FORMAT_SPEC = re.compile(r"(?:[<>^]|0)?\d{0,3}(?:\.\d{1,2})?[a-zA-Z%]?")
+_FORMAT_SPEC = re.compile(r"(?:.?[<>=^])?[+\- ]?#?\d{0,3}[,_]?(?:\.\d{1,2})?[a-zA-Z%]?")
+_PERCENT = re.compile(r"%(?:%|(?:\([^()]*\))?[#0\- +]*\d{0,3}(?:\.\d{1,2})?[a-zA-Z])")
+_PADDING = frozenset({"zfill", "ljust", "rjust", "center"})
+_LARGEST_FACTORIAL = 57
+"""The last one below `MAX_INTEGER`."""
 TOO_LARGE = "The value grows too large. Shorten the expression."
 
 
@@ -69,7 +73,9 @@ def check_repetition(left: Any, right: Any) -> None:
 
 
 def check_growth(method: str, owner: Any, args: list[Any]) -> None:
-    """Refuse `replace` and `join` whose result grows with the product of their sizes, before it is made."""
+    """Refuse `replace`, `join` and padding whose result is larger than what they are given, before it is made."""
+    if method in _PADDING and args and isinstance(args[0], int) and args[0] > MAX_SIZE:
+        raise ExpressionError(TOO_LARGE)
     if method == "replace" and len(args) > 1 and len(owner) * (len(str(args[1])) + 1) > MAX_SIZE:
         raise ExpressionError(TOO_LARGE)
     if method == "join" and args and isinstance(args[0], str | list | tuple) and len(owner) * len(args[0]) > MAX_SIZE:
@@ -79,10 +85,30 @@ def check_growth(method: str, owner: Any, args: list[Any]) -> None:
 def formatted(text: str, args: list[Any], keywords: dict[str, Any]) -> str:
     """Format with plain fields only: no attributes, no nested fields, no wide padding."""
     for _, field, spec, _ in string.Formatter().parse(text):
-        if (field and not field.isidentifier() and not field.isdecimal()) or not _FORMAT_SPEC.fullmatch(spec or ""):
-            msg = f"Format field `{field}:{spec}` is not allowed in an expression. Use +."[:200]
-            raise ExpressionError(msg)
+        if field and not field.isidentifier() and not field.isdecimal():
+            msg = f"{field}:{spec}"
+            raise _bad_format(msg)
+        check_format(spec or "")
     return text.format(*args, **keywords)
+
+
+def check_format(spec: str) -> None:
+    """Refuse what a value is formatted by when it is no plain, narrow one."""
+    if not _FORMAT_SPEC.fullmatch(spec):
+        raise _bad_format(spec)
+
+
+def percent_formatted(text: str, values: Any) -> str:
+    """Format by `%` with plain fields only: no width from a value, no wide padding."""
+    left = _PERCENT.sub("", text)
+    if "%" in left:
+        raise _bad_format(left)
+    done: str = text % values
+    return done
+
+
+def _bad_format(field: str) -> ExpressionError:
+    return ExpressionError(f"Format field `{field}` is not allowed in an expression. Use +."[:200])
 
 
 def power(base: Any, exponent: Any) -> Any:
@@ -100,6 +126,28 @@ def power(base: Any, exponent: Any) -> Any:
         msg = "A root of a negative number is no number. Correct the expression."
         raise ExpressionError(msg)
     return result
+
+
+def factorial(number: int) -> int:
+    """Return a factorial of a bounded size.
+
+    Raises:
+        ExpressionError: it is too large.
+    """
+    if number > _LARGEST_FACTORIAL:
+        raise ExpressionError(TOO_LARGE)
+    return math.factorial(number)
+
+
+def shifted(number: int, places: int) -> int:
+    """Return a number shifted to the left, of a bounded size.
+
+    Raises:
+        ExpressionError: it is too large.
+    """
+    if places > MAX_INTEGER.bit_length():
+        raise ExpressionError(TOO_LARGE)
+    return number << places
 
 
 def bounded_range(*bounds: int) -> list[int]:

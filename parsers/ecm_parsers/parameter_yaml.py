@@ -5,7 +5,7 @@ Source: ROS 1 Parameter Server naming; ROS 2 `rcl_yaml_param_parser` (`node: ros
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any, Literal
 
 import msgspec
@@ -76,21 +76,33 @@ def parse_parameter_yaml(data: bytes) -> Parsed[ParameterFile]:
     Values are typed as the reader of each does it: PyYAML in ROS 1, `rcl_yaml_param_parser` in ROS 2.
     """
     tree = parse_yaml(data)
-    is_ros2 = any(_has_marker(document) for document in tree.facts)
-    if not is_ros2:
-        tree = parse_yaml(data, typed_by_rosparam)
+    if not any(_has_marker(document) for document in tree.facts):
+        return parse_rosparam_yaml(data)
     diagnostics = list(tree.diagnostics)
-    maps = [document for document in tree.facts if isinstance(document, Mapping)]
-    if len(maps) < len(tree.facts):
-        message = "A document that is not a map sets no parameters and is skipped."
-        diagnostics.append(Diagnostic("info", "params-not-a-map", tree.facts[0].line, message))
     sets: list[ParameterSet] = []
-    for document in maps:
-        if is_ros2:
-            _read_nodes(document, "", sets, diagnostics)
-        else:
-            _read_values(document, _Scope(None, "/", ""), sets)
-    return Parsed(ParameterFile(2 if is_ros2 else 1, tuple(sets)), tuple(diagnostics))
+    for document in _maps(tree.facts, diagnostics):
+        _read_nodes(document, "", sets, diagnostics)
+    return Parsed(ParameterFile(2, tuple(sets)), tuple(diagnostics))
+
+
+def parse_rosparam_yaml(data: bytes) -> Parsed[ParameterFile]:
+    """Read a file as `rosparam load` of ROS 1 does: every key is part of a name, those of ROS 2 as well."""
+    tree = parse_yaml(data, typed_by_rosparam)
+    diagnostics = list(tree.diagnostics)
+    sets: list[ParameterSet] = []
+    for document in _maps(tree.facts, diagnostics):
+        _read_values(document, _Scope(None, "/", ""), sets)
+    return Parsed(ParameterFile(1, tuple(sets)), tuple(diagnostics))
+
+
+def _maps(documents: Iterable[Node], diagnostics: list[Diagnostic]) -> Iterator[Mapping]:
+    """Yield the documents that can set parameters."""
+    for document in documents:
+        if isinstance(document, Mapping):
+            yield document
+        elif not any(entry.code == "params-not-a-map" for entry in diagnostics):
+            message = "A document that is not a map sets no parameters and is skipped."
+            diagnostics.append(Diagnostic("info", "params-not-a-map", document.line, message))
 
 
 def parameter_type(value: Any) -> str:
@@ -114,7 +126,8 @@ class _Scope(msgspec.Struct, frozen=True):
 
     def name(self, key: str) -> str:
         """Return the full name of `key` in this scope."""
-        if not self.prefix:
+        is_absolute = self.node is None and key.startswith(self.separator)  # rosgraph `names.ns_join`
+        if not self.prefix or is_absolute:
             return key[:MAX_NAME]
         return f"{self.prefix.rstrip(self.separator)}{self.separator}{key.lstrip(self.separator)}"[:MAX_NAME]
 

@@ -6,7 +6,7 @@ Source: wiki.ros.org/rosparam, "Radians and degrees".
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Final
 
@@ -14,26 +14,34 @@ from ecm_parsers.expression import ExpressionError, evaluate
 from ecm_parsers.yaml_scalar import PlainScalar, typed_by_pyyaml
 from ecm_parsers.yaml_tree import Scalar
 
-_TAGS: Final[Mapping[str, float]] = MappingProxyType({"!degrees": math.pi / 180.0, "!radians": 1.0})
-_CALLS: Final[Mapping[str, float]] = MappingProxyType({"deg(": math.pi / 180.0, "rad(": 1.0})
+_Unit = Callable[[float], float]
+
+
+def _of_degrees(angle: float) -> float:
+    """In the order of rosparam, which decides the last digit."""
+    return angle * math.pi / 180.0
+
+
+_TAGS: Final[Mapping[str, _Unit]] = MappingProxyType({"!degrees": _of_degrees, "!radians": float})
+_CALLS: Final[Mapping[str, _Unit]] = MappingProxyType({"deg(": _of_degrees, "rad(": float})
 
 
 def typed_by_rosparam(text: str) -> PlainScalar:
     """Return what a text without quotes means: `deg(...)` and `rad(...)` are numbers, others as in PyYAML."""
-    factor = _CALLS.get(text[:4]) if text.endswith(")") else None
-    radians = _number(text[4:-1], factor) if factor is not None else None
+    unit = _CALLS.get(text[:4]) if text.endswith(")") else None
+    radians = _number(text[4:-1], unit) if unit is not None else None
     return typed_by_pyyaml(text) if radians is None else radians
 
 
 def of_rosparam(scalar: Scalar) -> PlainScalar:
     """Return the value of a scalar, in radians where its tag says that it is an angle."""
-    factor = _TAGS.get(scalar.tag)
-    radians = _number(scalar.text, factor) if factor is not None else None
+    unit = _TAGS.get(scalar.tag)
+    radians = _number(scalar.text, unit) if unit is not None else None
     return scalar.value if radians is None else radians
 
 
-def _number(text: str, factor: float) -> float | None:
+def _number(text: str, unit: _Unit) -> float | None:
     try:
-        return float(evaluate(text.strip(), {"pi": math.pi})) * factor
+        return unit(float(evaluate(text.strip(), {"pi": math.pi})))
     except (ExpressionError, TypeError, ValueError):
         return None

@@ -47,6 +47,43 @@ def test_an_option_over_a_variable(version: str, is_on: bool) -> None:
     assert found.get("on", False) is is_on
 
 
+ON_TOP = "set(W OFF)\noption(W x ON)\nif(W)\nadd_library(on src/a.cpp)\nendif()\n"
+SET = "cmake_policy(SET CMP0077 NEW)\n"
+
+
+@pytest.mark.parametrize(
+    ("lines", "is_on"),
+    [
+        (f"cmake_policy(PUSH)\n{SET}cmake_policy(POP)\n{ON_TOP}", True),
+        (f"cmake_policy(PUSH)\n{SET}{ON_TOP}cmake_policy(POP)\n", False),
+        (f"{SET}cmake_policy(PUSH)\ncmake_policy(VERSION 3.5)\ncmake_policy(POP)\n{ON_TOP}", False),
+        (f"{SET}cmake_policy(VERSION 3.5)\n{ON_TOP}", True),
+        (f"cmake_policy(PUSH)\ncmake_policy(PUSH)\n{SET}cmake_policy(POP)\n{ON_TOP}cmake_policy(POP)\n", True),
+        (f"cmake_policy(POP)\n{SET}{ON_TOP}", False),
+        (f"include(own.cmake)\n{ON_TOP}", True),
+        (f"include(own.cmake NO_POLICY_SCOPE)\n{ON_TOP}", False),
+        (f"block()\n{SET}endblock()\n{ON_TOP}", True),
+        (f"block(SCOPE_FOR POLICIES)\n{SET}endblock()\n{ON_TOP}", True),
+        (f"block(SCOPE_FOR VARIABLES)\n{SET}endblock()\n{ON_TOP}", False),
+        (f"macro(M)\n{SET}endmacro()\nM()\n{ON_TOP}", False),
+        (f"macro(M)\n{ON_TOP}endmacro()\n{SET}M()\n", True),
+        (f"function(F)\n{ON_TOP}endfunction()\n{SET}F()\n", True),
+        (f"{SET}function(F)\n{ON_TOP}endfunction()\ncmake_policy(SET CMP0077 OLD)\nF()\n", False),
+        (f"if(POLICY CMP0054)\n{SET}endif()\n{ON_TOP}", False),
+    ],
+)
+def test_policies_end_with_their_scope(lines: str, is_on: bool) -> None:
+    """`PUSH` and `POP`, included files, blocks and definitions have policies of their own."""
+    found = targets_of(facts(f"{OLD}{lines}", FILES, {"own": SET}, ".cmake"))
+    assert ("on" in found and found["on"].by_default) is is_on
+
+
+def test_policies_that_not_every_cmake_knows() -> None:
+    """`if(POLICY)` is decided for those that are older than any CMake that builds the package."""
+    lines = "".join(f"if(POLICY {each})\nadd_library({each} src/a.cpp)\nendif()\n" for each in ("CMP0057", "CMP0177"))
+    assert built(lines) == {"CMP0057": True, "CMP0177": None}
+
+
 def test_what_the_tree_sets_elsewhere_is_empty() -> None:
     """A variable of the tree that no command has set is empty; one that nothing sets is for who builds."""
     lines = "if(WIN32)\nset(MORE src/b.cpp)\nendif()\nset(V src/a.cpp ${MORE})"
@@ -91,3 +128,22 @@ def test_catkin_simple() -> None:
         "e": ("src/b.cpp",),
     }
     assert [(rule.items, rule.destination) for rule in found[TOP].installs] == [(("l",), "lib"), (("e",), "lib/p")]
+
+
+def test_what_catkin_simple_shares() -> None:
+    """`cs_install` installs headers and the folders of a package that have the usual names."""
+    listed = ("src/a.cpp", "include/p/a.hpp", "launch/a.launch", "other/b.yaml")
+    (file,) = facts("cs_add_library(l src/a.cpp)\ncs_install()", listed, {}, ".txt").values()
+    rules = {(rule.kind, rule.items, rule.destination) for rule in file.installs}
+    assert rules == {
+        ("targets", ("l",), "lib"),
+        ("directory", ("include/",), "include"),
+        ("directory", ("launch/",), "share/p/launch"),
+    }
+
+
+def test_a_folder_of_modules_comes_first() -> None:
+    """`list(INSERT ... 0)` adds to a list of which nothing is known, as APPEND does."""
+    lines = "list(INSERT CMAKE_MODULE_PATH 0 ${PROJECT_SOURCE_DIR}/cmake)\ninclude(own)\nadd_library(n ${V})"
+    found = facts(lines, FILES, {"cmake__own": "set(V src/a.cpp)"}, ".cmake")
+    assert targets_of(found)["n"].sources == ("src/a.cpp",)

@@ -73,6 +73,11 @@ EXPANSIONS = [
     (("<xacro:property name=\"y\" value=\"${xacro.load_yaml('$(find arm)/config/limits.yaml')}\"/>"
      "<x v=\"${y['limits']['elbow']['max']}\" w=\"${y.width}\" n=\"${y['limits']['elbow']['names'][1]}\"/>"),
      "x n=b v=3.141592653589793 w=0.5"),
+    (("<x v=\"${[load_yaml('$(find arm)/config/' + f)['limits']['elbow']['names'][1] for f in ['limits.yaml']]}\""
+     " w=\"${xacro.tokenize('a, b;c')[2]}\" n=\"${xacro.warning('careful') + 'b'}\"/>"), "x n=b v=['b'] w=c"),
+    ("<xacro:include filename=\"${xacro.abs_filename('part.xacro')}\"/><xacro:part n=\"1\"/>", "h n=1 size=3"),
+    (("<xacro:property name='twice' value='${lambda n: n * scale}'/><xacro:property name='scale' value='2'/>"
+     "<x v='${twice(3)}' w=\"${' '.join([a + str(b) for a, b in dict(k=1, m=2).items()])}\"/>"), "x v=6 w=k1 m2"),
 ]  # fmt: skip
 
 
@@ -126,6 +131,27 @@ def test_a_description_expands_as_xacro_expands_it(body: str, result: str) -> No
             ["condition `yes` is no truth value; it is read as if it held"],
         ),
         ('<xacro:include filename="none.xacro"/><a/>', "a", ["included file `none.xacro` is not in the tree"]),
+        (
+            "<xacro:arg name='m'/><x v=\"${[part + 'x' for part in [xacro.arg('m')]]}\"/>",
+            "x v=['{m}x']",
+            ["`arg('m')` is known at launch only"],
+        ),
+        (
+            (
+                "<xacro:arg name='m'/><xacro:property name='l' value=\"${[xacro.arg('m'), 'b']}\"/>"
+                "<xacro:if value=\"${l[0] == 'b'}\"><a/></xacro:if><x v='${l[0]}_x'/>"
+            ),
+            "a; x v={m}_x",
+            [
+                "`arg('m')` is known at launch only",
+                "condition `{l[0] == 'b'}` is known at launch only; it is read as if it held",
+            ],
+        ),
+        (
+            "<xacro:property name='n' value=\"${xacro.fatal('no')}\"/><x v='${n}'/>",
+            "x v={xacro.fatal('no')}",
+            ["The description ends itself: no"],
+        ),
         (
             '<xacro:arg name="k" default=""/><xacro:include filename="$(arg k)/none.xacro"/>',
             "",

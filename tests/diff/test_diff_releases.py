@@ -63,6 +63,11 @@ HEADERS = {
         {"arm/include/arm/old.h": "#pragma once\n#warning This is obsolete, please include arm/old.hpp instead\n"},
         {("file", "deprecated", "arm/old.h", "arm/old.hpp")},
     ),
+    "a file with bodies of templates announces its end": (
+        {"arm/include/arm/old.ipp": "#pragma once\n", "arm/include/arm/old.hpp": "#pragma once\n"},
+        {"arm/include/arm/old.ipp": "#pragma once\n#warning This is obsolete, please include arm/old.hpp instead\n"},
+        {("file", "deprecated", "arm/old.ipp", "arm/old.hpp")},
+    ),
 }
 
 

@@ -63,6 +63,21 @@ ROWS = [
         "/in/out",
         "folded",
     ),
+    (
+        (
+            'rclcpp::Subscription<M>::SharedPtr s; if (x) { s = create_subscription<M>("first", 1, f); }'
+            ' else { s = create_subscription<M>("second", 1, f); }'
+        ),
+        "s->get_topic_name()",
+        None,
+        "one_of",
+    ),
+    (
+        'auto s = create_subscription<M>("in", 1, f); if (x) { s = outside(); }',
+        "s->get_topic_name()",
+        "/{get_topic_name}",
+        "pattern",
+    ),
     ("", 'std::string("a").append("/b").c_str()', "/a/b", "folded"),
     ("", 'std::string(get_name()).append("/state")', "/demo/state", "folded"),
     ('std::string n = "a"; n += "/b";', "n", "/a/b", "folded"),

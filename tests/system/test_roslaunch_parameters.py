@@ -27,6 +27,9 @@ def started(folder: Path, body: str) -> Launched:
         "a.launch": f"<launch>{body}</launch>",
         "inner.launch": INNER,
         "list.yaml": "[x, y]",
+        "nested.yaml": "g:\n  /own: {p: 1}\n  rel: 2\n  none: {}\n",
+        "ros2.yaml": "n:\n  ros__parameters:\n    rate: 5\n",
+        "open.yaml": "kind: $(arg mode)\nitems:\n  - {kind: $(arg mode), n: $(arg n)}\n$(arg mode): 1\n",
     }
     for name, text in files.items():
         (folder / name).write_text(text)
@@ -56,6 +59,26 @@ def parameters(folder: Path, body: str) -> dict[str, Any]:
             {"/a": "{env HOME}/x", "/b/c": 1, "/b/d": "{env HOME}"},
         ),
         ('<rosparam file="$(find p)/list.yaml" ns="labels"/>', {"/labels": ["x", "y"]}),
+        ('<rosparam file="$(find p)/nested.yaml"/>', {"/own/p": 1, "/g/rel": 2}),
+        ('<rosparam file="$(find p)/nested.yaml" ns="q"/>', {"/own/p": 1, "/q/g/rel": 2}),
+        ("<rosparam>{a: {}, b: {/c: 1}}</rosparam>", {"/c": 1}),
+        ('<rosparam file="$(find p)/ros2.yaml"/>', {"/n/ros__parameters/rate": 5}),
+        (
+            '<arg name="mode" default="fake"/><arg name="n" default="3"/><rosparam file="$(find p)/open.yaml" subst_value="true"/>',
+            {"/kind": "fake", "/items": [{"kind": "fake", "n": 3}], "/fake": 1},
+        ),
+        (
+            '<arg name="mode"/><arg name="n" default="3"/><rosparam file="$(find p)/open.yaml" subst_value="true"/>',
+            {"/kind": "{mode}", "/items": [{"kind": "{mode}", "n": 3}], "/{mode}": 1},
+        ),
+        (
+            '<env name="SIDE" value="left"/><param name="side" value="$(optenv SIDE right)"/>',
+            {"/side": "right"},
+        ),
+        (
+            '<arg name="map"/><arg name="e"/><param name="a" value="$(eval map == 1)"/><param name="b" value="$(eval e * 2)"/>',
+            {"/a": "{map == 1}", "/b": "{e * 2}"},
+        ),
         (f'<param name="~rate" value="5"/>{NODE}', {"/n/rate": 5}),
         (
             f'<group ns="g"><param name="~rate" value="5"/>{NODE}</group><node pkg="p" type="t" name="m"/>',
@@ -92,6 +115,11 @@ def test_angles_are_radians(text: str, value: object, tmp_path: Path) -> None:
     """rosparam turns angles into numbers, unless they are quoted or none."""
     found = parameters(tmp_path, f"<rosparam>a: {text}</rosparam>")["/a"]
     assert found == pytest.approx(value) if isinstance(value, float) else found == value
+
+
+def test_degrees_have_the_last_digit_of_rosparam(tmp_path: Path) -> None:
+    """The order of a product and a quotient decides it."""
+    assert parameters(tmp_path, "<rosparam>a: deg(145)</rosparam>")["/a"] == 145 * math.pi / 180.0
 
 
 REMAPS = [

@@ -12,6 +12,7 @@ from ecm_parsers.package_facts import Dependency
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.source_suffixes import is_included
 
 RULE = LintRule(
     id="LNT035",
@@ -97,7 +98,7 @@ def _has_sources(package: PackageFacts) -> bool:
 
 
 def _headers(paths: Iterable[str]) -> tuple[str, ...]:
-    return tuple(path for path in paths if path.endswith((".h", ".hpp", ".hh", ".hxx")))
+    return tuple(path for path in paths if is_included(path))
 
 
 def _used(

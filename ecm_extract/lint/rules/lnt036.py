@@ -21,6 +21,7 @@ from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.rules.lnt021 import is_meta
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
+from ecm_extract.source_suffixes import is_included
 
 RULE = LintRule(
     id="LNT036",
@@ -32,7 +33,6 @@ RULE = LintRule(
     resolution="use what replaces it",
     tier="stable",
 )
-_HEADERS = (".h", ".hh", ".hpp", ".hxx")
 _PRIVATE = "_"
 _FILE: Final = "file"
 _LAST: Final = re.compile(r"::|\.")
@@ -161,7 +161,7 @@ def _scope(row: Provided, module: str) -> str:
 
 def _marked(known: Sequence[Func]) -> list[Func]:
     """The declarations of a name where all are marked; what a source file of their package defines is one of them."""
-    declared = [each for each in known if each.file.path.endswith((*_HEADERS, ".py"))]
+    declared = [each for each in known if each.file.language == "python" or is_included(each.file.path)]
     homes = {each.file.package for each in declared if _has_mark(each)}
     others = [each for each in known if each not in declared and each.file.package not in homes]
     return declared if all(map(_has_mark, declared)) and not others else []

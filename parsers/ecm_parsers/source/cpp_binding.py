@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from ecm_parsers.source.cpp_arrays import array_value, extents
 from ecm_parsers.source.cpp_expr import ExprReader
 from ecm_parsers.source.cpp_parameters import declared_name
 from ecm_parsers.source.cpp_statements import StatementWriter, line_of
@@ -49,9 +50,10 @@ class Binding:
         if value is not None and value.type == "lambda_expression":
             self.named_lambda(name, value)
             return
-        read = self._initial(kind, value)
+        array = array_value(self.expr, kind, bound, value) if value is not None else None
+        read = array if array is not None else self._initial(kind, value)
         qualifier = _qualifier(self.expr, declaration)
-        written = qualifier + self.expr.type_text(kind) + _MARKS.get(bound.type, "")
+        written = qualifier + self.expr.type_text(kind) + _MARKS.get(bound.type, "") + extents(bound)
         kept = not qualifier and _is_static(self.expr, declaration)
         self.writer.add("let", declarator, read, Name(name), written, kept)
 

@@ -23,15 +23,7 @@ if TYPE_CHECKING:
 MAX_NESTING = 200
 RETURNED = "<returned>"
 """Name of a lambda that a function returns."""
-_BLOCKS = frozenset(
-    {
-        "compound_statement",
-        "else_clause",
-        "case_statement",
-        "labeled_statement",
-        "ERROR",
-    }
-)
+_BLOCKS = frozenset({"compound_statement", "else_clause", "case_statement", "labeled_statement", "ERROR"})
 _TRUE = Constant("true")
 
 
@@ -41,15 +33,15 @@ class BodyReader:
     Attributes:
         writer: what was read so far, in source order, and how it follows each other.
         functions: lambdas bound to a name, read as functions of their own.
-        types: `using A = B` and typedefs, whoever reads declarations reads them.
+        local_names: `using A = B`, `using namespace a` and the like; whoever reads declarations reads them.
     """
 
     def __init__(self, data: bytes, scope: str) -> None:
-        self.expr = ExprReader(data, self._lambda_body)
+        self.expr = ExprReader(data, self._lambda_body, self._called_lambda)
         self.scope = scope
         self.writer = StatementWriter()
         self.functions: list[Function] = []
-        self.types: list[Node] = []
+        self.local_names: list[Node] = []
         self._assigning = Assigning(self.expr, self.writer)
         self._binding = Binding(self.expr, self.writer, self._named_lambda)
         self._nesting = 0
@@ -75,8 +67,8 @@ class BodyReader:
         for child in node.named_children:
             self._assigning.expression(child)
 
-    def _local_type(self, node: Node) -> None:
-        self.types.append(node)
+    def _local_name(self, node: Node) -> None:
+        self.local_names.append(node)
 
     def initializers(self, node: Node) -> None:
         """Read a constructor's initialiser list."""
@@ -259,6 +251,13 @@ class BodyReader:
         for declarator in node.children_by_field_name("declarator"):
             self._binding.bind(node, declarator)
 
+    def _called_lambda(self, node: Node) -> str:
+        """Read a lambda that is called where it stands as a function of that place; return its name."""
+        row, column = node.start_point
+        name = f"<lambda {row + 1}:{column + 1}>"
+        self._named_lambda(name, node)
+        return name
+
     def _named_lambda(self, name: str, node: Node) -> None:
         body = node.child_by_field_name("body")
         self._captured(node)
@@ -309,8 +308,10 @@ def _otherwise(node: Node) -> Node | None:
 _STEPS: dict[str, Callable[[BodyReader, Node], None]] = {
     "expression_statement": BodyReader._expressions,
     "declaration": BodyReader._declaration,
-    "alias_declaration": BodyReader._local_type,
-    "type_definition": BodyReader._local_type,
+    "alias_declaration": BodyReader._local_name,
+    "type_definition": BodyReader._local_name,
+    "using_declaration": BodyReader._local_name,
+    "namespace_alias_definition": BodyReader._local_name,
     "return_statement": BodyReader._return,
     "co_return_statement": BodyReader._return,
     "break_statement": BodyReader._break,

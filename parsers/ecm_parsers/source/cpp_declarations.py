@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from ecm_parsers.source.cpp_arrays import array_value
 from ecm_parsers.source.cpp_body import BodyReader
 from ecm_parsers.source.cpp_declarators import (
     GROUPS,
@@ -141,10 +142,13 @@ class DeclarationReader:
     def _bases(self, node: Node) -> tuple[str, ...]:
         return tuple([self.expr.type_text(c) for c in node.named_children if c.type not in _NOT_BASES])
 
-    def initial(self, node: Node | None, kind: Node | None) -> Expr | None:
-        """Return the value that a variable begins with; of several arguments of a constructor a list."""
+    def initial(self, node: Node | None, kind: Node | None, declarator: Node) -> Expr | None:
+        """Return the value that a variable begins with; of several arguments of a constructor, or an array, a list."""
         if node is None:
             return None
+        array = array_value(self.expr, kind, declarator, node) if kind is not None else None
+        if array is not None:
+            return array
         if node.type in {"initializer_list", "argument_list"}:
             args = self.expr.arguments(node)
             if len(args) == 1 and node.type == "initializer_list" and kind is not None and self._holds_several(kind):
@@ -178,8 +182,8 @@ class DeclarationReader:
                 read.initializers(child)
         if body is not None:
             read.read(body)
-        for local in read.types:
-            self._local_type(local, Place(f"{read.scope}()"))
+        for local in read.local_names:
+            self._local_name(local, Place(f"{read.scope}()"))
         params = parameters(self.expr, declarator.child_by_field_name("parameters"))
         traits = (*place.traits(), *function_traits(self.expr, node, declarator, words, body is None))
         returns = self.expr.type_text(kind) if kind is not None else ""
@@ -213,7 +217,7 @@ class DeclarationReader:
                 continue
             bound = declarator.child_by_field_name("declarator") or declarator
             scope, name = split_name(declared_name(self.expr, bound), place.scope)
-            value = self.initial(declarator.child_by_field_name("value"), kind)
+            value = self.initial(declarator.child_by_field_name("value"), kind, bound)
             written = declared_type(self, kind, bound)
             traits = (*place.traits(), *words, *fixed_pointer(bound))
             self.constants.append(Constant(name, scope, value, lines_of(node)[0], written, traits))
@@ -225,11 +229,11 @@ class DeclarationReader:
             target, outdated = self.expr.type_text(kind), bool(announced_end(self.expr, node))
             self.aliases.append(Alias(self.expr.text(name), place.scope, target, lines_of(node)[0], outdated))
 
-    def _local_type(self, node: Node, place: Place) -> None:
-        """Another name for a type within a function; the scope with `()` keeps it from being one for others."""
+    def _local_name(self, node: Node, place: Place) -> None:
+        """Another way to name something within a function; the scope with `()` keeps it from being one for others."""
         kind = node.child_by_field_name("type")
-        if node.type == "alias_declaration":
-            self.alias(node, place)
+        if node.type != "type_definition":
+            _DECLARATIONS[node.type](self, node, place)
         elif kind is not None and kind.type not in CLASSES | {"enum_specifier"}:
             self.typedef(node, place)
 

@@ -48,11 +48,15 @@ class ExprReader:
     Attributes:
         data: the bytes that the nodes point into.
         inline: called with each lambda that has a body, on the way.
+        called: called with each lambda that is called where it stands; gives the function that it is read as.
     """
 
-    def __init__(self, data: bytes, inline: Callable[[Node], None]) -> None:
+    def __init__(
+        self, data: bytes, inline: Callable[[Node], None], called: Callable[[Node], str] | None = None
+    ) -> None:
         self.data = data
         self.inline = inline
+        self.called = called
         self._depth = 0
 
     def text(self, node: Node) -> str:
@@ -136,10 +140,19 @@ def _call(reader: ExprReader, node: Node) -> Expr:
         name = reader.name(function)
         if name in _CASTS and listed is not None and listed.named_child_count == 1:
             return _cast(reader.read(listed.named_children[0]), reader.template_arguments(function))
-    callee = reader.read(function)
+    callee = _called_lambda(reader, function) or reader.read(function)
     last = function.child_by_field_name("field") or function.child_by_field_name("name") or function
     types = reader.template_arguments(function)
     return Call(callee, cast_arguments(reader, listed), (), types, last.start_point[0] + 1)
+
+
+def _called_lambda(reader: ExprReader, function: Node) -> Expr | None:
+    """`[&] { ... }()`: the name of the function that the lambda is read as; None for other callees."""
+    while function.type == "parenthesized_expression" and function.named_child_count == 1:
+        function = function.named_children[0]
+    if function.type != "lambda_expression" or reader.called is None or function.child_by_field_name("body") is None:
+        return None
+    return Name(reader.called(function))
 
 
 def _cast(value: Expr, types: tuple[str, ...]) -> Expr:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from ecm_parsers.source.cpp_arrays import extents
 from ecm_parsers.source.cpp_declarators import announced_end, flat_members, function_declarator, leading_words, lines_of
 from ecm_parsers.source.cpp_parameters import declared_name
 from ecm_parsers.source.cpp_place import Place
@@ -48,7 +49,7 @@ def _field(reader: DeclarationReader, node: Node, place: Place) -> list[Field]:
             reader.add_function(node, function, place, words)
             continue
         default = node.child_by_field_name("default_value")
-        value = reader.initial(default, kind)
+        value = reader.initial(default, kind, declarator)
         name = declared_name(reader.expr, declarator)
         written = declared_type(reader, kind, declarator)
         traits = (
@@ -67,5 +68,5 @@ def declared_type(reader: DeclarationReader, kind: Node | None, declarator: Node
     if kind is not None and kind.type in CLASSES and kind.child_by_field_name("body") is not None:
         named = kind.child_by_field_name("name")
         return reader.expr.name(named) if named is not None else declared_name(reader.expr, declarator)
-    mark = "*" if declarator.type == "pointer_declarator" else ""
+    mark = ("*" if declarator.type == "pointer_declarator" else "") + extents(declarator)
     return (reader.expr.type_text(kind) if kind is not None else "") + mark

@@ -157,10 +157,19 @@ class Import(_Fact, frozen=True):
 
 
 class Using(_Fact, frozen=True):
-    """`using namespace a` in a scope; that of a directive within a function is not read."""
+    """`using namespace a` in a scope; that of one within a function ends in `()`."""
 
     namespace: str
     scope: str = ""
+
+    @property
+    def where(self) -> str:
+        """Return the scope in which it holds; within a function the function."""
+        return self.scope.removesuffix("()")
+
+    def holds_in(self, scope: str) -> bool:
+        """Tell whether names in a scope may mean what it brings; one of a namespace may stand for all that use it."""
+        return self.where == self.scope or scope == self.where or scope.startswith(f"{self.where}::")
 
 
 class Macro(_Fact, frozen=True):

@@ -1,12 +1,14 @@
 """Lambdas of Python.
 
-One that gets a name, is kept in a member or is returned, and calls something, is read as a function of its own, as a
-`def` at its place would be. What others call is part of the body around them, to be run later.
+One that gets a name, is kept in a member, is returned, or is handed to a function or to a method of the same object,
+and calls something, is read as a function of its own, as a `def` at its place would be. What others call is part of
+the body around them, to be run later.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Final
 
 from tree_sitter import Node
 
@@ -16,6 +18,9 @@ from ecm_parsers.source.flow import Later
 from ecm_parsers.source.python_expr import parts
 from ecm_parsers.source.python_parameters import parameters
 from ecm_parsers.source.python_scan import ExprHandler, Frame, Scan
+
+_BUILT_IN: Final = frozenset({"filter", "iter", "map", "max", "min", "sorted"})
+"""Functions of Python that call what they are given at once, or for each element (docs.python.org: functions)."""
 
 
 def _lambda(scan: Scan, node: Node) -> Expr:
@@ -36,7 +41,7 @@ def _lambda(scan: Scan, node: Node) -> Expr:
 
 
 def _name(scan: Scan, node: Node) -> str:
-    """What a function is called that a lambda is read as; empty for one that is handed to somebody."""
+    """What a function is called that a lambda is read as; empty for one that is handed to somebody else."""
     parent = node.parent
     if parent is None or scan.frame.lambdas or scan.frame.place == "class":
         return ""
@@ -45,7 +50,21 @@ def _name(scan: Scan, node: Node) -> str:
         return scan.text(target)
     kept = target is not None and target.type == "attribute"
     row, column = node.start_point
-    return f"<lambda {row + 1}:{column + 1}>" if kept or parent.type == "return_statement" else ""
+    read = kept or parent.type == "return_statement" or _is_handed(scan, parent)
+    return f"<lambda {row + 1}:{column + 1}>" if read else ""
+
+
+def _is_handed(scan: Scan, parent: Node) -> bool:
+    """Whether a lambda in a function is an argument of a function, or of a method of the object at hand."""
+    if scan.frame.place != "function":
+        return False
+    listed = parent.parent if parent.type == "keyword_argument" else parent
+    call = listed.parent if listed is not None and listed.type == "argument_list" else None
+    callee = call.child_by_field_name("function") if call is not None else None
+    if callee is None or callee.type == "identifier":
+        return callee is not None and scan.text(callee) not in _BUILT_IN
+    own = callee.child_by_field_name("object") if callee.type == "attribute" else None
+    return own is not None and scan.text(own) == "self"
 
 
 def _calls(node: Node) -> bool:

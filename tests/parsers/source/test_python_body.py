@@ -252,7 +252,7 @@ def test_shebang_is_kept_as_written() -> None:
             "def f(a):\n    self.v = lambda b: a(b)\n    return lambda b: a(b)\n",
             ["f", "<lambda 2:14>", "<lambda 3:12>"],
         ),
-        ("def f(a):\n    v = lambda b: b\n    g(lambda b: a(b))\n", ["f"]),
+        ("def f(a):\n    v = lambda b: b\n    o.g(lambda b: a(b))\n", ["f"]),
     ],
 )
 def test_a_lambda_that_calls_and_has_a_holder_is_a_function(source: str, names: list[str]) -> None:
