@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 from ecm_parsers.source.expr import Expr, Name
 
 from ecm_extract.link.calls import Invocation
-from ecm_extract.link.env import Bound, Env, bind
+from ecm_extract.link.env import Bound, Env, Instance, bind
 from ecm_extract.link.handing_on import THIS
 from ecm_extract.link.numbers import kind_of_type
 from ecm_extract.link.object_states import is_own
 from ecm_extract.link.overloads import score
 from ecm_extract.link.spelling import last_name
-from ecm_extract.link.units import Func
+from ecm_extract.link.units import Cls, Func
 from ecm_extract.link.values import (
     Value,
     alternatives,
@@ -97,15 +97,29 @@ class ReturnFolder:
         outer = env if self.folder.nesting.enclosing(callee) is env.func else None
         if callee.cls is None and "lambda" not in callee.fact.traits:
             return Env(callee, 0, args, depth=env.depth + 1, outer=outer)
+        made = self._made(call, env)
+        this = _class_of(made, callee, call, env)
+        caller = THIS if is_own(call.receiver) else call.receiver if made is not None else None
+        follows = caller is not None and self.folder.methods.depends(callee, this)
+        within = Bound(caller, env) if follows and caller is not None else None
+        return Env(callee, 0, args, this=this, made=made, depth=env.depth + 1, outer=outer, caller=within)
+
+    def object_at(self, callee: Func, call: Invocation, env: Env) -> Cls | None:
+        """Return the class of the object that a called method has at hand."""
+        return _class_of(self._made(call, env), callee, call, env)
+
+    def _made(self, call: Invocation, env: Env) -> Instance | None:
+        """How the object is made that a method is called on, where that is known."""
         if is_own(call.receiver):
-            this, made = env.this or env.func.cls or callee.cls, env.made
-            caller = Bound(THIS, env) if self.folder.methods.depends(callee, this) else None
-        else:
-            made = self.folder.states.instance(call.receiver, env) if call.receiver is not None else None
-            this = made.cls if made is not None else callee.cls
-            follows = made is not None and self.folder.methods.depends(callee, this)
-            caller = Bound(call.receiver, env) if follows and call.receiver is not None else None
-        return Env(callee, 0, args, this=this, made=made, depth=env.depth + 1, outer=outer, caller=caller)
+            return env.made
+        return self.folder.states.instance(call.receiver, env) if call.receiver is not None else None
+
+
+def _class_of(made: Instance | None, callee: Func, call: Invocation, env: Env) -> Cls | None:
+    """The class of the object that a method is called on, by how that is made."""
+    if is_own(call.receiver):
+        return env.this or env.func.cls or callee.cls
+    return made.cls if made is not None else callee.cls
 
 
 def _takes(func: Func, kinds: Sequence[str]) -> bool:

@@ -107,8 +107,9 @@ class KnownCallers:
         known = self._kept.get((func, name))
         if known is None:
             own = name in self.folder.flow.effects(func).own
-            given = any(self._gives(statement, name, func, at) for at, statement in enumerate(func.fact.body))
-            known = self._kept[func, name] = own and not given
+            body = enumerate(func.fact.body)
+            kept = own and not any(self._gives(statement, name, func, at) for at, statement in body)
+            known = self._kept[func, name] = kept
         return known
 
     def _gives(self, statement: Statement, name: str, func: Func, at: int) -> bool:

@@ -43,10 +43,10 @@ class MethodEffects:
         prefix = "" if is_own(found.receiver) else self.holder(found, env)
         if prefix is None:
             return None
-        place = self.entry(found, env)
-        if place is None or self.folder.flow.hands_on(call, env):
+        callee = self._meant(found, env)
+        if callee is None or self.folder.flow.hands_on(call, env):
             return None
-        members = self._members(place.func, place.this)
+        members = self._members(callee, self.folder.returns.object_at(callee, found, env))
         return None if members is None else {prefix + key: key for key in sorted(members)}
 
     def _is_outside(self, call: Invocation, env: Env) -> bool:
@@ -83,10 +83,14 @@ class MethodEffects:
 
     def entry(self, call: Invocation, env: Env) -> Env | None:
         """Return the beginning of the one method that a call runs; None where several fit."""
+        callee = self._meant(call, env)
+        return self.folder.returns.entered(callee, call, bind(callee, call, env), env) if callee is not None else None
+
+    def _meant(self, call: Invocation, env: Env) -> Func | None:
+        """The one method that a call runs; None where several fit, or a class that derives may have its own."""
         callee = self.folder.returns.meant(call, env)
-        if callee is None or callee.cls is None or self.folder.returns.may_be_overridden(callee, call, env):
-            return None
-        return self.folder.returns.entered(callee, call, bind(callee, call, env), env)
+        method = callee is not None and callee.cls is not None
+        return callee if callee and method and not self.folder.returns.may_be_overridden(callee, call, env) else None
 
     def _members(self, func: Func, this: Cls | None) -> Set[str] | None:
         asked = (func, this)
@@ -142,5 +146,5 @@ class MethodEffects:
         found = invocation_of(call, place)
         if self._is_outside(found, place):
             return set()
-        entry = self.entry(found, place)
-        return {entry.func} if entry is not None else None
+        callee = self._meant(found, place)
+        return {callee} if callee is not None else None

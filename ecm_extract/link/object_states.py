@@ -145,11 +145,11 @@ class ObjectStates:
 
     def _maker(self, key: str, state: State, env: Env) -> Env | None:
         """The beginning of the constructor that made the object in a local variable which nobody else has."""
+        if "." in key or not self.callers.keeps_to_itself(key, env.func):
+            return None
         helds = self.folder.flow.decisions.ways(state.holds.get(key, ()))
         held = helds[0] if len(helds) == 1 else None
-        if held is None or held.how != "value" or held.env is None or "." in key or not isinstance(held.expr, Call):
-            return None
-        if not self.callers.keeps_to_itself(key, env.func):
+        if held is None or held.how != "value" or held.env is None or not isinstance(held.expr, Call):
             return None
         return self._constructor(held.expr, held.env)
 
