@@ -92,6 +92,12 @@ class ModuleIndex:
         """Return the module of a class by its lookup name or its qualified name."""
         return self._plugins.get(name) or self._class(name)
 
+    def siblings(self, module: RunningModule) -> Sequence[RunningModule]:
+        """Return the plugins that are loaded as the same base as a plugin, itself among them."""
+        bases = {self._bases[name] for name, entry in self._plugins.items() if entry is module}
+        alike = [entry for name, entry in self._plugins.items() if self._bases[name] in bases]
+        return alike or [module]
+
     def _class(self, name: str) -> RunningModule | None:
         bare = name.replace("/", "::").removeprefix("::")
         return self._classes.get(bare)

@@ -20,32 +20,15 @@ from ecm_extract.system.model import Instance, Launched, Place, Setting, join
 from ecm_extract.system.modules import Loaded, ModuleIndex
 from ecm_extract.system.names import Around, Resolved, node_matches, resolve
 from ecm_extract.system.node_model import Endpoint, Parameter, SystemNode
+from ecm_extract.system.plugged import Plugged
 from ecm_extract.system.programs import programs
 from ecm_extract.system.public_nodes import default_name, public_endpoints, public_table
 from ecm_extract.system.settings import all_given
 from ecm_extract.system.spawners import spawned
 
-_LEADING = re.compile(r"~?/?(\{[^{} ]*\})[./]")
-"""What a name of a parameter begins with that is below a name which the source does not show."""
-_NODE = "{node}"
 _OWN_STATE = frozenset({"node", "lifecycle_node", "component"})
 """What a manager hosts has its state changed by calls, not by services."""
 _HOLE = re.compile(r"\{[^{}]*\}")
-
-
-class Plugged:
-    """A module of a node; `name` is what the node's parameters call a plugin, empty for the node's own module."""
-
-    def __init__(self, module: RunningModule, name: str) -> None:
-        self.module = module
-        self.name = name
-        self._own = _own_holes(module) if name else frozenset()
-
-    def called(self, text: str) -> str:
-        """Return a name of the plugin with the holes for its own name filled."""
-        for hole in self._own:
-            text = text.replace(hole, self.name)
-        return text
 
 
 class Declared:
@@ -159,8 +142,8 @@ class NodeMaker:
         node = SystemNode(join(namespace, name), instance, (module,))
         plugins = {_key(entry.module): entry for entry in self._plugins(node) if _key(entry.module) != _key(module)}
         node.modules = (module, *(entry.module for entry in plugins.values()))
-        node.endpoints = tuple(self._endpoints(node, [Plugged(module, ""), *plugins.values()]))
-        node.parameters = tuple(self._parameters(node, [Plugged(module, ""), *plugins.values()]))
+        node.endpoints = tuple(self._endpoints(node, [Plugged(module), *plugins.values()]))
+        node.parameters = tuple(self._parameters(node, [Plugged(module), *plugins.values()]))
         return node
 
     def _plugins(self, node: SystemNode) -> Iterator[Plugged]:
@@ -172,7 +155,8 @@ class NodeMaker:
                     if module is None and "::" in value:
                         self.unknown.add(value)
                     if module is not None:
-                        yield Plugged(module, setting.name.rpartition(".")[0].rpartition("/")[2])
+                        name = setting.name.rpartition(".")[0].rpartition("/")[2]
+                        yield Plugged(module, name, self.index.siblings(module))
 
     def _settings(self, node: SystemNode) -> Sequence[Setting]:
         """What the launch sets for a node, later ones win; names are the node's own."""
@@ -243,12 +227,6 @@ def _listed(instance: Instance, names: Collection[str]) -> list[str]:
     """What the launch puts into parameters of an instance that are called so."""
     lists = (entry.value for entry in instance.settings if entry.name.rpartition("/")[2] in names)
     return [str(item) for value in lists if isinstance(value, list) for item in value]
-
-
-def _own_holes(module: RunningModule) -> frozenset[str]:
-    """Holes that stand for the name under which a plugin is loaded: a plugin has its parameters below that name."""
-    named = (_LEADING.match(entry.raw_name or entry.name) for entry in module.endpoints if entry.row.value)
-    return frozenset(match[1] for match in named if match is not None) - {_NODE}
 
 
 def _of_state(node: SystemNode, plugged: Sequence[Plugged]) -> Iterator[Endpoint]:

@@ -66,3 +66,38 @@ def test_a_plugin_is_below_the_name_that_it_is_loaded_under(tmp_path: Path, own:
     assert {entry.name for entry in node.endpoints} == {"/obstacles/grid", "/{topic_name}"}
     parameters = {entry.name: entry.declared for entry in node.parameters}
     assert parameters["obstacles.size"] is True
+
+
+BESIDE = """
+namespace p {
+class Plain : public p::Base {
+  void configure(rclcpp::Node::SharedPtr node, const std::string & name, const std::string & topic_name) override {
+    node->declare_parameter("speed", 3);
+    own_ = node->create_publisher<std_msgs::msg::Bool>(name, 1);
+    other_ = node->create_publisher<std_msgs::msg::Bool>(topic_name, 1);
+  }
+  rclcpp::Publisher<std_msgs::msg::Bool>::SharedPtr own_, other_;
+};
+}
+PLUGINLIB_EXPORT_CLASS(p::Plain, p::Base)
+"""
+
+
+def test_a_plugin_without_parameters_of_its_own_is_named_as_others_of_its_base_are(tmp_path: Path) -> None:
+    """One method of the base gives each its name: what it is for one of them it is for all; of other bases nothing."""
+    plain = '<class name="p::Plain" type="p::Plain" base_class_type="p::Base"/></library>'
+    for base, expected in (("p::Base", {"/front", "/{topic_name}"}), ("p::Other", {"/{name}", "/{topic_name}"})):
+        files = {
+            "package.xml": MANIFEST,
+            "CMakeLists.txt": BUILD,
+            "src/server.cpp": SERVER,
+            "src/layer.cpp": LAYER.format(own="name") + BESIDE,
+            "plugins.xml": PLUGINS.replace("</library>", plain.replace("p::Base", base)),
+            "a.launch.xml": LAUNCH.replace("obstacles", "front").replace("p::Layer", "p::Plain"),
+        }
+        for name, text in files.items():
+            (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+            (tmp_path / name).write_text(text)
+        found = read_system(open_tree(str(tmp_path)), ["a.launch.xml"], Given(), Options(jobs=1, cache=False))
+        (node,) = found.nodes
+        assert {entry.name for entry in node.endpoints} == expected
