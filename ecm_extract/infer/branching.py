@@ -9,6 +9,7 @@ from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Leave, Switch,
 
 from ecm_extract.infer.exits import Exits
 from ecm_extract.infer.held import State, joined_states
+from ecm_extract.infer.routes import OPEN
 from ecm_extract.infer.run import Frame
 
 
@@ -33,10 +34,12 @@ class Branching:
     def branch(self, step: Branch, state: State) -> State | None:
         """Run both sides of a branch; which of them is taken is decided when somebody wants to know."""
         gate = self.frame.gate(step.test, state)
-        holds = self.frame.judge.decided(gate).holds if gate is not None and self.frame.rounds else None
-        if holds is not None:  # whether a loop goes on must be known now
-            self.blocks.unreached(step.other if holds else step.then, state)
-            return self.blocks.run(step.then if holds else step.other, state)
+        if gate is not None and self.frame.rounds:  # whether a loop goes on must be known now
+            found = self.frame.judge.decided(gate)
+            if found.holds is not None:
+                self.blocks.unreached(step.other if found.holds else step.then, state)
+                return self.blocks.run(step.then if found.holds else step.other, state)
+            gate = None if found == OPEN else gate
         then = self.blocks.run(step.then, state.on(self.frame.side(step.test, True, state, gate)))
         other = self.blocks.run(step.other, state.on(self.frame.side(step.test, False, state, gate)))
         return _behind(step, state, joined_states([then, other]))

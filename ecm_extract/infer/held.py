@@ -201,6 +201,7 @@ def _joined(one: State, other: State) -> State:
     called = one.called or other.called
     if one.holds is other.holds:
         return State(one.holds, path, route, called)
+    since = fork(one.route, other.route)
     met: dict[tuple[tuple[Held, ...], tuple[Held, ...]], tuple[Held, ...]] = {}
     holds: dict[str, tuple[Held, ...]] = {}
     for name in one.holds.apart(other.holds):
@@ -210,16 +211,11 @@ def _joined(one: State, other: State) -> State:
             continue
         key = (left, right)  # what two names share before, they share after
         if key not in met:
+            parts = (Part(one.route, left), Part(other.route, right))
             same = one.route is other.route
-            met[key] = (
-                either(name, left, right) if same else (_met(name, Part(one.route, left), Part(other.route, right)),)
-            )
+            met[key] = either(name, left, right) if same else (Held("met", name, parts=parts, since=since),)
         holds[name] = met[key]
     return State(one.holds.having(holds), path, route, called)
-
-
-def _met(name: str, one: Part, other: Part) -> Held:
-    return Held("met", name, parts=(one, other), since=fork(one.route, other.route))
 
 
 def _given(name: str, state: State) -> Held:

@@ -5,7 +5,7 @@ Most of what a function asks decides nothing that anybody wants to know of it, a
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, NamedTuple
 
@@ -49,16 +49,18 @@ class Route:
         gate: the branch behind them; None where several meet.
         holds: the side of it.
         dead: whether no run comes here.
+        depth: how many branches lie behind it since routes met, or the function began.
     """
 
     before: tuple[Route, ...] = ()
     gate: Gate | None = None
     holds: bool = True
     dead: bool = False
+    depth: int = 0
 
     def through(self, gate: Gate, holds: bool) -> Route:
         """The route on one side of a branch."""
-        return Route((self,), gate, holds)
+        return Route((self,), gate, holds, depth=self.depth + 1)
 
 
 START: Final = Route()
@@ -76,16 +78,12 @@ def met_routes(one: Route, other: Route) -> Route:
 
 def fork(one: Route, other: Route) -> Route:
     """Return the last place that both routes surely came by: what decided whether that is reached is the same."""
-    passed = dict.fromkeys(_back(one))
-    return next((route for route in _back(other) if route in passed), START)
-
-
-def _back(route: Route) -> Iterator[Route]:
-    """A route and those before it, as far as each came one way only."""
-    yield route
-    while len(route.before) == 1:
-        route = route.before[0]
-        yield route
+    while one is not other:
+        deeper, shallower = (one, other) if one.depth >= other.depth else (other, one)
+        if not deeper.depth:
+            return START
+        one, other = deeper.before[0], shallower
+    return one
 
 
 def _met(route: Route) -> Iterable[Route]:

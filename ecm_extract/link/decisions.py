@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Final
 
 from ecm_extract.infer.held import Held, Part, State, Turn, either
@@ -19,7 +19,7 @@ MAX_NESTED: Final = 60
 """Branches that are decided within others."""
 MAX_RECURSION: Final = 2
 """Runs of one function of which branches are decided within each other."""
-_LIVE: Final = "live"
+_TAKEN: Final = "taken"
 
 
 class Decisions:
@@ -73,11 +73,11 @@ class Decisions:
 
     def is_live(self, route: Route, since: Route = START) -> bool:
         """Tell whether a run may come along a route, from a place on it that it came by."""
-        return _any_leads(route, {since: True}, lambda gate, holds: self.of(gate).holds is not (not holds))
+        return _leads(route, since, lambda gate, holds: self.of(gate).holds is not (not holds))
 
     def is_likely(self, route: Route, since: Route = START) -> bool:
         """Tell whether a run comes along a route as long as nobody sets a parameter, or whether nothing tells that."""
-        return _any_leads(route, {since: True}, lambda gate, holds: self.of(gate).likely is not (not holds))
+        return _leads(route, since, lambda gate, holds: self.of(gate).likely is not (not holds))
 
     def live(self, states: Sequence[State]) -> Sequence[State]:
         """Return the states that a run may be in; all of them where no run gets there."""
@@ -95,22 +95,31 @@ class Decisions:
         """Return what a variable may hold on the routes that may be taken."""
         if all(held.how != "met" for held in helds):
             return helds
-        found: tuple[Held, ...] = ()
+        cuts, found = self.folder.cuts, dict[Held, tuple[Held, ...]]()
         for held in helds:
-            found = either(held.name, found, self._met(held) if held.how == "met" else (held,))
-        return found
-
-    def _met(self, held: Held) -> tuple[Held, ...]:
-        known = held.settled.get(_LIVE)
-        if isinstance(known, tuple):
-            return known
-        cuts = self.folder.cuts
-        found: tuple[Held, ...] = ()
-        for part in self._taken(held):
-            found = either(held.name, found, self.ways(part.ways))
+            self._find(held, found)
         if cuts == self.folder.cuts:
-            held.settled[_LIVE] = found
-        return found
+            for held, ways in found.items():
+                held.settled[_TAKEN] = ways
+        return _joined(helds, found)
+
+    def _find(self, first: Held, found: dict[Held, tuple[Held, ...]]) -> None:
+        """Find what each of the things holds that met, and those that met to make it: there may be thousands."""
+        taken: dict[Held, Sequence[Part]] = {}
+        pending = [first]
+        while pending:
+            held = pending[-1]
+            known = held.settled.get(_TAKEN)
+            if held.how != "met" or held in found or isinstance(known, tuple):
+                if isinstance(known, tuple):
+                    found[held] = known
+                pending.pop()
+                continue
+            if held not in taken:
+                taken[held] = self._taken(held)
+                pending += [way for part in taken[held] for way in part.ways if way.how == "met"]
+                continue
+            found[held] = _joined([way for part in taken[held] for way in part.ways], found)
 
     def _taken(self, held: Held) -> Sequence[Part]:
         """The parts on routes that may be taken, likely ones first; all of them where none may."""
@@ -119,17 +128,27 @@ class Decisions:
         return live if len(live) == 1 else sorted(live, key=lambda part: not self.is_likely(part.route, since))
 
 
-def _any_leads(route: Route, known: dict[Route, bool], passes: Callable[[Gate, bool], bool]) -> bool:
-    """Whether one of the ways along a route passes all branches on it."""
-    found = known.get(route)
-    if found is None:
-        found = known[route] = _leads(route, known, passes)
-    return found
+def _joined(helds: Iterable[Held], found: Mapping[Held, tuple[Held, ...]]) -> tuple[Held, ...]:
+    """What a variable may hold, by what is found of those that met."""
+    ways: tuple[Held, ...] = ()
+    for held in helds:
+        ways = either(held.name, ways, found.get(held, (held,)))
+    return ways
 
 
-def _leads(route: Route, known: dict[Route, bool], passes: Callable[[Gate, bool], bool]) -> bool:
-    if not route.before:
-        return route is START
-    if not any(_any_leads(before, known, passes) for before in route.before):
-        return False
-    return route.gate is None or passes(route.gate, route.holds)
+def _leads(route: Route, since: Route, passes: Callable[[Gate, bool], bool]) -> bool:
+    """Whether a run may come along a route from a place on it, by asking for as few branches as tell; none recurses."""
+    known = {since: True}
+    pending = [route]
+    while pending:
+        at = pending[-1]
+        further = next((before for before in at.before if before not in known), None)
+        if at in known:
+            pending.pop()
+        elif any(known.get(before) for before in at.before):
+            known[at] = at.gate is None or passes(at.gate, at.holds)
+        elif further is not None:
+            pending.append(further)
+        else:
+            known[at] = at is START
+    return known[route]

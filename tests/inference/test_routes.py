@@ -118,3 +118,20 @@ def test_what_is_surely_not_taken_gives_a_variable_nothing(linker: Linker) -> No
         met = joined_states(sides)
         assert met is not None
         assert [held.expr for held in decisions.ways(met.holds["x"])] == [Text(text) for text in texts]
+
+
+def test_thousands_of_branches_one_after_the_other_are_no_deep_recursion(linker: Linker) -> None:
+    """What met again and again, and a place behind as many ways out, is asked for without nesting."""
+    place = _place(linker)
+    decisions = linker.folder.flow.decisions
+    state: State | None = State().having({"x": (Held("value", "x", Text("start")),)})
+    passed = State()
+    for number in range(5_000):
+        gate = Gate(Constant("false" if number else "true"), place)
+        assert state is not None
+        changed = _side(state, True, gate).having({"x": (Held("value", "x", Text(str(number))),)})
+        state = joined_states([changed, _side(state, False, gate)])
+        passed = _side(passed, not number, gate)
+    assert state is not None
+    assert [held.expr for held in decisions.ways(state.holds["x"])] == [Text("0")]
+    assert decisions.is_live(passed.route)
