@@ -48,14 +48,12 @@ class Route:
         before: the routes that lead here, of which any is taken; none where a function begins.
         gate: the branch behind them; None where several meet.
         holds: the side of it.
-        dead: whether no run comes here.
         depth: how many branches lie behind it since routes met, or the function began.
     """
 
     before: tuple[Route, ...] = ()
     gate: Gate | None = None
     holds: bool = True
-    dead: bool = False
     depth: int = 0
 
     def through(self, gate: Gate, holds: bool) -> Route:
@@ -64,7 +62,7 @@ class Route:
 
 
 START: Final = Route()
-NOWHERE: Final = Route(dead=True)
+NOWHERE: Final = Route()
 """The route to code that no run reaches."""
 
 

@@ -7,6 +7,7 @@ import operator
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
+from ecm_parsers.expression_operators import COMPARE
 from ecm_parsers.launch.methods import hashable, percent_formatted
 from ecm_parsers.launch.model import Substitution, Template
 from ecm_parsers.launch.substitutions import joined_path
@@ -30,20 +31,6 @@ _ARITHMETIC: Mapping[type[ast.operator], Callable[[float, float], float]] = Mapp
         ast.Div: operator.truediv,
         ast.FloorDiv: operator.floordiv,
         ast.Mod: operator.mod,
-    }
-)
-_COMPARE: Mapping[type[ast.cmpop], Callable[[Value, Value], bool]] = MappingProxyType(
-    {
-        ast.Eq: operator.eq,
-        ast.NotEq: operator.ne,
-        ast.Lt: operator.lt,
-        ast.LtE: operator.le,
-        ast.Gt: operator.gt,
-        ast.GtE: operator.ge,
-        ast.In: lambda item, items: item in items,
-        ast.NotIn: lambda item, items: item not in items,
-        ast.Is: operator.is_,
-        ast.IsNot: operator.is_not,
     }
 )
 _NEVER_EMPTY = frozenset({"find", "find_prefix", "dirname", "file", "yaml", "command", "anon"})
@@ -103,7 +90,7 @@ def compare(kind: ast.cmpop, left: Value, right: Value) -> Value:
     """Return a truth value, or a condition over substitutions."""
     if _is_known(left) and _is_known(right):
         try:
-            return bool(_COMPARE[type(kind)](left, right))
+            return bool(COMPARE[type(kind)](left, right))
         except TypeError:
             return Unknown("comparison")
     if isinstance(left, Unknown) or isinstance(right, Unknown) or not isinstance(kind, _TEXTUAL):
