@@ -24,7 +24,7 @@ from pathlib import Path
 from executed.draw import Program
 from executed.grammar import grammar
 
-from ecm_extract.link.forms import form_table
+from ecm_extract.link.declaring.forms import form_table
 from ecm_extract.link.linker import Linker
 from ecm_extract.read.reader import Reader
 from ecm_extract.tree import open_tree

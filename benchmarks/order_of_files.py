@@ -21,7 +21,7 @@ from ecm_parsers.source.facts import SourceFile
 
 from ecm_extract.assemble.contracts import assemble
 from ecm_extract.cmake.sources import paths_of
-from ecm_extract.link.forms import form_table
+from ecm_extract.link.declaring.forms import form_table
 from ecm_extract.link.linker import Linker
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.read.reader import Reader

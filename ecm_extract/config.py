@@ -9,7 +9,7 @@ import msgspec
 from pathspec import GitIgnoreSpec
 
 from ecm_extract.errors import ConfigError
-from ecm_extract.link.forms import Form
+from ecm_extract.link.declaring.forms import Form
 from ecm_extract.rule_ids import rule_id
 from ecm_extract.tree import printable
 

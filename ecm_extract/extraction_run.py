@@ -21,9 +21,9 @@ from ecm_extract.extraction_model import (
     PackageContracts,
     sorted_diagnostics,
 )
-from ecm_extract.link.composition import composition_of
-from ecm_extract.link.forms import form_table
+from ecm_extract.link.declaring.forms import form_table
 from ecm_extract.link.linker import Linker
+from ecm_extract.link.owning.composition import composition_of
 from ecm_extract.parallel_work import meanwhile
 from ecm_extract.read.reader import Reader
 from ecm_extract.requires.collect import source_requirements

@@ -18,7 +18,7 @@ def shipped(path: str) -> Mapping[str, Any]:
     """Return a table, read once.
 
     Args:
-        path: of its file from the folder of the package: `link/carriers.toml`.
+        path: of its file from the folder of the package: `link/naming/carriers.toml`.
     """
     text = resources.files("ecm_extract").joinpath(*path.split("/")).read_text("utf-8")
     return tomllib.loads(text)

@@ -9,8 +9,8 @@ from ecm_checker.contract import Behavior, Evidence, Interface, Value
 from ecm_checker.hub.roles import roles
 
 from ecm_extract.assemble.evidence import inferred, last_told, number_of, of_interfaces, parameters_where
+from ecm_extract.link.endpoints.observe import Observation
 from ecm_extract.link.linker import LinkedModule
-from ecm_extract.link.observe import Observation
 
 _RATE_NAMES = frozenset({"update_rate", "publish_rate", "rate", "loop_rate", "controller_frequency", "frequency"}) | {
     "publish_frequency",

@@ -21,7 +21,7 @@ from ecm_extract.entities.notes import read_notes
 from ecm_extract.entities.python import bound_names, quoted_names
 from ecm_extract.entities.told_of_build import Surroundings, surroundings, told_of_build
 from ecm_extract.entities.workspace import Workspace
-from ecm_extract.link.composition import Composition
+from ecm_extract.link.owning.composition import Composition
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.collect import Required, all_requirements
 from ecm_extract.system.kept_texts import kept_texts

@@ -12,8 +12,8 @@ from ecm_checker.hub.roles import roles
 
 from ecm_extract.assemble.controller_settings import ControllerSettings
 from ecm_extract.assemble.evidence import inferred, number_of, of_interfaces, parameters_where
-from ecm_extract.link.filling import filled
 from ecm_extract.link.linker import LinkedModule
+from ecm_extract.link.naming.filling import filled
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.shipped import shipped_as
 

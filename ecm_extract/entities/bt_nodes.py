@@ -10,8 +10,8 @@ from ecm_parsers.source.facts import Function, SourceFile
 
 from ecm_extract.entities.public_files import inside
 from ecm_extract.entities.signatures import normal_type
-from ecm_extract.link.spelling import plain
-from ecm_extract.link.walk import dotted, expressions
+from ecm_extract.link.code.spelling import plain
+from ecm_extract.link.code.walk import dotted, expressions
 from ecm_extract.read.facts import PackageFacts
 
 _REGISTERS = frozenset(

@@ -14,7 +14,7 @@ from ecm_parsers.source.facts import Alias, Class, Constant, Field, Function, So
 
 from ecm_extract.entities.public_files import HIDDEN, public_headers
 from ecm_extract.entities.signatures import form_of, normal_type, template_names, written_type
-from ecm_extract.link.spelling import plain
+from ecm_extract.link.code.spelling import plain
 from ecm_extract.read.facts import PackageFacts
 
 _MACRO = re.compile(r"[A-Z][A-Z0-9]*(?:_[A-Z0-9]+){2,}")

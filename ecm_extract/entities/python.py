@@ -14,9 +14,9 @@ from ecm_parsers.source.flow import Block, Branch, blocks, statements
 
 from ecm_extract.entities.public_files import python_modules, stub_modules
 from ecm_extract.entities.signatures import form_of
-from ecm_extract.link.tuples import returned_values
-from ecm_extract.link.walk import children
-from ecm_extract.link.walk import dotted as dotted_name
+from ecm_extract.link.code.tuples import returned_values
+from ecm_extract.link.code.walk import children
+from ecm_extract.link.code.walk import dotted as dotted_name
 from ecm_extract.read.facts import PackageFacts
 
 _LABEL: Final = re.compile(r"[A-Z][A-Z0-9_]+")

@@ -18,10 +18,10 @@ from ecm_extract.entities.shared_reader import SharedReader
 from ecm_extract.entities.side import PackageInfo, Side
 from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.extraction_model import Options
-from ecm_extract.link.forms import FormTable, form_table
+from ecm_extract.link.declaring.forms import FormTable, form_table
+from ecm_extract.link.index.program import Program
 from ecm_extract.link.linker import LinkedModule, Linker
-from ecm_extract.link.objects import Objects
-from ecm_extract.link.program import Program
+from ecm_extract.link.running.objects import Objects
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.parameter_reads import parameter_read_requirements
 from ecm_extract.settings import config_of

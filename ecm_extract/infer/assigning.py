@@ -12,12 +12,12 @@ from ecm_extract.infer.effects import bare_names, is_plain
 from ecm_extract.infer.held import Held, State, all_ways
 from ecm_extract.infer.memory import Memory
 from ecm_extract.infer.run import Frame
-from ecm_extract.link.containers import makes_tuple
-from ecm_extract.link.spelling import last_name
-from ecm_extract.link.walk import children
+from ecm_extract.link.code.containers import makes_tuple
+from ecm_extract.link.code.spelling import last_name
+from ecm_extract.link.code.walk import children
 
 if TYPE_CHECKING:
-    from ecm_extract.link.env import Bound, Env
+    from ecm_extract.link.running.env import Bound, Env
 
 _TIE: Final = "tie"
 """en.cppreference.com, std::tie: references to what it is given."""

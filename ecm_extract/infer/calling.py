@@ -15,7 +15,7 @@ from ecm_extract.infer.memory import MAX_LENGTH, Memory
 from ecm_extract.infer.run import Frame
 
 if TYPE_CHECKING:
-    from ecm_extract.link.env import Env
+    from ecm_extract.link.running.env import Env
 
 
 class Calling:

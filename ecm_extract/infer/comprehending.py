@@ -12,7 +12,7 @@ from ecm_extract.infer.held import State
 from ecm_extract.infer.looping import MAX_ROUNDS
 from ecm_extract.infer.routes import NOWHERE
 from ecm_extract.infer.run import Frame
-from ecm_extract.link.walk import comprehensions
+from ecm_extract.link.code.walk import comprehensions
 
 
 class Comprehending:

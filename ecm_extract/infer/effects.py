@@ -11,11 +11,11 @@ from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member,
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.places import key_of, root_of
-from ecm_extract.link.walk import calls_in, children
+from ecm_extract.link.code.walk import calls_in, children
 from ecm_extract.shipped import shipped
 
 if TYPE_CHECKING:
-    from ecm_extract.link.units import Func
+    from ecm_extract.link.code.units import Func
 
 Kind = Literal["changed", "lost", "out", "handed", "swapped"]
 

@@ -11,7 +11,7 @@ from ecm_parsers.source.expr import Expr
 from ecm_extract.infer.routes import START, Gate, Route, fork, met_routes
 
 if TYPE_CHECKING:
-    from ecm_extract.link.env import Env
+    from ecm_extract.link.running.env import Env
 
 MAX_WAYS = 8
 """Different things that a variable may hold before it counts as unknown."""

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 from ecm_parsers.source.expr import Call, Expr, Lambda, Name
 from ecm_parsers.source.facts import Statement
 
-from ecm_extract.link.walk import children
+from ecm_extract.link.code.walk import children
 
 if TYPE_CHECKING:
-    from ecm_extract.link.units import Func
+    from ecm_extract.link.code.units import Func
 
 
 def only_called(func: Func, inner: Sequence[Func]) -> Iterator[Func]:

@@ -27,7 +27,7 @@ from ecm_extract.infer.routes import NOWHERE
 from ecm_extract.infer.run import Frame, Run
 
 if TYPE_CHECKING:
-    from ecm_extract.link.env import Env
+    from ecm_extract.link.running.env import Env
 
 MAX_NESTING = 60
 """Blocks within blocks that are followed; what is deeper changes its variables in ways that nobody knows."""

@@ -13,8 +13,8 @@ from ecm_extract.infer.outline import Outline
 from ecm_extract.infer.routes import Gate, Verdict
 
 if TYPE_CHECKING:
-    from ecm_extract.link.env import Bound, Env
-    from ecm_extract.link.units import Func
+    from ecm_extract.link.code.units import Func
+    from ecm_extract.link.running.env import Bound, Env
 
 
 class Lasting(Protocol):

@@ -13,7 +13,7 @@ from ecm_extract.infer.run import Frame
 from ecm_extract.infer.sharing import Sharing
 
 if TYPE_CHECKING:
-    from ecm_extract.link.env import Env
+    from ecm_extract.link.running.env import Env
 
 MAX_LENGTH = 8
 """Changes of one variable after which it is evaluated, so that later ones need no deep recursion."""

@@ -14,10 +14,10 @@ from ecm_parsers.source.flow import Block, Later, Leave, Step, blocks
 from ecm_extract.infer.effects import Effect, Effects, Targets, is_plain
 from ecm_extract.infer.inner import only_called
 from ecm_extract.infer.places import own_names
-from ecm_extract.link.walk import children, comprehensions
+from ecm_extract.link.code.walk import children, comprehensions
 
 if TYPE_CHECKING:
-    from ecm_extract.link.units import Func
+    from ecm_extract.link.code.units import Func
 
 Reads = Mapping[int, Sequence[tuple[Expr, Expr, Expr | None]]]
 """Statement -> (variable, name, default) of the parameters that are read into variables."""

@@ -10,8 +10,8 @@ from ecm_parsers.source.facts import Statement
 from ecm_parsers.source.flow import Branch, Loop, Step, Switch
 
 from ecm_extract.infer.effects import calls_of
-from ecm_extract.link.spelling import last_name
-from ecm_extract.link.walk import children
+from ecm_extract.link.code.spelling import last_name
+from ecm_extract.link.code.walk import children
 
 _THIS: Final = Name("this")
 _OPERATORS: Final = frozenset({"[]", "/", "//", "%"})

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 from ecm_parsers.source.expr import Expr
 
 if TYPE_CHECKING:
-    from ecm_extract.link.env import Env
+    from ecm_extract.link.running.env import Env
 
 
 class Verdict(NamedTuple):

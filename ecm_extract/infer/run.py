@@ -17,7 +17,7 @@ from ecm_extract.infer.outline import Outline
 from ecm_extract.infer.routes import Gate
 
 if TYPE_CHECKING:
-    from ecm_extract.link.env import Env
+    from ecm_extract.link.running.env import Env
 
 MAX_STATES = 64
 """States of one statement that are kept apart; beyond, they are joined."""

@@ -10,27 +10,34 @@ from typing import Any, TypeVar
 from ecm_checker.contract import Evidence, Interface, Qos
 from ecm_parsers.source.expr import Expr, Items, Name, Text
 
-from ecm_extract.link.activation import Activation
-from ecm_extract.link.built import files_of
-from ecm_extract.link.claims import Claim, claims_of
-from ecm_extract.link.data import UNKNOWN, stated_type
-from ecm_extract.link.diagnoses import SUMMARIES, Diagnosis, diagnoses
-from ecm_extract.link.endpoint_conditions import EndpointConditions
-from ecm_extract.link.endpoint_types import EndpointTypes, role_of
-from ecm_extract.link.fallbacks import fallback
-from ecm_extract.link.fold import Folder
-from ecm_extract.link.forms import FormTable
-from ecm_extract.link.frames import frame_of
-from ecm_extract.link.generated import GeneratedParameters
-from ecm_extract.link.handles import Handle, Handles
-from ecm_extract.link.host_arguments import HostArguments
-from ecm_extract.link.implied_names import fixed_name, place_at
-from ecm_extract.link.made import units_of
-from ecm_extract.link.match import Matcher, handle_argument, is_callback, name_argument, positions
-from ecm_extract.link.merging import merged
-from ecm_extract.link.module_kinds import is_managed
-from ecm_extract.link.modules import Module, Modules
-from ecm_extract.link.names import (
+from ecm_extract.link.code.units import Cls
+from ecm_extract.link.declaring.forms import FormTable
+from ecm_extract.link.declaring.match import Matcher, handle_argument, is_callback, name_argument, positions
+from ecm_extract.link.declaring.parameters import Home, Parameters
+from ecm_extract.link.declaring.site import Site
+from ecm_extract.link.declaring.sites import Sites
+from ecm_extract.link.endpoints.claims import Claim, claims_of
+from ecm_extract.link.endpoints.diagnoses import SUMMARIES, Diagnosis, diagnoses
+from ecm_extract.link.endpoints.endpoint_conditions import EndpointConditions
+from ecm_extract.link.endpoints.endpoint_types import EndpointTypes, role_of
+from ecm_extract.link.endpoints.fallbacks import fallback
+from ecm_extract.link.endpoints.frames import frame_of
+from ecm_extract.link.endpoints.generated import GeneratedParameters
+from ecm_extract.link.endpoints.merging import merged
+from ecm_extract.link.endpoints.observe import Observation, observation_forms, observations
+from ecm_extract.link.endpoints.qos import QosReader
+from ecm_extract.link.endpoints.reconfigured import SERVICE, Placed, beside
+from ecm_extract.link.endpoints.stamps import Stamp, stamps
+from ecm_extract.link.folding.data import UNKNOWN, stated_type
+from ecm_extract.link.folding.fold import Folder
+from ecm_extract.link.folding.placing import placed
+from ecm_extract.link.index.module_kinds import is_managed
+from ecm_extract.link.index.program import Program
+from ecm_extract.link.interfaces.types import Types
+from ecm_extract.link.naming.handles import Handle, Handles
+from ecm_extract.link.naming.host_arguments import HostArguments
+from ecm_extract.link.naming.implied_names import fixed_name, place_at
+from ecm_extract.link.naming.names import (
     RosName,
     endpoint_name,
     is_below_handle,
@@ -41,23 +48,16 @@ from ecm_extract.link.names import (
     parameter_name,
     space_of,
 )
-from ecm_extract.link.node_names import NodeName, NodeNames
-from ecm_extract.link.observe import Observation, observation_forms, observations
-from ecm_extract.link.ownership import Ownership
-from ecm_extract.link.parameters import Home, Parameters
-from ecm_extract.link.placing import placed
-from ecm_extract.link.program import Program
-from ecm_extract.link.qos import QosReader
-from ecm_extract.link.reconfigured import SERVICE, Placed, beside
-from ecm_extract.link.references import References, Unit
-from ecm_extract.link.registry import build_registry, plugins_of
-from ecm_extract.link.scope import Scope
-from ecm_extract.link.site import Site
-from ecm_extract.link.sites import Sites
-from ecm_extract.link.stamps import Stamp, stamps
-from ecm_extract.link.types import Types
-from ecm_extract.link.units import Cls
-from ecm_extract.link.values import Value, is_proved, literal, settled, unknown, weaker
+from ecm_extract.link.naming.node_names import NodeName, NodeNames
+from ecm_extract.link.owning.activation import Activation
+from ecm_extract.link.owning.built import files_of
+from ecm_extract.link.owning.made import units_of
+from ecm_extract.link.owning.modules import Module, Modules
+from ecm_extract.link.owning.ownership import Ownership
+from ecm_extract.link.owning.references import References, Unit
+from ecm_extract.link.owning.registry import build_registry, plugins_of
+from ecm_extract.link.running.scope import Scope
+from ecm_extract.link.running.values import Value, is_proved, literal, settled, unknown, weaker
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.resolve.layout import layouts
 from ecm_extract.resolve.sight import Sight

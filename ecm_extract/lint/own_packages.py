@@ -19,7 +19,7 @@ from ecm_extract.entities.interfaces import interface_entities
 from ecm_extract.entities.nodes import launched_nodes, node_entities
 from ecm_extract.entities.packaging import program_entities
 from ecm_extract.entities.told_of_build import Surroundings, surroundings, told_of_build
-from ecm_extract.link.units import File
+from ecm_extract.link.code.units import File
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.build_files import build_file_requirements
 from ecm_extract.requires.collect import ordered

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from ecm_parsers.source.expr import Call, Member, Name
 
-from ecm_extract.link.calls import dotted_name
-from ecm_extract.link.program import Program
-from ecm_extract.link.units import Cls, Func
+from ecm_extract.link.code.calls import dotted_name
+from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.index.program import Program
 
 
 def callees(call: Call, func: Func, program: Program) -> list[Func]:

@@ -20,8 +20,8 @@ from ecm_extract.description.read import read_description
 from ecm_extract.entities.workspace import PackagesRead, read_packages
 from ecm_extract.entities.workspace import Workspace as Side
 from ecm_extract.extraction_model import Options
-from ecm_extract.link.composition import composition_of
 from ecm_extract.link.linker import Linker
+from ecm_extract.link.owning.composition import composition_of
 from ecm_extract.lint.beside import Lines, own_running, running_beside
 from ecm_extract.lint.beside_files import Beside, is_description
 from ecm_extract.lint.builds import builds

@@ -13,10 +13,10 @@ from ecm_parsers.source.python import parse_python
 
 from ecm_extract.entities.side_texts import SideTexts
 from ecm_extract.entities.workspace import Workspace
+from ecm_extract.link.code.units import File
+from ecm_extract.link.index.program import Program, imported_names
 from ecm_extract.link.linker import LinkedModule
-from ecm_extract.link.objects import Objects
-from ecm_extract.link.program import Program, imported_names
-from ecm_extract.link.units import File
+from ecm_extract.link.running.objects import Objects
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.behavior_trees import behavior_tree_requirements
 from ecm_extract.requires.build_files import build_file_requirements

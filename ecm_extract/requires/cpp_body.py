@@ -11,9 +11,9 @@ from typing import Final
 
 from ecm_parsers.source.expr import Call, Expr, Member, Name
 
-from ecm_extract.link.objects import Objects
-from ecm_extract.link.units import Cls, Func
-from ecm_extract.link.walk import expressions
+from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.code.walk import expressions
+from ecm_extract.link.running.objects import Objects
 from ecm_extract.requires.foreign_classes import ForeignClasses, Inherited
 
 _REACHING: Final[frozenset[type]] = frozenset({Call, Member})

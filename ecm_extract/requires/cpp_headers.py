@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ecm_checker.hub.requirement import Requirement
 
-from ecm_extract.link.units import File
+from ecm_extract.link.code.units import File
 from ecm_extract.requires.place import Place, required
 
 

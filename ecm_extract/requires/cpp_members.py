@@ -15,7 +15,7 @@ from ecm_checker.handles import verbs
 from ecm_checker.hub.requirement import Given, Requirement
 from ecm_parsers.source.expr import Call, Expr, Member, Name
 
-from ecm_extract.link.units import Func
+from ecm_extract.link.code.units import Func
 from ecm_extract.requires.cpp_body import Body
 from ecm_extract.requires.foreign_classes import ForeignClasses
 from ecm_extract.requires.place import Place, required

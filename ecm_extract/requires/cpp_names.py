@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from ecm_checker.contract import Evidence
 from ecm_checker.hub.requirement import Given, Requirement
 
-from ecm_extract.link.program import Program
-from ecm_extract.link.spelling import plain
-from ecm_extract.link.units import File
+from ecm_extract.link.code.spelling import plain
+from ecm_extract.link.code.units import File
+from ecm_extract.link.index.program import Program
 from ecm_extract.requires.place import Place, required
 
 

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from ecm_checker.hub.requirement import Given, Requirement
 
 from ecm_extract.entities.signatures import form_of
-from ecm_extract.link.program import Program
-from ecm_extract.link.units import Cls, Func
+from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.index.program import Program
 from ecm_extract.requires.place import Place, required
 
 

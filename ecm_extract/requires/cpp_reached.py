@@ -16,8 +16,8 @@ from ecm_checker.contract import Evidence
 from ecm_checker.hub.requirement import Given, Requirement
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
 
-from ecm_extract.link.containers import ELEMENT_METHODS
-from ecm_extract.link.units import Func
+from ecm_extract.link.code.containers import ELEMENT_METHODS
+from ecm_extract.link.code.units import Func
 from ecm_extract.requires.cpp_body import Body
 from ecm_extract.requires.place import Place, required
 

@@ -10,9 +10,9 @@ from collections.abc import Iterator
 from ecm_checker.hub.requirement import Requirement
 from ecm_parsers.source.expr import Call, Expr, Member, Name
 
-from ecm_extract.link.program import Program
-from ecm_extract.link.units import Func
-from ecm_extract.link.walk import expressions
+from ecm_extract.link.code.units import Func
+from ecm_extract.link.code.walk import expressions
+from ecm_extract.link.index.program import Program
 from ecm_extract.requires.place import Place, required
 
 

@@ -7,11 +7,11 @@ from typing import Final
 
 from ecm_parsers.source.expr import Expr, Name
 
-from ecm_extract.link.env import Env
-from ecm_extract.link.objects import Objects
-from ecm_extract.link.spelling import plain, pointee
-from ecm_extract.link.units import Cls, Func
-from ecm_extract.link.walk import dotted
+from ecm_extract.link.code.spelling import plain, pointee
+from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.code.walk import dotted
+from ecm_extract.link.running.env import Env
+from ecm_extract.link.running.objects import Objects
 
 _LANGUAGE: Final = "std"
 _KNOWN: Final = frozenset({_LANGUAGE, "boost"})

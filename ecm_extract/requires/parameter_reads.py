@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from ecm_checker.hub.requirement import Requirement
 from ecm_parsers.source.expr import Text
 
-from ecm_extract.link.calls import invocations
-from ecm_extract.link.parameters import READERS
-from ecm_extract.link.program import Program
+from ecm_extract.link.code.calls import invocations
+from ecm_extract.link.declaring.parameters import READERS
+from ecm_extract.link.index.program import Program
 from ecm_extract.requires.place import Place, required
 
 

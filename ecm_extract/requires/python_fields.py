@@ -10,8 +10,8 @@ from ecm_checker.hub.requirement import Requirement
 from ecm_parsers.source.expr import Call, Expr, Member
 from ecm_parsers.source.facts import Function
 
-from ecm_extract.link.units import File
-from ecm_extract.link.walk import dotted, expressions
+from ecm_extract.link.code.units import File
+from ecm_extract.link.code.walk import dotted, expressions
 from ecm_extract.requires.place import Place, required
 
 _SHAPES: Final = frozenset({"msg", "srv", "action"})

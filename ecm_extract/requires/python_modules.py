@@ -10,8 +10,8 @@ from ecm_parsers.source.expr import Expr, Member, Name
 from ecm_parsers.source.facts import Import
 
 from ecm_extract.entities.python_names import targets
-from ecm_extract.link.units import File
-from ecm_extract.link.walk import children
+from ecm_extract.link.code.units import File
+from ecm_extract.link.code.walk import children
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.place import Place, required
 

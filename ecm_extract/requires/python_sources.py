@@ -9,9 +9,9 @@ from ecm_checker.hub.requirement import ONE_VALUE, Given, Requirement
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
 from ecm_parsers.source.facts import Function, Import, Statement
 
-from ecm_extract.link.tuples import count_of
-from ecm_extract.link.units import File
-from ecm_extract.link.walk import dotted, expressions
+from ecm_extract.link.code.tuples import count_of
+from ecm_extract.link.code.units import File
+from ecm_extract.link.code.walk import dotted, expressions
 from ecm_extract.requires.place import Place, required
 
 SPREAD: Final = "**"

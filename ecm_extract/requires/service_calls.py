@@ -15,9 +15,9 @@ from ecm_parsers.interface_facts import Definition
 from ecm_parsers.source.expr import Call, Expr, Member
 from ecm_parsers.source.facts import Function
 
+from ecm_extract.link.code.units import File
+from ecm_extract.link.code.walk import dotted, expressions
 from ecm_extract.link.linker import LinkedModule
-from ecm_extract.link.units import File
-from ecm_extract.link.walk import dotted, expressions
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.shipped import shipped
 

@@ -8,8 +8,8 @@ from typing import Final
 from ecm_checker.contract import Evidence
 from ecm_checker.hub.requirement import Given, Requirement
 
+from ecm_extract.link.code.units import File
 from ecm_extract.link.linker import LinkedModule
-from ecm_extract.link.units import File
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.requires.place import Place, required
 from ecm_extract.requires.service_calls import ServiceCall, service_calls

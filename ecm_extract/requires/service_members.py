@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from ecm_parsers.source.expr import Call, Expr, Member
 from ecm_parsers.source.facts import Function
 
-from ecm_extract.link.units import File
-from ecm_extract.link.walk import dotted, expressions
+from ecm_extract.link.code.units import File
+from ecm_extract.link.code.walk import dotted, expressions
 from ecm_extract.read.facts import PackageFacts
 
 _CPP = re.compile(r"(?:^|[<\s(])(?:::)?(\w+)::(?:srv::)?(\w+)(?:::(Request|Response))?(?=$|[>&*\s:)])")

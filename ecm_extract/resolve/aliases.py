@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from ecm_parsers.source.facts import Alias
 
-from ecm_extract.link.units import File
+from ecm_extract.link.code.units import File
 
 
 class Declared(NamedTuple):

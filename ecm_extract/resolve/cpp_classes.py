@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from ecm_extract.link.spelling import plain, pointee
-from ecm_extract.link.units import Cls, File
+from ecm_extract.link.code.spelling import plain, pointee
+from ecm_extract.link.code.units import Cls, File
 from ecm_extract.resolve.aliases import Aliases, Declared
 from ecm_extract.resolve.cpp_scopes import Scopes
 from ecm_extract.resolve.messages import KINDS as MESSAGE_NAMESPACES

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from ecm_parsers.source.facts import Constant
 
-from ecm_extract.link.units import File
+from ecm_extract.link.code.units import File
 from ecm_extract.resolve.cpp_scopes import Scopes, joined
 from ecm_extract.resolve.outcome import Ambiguous, External
 from ecm_extract.resolve.views import Views

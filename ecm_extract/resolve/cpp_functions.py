@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
 
-from ecm_extract.link.spelling import plain
-from ecm_extract.link.units import File, Func
+from ecm_extract.link.code.spelling import plain
+from ecm_extract.link.code.units import File, Func
 from ecm_extract.resolve.aliases import Aliases
 from ecm_extract.resolve.cpp_scopes import Scopes, joined
 from ecm_extract.resolve.views import View, Views

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from ecm_extract.link.units import Cls, File
+from ecm_extract.link.code.units import Cls, File
 from ecm_extract.resolve.cpp_classes import CppClasses
 from ecm_extract.resolve.outcome import External
 

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
-from ecm_extract.link.spelling import plain
-from ecm_extract.link.units import Cls
+from ecm_extract.link.code.spelling import plain
+from ecm_extract.link.code.units import Cls
 from ecm_extract.resolve.aliases import Aliases
 from ecm_extract.resolve.views import View
 

@@ -13,7 +13,7 @@ from posixpath import basename, dirname
 
 from ecm_parsers.source.facts import Import
 
-from ecm_extract.link.units import File
+from ecm_extract.link.code.units import File
 from ecm_extract.resolve.layout import PackageLayout
 from ecm_extract.resolve.paths import tree_path
 from ecm_extract.resolve.sight import Sight

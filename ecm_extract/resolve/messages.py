@@ -11,7 +11,7 @@ from typing import Final
 
 from ecm_checker.match.generated import snake
 
-from ecm_extract.link.units import File
+from ecm_extract.link.code.units import File
 from ecm_extract.resolve.cpp_scopes import enclosing_scopes
 from ecm_extract.resolve.layout import PackageLayout
 

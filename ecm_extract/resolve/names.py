@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
-from ecm_extract.link.units import Cls, File, Func
+from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.resolve.aliases import Aliases
 from ecm_extract.resolve.cpp_classes import CppClasses
 from ecm_extract.resolve.cpp_constants import CppConstants, Stated

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from ecm_parsers.source.facts import Import
 
-from ecm_extract.link.units import Cls, File, Func
+from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.resolve.cpp_constants import Stated
 from ecm_extract.resolve.cpp_scopes import enclosing_scopes, joined
 from ecm_extract.resolve.paths import tree_path

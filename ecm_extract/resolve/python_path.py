@@ -12,9 +12,9 @@ from typing import Final
 
 from ecm_parsers.source.expr import Call
 
-from ecm_extract.link.calls import dotted_name
-from ecm_extract.link.units import File
-from ecm_extract.link.walk import calls_in
+from ecm_extract.link.code.calls import dotted_name
+from ecm_extract.link.code.units import File
+from ecm_extract.link.code.walk import calls_in
 from ecm_extract.resolve.layout import PackageLayout
 from ecm_extract.resolve.paths import tree_path
 from ecm_extract.resolve.sight import Sight

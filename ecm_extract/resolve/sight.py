@@ -10,7 +10,7 @@ from collections import defaultdict
 from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from ecm_extract.link.units import File
+from ecm_extract.link.code.units import File
 from ecm_extract.read.facts import PackageFacts
 
 _Import = tuple[str, str]

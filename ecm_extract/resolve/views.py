@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 
-from ecm_extract.link.units import File
+from ecm_extract.link.code.units import File
 from ecm_extract.resolve.headers import Headers
 
 

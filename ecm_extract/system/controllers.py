@@ -14,7 +14,7 @@ from typing import Any
 
 from ecm_parsers.parameter_yaml import parse_parameter_yaml
 
-from ecm_extract.link.filling import filled
+from ecm_extract.link.naming.filling import filled
 from ecm_extract.shipped import shipped
 from ecm_extract.system.files import Files
 from ecm_extract.system.model import Launched, Place, Setting, join

@@ -10,9 +10,9 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
-from ecm_extract.link.filling import filled
-from ecm_extract.link.own_spaces import unmarked
-from ecm_extract.link.values import NAMESPACE, PARENT_NAMESPACE
+from ecm_extract.link.naming.filling import filled
+from ecm_extract.link.naming.own_spaces import unmarked
+from ecm_extract.link.running.values import NAMESPACE, PARENT_NAMESPACE
 from ecm_extract.system.model import Remapping, join
 
 _PARAMETER = re.compile(r"\$\{([^={}]+)=((?:[^{}]|\{[^{}]*\})*)\}")
@@ -43,7 +43,7 @@ def resolve(local: str, around: Around) -> list[Resolved]:
     """Return the names that an endpoint has in the graph: several when a parameter holds a list.
 
     Args:
-        local: for any namespace and node, as `ecm_extract.link.names.local_name` gives it.
+        local: for any namespace and node, as `ecm_extract.link.naming.names.local_name` gives it.
         around: the node.
     """
     own = unmarked(local)

@@ -11,10 +11,10 @@ from ecm_checker.contract import Interface
 from ecm_checker.hub.running import DeclaredPlugin, Part, Running, RunningEndpoint, RunningModule
 from ecm_checker.json_data import json_data
 
-from ecm_extract.link.composition import Composition
-from ecm_extract.link.composition import Part as Made
 from ecm_extract.link.linker import LinkedModule
-from ecm_extract.link.modules import Module
+from ecm_extract.link.owning.composition import Composition
+from ecm_extract.link.owning.composition import Part as Made
+from ecm_extract.link.owning.modules import Module
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.system.installed import copied_paths
 

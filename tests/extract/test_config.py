@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from ecm_extract.config import MAX_CONFIG_BYTES, Config, Extract, locate, parse_config
 from ecm_extract.errors import ConfigError
-from ecm_extract.link.forms import Form
+from ecm_extract.link.declaring.forms import Form
 
 FULL = b"""
 promise = ["wire", "graph"]

@@ -11,11 +11,11 @@ from ecm_parsers.source.expr import Constant, Text
 from ecm_extract.infer.held import Held, State, Turn, joined_states
 from ecm_extract.infer.routes import START, Gate, met_routes
 from ecm_extract.infer.run import Run
-from ecm_extract.link.decisions import Decisions
-from ecm_extract.link.env import Env
-from ecm_extract.link.forms import form_table
+from ecm_extract.link.code.units import Func
+from ecm_extract.link.declaring.forms import form_table
 from ecm_extract.link.linker import Linker
-from ecm_extract.link.units import Func
+from ecm_extract.link.running.decisions import Decisions
+from ecm_extract.link.running.env import Env
 from ecm_extract.read.reader import Reader
 from ecm_extract.tree import open_tree
 

@@ -8,7 +8,7 @@ import pytest
 
 from ecm_extract.extraction import extract
 from ecm_extract.extraction_model import Options
-from ecm_extract.link.values import MAX_LENGTH, TOO_LONG, joined, literal
+from ecm_extract.link.running.values import MAX_LENGTH, TOO_LONG, joined, literal
 from ecm_extract.tree import open_tree
 
 _HEAD = """

@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
-from ecm_extract.link.placing import CAMERA_INFO, placed
-from ecm_extract.link.values import Hole, Value
+from ecm_extract.link.folding.placing import CAMERA_INFO, placed
+from ecm_extract.link.running.values import Hole, Value
 
 CPP = """
 #include <ros/ros.h>

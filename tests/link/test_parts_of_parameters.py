@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from ecm_extract.link.values import Value, joined, literal, parameter, set_by
+from ecm_extract.link.running.values import Value, joined, literal, parameter, set_by
 
 ODD = "a=b}{c"
 """A text that no pattern over the written form takes apart rightly."""

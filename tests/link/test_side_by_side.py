@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from workspaces import MANIFESTS, Workspace
 
-from ecm_extract.link.forms import form_table
+from ecm_extract.link.declaring.forms import form_table
 from ecm_extract.link.linker import Linker
 from ecm_extract.read.reader import Reader
 from ecm_extract.tree import open_tree

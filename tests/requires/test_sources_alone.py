@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from ecm_extract.link.forms import form_table
+from ecm_extract.link.declaring.forms import form_table
 from ecm_extract.link.linker import Linker
 from ecm_extract.read.reader import Reader
 from ecm_extract.requires.collect import Required, source_requirements

@@ -80,7 +80,7 @@ stated = false
 launched = true
 fit = "type"
 """,
-    "ecm_extract/link/forms/beacon.toml": """
+    "ecm_extract/link/declaring/forms/beacon.toml": """
 [[form]]
 callee = "light_beacon"
 role = "beacon_sender"

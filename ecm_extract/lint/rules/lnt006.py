@@ -10,7 +10,7 @@ from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 from ecm_checker.match.engine import Match
 
-from ecm_extract.link.spelling import last_name
+from ecm_extract.link.code.spelling import last_name
 from ecm_extract.lint.lines import line_of_name
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace

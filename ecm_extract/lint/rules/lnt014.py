@@ -10,9 +10,9 @@ from ecm_checker.finding import Entity, Finding
 from ecm_checker.hub.running import RunningEndpoint, RunningModule
 from ecm_parsers.source.expr import Expr, Member, Name
 
-from ecm_extract.link.match import positions
-from ecm_extract.link.site import Site
-from ecm_extract.link.units import Func
+from ecm_extract.link.code.units import Func
+from ecm_extract.link.declaring.match import positions
+from ecm_extract.link.declaring.site import Site
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 

@@ -10,7 +10,7 @@ from typing import NamedTuple
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Depend, Entity, Finding
 
-from ecm_extract.link.units import File
+from ecm_extract.link.code.units import File
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts

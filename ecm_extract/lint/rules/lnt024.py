@@ -9,9 +9,9 @@ from ecm_checker.finding import Entity, Finding
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
 from ecm_parsers.source.facts import Statement
 
-from ecm_extract.link.spelling import plain
-from ecm_extract.link.units import Func
-from ecm_extract.link.walk import calls_in
+from ecm_extract.link.code.spelling import plain
+from ecm_extract.link.code.units import Func
+from ecm_extract.link.code.walk import calls_in
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 

@@ -8,8 +8,8 @@ from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 from ecm_parsers.source.expr import Call, Text
 
-from ecm_extract.link.units import File
-from ecm_extract.link.walk import dotted, expressions
+from ecm_extract.link.code.units import File
+from ecm_extract.link.code.walk import dotted, expressions
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 

@@ -13,9 +13,9 @@ from ecm_checker.hub.kinds import kinds
 from ecm_checker.hub.package import Provided
 
 from ecm_extract.entities.public_files import public_headers, python_modules
-from ecm_extract.link.call_index import call_index
-from ecm_extract.link.calls import Invocation
-from ecm_extract.link.units import Func
+from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.units import Func
+from ecm_extract.link.index.call_index import call_index
 from ecm_extract.lint.deprecations import deprecated_in
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.rules.lnt021 import is_meta

@@ -15,7 +15,7 @@ from ecm_checker.hub.running import RunningEndpoint
 from ecm_parsers.source.expr import Call, Expr, Member
 from ecm_parsers.source.facts import Statement
 
-from ecm_extract.link.walk import dotted, expressions
+from ecm_extract.link.code.walk import dotted, expressions
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.rules.lnt008 import mismatch
 from ecm_extract.lint.workspace import Workspace

@@ -8,8 +8,8 @@ from typing import Final
 from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 
-from ecm_extract.link.calls import Invocation
-from ecm_extract.link.units import Cls
+from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.units import Cls
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 

@@ -10,9 +10,9 @@ from ecm_checker.finding import Certainty, Entity, Finding
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Name
 from ecm_parsers.source.facts import Statement
 
-from ecm_extract.link.calls import dotted_name
-from ecm_extract.link.tuples import Count, Taken, count_of, held, returned, taken_by
-from ecm_extract.link.units import Func
+from ecm_extract.link.code.calls import dotted_name
+from ecm_extract.link.code.tuples import Count, Taken, count_of, held, returned, taken_by
+from ecm_extract.link.code.units import Func
 from ecm_extract.lint.python_calls import callees
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace

@@ -9,7 +9,7 @@ from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 from ecm_parsers.source.expr import Text
 
-from ecm_extract.link.calls import Invocation
+from ecm_extract.link.code.calls import Invocation
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace
 

@@ -9,8 +9,8 @@ from ecm_checker.contract import Evidence
 from ecm_checker.finding import Entity, Finding
 from ecm_parsers.source.expr import Call, Name
 
-from ecm_extract.link.calls import Invocation, dotted_name, invocations
-from ecm_extract.link.units import File, Func
+from ecm_extract.link.code.calls import Invocation, dotted_name, invocations
+from ecm_extract.link.code.units import File, Func
 from ecm_extract.lint.expressions import identifiers, texts
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.workspace import Workspace

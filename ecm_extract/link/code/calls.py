@@ -1,0 +1,182 @@
+"""Calls as the forms see them: a path, a receiver, arguments; object constructions in one shape."""
+
+from __future__ import annotations
+
+from collections.abc import Container, Iterator
+from typing import NamedTuple
+
+import msgspec
+from ecm_parsers.source.expr import (
+    Call,
+    Expr,
+    Member,
+    Name,
+)
+from ecm_parsers.source.facts import Statement
+
+from ecm_extract.link.code.pointed import given_to_pointed, makes_pointed
+from ecm_extract.link.code.spelling import (
+    by_value,
+    is_node_interface,
+    last_name,
+    plain,
+    pointee,
+    template_arguments,
+)
+from ecm_extract.link.code.units import Func
+
+
+class Step(NamedTuple):
+    """One statement of a function, and where in its body it stands: at its end what no body has."""
+
+    func: Func
+    at: int
+    statement: Statement
+
+
+class Invocation(msgspec.Struct, frozen=True, eq=False):
+    """One call in one function; two that are written alike are two.
+
+    Attributes:
+        at: index of its statement in the body of the function; the length of the body for what stands in none.
+        path: what is called, as written and with Python imports resolved; the class for a construction.
+        receiver: the object whose method is called; None for functions, constructions and implicit `this`.
+        types: template arguments, as written.
+        made: whether the call certainly constructs an object (`new`, `make_shared`, declaration, initialiser).
+    """
+
+    func: Func
+    at: int
+    statement: Statement
+    path: str
+    receiver: Expr | None
+    args: tuple[Expr, ...]
+    keywords: tuple[tuple[str, Expr], ...]
+    types: tuple[str, ...]
+    line: int
+    made: bool = False
+
+    @property
+    def last(self) -> str:
+        """Last part of the path."""
+        return last_name(self.path)
+
+    @property
+    def simple(self) -> bool:
+        """Whether it is a bare name: an implicit method of `this`, or a function in scope."""
+        return self.receiver is None and "::" not in self.path and "." not in self.path
+
+
+def invocations(func: Func, wanted: Container[str] | None = None) -> Iterator[Invocation]:
+    """Yield the calls of a function's body, inner calls first, constructions by initialiser included.
+
+    Args:
+        func: the function.
+        wanted: only calls whose last name is in it; None for all.
+    """
+    for at, (statement, calls) in enumerate(zip(func.fact.body, func.calls, strict=True)):
+        for call in calls:
+            if wanted is None or _last_of(call, func) in wanted:
+                yield invocation(Step(func, at, statement), call)
+        if statement.value is None and statement.kind == "let" and by_value(statement.type):
+            yield construction(Step(func, at, statement), statement.type, (), statement.line)
+        implied = _implied(Step(func, at, statement)) if statement.kind == "init" else None
+        if implied is not None:
+            yield implied
+
+
+def _last_of(call: Call, func: Func) -> str:
+    """The last name of a call, without building its path; of an imported name that of what it stands for."""
+    callee = func.callee(call)
+    name = callee.name if isinstance(callee, Member) else callee.id if isinstance(callee, Name) else ""
+    if isinstance(callee, Name) and name in func.file.imported:
+        return last_name(func.file.imported[name])
+    last = name.rsplit("::", 1)[-1]
+    if not makes_pointed(last):
+        return last
+    owner = call.types[0] if call.types else name.rsplit("::", 1)[0]
+    return last_name(plain(owner))
+
+
+def invocation(step: Step, call: Call) -> Invocation:
+    """Return a call as the forms see it."""
+    func, _, statement = step
+    if func.file.language == "python":
+        return _python(step, call)
+    callee = call.callee
+    args = one_node(func, call.args)
+    if isinstance(callee, Member):
+        return Invocation(*step, callee.name, callee.base, args, call.keywords, call.types, call.line)
+    path = callee.id if isinstance(callee, Name) else ""
+    last = path.rsplit("::", 1)[-1]
+    if makes_pointed(last) and call.types:
+        return construction(step, call.types[0], one_node(func, given_to_pointed(last, call.args)), call.line)
+    if last == "make_shared" and "::" in path and path not in {"std::make_shared", "boost::make_shared"}:
+        return Invocation(*step, path.rsplit("::", 1)[0], None, args, (), call.types, call.line, True)
+    made = statement.kind == "let" and statement.value is call and plain(statement.type) == path
+    return Invocation(*step, path, None, args, call.keywords, call.types, call.line, made)
+
+
+def one_node(func: Func, args: tuple[Expr, ...]) -> tuple[Expr, ...]:
+    """Read several node interfaces in front as the one node that they stand for, like `Func.params`."""
+    count = 0
+    while count < len(args) and _is_interface(func, args[count]):
+        count += 1
+    return args if count < 2 else (Name("node"), *args[count:])
+
+
+def _is_interface(func: Func, expr: Expr) -> bool:
+    if isinstance(expr, Call) and isinstance(expr.callee, Member | Name):
+        name = last_name(expr.callee.name if isinstance(expr.callee, Member) else expr.callee.id)
+        return name.startswith("get_node_") and name.endswith("_interface")
+    if not isinstance(expr, Name):
+        return False
+    field = func.cls.fields.get(expr.id) if func.cls is not None else None
+    written = func.written_types.get(expr.id) or (field.type if field is not None else "")
+    if plain(written) != "auto":
+        return is_node_interface(written)
+    values = [s.value for s in func.fact.body if s.target == expr and s.kind == "let" and s.value is not None]
+    return any(not isinstance(value, Name) and _is_interface(func, value) for value in values)
+
+
+def construction(step: Step, written: str, args: tuple[Expr, ...], line: int) -> Invocation:
+    """Return the construction of an object of a type as written."""
+    return Invocation(*step, plain(written), None, args, (), template_arguments(written), line, True)
+
+
+def _python(step: Step, call: Call) -> Invocation:
+    callee = step.func.callee(call)
+    dotted = dotted_name(callee)
+    if dotted:
+        head, *rest = dotted.split(".")
+        target = step.func.file.imported.get(head)
+        if target is not None or not rest:
+            path = ".".join([target or head, *rest])
+            return Invocation(*step, path, None, call.args, call.keywords, (), call.line)
+    if isinstance(callee, Member):
+        return Invocation(*step, callee.name, callee.base, call.args, call.keywords, (), call.line)
+    return Invocation(*step, "", None, call.args, call.keywords, (), call.line)
+
+
+def dotted_name(expr: Expr) -> str:
+    """Return `a.b.c` for a chain of names, empty otherwise (also for what starts at `this`)."""
+    if isinstance(expr, Name):
+        return "" if expr.id == "this" else expr.id
+    if isinstance(expr, Member):
+        base = dotted_name(expr.base)
+        return f"{base}.{expr.name}" if base else ""
+    return ""
+
+
+def _implied(step: Step) -> Invocation | None:
+    """A member initialiser `sub_(nh, "x", 1)` constructs an object of the member's type."""
+    func, _, statement = step
+    if func.cls is None or not isinstance(statement.target, Name):
+        return None
+    field = func.cls.fields.get(statement.target.id)
+    if field is None or not by_value(field.type):
+        return None
+    value = statement.value
+    same = isinstance(value, Call) and value.callee == statement.target
+    args = value.args if same and isinstance(value, Call) else (value,) if value is not None else ()
+    return construction(step, pointee(field.type), one_node(func, args), statement.line)

@@ -1,0 +1,50 @@
+"""Standard containers, pairs and tuples of C++: their element types, and what makes them."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from ecm_parsers.source.expr import Call, Name
+
+from ecm_extract.link.code.spelling import last_name, plain, template_arguments
+from ecm_extract.shipped import shipped_names
+
+_TABLE: Final = "link/code/library_values.toml"
+_GROWING: Final = shipped_names(_TABLE, "growing")
+_MAPS: Final = shipped_names(_TABLE, "maps")
+_OF_FIRST: Final = _GROWING | shipped_names(_TABLE, "other_sequences")
+_OF_SECOND: Final = _MAPS | shipped_names(_TABLE, "multimaps")
+_TUPLES: Final = shipped_names(_TABLE, "tuples")
+ELEMENT_METHODS: Final = frozenset({"at", "front", "back", "top"})
+
+
+def element_type(written: str) -> str:
+    """Type of what a container or an array holds; of a map the values. Empty for anything else."""
+    text = written.strip().removeprefix("const ").rstrip("& ")
+    if text.endswith("[]"):
+        return text.removesuffix("[]")
+    name = last_name(plain(text))
+    held = template_arguments(text)
+    if name in _OF_FIRST and held:
+        return held[0]
+    return held[1] if name in _OF_SECOND and len(held) > 1 else ""
+
+
+def is_map(written: str) -> bool:
+    """Tell whether a type, as it is written, is a table with one value for each key."""
+    return last_name(plain(written)) in _MAPS
+
+
+def is_container(written: str) -> bool:
+    """Tell whether a type, as it is written, is a container."""
+    return last_name(plain(written)) in _OF_FIRST | _OF_SECOND
+
+
+def begins_empty(written: str) -> bool:
+    """Tell whether an object of a type that is given nothing is a container without elements."""
+    return last_name(plain(written)) in _GROWING | _MAPS
+
+
+def makes_tuple(call: Call) -> bool:
+    """Tell whether a call makes a pair or a tuple of what it is given."""
+    return isinstance(call.callee, Name) and call.callee.id in _TUPLES

@@ -1,0 +1,87 @@
+"""Overload choice: which function of a name a call can mean, by count and apparent type of its arguments."""
+
+from __future__ import annotations
+
+from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Name, Number, Text
+from ecm_parsers.source.facts import Parameter
+
+from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.spelling import plain
+from ecm_extract.link.code.units import Func
+
+_NUMERIC = frozenset({"int", "double", "float", "bool", "unsigned", "long", "short", "char", "size_t"})
+NO = -1
+
+
+def score(call: Invocation, func: Func) -> int:
+    """Return how well a call fits a function; `NO` when it cannot mean it."""
+    if call.func.file.language != func.file.language or not _countable(call, func):
+        return NO
+    if func.file.language == "python":
+        return 0
+    if not _deducible(call, func):
+        return NO
+    total = 1 if "declaration" not in func.fact.traits else 0
+    for arg, parameter in zip(call.args, func.params, strict=False):
+        fit = _fit(arg, parameter, call.func, func)
+        if fit == NO:
+            return NO
+        total += fit
+    return total
+
+
+def _countable(call: Invocation, func: Func) -> bool:
+    least, most = func.arity
+    return least <= len(call.args) + len(call.keywords) <= most
+
+
+def _deducible(call: Invocation, func: Func) -> bool:
+    """A template parameter that no function parameter mentions must be given at the call."""
+    if call.types or not func.fact.template:
+        return True
+    text = " ".join(parameter.type for parameter in func.fact.params)
+    return not any(name and name not in text for name in func.fact.template[:1])
+
+
+def _fit(arg: Expr, parameter: Parameter, caller: Func, func: Func) -> int:
+    wanted = plain(parameter.type)
+    if not wanted or wanted in func.fact.template or wanted == "auto":
+        return 0
+    last = wanted.rsplit("::", 1)[-1]
+    if isinstance(arg, Text):
+        return _text_fit(last)
+    if isinstance(arg, Number) or (isinstance(arg, Constant) and arg.name != "null"):
+        return 2 if last in _NUMERIC or last.endswith("_t") else NO if "string" in last or last[:1].isupper() else 0
+    if isinstance(arg, Lambda):
+        return NO if "string" in last or last in _NUMERIC else 0
+    if isinstance(arg, Name):
+        return _variable_fit(arg.id, wanted, caller)
+    made = arg.callee.id if isinstance(arg, Call) and isinstance(arg.callee, Name) else ""
+    return 2 if made and made.rsplit("::", 1)[-1] == last else 0
+
+
+def _text_fit(last: str) -> int:
+    if "string" in last or last == "char":
+        return 2
+    return NO if last in _NUMERIC or last[:1].isupper() else 0
+
+
+def _variable_fit(name: str, wanted: str, caller: Func) -> int:
+    member = caller.cls.fields.get(name) if caller.cls is not None else None
+    declared = caller.written_types.get(name, member.type if member is not None else "")
+    if not declared or plain(declared) == "auto" or plain(declared) in caller.fact.template:
+        return 0
+    actual = plain(declared).rsplit("::", 1)[-1]
+    last = wanted.rsplit("::", 1)[-1]
+    if actual == last:
+        return 2
+    return (
+        NO
+        if ("string" in actual) != ("string" in last) and {actual, last} & {"string"} and _plain_type(actual, last)
+        else 0
+    )
+
+
+def _plain_type(actual: str, last: str) -> bool:
+    other = last if "string" in actual else actual
+    return other in _NUMERIC or other in {"ParameterDescriptor", "Logger", "QoS"}

@@ -1,0 +1,72 @@
+"""Objects that a function makes behind a pointer, and that nobody else has: it only reads and assigns their fields."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Final
+
+from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
+from ecm_parsers.source.facts import Statement
+
+from ecm_extract.link.code.spelling import last_name
+from ecm_extract.link.code.units import Func
+from ecm_extract.link.code.walk import children
+from ecm_extract.shipped import shipped_names
+
+_TABLE: Final = "link/code/library_values.toml"
+_POINTERS: Final = shipped_names(_TABLE, "pointers")
+_ALLOCATED: Final = shipped_names(_TABLE, "allocated")
+
+
+def pointed(expr: Expr) -> str:
+    """Return the class of the object that an expression makes behind a pointer; empty for others."""
+    made = expr.callee if isinstance(expr, Call) and expr.types else None
+    is_made = isinstance(made, Name) and makes_pointed(last_name(made.id))
+    return expr.types[0] if is_made and isinstance(expr, Call) else ""
+
+
+def makes_pointed(last: str) -> bool:
+    """Tell whether a function of a last name makes an object behind a pointer."""
+    return last in _POINTERS or last in _ALLOCATED
+
+
+def given_to_pointed(last: str, args: tuple[Expr, ...]) -> tuple[Expr, ...]:
+    """Return what such a function gives the constructor of the object, which is all but an allocator."""
+    return args[1:] if last in _ALLOCATED else args
+
+
+def is_only_reached_into(name: str, func: Func) -> bool:
+    """Tell whether a function does nothing with a pointer but read and assign the fields of what it points to."""
+    return not any(_gives(name, statement) for statement in func.fact.body)
+
+
+def _gives(name: str, statement: Statement) -> bool:
+    if statement.target == Name(name):
+        return statement.kind != "let" or not isinstance(statement.value, Call) or not pointed(statement.value)
+    refers = statement.kind in {"let", "each"} and statement.type.endswith(("&", "*"))
+    reached = any(_is_field(part, name) for part in _parts(statement.value)) if refers else False
+    return reached or any(
+        _is_given(part, name) for expr in (statement.target, statement.value) for part in _parts(expr)
+    )
+
+
+def _parts(expr: Expr | None) -> Iterator[Expr]:
+    """Yield an expression and all in it, but not the pointer in front of a field."""
+    if expr is None:
+        return
+    yield expr
+    for part in children(expr):
+        if not (isinstance(expr, Member) and isinstance(part, Name)):
+            yield from _parts(part)
+
+
+def _is_given(part: Expr, name: str) -> bool:
+    """Whether the pointer stands alone, a method is called on it, or the address of a field is taken."""
+    if isinstance(part, Call):
+        return _is_field(part.callee, name)
+    taken = isinstance(part, Op) and part.op == "&" and len(part.operands) == 1
+    return part == Name(name) or (taken and isinstance(part, Op) and _is_field(part.operands[0], name))
+
+
+def _is_field(expr: Expr, name: str) -> bool:
+    return isinstance(expr, Member) and expr.base == Name(name)

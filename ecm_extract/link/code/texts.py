@@ -1,0 +1,51 @@
+"""Which arguments of a call are text, by what is declared of them: overloads take a node handle before the name."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from ecm_parsers.source.expr import Call, Expr, Member, Name, Op, Template, Text
+
+from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.spelling import last_name, plain
+from ecm_extract.link.code.units import Func
+
+_JOINED: Final = frozenset({"+", "%", "?:"})
+_TYPES: Final = frozenset({"string", "char", "string_view"})
+
+
+def text_arguments(call: Invocation) -> list[Expr]:
+    """Return the arguments that are text for sure, in order; without such a one those that may be."""
+    sure = [arg for arg in call.args if is_text(arg, call.func)]
+    return sure or [arg for arg in call.args if _may_be(arg, call.func)]
+
+
+def is_text(expr: Expr, func: Func) -> bool:
+    """Tell whether an expression of a function is surely text: by its form, or by what is declared of a variable."""
+    written = _written(expr, func)
+    if written:
+        return is_text_type(written)
+    return isinstance(expr, Text | Template) or (isinstance(expr, Op) and expr.op in _JOINED)
+
+
+def _may_be(expr: Expr, func: Func) -> bool:
+    return isinstance(expr, Name | Member | Call) and expr != Name("this") and not _written(expr, func)
+
+
+def is_text_type(written: str) -> bool:
+    """Tell whether a type as written is one of texts."""
+    return last_name(plain(written.removeprefix("const ").rstrip("&* "))) in _TYPES
+
+
+def _written(expr: Expr, func: Func) -> str:
+    """The declared type of a variable, a parameter or a member of the own class; empty when it is not known here."""
+    if isinstance(expr, Name) and expr.id in func.written_types:
+        return func.written_types[expr.id]
+    name = expr.id if isinstance(expr, Name) else _own(expr)
+    field = func.cls.fields.get(name) if func.cls is not None else None
+    return field.type if field is not None else ""
+
+
+def _own(expr: Expr) -> str:
+    """The name of a member that is asked of the own object, empty for all else."""
+    return expr.name if isinstance(expr, Member) and expr.base == Name("this") else ""

@@ -1,0 +1,163 @@
+"""Files, functions and classes of a program, with what is asked of each again and again."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from math import inf
+
+from ecm_parsers.source.expr import Call, Expr, Member, Name
+from ecm_parsers.source.facts import Class, Field, Function, Parameter, SourceFile
+
+from ecm_extract.link.code.bound_methods import bound_methods
+from ecm_extract.link.code.spelling import is_node_interface
+from ecm_extract.link.code.walk import calls_in
+
+
+@dataclass(slots=True, eq=False, repr=False)
+class File:
+    """One source file: its path, the package it belongs to, its facts, where its targets look for headers.
+
+    `targets` are the names of those that compile it; `is_built` is False of a source that none does, as far as the
+    build is known.
+    """
+
+    path: str
+    package: str
+    ros: int | None
+    facts: SourceFile
+    imported: dict[str, str] = field(default_factory=dict)
+    include_folders: tuple[str, ...] = ()
+    is_built: bool = True
+    targets: tuple[str, ...] = ()
+
+    @property
+    def language(self) -> str:
+        """`cpp` or `python`."""
+        return self.facts.language
+
+
+@dataclass(slots=True, eq=False, repr=False)
+class Func:
+    """A function with the file it stands in, for a method its class, and all functions of its name."""
+
+    fact: Function
+    file: File
+    cls: Cls | None = None
+    namesakes: Sequence[Func] = ()
+    _params: tuple[Parameter, ...] | None = None
+    _arity: tuple[int, float] | None = None
+    _calls: tuple[Sequence[Call], ...] | None = None
+    _defaults: tuple[tuple[str, Expr], ...] | None = None
+    _written_types: Mapping[str, str] | None = None
+    _bound: Mapping[str, Member] | None = None
+
+    def siblings(self) -> Iterator[Func]:
+        """The declarations and definitions of that name in its class or namespace, itself included."""
+        if self.cls is not None:
+            yield from (other for other in self.cls.methods if other.fact.name == self.fact.name)
+            return
+        for other in self.namesakes:
+            if other.cls is None and other.fact.scope == self.fact.scope and other.file.package == self.file.package:
+                yield other
+
+    @property
+    def params(self) -> tuple[Parameter, ...]:
+        """Its parameters as callers are read: several node interfaces in front are the one node they stand for."""
+        if self._params is None:
+            self._params = _one_node(self.fact.params)
+        return self._params
+
+    @property
+    def written_types(self) -> Mapping[str, str]:
+        """The types of its parameters and variables as written; of several declarations of a name the first."""
+        if self._written_types is None:
+            lets = [(entry.target, entry.type) for entry in self.fact.body if entry.kind == "let"]
+            found = {target.id: written for target, written in reversed(lets) if isinstance(target, Name)}
+            given = {entry.name: entry.type for entry in reversed(self.fact.params) if entry.type}
+            self._written_types = {**found, **given}
+        return self._written_types
+
+    @property
+    def calls(self) -> tuple[Sequence[Call], ...]:
+        """The calls in the value of each statement of its body, inner ones first."""
+        if self._calls is None:
+            self._calls = tuple([calls_in(entry.value) for entry in self.fact.body])
+        return self._calls
+
+    def callee(self, call: Call) -> Expr:
+        """What a call of it calls: for a variable of Python that holds a method that method."""
+        if not isinstance(call.callee, Name) or self.file.language != "python":
+            return call.callee
+        if self._bound is None:
+            self._bound = bound_methods(self.fact)
+        return self._bound.get(call.callee.id, call.callee)
+
+    @property
+    def arity(self) -> tuple[int, float]:
+        """The fewest and the most arguments that a call of it has; defaults may stand at another declaration."""
+        if self._arity is None:
+            alike = (other for other in self.siblings() if len(other.fact.params) == len(self.fact.params))
+            least = min([_required(self.params), *(_required(other.params) for other in alike)])
+            self._arity = (0, inf) if _takes_any(self.params[-1:]) else (least, _most(self.params))
+        return self._arity
+
+    @property
+    def defaults(self) -> tuple[tuple[str, Expr], ...]:
+        """The defaults of its parameters by name; those of a method in C++ stand at its declaration."""
+        if self._defaults is None:
+            alike = [other.params for other in (self, *self.siblings()) if len(other.params) == len(self.params)]
+            pairs = [pair for params in alike for pair in zip(self.params, params, strict=True)]
+            self._defaults = tuple([(own.name, one.default) for own, one in pairs if one.default is not None])
+        return self._defaults
+
+    @property
+    def holder(self) -> Cls | None:
+        """The class whose objects have what it declares; None for functions and for methods that need no object."""
+        return None if self.cls is None or self.fact.name in self.cls.statics else self.cls
+
+    @property
+    def scope(self) -> str:
+        """The scope in which the names of its body stand."""
+        outer = self.cls.qualified if self.cls is not None else self.fact.scope
+        return f"{outer}::{self.fact.name}" if outer else self.fact.name
+
+    @property
+    def is_constructor(self) -> bool:
+        """Whether calling it makes an object of its class."""
+        return self.cls is not None and self.fact.name in {self.cls.fact.name, "__init__"}
+
+
+@dataclass(slots=True, eq=False, repr=False)
+class Cls:
+    """A class with its file and all definitions of its methods; `statics` are names of those that need no object."""
+
+    fact: Class
+    file: File
+    methods: list[Func] = field(default_factory=list)
+    fields: dict[str, Field] = field(default_factory=dict)
+    statics: set[str] = field(default_factory=set)
+
+    @property
+    def qualified(self) -> str:
+        """Name with its namespaces."""
+        return f"{self.fact.scope}::{self.fact.name}" if self.fact.scope else self.fact.name
+
+
+def _one_node(params: tuple[Parameter, ...]) -> tuple[Parameter, ...]:
+    if len(params) < 2 or not is_node_interface(params[0].type) or not is_node_interface(params[1].type):
+        return params
+    rest = next((at for at, entry in enumerate(params) if not is_node_interface(entry.type)), len(params))
+    return (Parameter("node"), *params[rest:])
+
+
+def _required(params: Iterable[Parameter]) -> int:
+    return sum([parameter.default is None for parameter in params])
+
+
+def _takes_any(params: Iterable[Parameter]) -> bool:
+    return any(parameter.name.startswith("*") or "..." in parameter.type for parameter in params)
+
+
+def _most(params: Sequence[Parameter]) -> float:
+    return inf if any(parameter.name.startswith("*") for parameter in params) else len(params)

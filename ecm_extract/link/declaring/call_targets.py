@@ -1,0 +1,139 @@
+"""Which functions of the tree a call means, and which calls mean a function."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Callable, Container, Iterator, Mapping, Sequence
+
+from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.overloads import NO, score
+from ecm_extract.link.code.spelling import plain, pointee
+from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.declaring.closures import around, handed_to, is_returned, uses, uses_handed
+from ecm_extract.link.folding.fold import Folder
+from ecm_extract.link.running.env import Env
+
+
+class CallTargets:
+    """Matches calls and functions by name, arguments and receiver; each call and each name is asked about once.
+
+    What a call can mean is sought in the packages that its own sees, and its receiver is looked up once for all
+    functions of the name.
+
+    Args:
+        folder: knows the classes of receivers.
+        calls: all calls by the last part of what they name.
+        place: gives the place of evaluation of a call.
+    """
+
+    def __init__(
+        self, folder: Folder, calls: Mapping[str, Sequence[Invocation]], place: Callable[[Invocation], Env]
+    ) -> None:
+        self.folder = folder
+        self.calls = calls
+        self.place = place
+        self._targets: dict[Invocation, tuple[Func, ...]] = {}
+        self._receivers: dict[Invocation, Container[Cls]] = {}
+        self._asked: set[tuple[str, str]] = set()
+        self._callers_of: dict[Func, list[Invocation]] = defaultdict(list)
+
+    def callers(self, func: Func) -> Sequence[Invocation]:
+        """Return the calls of a function by others: those that mean it by name, arguments and receiver."""
+        outer = around(func, self.folder)
+        if outer is None:
+            return self._by_name(func)
+        makers = self.callers(outer) if is_returned(func, outer) else ()
+        return [*self._by_name(func), *uses(func, outer, makers), *self._handed(func, outer)]
+
+    def _handed(self, func: Func, outer: Func) -> Iterator[Invocation]:
+        """The calls of a function by those that the function around it hands it to."""
+        for call, arg in handed_to(func, outer):
+            for callee in self.targets(call):
+                yield from uses_handed(call, arg, callee)
+
+    def _by_name(self, func: Func) -> Sequence[Invocation]:
+        asked = (func.fact.name, func.file.package)
+        if asked not in self._asked:
+            self._asked.add(asked)
+            for call in self.calls.get(func.fact.name, ()):
+                if self.folder.program.sees(call.func.file, func.file):
+                    self._note(call)
+        return self._callers_of.get(func, ())
+
+    def _note(self, call: Invocation) -> None:
+        """Remember a call with each function that it means, once."""
+        if call not in self._targets:
+            for target in self.targets(call):
+                if target is not call.func:
+                    self._callers_of[target].append(call)
+
+    def targets(self, call: Invocation) -> tuple[Func, ...]:
+        """Return the functions of the tree that a call can mean, the best fitting overloads only."""
+        known = self._targets.get(call)
+        if known is None:
+            seen = self.folder.program.seen_functions(call.last, call.func.file)
+            scored = [(score(call, func), func) for func in seen]
+            fitting = [(fit, func) for fit, func in scored if fit != NO and self._visible(call, func)]
+            if call.simple and any(func.cls is not None for _, func in fitting):
+                fitting = [(fit, func) for fit, func in fitting if func.cls is not None]  # members hide functions
+            best = max((fit for fit, _ in fitting), default=0)
+            known = self._targets[call] = _own_first(call, [func for fit, func in fitting if fit == best])
+        return known
+
+    def _visible(self, call: Invocation, func: Func) -> bool:
+        if "lambda" in func.fact.traits and func.file.language == "cpp":
+            here = f"{call.func.fact.scope}::{call.func.fact.name}"
+            return (
+                call.func.file is func.file
+                and call.receiver is None
+                and func.fact.scope in {here, call.func.fact.scope}
+            )
+        if func.cls is not None:
+            return self._method_means(call, func.cls)
+        if call.receiver is not None:
+            return False
+        return func in self.folder.program.functions_named(call.path, call.func.file, call.func.scope)
+
+    def _method_means(self, call: Invocation, cls: Cls) -> bool:
+        if call.receiver is None and not call.simple:
+            return cls in self._named_classes(call)
+        known = self._receivers.get(call)
+        if known is None:
+            known = self._receivers[call] = self._classes(call)
+        return cls in known
+
+    def _named_classes(self, call: Invocation) -> Container[Cls]:
+        """The class in front of the name of a method, with its bases."""
+        program = self.folder.program
+        owner = call.path.replace("::", ".").rpartition(".")[0].replace(".", "::")
+        named = program.class_named(owner, call.func.file, call.func.scope)
+        return program.ancestry(named) if named is not None else ()
+
+    def _classes(self, call: Invocation) -> Container[Cls]:
+        """The classes whose method a call can run: those of its receiver, any for one of unknown type."""
+        if call.receiver is None:
+            own = self.folder.nesting.object_of(call.func)
+            return self.folder.program.ancestry(own) if own is not None else ()
+        env = self.place(call)
+        owner = self.folder.objects.class_of(call.receiver, env)
+        if owner is not None:
+            return self.folder.program.ancestry(owner)
+        written = plain(pointee(self.folder.objects.type_of(call.receiver, env)))
+        return _Any() if not written or written == "auto" or written in _templates(call.func) else ()
+
+
+class _Any(Container[Cls]):
+    """Every class: those of an object of which nothing is known."""
+
+    def __contains__(self, _: object) -> bool:
+        return True
+
+
+def _own_first(call: Invocation, funcs: list[Func]) -> tuple[Func, ...]:
+    """A function that the file defines is meant, and none of that name in another program of the package."""
+    own = [func for func in funcs if func.file is call.func.file and "declaration" not in func.fact.traits]
+    return tuple(own if call.simple and own and all(func.cls is None for func in own) else funcs)
+
+
+def _templates(func: Func) -> set[str]:
+    return {*func.fact.template, *(func.cls.fact.template if func.cls is not None else ())}

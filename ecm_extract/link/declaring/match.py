@@ -1,0 +1,174 @@
+"""Which calls are forms."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import reduce
+
+from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Member, Name, Number, Op
+
+from ecm_extract.link.code.calls import Invocation, invocations
+from ecm_extract.link.code.spelling import last_name, plain, pointee
+from ecm_extract.link.code.texts import text_arguments
+from ecm_extract.link.code.units import Func
+from ecm_extract.link.declaring.client_libraries import is_client_library
+from ecm_extract.link.declaring.forms import Form, FormTable
+from ecm_extract.link.declaring.signs import Signs
+from ecm_extract.link.declaring.undeclared import Undeclared
+from ecm_extract.link.folding.fold import Folder
+from ecm_extract.link.index.module_kinds import is_node_base
+from ecm_extract.link.running.env import Env
+
+_TRUE = Constant("true")
+
+
+class Matcher:
+    """Finds the rows of the table that a call is."""
+
+    def __init__(self, forms: FormTable, folder: Folder) -> None:
+        self.forms = forms
+        self.folder = folder
+        self.undeclared = Undeclared(folder)
+        self.signs = Signs(forms, folder)
+
+    def fitting(self, call: Invocation, env: Env) -> Iterator[Form]:
+        """Yield the rows that a call is: the first that fits, and those that hold beside it."""
+        found = False
+        for form in self.forms.get(call.last, ()):
+            if (form.beside or not found) and self._is(form, call, env):
+                found = found or not form.beside
+                yield form
+
+    def _is(self, form: Form, call: Invocation, env: Env) -> bool:
+        file = call.func.file
+        if form.language != file.language or len(call.args) < form.min_args:
+            return False
+        if form.ros and file.ros and form.ros != file.ros:
+            return False
+        if form.flag and next(positions(form.flag, call), None) != _TRUE:
+            return False
+        if form.undeclared and not self.undeclared.takes_any(call.func):
+            return False
+        return self._fits(form, call, env) and self._named(form, call)
+
+    def _fits(self, form: Form, call: Invocation, env: Env) -> bool:
+        if form.match == "method":
+            return self._method(form, call, env)
+        if call.receiver is not None:
+            return False
+        if form.match == "function":
+            return _qualified(call.path, form.callee)
+        return self._constructs(form, call, env)
+
+    def _named(self, form: Form, call: Invocation) -> bool:
+        if form.items:
+            return next(positions(form.items, call), None) is not None
+        return bool(form.fixed) or name_argument(form, call) is not None
+
+    def _method(self, form: Form, call: Invocation, env: Env) -> bool:
+        if form.receiver:
+            return self._receiver(form, call, env)
+        if form.fixed:
+            return True
+        if call.receiver is not None:
+            return self._own_method(call, env)
+        if not call.simple:
+            owner = call.path.rsplit("::", 1)[0]
+            known = self.folder.program.class_named(owner, call.func.file, env.scope)
+            return known is not None or is_node_base(plain(owner))
+        callee = self.folder.objects.callee(call, env)
+        return callee is None or callee is call.func or (callee.cls is not None and not _forwards(callee))
+
+    def _own_method(self, call: Invocation, env: Env) -> bool:
+        """A method of the tree that passes its name on is a wrapper, and so no form; nor is one without a body."""
+        callee = self.folder.objects.callee(call, env)
+        if callee is None:
+            return not self._is_declared(call, env)
+        return callee is call.func or not _forwards(callee) or _is_library(callee, call)
+
+    def _is_declared(self, call: Invocation, env: Env) -> bool:
+        """Tell whether the class of a receiver has a method of that name, of which nobody shows what it does."""
+        cls = self.folder.objects.class_of(call.receiver, env) if call.receiver is not None else None
+        lineage = self.folder.program.ancestry(cls) if cls is not None else ()
+        own = (entry for entry in lineage if not is_client_library(entry.file.package))
+        return any(method.fact.name == call.last for entry in own for method in entry.methods)
+
+    def _receiver(self, form: Form, call: Invocation, env: Env) -> bool:
+        """Whether the object is of a class of the row; of one of unknown type what is done with it tells that."""
+        if call.receiver is None:
+            return False
+        written = self.folder.objects.type_of(call.receiver, env)
+        if not written:
+            return self.signs.show(form, call, env)
+        bare = plain(pointee(written))
+        target = self.folder.program.alias(bare, call.func.file, env.scope) or bare
+        last = last_name(plain(pointee(target)))
+        return last in form.receiver or any(last == entry + "Ptr" for entry in form.receiver)
+
+    def _constructs(self, form: Form, call: Invocation, env: Env) -> bool:
+        path = call.path
+        if _qualified(path, form.callee) or ("::" not in form.callee and "." not in form.callee):
+            return True
+        if "::" in path or call.func.file.language == "python":
+            return False
+        target = self.folder.program.alias(path, call.func.file, env.scope)
+        if target is not None:
+            return _qualified(plain(target), form.callee)
+        namespace = form.callee.rsplit("::", 1)[0]
+        usings = (using.namespace for using in call.func.file.facts.usings if using.holds_in(call.func.scope))
+        return any(using == namespace or using.endswith("::" + namespace) for using in usings)
+
+
+def _is_library(callee: Func, call: Invocation) -> bool:
+    """Tell whether a method is a client library's, of which the rows tell, whoever has its sources."""
+    package = callee.file.package
+    return package != call.func.file.package and is_client_library(package)
+
+
+def _forwards(func: Func) -> bool:
+    """Tell whether a function calls another of its own name: a helper around the real thing."""
+    return any(call.last == func.fact.name for call in invocations(func))
+
+
+def positions(text: str, call: Invocation) -> Iterator[Expr]:
+    """Yield the arguments at the positions of a row, in order of preference."""
+    keywords = dict(call.keywords)
+    for position in text.split("|") if text else ():
+        kind, _, index = position.partition(":")
+        if kind == "kw" and index in keywords:
+            yield keywords[index]
+        elif kind == "arg" and int(index) < len(call.args):
+            yield call.args[int(index)]
+        elif kind == "field":
+            base, *names = index.split(".")
+            yield from (reduce(Member, names, arg) for arg in call.args[int(base) : int(base) + 1])
+        elif kind == "text":
+            texts = text_arguments(call)
+            if int(index) < len(texts):
+                yield texts[int(index)]
+
+
+def handle_argument(form: Form, call: Invocation) -> Expr | None:
+    """Return the node or node handle that a call names its endpoint below; None for that of its own object."""
+    return next(positions(form.node, call), None) if form.node else call.receiver
+
+
+def name_argument(form: Form, call: Invocation) -> Expr | None:
+    """Return the argument that holds the ROS name; None when the call cannot have one."""
+    found = next(positions(form.name, call), None)
+    return None if isinstance(found, Number | Constant | Lambda) else found
+
+
+def is_callback(expr: Expr) -> bool:
+    """Tell whether an argument is a function: some overloads take the profile after it."""
+    if isinstance(expr, Call) and isinstance(expr.callee, Name):
+        return last_name(expr.callee.id) in {"bind", "bind_front", "mem_fn"}
+    return isinstance(expr, Lambda) or (isinstance(expr, Op) and expr.op == "&")
+
+
+def _qualified(path: str, callee: str) -> bool:
+    if "." in callee:
+        parts = path.split(".")
+        return parts[0] == callee.split(".")[0] and parts[-1] == last_name(callee)
+    separator = "::"
+    return path == callee or path.endswith(separator + callee)

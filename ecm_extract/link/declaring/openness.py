@@ -1,0 +1,176 @@
+"""What a site leaves open, and who knows it: the callers of its function, or the makers of its object."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+
+from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
+from ecm_parsers.source.facts import Statement
+
+from ecm_extract.link.code.texts import is_text_type
+from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.code.walk import children
+from ecm_extract.link.declaring.match import handle_argument, name_argument, positions
+from ecm_extract.link.declaring.site import Site
+from ecm_extract.link.folding.fold import Folder
+from ecm_extract.link.interfaces.types import Types
+from ecm_extract.link.running.env import Env
+from ecm_extract.link.running.values import Hole, Value
+
+MAX_CHAIN = 5
+"""Calls through which a handle or a profile is followed."""
+
+
+class Openness:
+    """Finds the parameters that decide about sites; `derived` gives the classes that derive from one."""
+
+    def __init__(self, folder: Folder, types: Types, derived: Callable[[Cls], Sequence[Cls]]) -> None:
+        self.folder = folder
+        self.types = types
+        self.derived = derived
+
+    def of(self, site: Site, names: Sequence[Value]) -> tuple[frozenset[str], frozenset[str]]:
+        """Return the parameters and the constructor parameters that name, type and profile depend on."""
+        params: frozenset[str] = frozenset()
+        made: frozenset[str] = frozenset()
+        for value in names:
+            params |= value.open("param")
+            made |= value.open("made")
+        found = self.types.at(site.form.type, site.call, site.env, site.form.role) if not site.form.row.value else None
+        if found is not None and found.open:
+            params |= found.open
+            made |= found.open
+        made |= self._redefined(site, names)
+        for expr, accepts in ((handle_argument(site.form, site.call), _is_handle), (_qos(site), _is_qos)):
+            given, kept = self._origin(expr, site, accepts)
+            params, made = params | given, made | given | kept
+        return params, made
+
+    def _redefined(self, site: Site, names: Sequence[Value]) -> frozenset[str]:
+        """What a name is made of that derived classes have of their own: attributes of Python, and methods."""
+        owner = site.owner
+        derived = self.derived(owner) if owner is not None else ()
+        if owner is None or not derived:
+            return frozenset()
+        used = _attributes(name_argument(site.form, site.call))
+        fields = (entry.fields.get(name) for name in used for entry in derived if owner.file.language == "python")
+        own = (field.name for field in fields if field is not None and field.default is not None)
+        return frozenset(own) | self._methods(owner, derived, {label for value in names for label in _unknown(value)})
+
+    def _methods(self, owner: Cls, derived: Iterable[Cls], asked: set[str]) -> frozenset[str]:
+        """The methods among what is not known that only derived classes, or other bases of them, have."""
+        program = self.folder.program
+        others = [entry for each in derived for entry in program.ancestry(each)] if asked else []
+        return frozenset(asked & set(_with_bodies(others)) - set(_with_bodies(program.ancestry(owner))))
+
+    def _origin(
+        self, expr: Expr | None, site: Site, accepts: Callable[[str, Func], bool]
+    ) -> tuple[frozenset[str], frozenset[str]]:
+        """The parameter of the outermost function, or of the constructor, that a node handle or a profile comes from.
+
+        Whoever passes it knows the namespace, or the QoS.
+        """
+        params: frozenset[str] = frozenset()
+        made: frozenset[str] = frozenset()
+        pending = [(expr, site.env)]
+        for _ in range(MAX_CHAIN):
+            for each, env in pending:
+                found = self._accepted(each, env, accepts)
+                if env.func is site.root:
+                    params |= found
+                elif env.func.is_constructor:
+                    made |= found
+            pending = [outer for each, env in pending for outer in self._outward(each, env, accepts)]
+        return params, made
+
+    def _accepted(self, expr: Expr | None, env: Env, accepts: Callable[[str, Func], bool]) -> frozenset[str]:
+        """The parameters of a function that an expression is, or is joined of, and that nobody has bound."""
+        if _variable(expr) in env.args:
+            return frozenset()
+        return frozenset(name for name in _names(expr) if accepts(name, env.func))
+
+    def _outward(
+        self, expr: Expr | None, env: Env, accepts: Callable[[str, Func], bool]
+    ) -> Iterable[tuple[Expr | None, Env]]:
+        """What an expression is further out: what is passed for it, or what makes it."""
+        name = _variable(expr)
+        bound = env.args.get(name)
+        if bound is not None:
+            return [(bound.expr, bound.env)]
+        return self._initialisers(name, env) if name and not self._accepted(expr, env, accepts) else ()
+
+    def _initialisers(self, name: str, env: Env) -> Iterator[tuple[Expr | None, Env]]:
+        """Yield what each constructor at hand makes of a member, and what a handle of a body is below."""
+        for made in self.folder.origins.makers(Name(name), env) or ():
+            body = made.env.func.fact.body
+            statement = body[made.env.at] if 0 <= made.env.at < len(body) else None
+            outer = _below(statement) if statement is not None else None
+            if outer is not None:
+                yield outer, made.env
+            elif statement is not None and _initialises(statement, made.env.func):
+                is_call = isinstance(made.expr, Call) and len(made.expr.args) == 1
+                yield (made.expr.args[0] if is_call and isinstance(made.expr, Call) else made.expr), made.env
+
+
+def _variable(expr: Expr | None) -> str:
+    """The name of a variable, or of a member of the object at hand."""
+    if isinstance(expr, Member) and expr.base == Name("this"):
+        return expr.name
+    return expr.id if isinstance(expr, Name) else ""
+
+
+def _names(expr: Expr | None) -> Iterator[str]:
+    """A name, or those of which a text is joined."""
+    if _variable(expr):
+        yield _variable(expr)
+    for part in expr.operands if isinstance(expr, Op) else ():
+        yield from _names(part)
+
+
+def _qos(site: Site) -> Expr | None:
+    return next(positions(site.form.qos, site.call), None) if not site.form.fixed else None
+
+
+def _is_handle(name: str, func: Func) -> bool:
+    """Tell whether a function takes by this name a node handle of ROS 1, or the namespace that one is made of."""
+    given = [entry.type for entry in func.fact.params if entry.name == name]
+    return any("NodeHandle" in written or is_text_type(written) for written in given)
+
+
+def _below(statement: Statement) -> Expr | None:
+    """The handle that a variable of a body is made below: `ros::NodeHandle inner(outer, "inner")`."""
+    if statement.kind != "let" or "NodeHandle" not in statement.type or not isinstance(statement.value, Call):
+        return None
+    return next(iter(statement.value.args), None)
+
+
+def _initialises(statement: Statement, func: Func) -> bool:
+    """Tell whether a constructor makes a member by a statement."""
+    kinds = {"init", "set"} if func.file.language == "python" else {"init"}
+    return statement.kind in kinds and func.is_constructor
+
+
+def _is_qos(name: str, func: Func) -> bool:
+    """Tell whether a function takes a profile by this name; Python need not write its type."""
+    python = func.file.language == "python"
+    return any(entry.name == name and (python or "qos" in entry.type.lower()) for entry in func.fact.params)
+
+
+def _unknown(value: Value) -> Iterator[str]:
+    """What a value leaves open without knowing who knows it."""
+    return (part.label for part in value.parts if isinstance(part, Hole) and part.kind == "unknown")
+
+
+def _with_bodies(classes: Iterable[Cls]) -> Iterator[str]:
+    return (method.fact.name for entry in classes for method in entry.methods if method.fact.body)
+
+
+def _attributes(expr: Expr | None) -> set[str]:
+    """Names of the members of `self` in an expression."""
+    pending, found = [expr] if expr is not None else [], set()
+    while pending:
+        part = pending.pop()
+        if isinstance(part, Member) and part.base == Name("this"):
+            found.add(part.name)
+        pending.extend(children(part))
+    return found

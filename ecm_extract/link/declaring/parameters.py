@@ -1,0 +1,177 @@
+"""What is known of ROS parameters while values are folded: reads, out arguments, declared defaults."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Sequence
+
+from ecm_parsers.source.expr import Expr, Member, Name
+
+from ecm_extract.link.code.calls import Invocation, invocations
+from ecm_extract.link.code.overloads import NO, score
+from ecm_extract.link.code.units import Cls, File, Func
+from ecm_extract.link.declaring.forms import Form, FormTable
+from ecm_extract.link.declaring.match import name_argument, positions
+from ecm_extract.link.running.env import Env, bind
+
+Home = Cls | File | str
+"""Who declares a parameter: a class, a file, or by its name a package, whose nodes may give it different defaults."""
+
+READERS = frozenset({"get_parameter", "getParam", "get_param", "get_parameter_or", "getInput"})
+"""Calls that read a parameter or a port without declaring it."""
+
+
+class Parameters:
+    """Implements `fold.ParameterReads`; declarations and wrappers are added as they are found."""
+
+    def __init__(self, forms: FormTable) -> None:
+        self.forms = forms
+        self._names = {name for name, rows in forms.items() if any(form.row.value for form in rows)}
+        self._written: dict[Func, dict[str, list[tuple[int, Expr, Expr | None]]]] = {}
+        self._by_class: dict[Cls, dict[str, list[tuple[Func, int, Expr, Expr | None]]]] = {}
+        self._defaults: dict[tuple[Home, str], tuple[Expr, Env] | str] = {}
+        self._several: set[tuple[Home, str]] = set()
+        self._declared: set[tuple[str, str]] = set()
+        self._wrappers: dict[str, list[tuple[Func, str, str]]] = defaultdict(list)
+
+    def read(self, call: Invocation) -> tuple[Expr, Expr | None] | None:
+        """Return (name, default) when a call gives the value of a parameter."""
+        form = self._form(call)
+        if form is not None:
+            name = name_argument(form, call)
+            if name is not None and (form.match != "method" or call.receiver is not None or call.simple):
+                return name, next(positions(form.default, call), None)
+        if call.last in READERS and call.args:
+            return call.args[0], None
+        return self._wrapped(call)
+
+    def _form(self, call: Invocation) -> Form | None:
+        for form in self.forms.get(call.last, ()):
+            declares = form.row.value and form.language == call.func.file.language and not form.items
+            if declares and (form.match == "method" or call.path.endswith(form.callee)):
+                return form
+        return None
+
+    def _wrapped(self, call: Invocation) -> tuple[Expr, Expr | None] | None:
+        scored = [(score(call, func), func, name, default) for func, name, default in self._fitting(call)]
+        best = max((entry for entry in scored if entry[0] != NO), key=lambda entry: entry[0], default=None)
+        if best is None:
+            return None
+        _, func, name, default = best
+        bound = bind(func, call, Env(call.func))
+        return (bound[name].expr, bound[default].expr if default in bound else None) if name in bound else None
+
+    def _fitting(self, call: Invocation) -> list[tuple[Func, str, str]]:
+        """A method is called on an object or from its class, a function on nothing."""
+        found = self._wrappers.get(call.last, ())
+        return [entry for entry in found if entry[0].cls is not None or call.receiver is None]
+
+    def knows(self, name: str) -> bool:
+        """Tell whether a row of the tables is about calls of a name."""
+        return name in self.forms
+
+    def written(self, func: Func, target: str) -> list[tuple[int, Expr, Expr | None]]:
+        """Return (statement, name, default) of the calls of a function that write a parameter to a variable."""
+        return self.all_written(func).get(target, [])
+
+    def all_written(self, func: Func) -> dict[str, list[tuple[int, Expr, Expr | None]]]:
+        """Return variable -> (statement, name, default) of the calls of a function that write a parameter."""
+        known = self._written.get(func)
+        if known is None:
+            known = self._written[func] = self._index(func)
+        return known
+
+    def read_into(self, func: Func, name: Expr) -> list[str]:
+        """Return the variables that a function reads a parameter into, by its name as written."""
+        written = self.all_written(func).items()
+        return [target for target, entries in written if any(entry[1] == name for entry in entries)]
+
+    def members(self, cls: Cls, target: str) -> list[tuple[Func, int, Expr, Expr | None]]:
+        """Return (method, statement, name, default) of the calls of a class that write a parameter to a member."""
+        known = self._by_class.get(cls)
+        if known is None:
+            known = self._by_class[cls] = defaultdict(list)
+            for method in cls.methods:
+                for name, entries in self.all_written(method).items():
+                    known[name].extend((method, *entry) for entry in entries)
+        return known.get(target, [])
+
+    def _index(self, func: Func) -> dict[str, list[tuple[int, Expr, Expr | None]]]:
+        found: dict[str, list[tuple[int, Expr, Expr | None]]] = defaultdict(list)
+        for call in invocations(func, self._relevant()):
+            entry = self._out(call)
+            if entry is not None:
+                target, name, default = entry
+                found[target].append((call.at, name, default))
+        return found
+
+    def _relevant(self) -> set[str]:
+        return {*READERS, *self._names, *self._wrappers}
+
+    def _out(self, call: Invocation) -> tuple[str, Expr, Expr | None] | None:
+        if call.last in READERS and len(call.args) >= 2:
+            target = _variable(call.args[1])
+            default = call.args[2] if len(call.args) > 2 else None
+            return (target, call.args[0], default) if target else None
+        form = self._form(call)
+        if form is None:
+            return self._wrapped_out(call)
+        target = _variable(next(positions(form.out, call), None))
+        if not target or len(call.args) < 3:
+            return None
+        return target, call.args[0], next(positions(form.default, call), None)
+
+    def _wrapped_out(self, call: Invocation) -> tuple[str, Expr, Expr | None] | None:
+        """A helper that writes the parameter to a variable that it gets by reference."""
+        found = self._wrapped(call)
+        if found is None:
+            return None
+        for func, name, _ in self._fitting(call):
+            for arg, parameter in zip(call.args, func.fact.params, strict=False):
+                reference = parameter.type.endswith("&") and "const" not in parameter.type
+                if reference and parameter.name != name and _variable(arg):
+                    return _variable(arg), *found
+        return None
+
+    def declare(self, name: str, home: Home, default: tuple[Expr, Env] | str) -> None:
+        """Remember the default of a parameter that a class, a file or a package declares."""
+        known = self._defaults.setdefault((home, name), default)
+        if _written(known) != _written(default):
+            self._several.add((home, name))
+
+    def declare_name(self, name: str, package: str) -> None:
+        """Remember a parameter whose default is no text."""
+        self._declared.add((package, name))
+
+    def is_declared(self, name: str, package: str) -> bool:
+        """Tell whether a package declares a parameter, with a default or without."""
+        return (package, name) in self._declared or (package, name) in self._defaults
+
+    def default(self, name: str, package: str, owners: Sequence[Cls | File] = ()) -> tuple[Expr, Env] | str | None:
+        """Return the default that the first of `owners` declares, else the only one that is declared in the package."""
+        for owner in owners:
+            if (owner, name) in self._defaults:
+                return self._defaults[owner, name]
+        return None if (package, name) in self._several else self._defaults.get((package, name))
+
+    def forget(self) -> None:
+        """Drop what was indexed, since more wrappers are known now."""
+        self._written.clear()
+        self._by_class.clear()
+
+    def add_wrapper(self, func: Func, name: str, default: str) -> None:
+        """Remember that a function reads the parameter named by its parameter `name`."""
+        known = self._wrappers[func.fact.name]
+        if all(entry[0] is not func for entry in known):
+            known.append((func, name, default))
+
+
+def _written(default: tuple[Expr, Env] | str) -> Expr | str:
+    return default if isinstance(default, str) else default[0]
+
+
+def _variable(expr: Expr | None) -> str:
+    """What a read writes to: a variable or member of `this` by its name, a field of another object as `.field`."""
+    if isinstance(expr, Member):
+        return expr.name if expr.base == Name("this") else f".{expr.name}"
+    return expr.id if isinstance(expr, Name) else ""

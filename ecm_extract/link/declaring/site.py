@@ -1,0 +1,45 @@
+"""One call of a form, with the calls through which its name comes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.declaring.forms import Form
+from ecm_extract.link.running.env import Env
+
+
+@dataclass(slots=True, eq=False, repr=False)
+class Site:
+    """A call that is a form, seen from the outermost call that fixes its name.
+
+    Attributes:
+        form: the row.
+        call: the innermost call, the form itself.
+        env: where its arguments are evaluated.
+        chain: the calls it came through, outermost first; empty for a direct call.
+        owner: class whose objects have the endpoint; None for a free function's.
+        root: outermost function.
+        places: where each call of the chain is evaluated.
+        certain: whether a run that gets to the call makes the endpoint; False for one of several that it may make.
+    """
+
+    form: Form
+    call: Invocation
+    env: Env
+    chain: tuple[Invocation, ...]
+    owner: Cls | None
+    root: Func
+    places: tuple[Env, ...] = ()
+    certain: bool = True
+
+    def steps(self) -> Iterator[tuple[Invocation, Env]]:
+        """Yield each call with where it is evaluated, outermost call first."""
+        yield from zip((*self.chain, self.call), (*self.places, self.env), strict=True)
+
+    def lines(self) -> Iterator[tuple[str, int]]:
+        """Yield (path, line), outermost call first."""
+        for call in (*self.chain, self.call):
+            yield call.func.file.path, call.line

@@ -1,0 +1,348 @@
+"""Call sites of forms, direct and through wrappers, to a fixed point.
+
+A function that passes its own parameter to a form is itself a form: its call sites are the sites. The same holds
+for a class that passes a constructor argument or template argument on: each place that makes an object is a site.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict, deque
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from dataclasses import replace
+
+from ecm_parsers.source.expr import Expr, Name
+
+from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.option_structs import spread
+from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.declaring.call_targets import CallTargets
+from ecm_extract.link.declaring.closures import around, captured, given, is_of_parameter
+from ecm_extract.link.declaring.match import Matcher, name_argument, positions
+from ecm_extract.link.declaring.openness import MAX_CHAIN, Openness
+from ecm_extract.link.declaring.parameters import Parameters
+from ecm_extract.link.declaring.prefixes import prefixed
+from ecm_extract.link.declaring.site import Site
+from ecm_extract.link.folding.emplaced import EMPLACING, emplaced
+from ecm_extract.link.folding.fold import Folder
+from ecm_extract.link.index.call_index import call_index
+from ecm_extract.link.index.program import Program
+from ecm_extract.link.interfaces.types import Types
+from ecm_extract.link.running.env import Env, Instance, bind
+from ecm_extract.link.running.values import Value
+
+_LOADS_ALL = "getDeclaredClasses"
+_ALSO = (
+    "InputPort",
+    "BidirectionalPort",
+    "init",
+    "init_node",
+    "create_node",
+    "Node",
+    "LifecycleNode",
+    "load",
+    _LOADS_ALL,
+)
+"""Calls that are looked up by name without being forms: behaviour tree ports, node names, loaders of plugins."""
+MAX_EXPANSIONS = 50_000
+
+
+class Sites:
+    """Finds all sites of a program."""
+
+    def __init__(
+        self,
+        program: Program,
+        matcher: Matcher,
+        types: Types,
+        parameters: Parameters,
+        also: Iterable[str] = (),
+        plugins: Collection[Cls] = (),
+    ) -> None:
+        self.program = program
+        self.plugins = frozenset(plugins)
+        self.matcher = matcher
+        self.types = types
+        self.folder: Folder = matcher.folder
+        self.parameters = parameters
+        self._remembered: set[Func] = set()
+        self._names: dict[Site, tuple[Value, ...]] = {}
+        self.openness = Openness(self.folder, types, program.derived)
+        self._aliases = program.aliases.meaning(program.classes, matcher.forms)
+        wanted = {*matcher.forms, *program.functions, *program.classes, *_ALSO, *EMPLACING, *also}
+        self.calls = call_index(program, wanted, self._aliases)
+        for name, call in list(emplaced(self.calls, self.folder.objects)):
+            self.calls[name].append(call)
+        self._calls_of = CallTargets(self.folder, self.calls, self._place)
+        self.folder.states.callers.find = self._calling
+        self.folder.lasting.find()
+        matcher.undeclared.makers = self._making
+
+    def find(self, parameters: bool) -> list[Site]:
+        """Return the sites of parameters, or of everything else."""
+        self.folder.forget()
+        found: list[Site] = []
+        for last in self.matcher.forms:
+            for call in self.calls.get(last, ()):
+                for site in self._direct(call, parameters):
+                    found.extend(self._closed(site))
+        return found
+
+    def _direct(self, call: Invocation, parameters: bool) -> Iterator[Site]:
+        func = call.func
+        env = self.root_env(func, call.at)
+        call = spread(call)
+        for form in self.matcher.fitting(call, env):
+            if form.row.value is parameters:
+                yield Site(form, prefixed(call, form), env, (), func.holder, func)
+
+    def root_env(self, func: Func, at: int) -> Env:
+        """Return the place of a statement of a function about whose callers nothing is assumed."""
+        own = self.folder.nesting.object_of(func)
+        made = Instance(own, {}, {}) if own is not None else None
+        return Env(func, at, this=own, made=made)
+
+    def _place(self, call: Invocation) -> Env:
+        return self.root_env(call.func, call.at)
+
+    def is_held(self, call: Invocation) -> bool:
+        """Tell whether a call begins a member of a class, where the class says it has one, and not in a body."""
+        return call.at == len(call.func.fact.body)
+
+    # --- wrappers --------------------------------------------------------------------------------------
+
+    def _closed(self, site: Site) -> Iterable[Site]:
+        """Expand a site over its callers until nothing more is known; without callers it stands as it is."""
+        pending = deque([site])
+        closed: list[Site] = []
+        while pending and len(closed) < MAX_EXPANSIONS:
+            current = pending.popleft()
+            wider = list(self._wider(current)) if len(current.chain) < MAX_CHAIN else []
+            if wider:
+                pending.extend(wider)
+            else:
+                closed.extend(self._in_each_state(current))
+        return self._alike_in_all_states(closed)
+
+    def _alike_in_all_states(self, sites: Sequence[Site]) -> list[Site]:
+        """What has one name in all states in which the same calls lead to it has that name, whichever state it is."""
+        names: dict[tuple[Invocation, ...], set[tuple[Value, ...]]] = defaultdict(set)
+        for site in sites if not all(site.certain for site in sites) else ():
+            names[site.chain].add(self.names(site))
+        single = {chain for chain, found in names.items() if len(found) == 1 and all(len(each) == 1 for each in found)}
+        return [replace(site, certain=site.certain or site.chain in single) for site in sites]
+
+    def _in_each_state(self, site: Site) -> Iterator[Site]:
+        """A site once for each state in which its call is reached; none where its arguments keep it from that."""
+        if site.chain and not self.folder.flow.is_reached(site.env):
+            return
+        for env, certain in self._places(site.env):
+            yield replace(site, env=env, certain=site.certain and certain)
+
+    def _places(self, env: Env) -> Iterator[tuple[Env, bool]]:
+        """A place once for each state, and whether a run that gets there in one of them does so in all."""
+        places = self.folder.flow.places(env)
+        paths = {self.folder.flow.decisions.turns(place.state) for place in places if place.state is not None}
+        for place in places:
+            yield place, len(paths) <= 1
+
+    def _wider(self, site: Site) -> Iterator[Site]:
+        params, made = self.openness.of(site, self.names(site))
+        given = {parameter.name.lstrip("*") for parameter in site.root.fact.params}
+        if params & (given | set(site.root.fact.template)):
+            if site.form.row.value and site.root not in self._remembered:
+                self._remembered.add(site.root)
+                self._remember_wrapper(site)
+            callers = list(self._callers(site))
+            yield from callers
+            if callers or (params & given and not overrides(site.root) and not self._is_loaded(site.root)):
+                return
+        if made and site.owner is not None:
+            yield from self._makers(site, site.owner)
+
+    def names(self, site: Site) -> tuple[Value, ...]:
+        """Return the possible names that a site is given, folded once."""
+        known = self._names.get(site)
+        if known is None:
+            name = name_argument(site.form, site.call)
+            values = self.folder.fold(name, site.env) if name is not None else ()
+            known = self._names[site] = values
+        return known
+
+    def _remember_wrapper(self, site: Site) -> None:
+        """A function that declares the parameter it is asked for also gives its value."""
+        name = self._parameter_of(name_argument(site.form, site.call), site)
+        default = self._parameter_of(next(positions(site.form.default, site.call), None), site)
+        if name:
+            self.parameters.add_wrapper(site.root, name, default)
+
+    def _parameter_of(self, expr: Expr | None, site: Site) -> str:
+        """Return the parameter of the outermost function that an argument comes from, empty for none."""
+        labels = self.folder.fold(expr, site.env)[0].open("param") if expr is not None else frozenset()
+        return next((entry.name for entry in reversed(site.root.fact.params) if entry.name in labels), "")
+
+    def _callers(self, site: Site) -> Iterator[Site]:
+        root = site.root
+        if root.is_constructor:
+            yield from self._makers(site, site.owner) if site.owner is not None else ()
+            return
+        passed = set(site.chain)
+        for call in self.callers(root):
+            if call in passed:
+                continue
+            for outer, certain in self._places(self.root_env(call.func, call.at)):
+                wider = self._through(replace(site, certain=site.certain and certain), call, outer)
+                if is_of_parameter(call):
+                    handing = self._callers(wider)
+                    yield from (each for each in handing if given(root, call, each.places[1]) is not None)
+                elif not self._names_an_instance(wider, root):
+                    yield wider
+
+    def entering(self, site: Site) -> Iterator[tuple[Func, bool]]:
+        """Yield the functions that enter the outermost one of a site, and whether their arguments lead to the site."""
+        for wider in self._callers(site):
+            if len(wider.chain) > len(site.chain):
+                yield wider.root, self.folder.flow.is_reached(wider.env)
+
+    def _is_loaded(self, func: Func) -> bool:
+        """Tell whether a method runs on plugins, its class or one that derives from it being one."""
+        cls = func.cls
+        return cls is not None and any(each in self.plugins for each in (cls, *self.program.derived(cls)))
+
+    def _names_an_instance(self, site: Site, func: Func) -> bool:
+        """Tell whether the host of a plugin gives its method a name that only the configuration knows."""
+        own = site.root.cls is not None and func.cls in self.program.ancestry(site.root.cls)
+        if own or not self._is_loaded(func):
+            return False
+        return any(value.confidence == "pattern" and not value.open("param") for value in self.names(site))
+
+    def _calling(self, func: Func) -> Iterator[tuple[Invocation, Env]]:
+        return ((call, self._place(call)) for call in self.callers(func))
+
+    def callers(self, func: Func) -> Sequence[Invocation]:
+        """Return the calls of a function by others."""
+        return self._calls_of.callers(func)
+
+    def _through(self, site: Site, call: Invocation, outer: Env) -> Site:
+        """Rebuild the chain of environments from a new outermost call."""
+        env = self._enter(call, self._first(site), outer)
+        return self._widened(site, call, outer, env)
+
+    def _widened(self, site: Site, call: Invocation, outer: Env, root: Env) -> Site:
+        """The same site, seen from one call further out."""
+        *places, env = self._inside(site, root)
+        chain, owner = (call, *site.chain), call.func.holder
+        return Site(site.form, site.call, env, chain, owner, call.func, (outer, *places), site.certain)
+
+    def _first(self, site: Site) -> Invocation:
+        return site.chain[0] if site.chain else site.call
+
+    def _inside(self, site: Site, root: Env) -> list[Env]:
+        """Walk from the outermost function, whose place is given, to the form itself: the place of each call."""
+        found = [root]
+        for link, following in zip(site.chain, (*site.chain[1:], site.call), strict=False):
+            found.append(self._enter(link, following, found[-1]))
+        return found
+
+    def _enter(self, link: Invocation, following: Invocation, env: Env) -> Env:
+        func, at = following.func, following.at
+        args = bind(func, link, env)
+        types = self._types(func.fact.template, link, env)
+        if around(func, self.folder) is not None:
+            outer = captured(func, link, env, self.folder)
+            return Env(func, at, args, types, outer.this, outer.made, outer=outer)
+        if func.cls is None:
+            return Env(func, at, args, types)
+        if func.is_constructor or self.makes(link, func.cls):
+            maker = func if func.is_constructor else self.folder.objects.constructor(func.cls, len(link.args))
+            given = bind(maker, link, env) if maker is not None else {}
+            made = Instance(func.cls, given, self._types(func.cls.fact.template, link, env), maker)
+            return Env(func, at, given if func.is_constructor else {}, types, func.cls, made)
+        same = (
+            env.this is not None
+            and func.cls in self.program.ancestry(env.this)
+            and link.receiver in {None, Name("this")}
+        )
+        this = env.this if same else func.cls
+        inner = env.made if same else self.folder.objects.held(link.receiver, func.cls, env)
+        return Env(func, at, args, types, this, inner)
+
+    def _types(self, template: Sequence[str], link: Invocation, env: Env) -> dict[str, str]:
+        """What a call gives the template parameters of a function or class."""
+        types = dict(zip(template, link.types, strict=False))
+        return {name: self._bound_type(written, env) for name, written in types.items()}
+
+    def _bound_type(self, written: str, env: Env) -> str:
+        outer = env.types.get(written) or self.folder.objects.class_types(env).get(written)
+        if outer is not None:
+            return outer
+        return self.program.alias(written, env.func.file, env.scope) or written
+
+    # --- objects -----------------------------------------------------------------------------------------
+
+    def _makers(self, site: Site, cls: Cls) -> Iterator[Site]:
+        """One site for each class that derives from `cls`, and for each place that makes one."""
+        at = self._first(site).at
+        own = site.owner is site.root.cls
+        for derived in self.program.derived(cls) if own else ():
+            made = Instance(derived, {}, {})
+            part = self.folder.objects.part(made, cls)
+            types = dict(part.types) if part is not None else {}
+            root = Env(site.root, at, {}, types, derived, made)
+            *places, env = self._inside(site, root)
+            yield replace(site, env=env, owner=derived, places=tuple(places))
+        for call in self.calls.get(cls.fact.name, ()):
+            if call.func.cls is cls or (own and self.is_base_of(call, cls)):
+                continue
+            if self.makes(call, cls) and call not in site.chain:
+                for outer, certain in self._places(self.root_env(call.func, call.at)):
+                    yield self._made_at(replace(site, certain=site.certain and certain), cls, call, at, outer)
+
+    def is_base_of(self, call: Invocation, cls: Cls) -> bool:
+        """Tell whether a call makes the base of a derived object, which is no object of its own."""
+        maker = call.func.cls
+        return call.statement.kind == "init" and maker is not None and cls in self.program.ancestry(maker)
+
+    def _made_at(self, site: Site, cls: Cls, call: Invocation, at: int, outer: Env) -> Site:
+        return self._widened(site, call, outer, self._in_made(Env(site.root, at), cls, call, outer))
+
+    def _in_made(self, place: Env, cls: Cls, call: Invocation, outer: Env) -> Env:
+        """A statement of a method, of an object that a call makes."""
+        func = place.func
+        constructor = self.folder.objects.constructor(cls, len(call.args))
+        args = bind(constructor, call, outer) if constructor is not None else {}
+        types = self._types(cls.fact.template, call, outer)
+        made = Instance(cls, args, types, constructor)
+        made = made if func is constructor else self.folder.objects.delegated(made)
+        own = made.args if func.is_constructor and func.cls is cls else {}
+        return Env(func, place.at, own, types, cls, made)
+
+    def makings(self, func: Func, at: int) -> Iterator[Env]:
+        """Yield a place once for each call in the tree that makes the object at hand; nothing for functions."""
+        cls = func.holder
+        for call in self.calls.get(cls.fact.name, ()) if cls is not None else ():
+            if cls is not None and call.func.cls is not cls and self.makes(call, cls):
+                yield self._in_made(Env(func, at), cls, call, self.root_env(call.func, call.at))
+
+    def _making(self, cls: Cls) -> Iterator[Func]:
+        return (call.func for call in self.calls.get(cls.fact.name, ()) if self.makes(call, cls))
+
+    def makes(self, call: Invocation, cls: Cls) -> bool:
+        """Tell whether a call makes an object of a class."""
+        if call.receiver is not None or (call.last != cls.fact.name and call.last not in self._aliases):
+            return False
+        if not call.args and not call.keywords and not _default_constructible(cls):
+            return False
+        scope = f"{call.func.fact.scope}::{call.func.fact.name}"
+        path = call.path.replace(".", "::") if call.func.file.language == "cpp" else call.path
+        return self.program.class_named(path, call.func.file, scope) is cls
+
+
+def overrides(func: Func) -> bool:
+    """Tell whether whoever calls a function may know its base class only, as the host of a plugin does."""
+    return "override" in func.fact.traits
+
+
+def _default_constructible(cls: Cls) -> bool:
+    """Tell whether a class can be made without arguments: no constructor at all, or one that needs none."""
+    makers = [func for func in cls.methods if func.is_constructor]
+    return not makers or any(all(entry.default is not None for entry in maker.fact.params) for maker in makers)

@@ -1,0 +1,69 @@
+"""The type that a parameter is asked for where it is read: `get_parameter("rate").as_double()`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Set
+from functools import cache
+
+import msgspec
+from ecm_parsers.source.expr import Call, Expr, Member
+
+from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.walk import expressions
+from ecm_extract.link.folding.data import declared_type, plain_type
+from ecm_extract.shipped import shipped_as
+
+
+class _Template(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    names: frozenset[str]
+
+
+class _Asking(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """Types by what names them, of C++ and of Python."""
+
+    cpp: Mapping[str, str]
+    python: Mapping[str, str]
+    template: _Template
+
+
+@cache
+def _asking() -> _Asking:
+    return shipped_as("link/endpoints/asked_types.toml", _Asking)
+
+
+def asked_type(call: Invocation) -> str | None:
+    """Return the type that the statement of a call asks its value for; None where it does not, or for several."""
+    found = {kind for kind in _kinds(call) if kind is not None}
+    return found.pop() if len(found) == 1 else None
+
+
+def _kinds(call: Invocation) -> Iterator[str | None]:
+    rows = _asking()
+    named = rows.python if call.func.file.language == "python" else rows.cpp
+    for expr, _ in expressions(call.statement):
+        if isinstance(expr, Member) and expr.name in named and _is_of(expr.base, call):
+            yield named[expr.name]
+        if isinstance(expr, Call) and expr.types and _is_of(_receiver(expr, rows.template.names), call):
+            yield declared_type(plain_type(expr.types[0]))
+
+
+def _receiver(call: Call, methods: Set[str]) -> Expr | None:
+    """Return the object of a call of one of these methods."""
+    return call.callee.base if isinstance(call.callee, Member) and call.callee.name in methods else None
+
+
+def _is_of(expr: Expr | None, call: Invocation) -> bool:
+    """Whether an object is what a call returned, or what `.get_parameter_value()` makes of that."""
+    while isinstance(expr, Call):
+        callee = expr.callee
+        if expr.args == call.args and _last_part(callee) == call.last and expr.args:
+            return True
+        if not isinstance(callee, Member):
+            return False
+        expr = callee.base
+    return False
+
+
+def _last_part(callee: Expr) -> str:
+    """Return the name of what is called, without the object or the scope before it."""
+    return str(getattr(callee, "name", None) or getattr(callee, "id", "")).rpartition("::")[2]

@@ -1,0 +1,181 @@
+"""Types of endpoints and parameters, and defaults of parameters, at one site."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ecm_checker.hub.roles import Role, roles
+from ecm_parsers.source.expr import Call, Expr, Member, Name, Op, Text
+
+from ecm_extract.link.code.numbers import as_number
+from ecm_extract.link.code.spelling import plain
+from ecm_extract.link.declaring.match import name_argument, positions
+from ecm_extract.link.declaring.site import Site
+from ecm_extract.link.endpoints.asked_types import asked_type
+from ecm_extract.link.folding.data import UNKNOWN, data_of, declared_type, plain_type, stated_type, type_of_data
+from ecm_extract.link.folding.durations import counted
+from ecm_extract.link.folding.fold import Folder
+from ecm_extract.link.interfaces.types import Types
+from ecm_extract.link.running.env import Env
+from ecm_extract.link.running.values import Hole
+
+_NO_TEXT = frozenset({"bool", "double", "integer"})
+"""Types whose default is no text: what folds to one comes from a call that gives something else when it runs."""
+
+
+class EndpointTypes:
+    """Finds the type of what a site declares."""
+
+    def __init__(self, folder: Folder, types: Types) -> None:
+        self.folder = folder
+        self.types = types
+
+    def of(self, site: Site, default: Expr | None) -> tuple[str | None, Any]:
+        """Return the type of a site, and the default of a parameter as data, `UNKNOWN` when nothing shows it."""
+        if not site.form.row.value:
+            return self.types.at(site.form.type, site.call, site.env, site.form.role).name, UNKNOWN
+        stated = stated_type(default) or self._bound_stated(default, site.env) or self._held_stated(default, site.env)
+        data = UNKNOWN if stated else self._data(default, site.env)
+        written = site.call.types[0] if site.form.type == "template:0" and site.call.types else ""
+        written = site.env.types.get(written, written)
+        out = next(positions(site.form.out, site.call), None)
+        declared = self._declared(written, site.env) or stated or self._out_type(out, site.env)
+        known = declared or (type_of_data(data) if data is not UNKNOWN else None)
+        known = known or self._default_type(default, site.env) or self._target_type(site)
+        known = known or self._read_type(site) or self._described(site) or asked_type(site.call)
+        known = known or self._partly_text(default, site.env)
+        return known, UNKNOWN if known in _NO_TEXT and isinstance(data, str) else _as_declared(data, known)
+
+    def _data(self, default: Expr | None, env: Env) -> Any:
+        data = data_of(default, env, self.folder)
+        number = counted(default, env, self.folder) if data is UNKNOWN else None
+        return data if number is None else number
+
+    def _target_type(self, site: Site) -> str | None:
+        """The type of the variable that takes the value: `int qos = declare_parameter("qos", (int)given)`."""
+        statement = site.call.statement
+        value, target = statement.value, statement.target
+        if site.env.func.file.language == "python":
+            return _cast(value, site.call.line)
+        if site.chain or target is None or not isinstance(value, Call) or value.line != site.call.line:
+            return None
+        called = value.callee.name if isinstance(value.callee, Member) else getattr(value.callee, "id", "")
+        if called != site.call.last:
+            return None
+        return declared_type(plain_type(statement.type or self.folder.objects.type_of(target, site.env)))
+
+    def _read_type(self, site: Site) -> str | None:
+        """The type of the variable that the same function reads the parameter into: `get_parameter("port", port)`."""
+        name = name_argument(site.form, site.call)
+        if name is None or site.chain or site.env.func.file.language != "cpp":
+            return None
+        targets = self.folder.reads.read_into(site.call.func, name)
+        types = (declared_type(plain_type(self.folder.objects.type_of(Name(target), site.env))) for target in targets)
+        return next((found for found in types if found is not None), None)
+
+    def _described(self, site: Site) -> str | None:
+        """The type that the descriptor of a Python parameter names: `ParameterDescriptor(type=...)`."""
+        described = next(positions(site.form.type, site.call), None)
+        if site.env.func.file.language != "python" or described is None:
+            return None
+        if isinstance(described, Call):
+            return _descriptor_type(described)
+        made = [held.expr if held.how == "value" else None for held in self.folder.origins.of(described, site.env)]
+        found = {_descriptor_type(value) if isinstance(value, Call) else None for value in made}
+        return found.pop() if len(found) == 1 else None
+
+    def _bound_stated(self, default: Expr | None, env: Env) -> str | None:
+        bound = env.args.get(getattr(default, "id", "")) if default is not None else None
+        return stated_type(bound.expr) if bound is not None else None
+
+    def _held_stated(self, default: Expr | None, env: Env) -> str | None:
+        """The type that a variable holds instead of a default: `PARAMETER_DOUBLE`, which no source gives a value."""
+        if not isinstance(default, Name | Member):
+            return None
+        holes = [value.parts[0] for value in self.folder.fold(default, env) if len(value.parts) == 1]
+        found = {stated_type(Name(hole.label)) if isinstance(hole, Hole) else None for hole in holes}
+        return found.pop() if len(found) == 1 else None
+
+    def _default_type(self, default: Expr | None, env: Env) -> str | None:
+        """The type of the variable or construction that a default is."""
+        if isinstance(default, Name) and default.id in env.args:
+            bound = env.args[default.id]
+            return self._default_type(bound.expr, bound.env)
+        if isinstance(default, Op) and default.op == "+" and any(isinstance(part, Text) for part in default.operands):
+            return "string"
+        if isinstance(default, Call) and isinstance(default.callee, Name):
+            inner = default.args[0] if default.callee.id.endswith("ParameterValue") and default.args else None
+            if inner is not None:
+                return self._default_type(inner, env)
+            arguments = f"<{', '.join(default.types)}>" if default.types else ""
+            return self._declared(default.callee.id + arguments, env)
+        return self._declared(self.folder.objects.type_of(default, env), env) if default is not None else None
+
+    def _partly_text(self, default: Expr | None, env: Env) -> str | None:
+        """What is put together of a text and something unknown is a text: `os.path.join(folder, "a.yaml")`."""
+        values = self.folder.fold(default, env) if default is not None else ()
+        written = [
+            value.data is None and any(isinstance(part, str) and part for part in value.parts) for value in values
+        ]
+        return "string" if written and all(written) else None
+
+    def _declared(self, written: str, env: Env) -> str | None:
+        found = declared_type(plain_type(written))
+        alias = (
+            self.folder.program.alias(plain(written), env.func.file, env.scope) if found is None and written else None
+        )
+        return declared_type(plain_type(alias)) if alias else found
+
+    def _out_type(self, out: Expr | None, env: Env) -> str | None:
+        written = self.folder.objects.type_of(out, env) if out is not None else ""
+        if written and plain(written) in env.func.fact.template:
+            return self._deduced(plain(written), env)
+        return declared_type(written) if written else None
+
+    def _deduced(self, template: str, env: Env) -> str | None:
+        """What a template parameter is at a call: given, or the type of an argument that is declared with it."""
+        if template in env.types:
+            return self._declared(env.types[template], env)
+        for parameter in env.func.params:
+            bound = env.args.get(parameter.name) if plain(parameter.type) == template else None
+            if bound is not None:
+                data = data_of(bound.expr, bound.env, self.folder)
+                known = type_of_data(data) if data is not UNKNOWN else None
+                return known or self._default_type(bound.expr, bound.env)
+        return None
+
+
+def _as_declared(data: Any, known: str | None) -> Any:
+    """A default as the type of its parameter holds it: `declare_parameter<double>("rate", 0)` is 0.0."""
+    if known in _ARRAYS and isinstance(data, list):
+        return [as_number(each, _ARRAYS[known]) for each in data]
+    return as_number(data, _HELD.get(known or "", ""))
+
+
+def _descriptor_type(descriptor: Call) -> str | None:
+    """The type that a descriptor is made with; `.value` of a type is its number."""
+    given = dict(descriptor.keywords).get("type")
+    return stated_type(given.base if isinstance(given, Member) and given.name == "value" else given)
+
+
+def _cast(value: Expr | None, line: int) -> str | None:
+    """The type that Python makes of a parameter at once: `int(rospy.get_param("~port"))`."""
+    if not isinstance(value, Call) or not isinstance(value.callee, Name) or len(value.args) != 1:
+        return None
+    inner = value.args[0]
+    return _CASTS.get(value.callee.id) if isinstance(inner, Call) and inner.line == line else None
+
+
+_HELD = {"double": "double", "integer": "int"}
+_ARRAYS = {"double_array": "double"}
+"""Parameter type -> a type of C++ that holds its numbers."""
+_CASTS = {"bool": "bool", "float": "double", "int": "integer", "str": "string"}
+
+
+def role_of(role: Role, kind: str | None) -> Role:
+    """Return the role of an endpoint by its type.
+
+    A client that a template makes for an action type is an action client, whatever the helper is called.
+    """
+    asking = ((name, row) for name, row in roles().items() if row.calls and row.behind == role)
+    return next((name for name, row in asking if kind is not None and f"/{row.shape}/" in kind), role)

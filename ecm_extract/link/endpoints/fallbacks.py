@@ -1,0 +1,66 @@
+"""What a variable holds when the parameter that was to be read into it is not set.
+
+ROS 1 writes `if (!nh.getParam("rate", rate)) rate = 10.0;`, or gives the variable its value first.
+"""
+
+from __future__ import annotations
+
+from ecm_parsers.source.expr import Call, Constant, Expr, Member, Name, Op
+
+from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.declaring.match import positions
+from ecm_extract.link.declaring.site import Site
+from ecm_extract.link.folding.fold import Folder
+from ecm_extract.link.running.env import Env
+
+
+def fallback(site: Site, at: int, folder: Folder) -> Expr | None:
+    """Return the default of a parameter whose call has none; `at` is the statement of the call."""
+    out = next(positions(site.form.out, site.call), None)
+    instead = _returned_instead(site.call, out)
+    if instead is not None or site.form.default or not isinstance(out, Name | Member):
+        return instead
+    if _is_denied(site.call):
+        return _assigned_next(site.call, out, at)
+    plainly = isinstance(site.call.statement.value, Call) and site.call.statement.kind == "do"
+    return _held_before(out, site.env, folder) if plainly else None
+
+
+def _returned_instead(call: Invocation, out: Expr | None) -> Expr | None:
+    """What a helper returns where it does not return what it read: `return fallback`."""
+    returned = [statement.value for statement in call.func.fact.body if statement.kind == "return"]
+    if call.statement.kind != "return" and (out is None or out not in returned):
+        return None
+    given = {parameter.name for parameter in call.func.fact.params}
+    others = {value for value in returned if isinstance(value, Name) and value.id in given}
+    return others.pop() if len(others) == 1 else None
+
+
+def _is_denied(call: Invocation) -> bool:
+    """Tell whether a condition is just that the parameter is not set: `!read(...)`, `read(...) == false`."""
+    value = call.statement.value
+    if not isinstance(value, Op) or call.statement.kind != "do":
+        return False
+    denies = value.op == "!" or (value.op == "==" and value.operands[1:] == (Constant("false"),))
+    asked = value.operands[0]
+    return denies and isinstance(asked, Call) and asked.line == call.line and asked.args == call.args
+
+
+def _assigned_next(call: Invocation, out: Expr, at: int) -> Expr | None:
+    """What the branch behind the condition gives the variable."""
+    for statement in call.func.fact.body[at + 1 :]:
+        if statement.depth < call.statement.depth or statement.kind == "return":
+            return None
+        if statement.kind == "set" and statement.target == out:
+            return statement.value
+    return None
+
+
+def _held_before(out: Name | Member, env: Env, folder: Folder) -> Expr | None:
+    """What the variable was made with: a local in the same function, a member by its class or constructor."""
+    if isinstance(out, Member) and out.base != Name("this"):
+        return None
+    if isinstance(out, Name) and folder.scope.locals_of(env.func).get(out.id):
+        return out if folder.scope.is_certain(out.id, env) else None
+    given = (held.env.func for held in folder.origins.of(out, env) if held.env is not None)
+    return out if all(func.is_constructor or func is env.func for func in given) else None

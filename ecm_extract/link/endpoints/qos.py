@@ -1,0 +1,276 @@
+"""QoS of an endpoint from the expression that gives it: presets, chains of setters, keywords, variables.
+
+Policies that source does not set keep the default of rclcpp and rclpy (reliable, volatile, keep last 10) and are
+named in `Qos.defaulted`. What source sets to a value that the tree does not show is `unknown`, a depth None.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ecm_checker.contract import Qos
+from ecm_checker.match.generated import snake
+from ecm_parsers.numbers import real, truncated
+from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member, Name, Number, Op
+
+from ecm_extract.infer.held import Held
+from ecm_extract.link.code.calls import dotted_name
+from ecm_extract.link.code.spelling import last_name
+from ecm_extract.link.endpoints.qos_presets import UNSEEN, agreed, presets
+from ecm_extract.link.endpoints.qos_values import milliseconds, policy_word
+from ecm_extract.link.endpoints.qos_variables import QosVariables
+from ecm_extract.link.folding.data import declared_type, plain_type
+from ecm_extract.link.folding.fold import Folder
+from ecm_extract.link.running.env import Bound, Env, bind, invocation_of
+
+_FLAGS: dict[str, tuple[str, str]] = {
+    "reliable": ("reliability", "reliable"),
+    "best_effort": ("reliability", "best_effort"),
+    "reliability_best_available": ("reliability", "best_available"),
+    "transient_local": ("durability", "transient_local"),
+    "durability_volatile": ("durability", "volatile"),
+    "volatile": ("durability", "volatile"),
+    "durability_best_available": ("durability", "best_available"),
+    "keep_all": ("history", "keep_all"),
+}
+_POLICIES = ("reliability", "durability", "history", "liveliness")
+_TIMES = {"deadline": "deadline_ms", "lifespan": "lifespan_ms", "liveliness_lease_duration": "lease_ms"}
+_WRAPPERS = frozenset({"QoS", "QoSProfile", "QoSInitialization", "from_rmw", "KeepLast", "KeepAll", "shared_ptr"})
+_BASIC = ("reliability", "durability", "history", "depth")
+_NUMBERS = frozenset({"depth", "queue", "size", "length", "buffer"})
+_SETTERS = frozenset({*_FLAGS, *_POLICIES, *_TIMES, "keep_last", "avoid_ros_namespace_conventions"}) | {
+    "get_rmw_qos_profile",
+    "value",
+    "get",
+}
+_WITHOUT_DEPTH = frozenset({"keep_all", "system_default"})
+MAX_DEPTH = 12
+
+
+class QosReader:
+    """Evaluates QoS expressions."""
+
+    def __init__(self, folder: Folder) -> None:
+        self.folder = folder
+        self.variables = QosVariables(folder, self)
+
+    def read(self, expr: Expr | None, env: Env) -> Qos:
+        """Return the profile of a ROS 2 endpoint; without an expression the default one."""
+        policies = self.policies(expr, env, 0) if expr is not None else {}
+        known = policies or {}
+        default = presets()["default"][1]
+        filled = {key: known.get(key, default[key]) for key in _BASIC}
+        if filled["history"] in _WITHOUT_DEPTH and "depth" not in known:
+            filled["depth"] = None
+        missing = tuple(key for key in _BASIC if key not in known)
+        rest = {key: value for key, value in known.items() if key not in _BASIC}
+        return Qos(**filled, **rest, defaulted=missing)
+
+    def depth(self, expr: Expr | None, latch: Expr | None, env: Env) -> Qos | None:
+        """Return the profile of a ROS 1 endpoint: its queue size and, of a publisher, whether it is latched.
+
+        A latched publisher gives its last message to whoever comes later, as one that is transient local does.
+        """
+        number = self._number(expr, env) if expr is not None else None
+        durability = self._latched(latch, env) if latch is not None else None
+        return Qos(depth=number, durability=durability) if number is not None or durability is not None else None
+
+    def _latched(self, expr: Expr, env: Env) -> str | None:
+        words = {value.text.lower() if value.confidence != "pattern" else "" for value in self.folder.fold(expr, env)}
+        if words <= {"false", "0"}:
+            return None
+        return "transient_local" if words <= {"true", "1"} else "unknown"
+
+    def policies(self, expr: Expr, env: Env, level: int) -> dict[str, Any]:
+        """Return what an expression sets; `level` is the nesting of evaluations."""
+        if level > MAX_DEPTH or not self.folder.steps.take(env):
+            return {**UNSEEN}
+        with self.folder.steps:
+            return self._of_kind(expr, env, level)
+
+    def _of_kind(self, expr: Expr, env: Env, level: int) -> dict[str, Any]:
+        if isinstance(expr, Number):
+            return {"history": "keep_last", "depth": truncated(expr.value)}
+        preset = self._preset(expr)
+        if preset is not None and not isinstance(expr, Call):
+            return preset
+        if isinstance(expr, Call):
+            return self._call(expr, env, level)
+        if isinstance(expr, Name | Member):
+            return self._variable(expr, env, level)
+        if isinstance(expr, Op) and expr.op == "?:":
+            return agreed([self.policies(branch, env, level + 1) for branch in self._branches(expr, env)])
+        if isinstance(expr, Items) and expr.items:
+            return self.policies(expr.items[0], env, level + 1)
+        return {} if isinstance(expr, Items | Lambda | Constant) else self._unseen(expr, env)
+
+    def _branches(self, expr: Op, env: Env) -> tuple[Expr, ...]:
+        """What a conditional can be: one side where its condition is known, as by the default of a parameter."""
+        values = {value.text.lower() for value in self.folder.fold(expr.operands[0], env)}
+        known = {"true": expr.operands[1:2], "false": expr.operands[2:]}
+        return known.get(values.pop(), expr.operands[1:]) if len(values) == 1 else expr.operands[1:]
+
+    def _unseen(self, expr: Expr, env: Env) -> dict[str, Any]:
+        """A depth where the value is or looks like a number, else a profile of which nothing is known."""
+        number = self._number(expr, env)
+        if number is not None:
+            return {"history": "keep_last", "depth": number}
+        name = expr.id if isinstance(expr, Name) else expr.name if isinstance(expr, Member) else ""
+        returned = _returned(expr) if isinstance(expr, Call) else ""
+        written = declared_type(plain_type(returned or self.folder.objects.type_of(expr, env)))
+        if written == "integer" or _NUMBERS & set(snake(name).split("_")):
+            return {"history": "keep_last", "depth": None}
+        return {**UNSEEN}
+
+    def _preset(self, expr: Expr) -> dict[str, Any] | None:
+        if (
+            isinstance(expr, Member) and expr.name == "value"
+        ):  # of an enumeration: `QoSPresetProfiles.SENSOR_DATA.value`
+            return self._preset(expr.base)
+        text = expr.id if isinstance(expr, Name) else expr.name if isinstance(expr, Member) else ""
+        found = presets().get(last_name(text)) if text else None
+        return {**found[1], "profile": found[0]} if found is not None else None
+
+    def _call(self, expr: Call, env: Env, level: int) -> dict[str, Any]:
+        callee = expr.callee
+        if isinstance(callee, Member) and not (dotted_name(callee) and env.func.file.language == "python"):
+            return self._method(callee, expr, env, level)
+        name = last_name(dotted_name(callee) or (callee.id if isinstance(callee, Name) else ""))
+        found = presets().get(name)
+        if found is not None:
+            return {**found[1], "profile": found[0]}
+        own = self._own_class(expr, env, level)
+        if own is not None:
+            return own
+        if name in _WRAPPERS or name.endswith("QoS"):
+            return self._profile(name, expr, env, level)
+        return self._function(expr, env, level)
+
+    def _method(self, callee: Member, expr: Call, env: Env, level: int) -> dict[str, Any]:
+        """A setter on a profile, or a method that returns a profile or a number."""
+        if callee.name in _SETTERS:
+            return {**self.policies(callee.base, env, level + 1), **self.set_by(expr, env)}
+        return self._function(expr, env, level)
+
+    def _own_class(self, expr: Call, env: Env, level: int) -> dict[str, Any] | None:
+        """A profile class of the tree: what its constructor hands to its base, then what it sets on itself."""
+        call = invocation_of(expr, env)
+        cls = self.folder.program.class_named(call.path, env.func.file, env.scope)
+        maker = self.folder.objects.constructor(cls, len(call.args)) if cls is not None else None
+        if cls is None or maker is None:
+            return None
+        policies: dict[str, Any] = {}
+        for at, statement in enumerate(maker.fact.body):
+            inner = Env(maker, at, bind(maker, call, env), this=cls, depth=env.depth + 1)
+            if statement.kind == "init" and statement.value is not None:
+                policies |= self.policies(statement.value, inner, level + 1)
+            elif statement.kind == "do" and isinstance(statement.value, Call):
+                policies |= self.chain(statement.value, inner) or self.set_by(statement.value, inner)
+        return policies
+
+    def _profile(self, name: str, expr: Call, env: Env, level: int) -> dict[str, Any]:
+        policies: dict[str, Any] = {}
+        for arg in expr.args if name != "KeepLast" else ():
+            word = policy_word(arg)
+            policies.update({"history": word} if word.startswith("keep_") else self.policies(arg, env, level + 1))
+        if name == "KeepAll":
+            return {"history": "keep_all"}
+        if name == "KeepLast" and expr.args:
+            policies = {"history": "keep_last", "depth": self._number(expr.args[0], env)}
+        for key, value in expr.keywords:
+            policies.update(self.assigned(key, value, env))
+        return policies
+
+    def set_by(self, expr: Call, env: Env) -> dict[str, Any]:
+        """Return what one setter sets."""
+        callee = expr.callee
+        name = callee.name if isinstance(callee, Member) else callee.id if isinstance(callee, Name) else ""
+        if name == "keep_last" and expr.args:
+            return {"history": "keep_last", "depth": self._number(expr.args[0], env)}
+        if name in _FLAGS:
+            key, value = _FLAGS[name]
+            return {key: value}
+        return self.assigned(name, expr.args[0], env) if expr.args else {}
+
+    def assigned(self, key: str, value: Expr, env: Env) -> dict[str, Any]:
+        """Return what the assignment of a field sets."""
+        if key == "depth":
+            return {"depth": self._number(value, env)}
+        if key in _POLICIES:
+            words = self._words(value, env)
+            return {key: words.pop() if len(words) == 1 else "unknown"}
+        if key in _TIMES:
+            duration = milliseconds(value)
+            return {_TIMES[key]: duration} if duration is not None else {}
+        return {}
+
+    def _words(self, value: Expr, env: Env, level: int = 0) -> set[str]:
+        """The policies that a value can be, `unknown` among them for what the tree does not show."""
+        word = policy_word(value)
+        if word or level > MAX_DEPTH or not self.folder.steps.take(env):
+            return {word or "unknown"}
+        with self.folder.steps:
+            return self._words_of(value, env, level)
+
+    def _words_of(self, value: Expr, env: Env, level: int) -> set[str]:
+        if isinstance(value, Op) and value.op == "?:":
+            return {word for branch in self._branches(value, env) for word in self._words(branch, env, level + 1)}
+        bound = env.args.get(value.id) if isinstance(value, Name) else None
+        if bound is not None:
+            return self._words(bound.expr, bound.env, level + 1)
+        found = {word for held in self.folder.origins.of(value, env) for word in self._words_held(held, level)}
+        return found or {"unknown"}
+
+    def _words_held(self, held: Held, level: int) -> set[str]:
+        if held.how != "value" or held.expr is None or held.env is None:
+            return {"unknown"}
+        return self._words(held.expr, held.env, level + 1)
+
+    def _variable(self, expr: Name | Member, env: Env, level: int) -> dict[str, Any]:
+        name = expr.id if isinstance(expr, Name) else expr.name
+        if isinstance(expr, Name):
+            bound = env.args.get(expr.id) or _of_maker(expr.id, env)
+            given = self.policies(bound.expr, bound.env, level + 1) if bound is not None else {}
+            if given:
+                return given  # `if qos is None: qos = ...` has not happened then
+        found = self.variables.at(expr, env, level)
+        if found is not None:
+            return found
+        for parameter in env.func.fact.params:
+            if parameter.name == name and parameter.default is not None:
+                return self.policies(parameter.default, env, level + 1)
+        constant = self.folder.scope.constant(name, env)
+        value = constant[0].value if constant is not None else None
+        return self.policies(value, env, level + 1) if value is not None else self._unseen(expr, env)
+
+    def chain(self, expr: Expr, env: Env) -> dict[str, Any]:
+        """Return what setters set, one after the other."""
+        if not isinstance(expr, Call) or not isinstance(expr.callee, Member):
+            return {}
+        return {**self.chain(expr.callee.base, env), **self.set_by(expr, env)}
+
+    def _function(self, expr: Call, env: Env, level: int) -> dict[str, Any]:
+        call = invocation_of(expr, env)
+        callee = self.folder.objects.callee(call, env)
+        if callee is None:
+            return self._unseen(expr, env)
+        args = bind(callee, call, env)
+        for at, statement in enumerate(callee.fact.body):
+            if statement.kind == "return" and statement.value is not None:
+                inner = Env(callee, at, args, this=callee.cls, depth=env.depth + 1)
+                return self.policies(statement.value, inner, level + 1)
+        return {**UNSEEN}
+
+    def _number(self, expr: Expr, env: Env) -> int | None:
+        number = real(self.folder.fold(expr, env)[0].text)
+        return truncated(number) if number is not None else None
+
+
+def _returned(call: Call) -> str:
+    """The type that a call writes: `declare_parameter<int>("depth")`, `size_t(depth)`."""
+    return call.types[0] if call.types else call.callee.id if isinstance(call.callee, Name) else ""
+
+
+def _of_maker(name: str, env: Env) -> Bound | None:
+    """What whoever makes the object hands to a parameter of its constructor."""
+    return env.made.args.get(name) if env.made is not None and env.func.is_constructor else None

@@ -1,0 +1,39 @@
+"""Values of QoS policies: the policy that a constant names, durations in milliseconds."""
+
+from __future__ import annotations
+
+from ecm_parsers.source.expr import Call, Expr, Member, Name, Number
+
+from ecm_extract.link.code.calls import dotted_name
+from ecm_extract.link.code.spelling import last_name
+
+_WORDS = (
+    *("best_effort", "reliable", "transient_local", "volatile", "keep_last", "keep_all"),
+    *("automatic", "manual_by_topic", "best_available", "system_default"),
+)
+_UNITS = {"s": 1000.0, "ms": 1.0, "us": 0.001, "ns": 1e-6, "min": 60000.0, "h": 3600000.0}
+
+
+def policy_word(expr: Expr) -> str:
+    """Return the policy that a constant names: `ReliabilityPolicy.BEST_EFFORT`, `ReliabilityPolicy::BestEffort`."""
+    text = expr.id if isinstance(expr, Name) else expr.name if isinstance(expr, Member) else ""
+    squeezed = last_name(text).replace("_", "").lower()
+    return next((word for word in _WORDS if squeezed.endswith(word.replace("_", ""))), "")
+
+
+def milliseconds(expr: Expr) -> float | None:
+    """Return a duration as written in C++ or Python, None for what is no constant."""
+    if not isinstance(expr, Call):
+        return None
+    name = last_name(dotted_name(expr.callee) or (expr.callee.id if isinstance(expr.callee, Name) else ""))
+    keywords = dict(expr.keywords)
+    if name == "Duration" and keywords:
+        seconds, nanoseconds = keywords.get("seconds"), keywords.get("nanoseconds")
+        total = seconds.value * 1000.0 if isinstance(seconds, Number) else 0.0
+        return total + (nanoseconds.value * 1e-6 if isinstance(nanoseconds, Number) else 0.0)
+    if len(expr.args) == 1 and isinstance(expr.args[0], Number):
+        factor = {"milliseconds": 1.0, "seconds": 1000.0, "nanoseconds": 1e-6, "from_seconds": 1000.0}.get(
+            name, _UNITS.get(name)
+        )
+        return expr.args[0].value * factor if factor is not None else None
+    return milliseconds(expr.args[0]) if len(expr.args) == 1 else None

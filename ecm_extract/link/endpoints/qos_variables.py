@@ -1,0 +1,170 @@
+"""The profile of QoS that a variable holds at a place: what it is given, what is set on it, and by whom."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any, Protocol
+
+from ecm_parsers.source.expr import Call, Constant, Expr, Member, Name
+
+from ecm_extract.infer.held import Held, State
+from ecm_extract.infer.run import Run
+from ecm_extract.link.code.units import Cls
+from ecm_extract.link.endpoints.qos_presets import UNSEEN, agreed
+from ecm_extract.link.running.env import Env
+
+if TYPE_CHECKING:
+    from ecm_extract.link.folding.fold import Folder
+
+Policies = dict[str, Any]
+"""Policy -> its value."""
+
+
+class Profiles(Protocol):
+    """Evaluates profiles."""
+
+    def policies(self, expr: Expr, env: Env, level: int) -> Policies:
+        """Return what an expression sets; `level` is the nesting of evaluations."""
+
+    def chain(self, expr: Expr, env: Env) -> Policies:
+        """Return what setters set, one after the other."""
+
+    def set_by(self, expr: Call, env: Env) -> Policies:
+        """Return what one setter sets."""
+
+    def assigned(self, key: str, value: Expr, env: Env) -> Policies:
+        """Return what the assignment of a field sets."""
+
+
+class QosVariables:
+    """Tells what variables hold: as the run of their function has it, or else as all methods leave a member."""
+
+    def __init__(self, folder: Folder, profiles: Profiles) -> None:
+        self.folder = folder
+        self.profiles = profiles
+        self._begun: dict[tuple[Cls, str], Policies | None] = {}
+
+    def at(self, expr: Name | Member, env: Env, level: int) -> Policies | None:
+        """Return the policies of a variable at a place; None for a variable that nobody gives a profile."""
+        key = self.folder.flow.effects(env.func).key(expr)
+        parts = [each for each in self.folder.flow.outline(env.func).changes if key and each.startswith(f"{key}.")]
+        if parts:
+            return self._in_states(key, parts, env, level)
+        ways = self.folder.flow.ways(expr, env)
+        found = [self._any_of(helds, env, level) for helds in ways]
+        if not found or None in found:
+            return self._around(expr, key, env, level)
+        return agreed([policies for policies in found if policies is not None])
+
+    def _in_states(self, key: str, parts: Iterable[str], env: Env, level: int) -> Policies | None:
+        found: list[Policies] = []
+        for state in self.folder.flow.states(env):
+            whole = self._any_of(state.holds.get(key, ()), env, level)
+            if whole is None:
+                return None
+            found.append(whole | self._of_parts(parts, state))
+        return agreed(found) if found else None
+
+    def _of_parts(self, parts: Iterable[str], state: State) -> Policies:
+        """What fields of a profile are given; one that somebody may have given anything is unknown."""
+        found: Policies = {}
+        for part in parts:
+            field = part.rpartition(".")[2]
+            for held in self.folder.flow.decisions.ways(state.holds.get(part, ())):
+                known = held.how == "value" and held.expr is not None and held.env is not None
+                told = self.profiles.assigned(field, held.expr, held.env) if known and held.expr and held.env else None
+                found = agreed([found, told]) if field in found and told else found | (told or _unknown(field))
+        return found
+
+    # --- what a variable holds -----------------------------------------------------------------------------
+
+    def _any_of(self, helds: Iterable[Held], env: Env, level: int) -> Policies | None:
+        """The policies that all things have which a variable may hold; None where not all of them are known."""
+        ways = self.folder.flow.decisions.ways(tuple(helds))
+        found = [self._held(held, env, level) for held in ways if not _is_nothing(held)]
+        known = [policies for policies in found if policies is not None]
+        return agreed(known) if known and len(known) == len(found) else None
+
+    def _held(self, held: Held, env: Env, level: int) -> Policies | None:
+        inner = held.env if held.env is not None else env
+        if held.how == "value" and held.expr is not None:
+            return self.profiles.policies(held.expr, inner, level + 1)
+        if held.how == "made":
+            return {}
+        if held.how == "changed" and isinstance(held.expr, Call):
+            before = self._any_of(held.before, env, level)
+            return None if before is None else before | self.profiles.set_by(held.expr, inner)
+        if held.how in {"looped", "handed", "entered"}:
+            return self._any_of(held.before, inner, level)
+        if held.how == "after":
+            left = self.folder.held.left(held, inner)
+            return self._any_of(left[0], left[1], level) if left is not None else None
+        cls = inner.this or inner.func.cls
+        if held.how in {"given", "shared"} and _is_member(held.name) and cls is not None:
+            return self._of_member(held.name, cls, inner, level)
+        return dict(UNSEEN) if held.how in {"lost", "out", "stored", "read"} else None
+
+    # --- members -------------------------------------------------------------------------------------------
+
+    def _around(self, expr: Name | Member, key: str, env: Env, level: int) -> Policies | None:
+        """What a variable is where the function at hand leaves it alone."""
+        cls = env.this or env.func.cls
+        if _is_member(key) and cls is not None:
+            return self._of_member(key, cls, env, level)
+        passed = any(entry.name.lstrip("*") == key for entry in env.func.fact.params)  # who asks knows what for
+        if passed:
+            return None
+        ways = self.folder.flow.ways(expr, env)
+        return self._any_of(self.folder.origins.held(expr, env), env, level) if not ways else None
+
+    def _of_member(self, key: str, cls: Cls, env: Env, level: int) -> Policies | None:
+        """What its constructor makes of a member, or what it is declared with, and what other methods make of that."""
+        if (cls, key) in self._begun:
+            return self._begun[cls, key]
+        self._begun[cls, key] = self._declared(key[1:], cls, env, level)
+        try:
+            ends = list(self.folder.members.ends(key[1:], cls, env))
+            made = self._left(key, cls, [end for end in ends if end[1].func.is_constructor], level)
+            self._begun[cls, key] = agreed(made) if made else self._begun[cls, key]
+            later = self._left(key, cls, [end for end in ends if not end[1].func.is_constructor], level)
+            declared = self._begun[cls, key] if not made and not later else None
+            found = [*made, *later, *([declared] if declared is not None else [])]
+            return agreed(found) if found else None
+        finally:
+            del self._begun[cls, key]
+
+    def _left(self, key: str, cls: Cls, ends: Iterable[tuple[Run | None, Env]], level: int) -> list[Policies]:
+        """What methods leave a member with that they give something."""
+        found = [self._at_end(key, self._begun[cls, key], run, place, level) for run, place in ends]
+        return [policies for policies in found if policies is not None]
+
+    def _at_end(self, key: str, begun: Policies | None, run: Run | None, place: Env, level: int) -> Policies | None:
+        if run is None or run.end is None:
+            return dict(UNSEEN) if run is None else None
+        helds = self.folder.flow.shown(run, key)
+        parts = [each for each in run.end.holds if each.startswith(f"{key}.")]
+        given = any(held.how not in {"given", "shared"} for held in helds)
+        whole = self._any_of(helds, place, level) if given else begun if parts else None
+        return None if whole is None else whole | self._of_parts(parts, run.end)
+
+    def _declared(self, name: str, cls: Cls, env: Env, level: int) -> Policies | None:
+        """What a data member, its own or of a base, is declared with; None for no such."""
+        default = next(
+            (own.fields[name].default for own in self.folder.program.ancestry(cls) if name in own.fields), None
+        )
+        if default is None:
+            return None
+        return self.profiles.policies(default, Env(env.func, depth=env.depth + 1, this=cls), level + 1)
+
+
+def _unknown(field: str) -> Policies:
+    return {field: UNSEEN[field]} if field in UNSEEN else {}
+
+
+def _is_member(key: str) -> bool:
+    return key.startswith(".") and key.count(".") == 1
+
+
+def _is_nothing(held: Held) -> bool:
+    """Tell whether a variable is given no object."""
+    return held.how == "value" and isinstance(held.expr, Constant)

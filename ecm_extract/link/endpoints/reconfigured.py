@@ -1,0 +1,37 @@
+"""Where the parameters of dynamic_reconfigure stand: beside the service of the server that gives them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Final, NamedTuple
+
+from ecm_checker.contract import Interface
+from msgspec.structs import replace
+
+from ecm_extract.link.running.values import weaker
+
+SERVICE: Final = "dynamic_reconfigure/srv/Reconfigure"
+"""Type of the service by which a server is set (dynamic_reconfigure/server.h)."""
+_LEAF: Final = "set_parameters"
+
+
+class Placed(NamedTuple):
+    """An interface, and its name for any namespace and node."""
+
+    interface: Interface
+    local: str
+
+
+def beside(parameter: Interface, servers: Sequence[Placed]) -> Iterator[Placed]:
+    """Yield a parameter of a `.cfg` in the namespace of the server of its unit; of several servers in that of each."""
+    leaf = parameter.name.removeprefix("~")
+    for server in servers:
+        service = server.interface
+        head, raw = service.name.removesuffix(_LEAF), service.raw_name.removesuffix(_LEAF)
+        raw = "~" if raw == "~/" else raw  # a private parameter is written without the slash
+        sure = weaker(parameter.confidence, service.confidence)
+        sure = weaker(sure, "one_of") if len(servers) > 1 else sure
+        placed = replace(parameter, name=f"{head}{leaf}", raw_name=f"{raw}{leaf}", confidence=sure)
+        yield Placed(placed, f"{server.local.removesuffix(_LEAF)}{leaf}")
+    if not servers:
+        yield Placed(parameter, parameter.name)

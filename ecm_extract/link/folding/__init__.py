@@ -1,0 +1,1 @@
+"""What expressions give: texts, numbers, lists and tables, with holes where nothing in the tree shows the value."""

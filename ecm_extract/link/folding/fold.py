@@ -1,0 +1,258 @@
+"""Folding: the text an expression has, as far as the tree shows it.
+
+Follows DESIGN §4: constants, concatenation, formats, members set in constructors, parameters with their
+defaults, functions that return a value. Every result has a confidence; unknown parts stay as holes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable, Sequence
+from itertools import islice, product
+from typing import Any
+
+from ecm_parsers.source.expr import (
+    Call,
+    Constant,
+    Expr,
+    Member,
+    Name,
+    Number,
+    Op,
+    Opaque,
+    Template,
+    Text,
+)
+
+from ecm_extract.infer.compute import NULL, UNKNOWN, shown
+from ecm_extract.link.folding.comprehended import Comprehended
+from ecm_extract.link.folding.fold_calls import CallFolder
+from ecm_extract.link.folding.fold_fields import FieldFolder
+from ecm_extract.link.folding.fold_held import HeldFolder
+from ecm_extract.link.folding.fold_lists import ListFolder
+from ecm_extract.link.folding.fold_members import MemberFolder
+from ecm_extract.link.folding.fold_names import NameFolder
+from ecm_extract.link.folding.fold_operators import OperatorFolder
+from ecm_extract.link.folding.fold_returns import ReturnFolder
+from ecm_extract.link.folding.fold_streams import StreamFolder
+from ecm_extract.link.folding.fold_tables import TableFolder
+from ecm_extract.link.folding.fold_texts import TextFolder
+from ecm_extract.link.folding.list_changes import ListChanges
+from ecm_extract.link.folding.optionals import OptionalFolder
+from ecm_extract.link.folding.searches import SearchFolder
+from ecm_extract.link.folding.steps import Steps
+from ecm_extract.link.folding.structures import StructureFolder
+from ecm_extract.link.index.nesting import Nesting
+from ecm_extract.link.index.program import Program
+from ecm_extract.link.running.env import MAX_DEPTH, Env
+from ecm_extract.link.running.flow import Flow
+from ecm_extract.link.running.given_fields import GivenFields
+from ecm_extract.link.running.lasting import LastingVariables
+from ecm_extract.link.running.lasting_states import LastingStates
+from ecm_extract.link.running.method_effects import MethodEffects
+from ecm_extract.link.running.object_states import ObjectStates
+from ecm_extract.link.running.objects import Objects
+from ecm_extract.link.running.origins import Origins
+from ecm_extract.link.running.outside_variables import OutsideVariables
+from ecm_extract.link.running.parameter_reads import ParameterReads
+from ecm_extract.link.running.part_objects import PartObjects
+from ecm_extract.link.running.runs_once import RunsOnce
+from ecm_extract.link.running.scope import Scope
+from ecm_extract.link.running.shifting import Shifting
+from ecm_extract.link.running.values import (
+    MAX_ALTERNATIVES,
+    TOO_MANY,
+    Hole,
+    Value,
+    alternatives,
+    computed,
+    constant,
+    data_in,
+    joined,
+    literal,
+    unknown,
+    weaker,
+)
+
+MAX_NESTED = 60
+"""Questions within questions."""
+_Asked = tuple[Hashable, ...]
+"""A name with what its value depends on, beside what its function is called with."""
+
+
+class Folder:
+    """Evaluates expressions of a program."""
+
+    def __init__(self, program: Program, scope: Scope, reads: ParameterReads) -> None:
+        self.program = program
+        self.scope = scope
+        self.objects = Objects(program, scope)
+        self.reads = reads
+        self.names = NameFolder(self)
+        self.members = MemberFolder(self)
+        self.fields = FieldFolder(self)
+        self.calls = CallFolder(self)
+        self.origins = Origins(self)
+        self.lists = ListFolder(self)
+        self.comprehended = Comprehended(self)
+        self.returns = ReturnFolder(self)
+        self.texts = TextFolder(self)
+        self.list_changes = ListChanges(self)
+        self.structures = StructureFolder(self)
+        self.tables = TableFolder(self)
+        self.optionals = OptionalFolder(self)
+        self.searches = SearchFolder(self)
+        self.operators = OperatorFolder(self)
+        self.streams = StreamFolder(self)
+        self.held = HeldFolder(self)
+        self.nesting = Nesting(program)
+        self.flow = Flow(self)
+        self.states = ObjectStates(self)
+        self.parts = PartObjects(self)
+        self.given_fields = GivenFields(self)
+        self.shifting = Shifting(self)
+        self.runs_once = RunsOnce(self)
+        self.outside = OutsideVariables(self)
+        self.lasting = LastingVariables(self)
+        self.lasting_states = LastingStates(self)
+        self.methods = MethodEffects(self)
+        scope.ways = self.flow.ways
+        self.cuts = 0
+        self.cycles = 0
+        self.steps = Steps(sum(len(func.fact.body) for group in program.functions.values() for func in group))
+        self._active: set[Hashable] = set()
+        self._meanwhile: dict[Hashable, tuple[Value, ...]] = {}
+        self._answers: dict[_Asked, tuple[Env, tuple[Value, ...]]] = {}
+
+    def fold(self, expr: Expr | None, env: Env) -> tuple[Value, ...]:
+        """Return the possible values of an expression, at least one."""
+        if not self.steps.depth:
+            self._answers.clear()  # more may be known of parameters by now
+        if expr is None or env.depth > MAX_DEPTH or not self.steps.take(env):
+            self.cuts += 1
+            return (unknown("value"),)
+        with self.steps:
+            values = self._by_kind(expr, env)
+        if any(TOO_MANY.parts[0] in value.parts for value in values):
+            self.steps.leave_out(env)
+        return values
+
+    def _by_kind(self, expr: Expr, env: Env) -> tuple[Value, ...]:
+        match expr:
+            case Name():
+                return self.names.name(expr, env)
+            case Member():
+                return self.members.member(expr, env)
+            case Call():
+                return self.calls.call(expr, env)
+            case Op():
+                return self.operators.op(expr, env)
+            case Template():
+                return joined(self.shown(self.fold(part, env.before(env.at)), env) for part in expr.parts)
+            case Text():
+                return (literal(expr.value),)
+            case Number():
+                return (constant(expr.value),)
+            case Constant():
+                return (constant({"true": True, "false": False}.get(expr.name, NULL)),)
+            case Opaque() if expr.text.isidentifier():
+                return (unknown(expr.text),)
+        return (unknown("value"),)
+
+    @property
+    def marks(self) -> tuple[int, int]:
+        """What changes when a bound or a circle has a part in an answer, which is then not for everybody."""
+        return self.cuts, self.cycles
+
+    @property
+    def is_asking(self) -> bool:
+        """Whether a question is being answered."""
+        return bool(self._active)
+
+    def guarded(
+        self, asked: Hashable, label: str, work: Callable[[], tuple[Value, ...]], circle: Value | None = None
+    ) -> tuple[Value, ...]:
+        """Break cycles such as `x = f(x)` in a loop or members that are set from each other.
+
+        Args:
+            asked: the question; who comes to it again while it is answered is told `circle`, or that it is unknown.
+            label: what the value is called.
+            work: gives the answer.
+            circle: what a question is answered with that comes from itself.
+        """
+        if asked in self._active or len(self._active) > MAX_NESTED:
+            self.cuts += 1
+            self.cycles += 1
+            return (circle or unknown(label),)
+        known = self._meanwhile.get(asked)
+        if known is not None:
+            self.cycles += 1  # whoever uses it has a part in the cycle
+            return known
+        cycles = self.cycles
+        self._active.add(asked)
+        try:
+            values = work()
+        finally:
+            self._active.discard(asked)
+        if not self._active:
+            self._meanwhile.clear()
+        elif cycles != self.cycles:
+            self._meanwhile[asked] = values
+        return values
+
+    def once(self, label: str, env: Env, work: Callable[[], tuple[Value, ...]]) -> tuple[Value, ...]:
+        """Answer a question that several branches ask once, as long as no cycle had a part in the answer."""
+        key = (env.func, label, env.at, env.depth, env.this, env.made, env.state)
+        known = self._answers.get(key)
+        if known is not None and known[0].args is env.args:
+            return known[1]
+        cycles = self.cycles
+        values = self.guarded(("name", label, env.func, env.at, env.state), label, work)
+        if self.steps.depth and cycles == self.cycles:
+            self._answers[key] = (env, values)
+        return values
+
+    def forget(self) -> None:
+        """Drop remembered members, since more of the parameters is known now."""
+        self.members.forget()
+        self.names.variables.forget()
+        self.reads.forget()
+        self.flow.forget()
+        self.states.forget()
+
+    def combined(
+        self, options: Sequence[tuple[Value, ...]], work: Callable[[list[Any]], Any], label: str
+    ) -> tuple[Value, ...]:
+        """Compute with each combination of known values; what is not known or not computed stays a pattern."""
+        found: list[Value] = []
+        for values in islice(product(*options), MAX_ALTERNATIVES + 1):
+            data = [data_in(value) for value in values]
+            result = None if UNKNOWN in data else computed(work(data))
+            found.append(_left_open(values, label) if result is None else _as_sure(result, values))
+        return alternatives(found) if len(found) > 1 else tuple(found) or (unknown(label),)
+
+    def shown(self, values: tuple[Value, ...], env: Env) -> tuple[Value, ...]:
+        """Return values as texts: numbers and truth values as the language writes them."""
+        python = env.func.file.language == "python"
+        return tuple([_shown(value, python) for value in values])
+
+
+def _left_open(values: Sequence[Value], label: str) -> Value:
+    """What is not computed: it still depends on the parameters that its parts depend on."""
+    holes = [part for value in values for part in value.parts if isinstance(part, Hole)]
+    open_ = tuple([hole._replace(default=None) for hole in holes if hole.kind in {"param", "made"}])
+    named = next((hole.label for hole in holes), label) if label == "value" else label
+    return Value(open_, "pattern") if open_ else unknown(named)
+
+
+def _as_sure(result: Value, values: Sequence[Value]) -> Value:
+    weakest = result.confidence
+    for value in values:
+        weakest = weaker(weakest, value.confidence)
+    return result._replace(confidence=weakest)
+
+
+def _shown(value: Value, python: bool) -> Value:
+    if value.data is None:
+        return value
+    text = shown(value.data, python)
+    return unknown("value") if text is UNKNOWN else value._replace(parts=(text,), data=None)

@@ -1,0 +1,336 @@
+"""Calls that give a value: formats, parameter reads, functions with a return value."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Callable, Mapping, Sequence
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
+
+from ecm_parsers.source.expr import (
+    Call,
+    Expr,
+    Lambda,
+    Member,
+    Name,
+)
+
+from ecm_extract.infer.compute import UNKNOWN, is_number, method, shown, truth
+from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.limits import limit
+from ecm_extract.link.code.naming_calls import gives_name, is_resolver
+from ecm_extract.link.code.numbers import NUMBERS, as_number
+from ecm_extract.link.code.spelling import last_name
+from ecm_extract.link.folding import formats
+from ecm_extract.link.folding.fold_changes import STREAMS
+from ecm_extract.link.folding.placing import CAMERA_INFO, placed
+from ecm_extract.link.running.env import Bound, Env, invocation_of
+from ecm_extract.link.running.values import (
+    Hole,
+    Value,
+    alternatives,
+    constant,
+    data_in,
+    demoted,
+    joined,
+    literal,
+    lowered,
+    node_namespace,
+    set_by,
+    setting,
+    unknown,
+)
+from ecm_extract.shipped import shipped_names
+
+if TYPE_CHECKING:
+    from ecm_extract.link.folding.fold import Folder
+
+_TABLE = "link/code/library_values.toml"
+_SAME = shipped_names(_TABLE, "conversions") | frozenset(NUMBERS)
+_TOPIC_READS = frozenset({"get_topic_name", "getTopic", "get_service_name", "getService"})
+_MAKES_TOPICS = frozenset(
+    {"create_publisher", "create_subscription", "create_service", "create_client", "create_camera_publisher"}
+    | {"create_camera_subscription", "advertise", "subscribe", "advertiseService", "serviceClient"}
+    | {"advertiseCamera", "subscribeCamera"}
+)
+MAX_FILL = 256
+_SIZES = frozenset({"len", "size", "length", "empty"})
+_PYTHON_FUNCTIONS: Mapping[str, Callable[[list[Any]], Any]] = MappingProxyType(
+    {
+        "hex": lambda data: hex(data[0]) if len(data) == 1 and isinstance(data[0], int) else UNKNOWN,
+        "oct": lambda data: oct(data[0]) if len(data) == 1 and isinstance(data[0], int) else UNKNOWN,
+        "bin": lambda data: bin(data[0]) if len(data) == 1 and isinstance(data[0], int) else UNKNOWN,
+        "bool": lambda data: truth(data[0], True) if len(data) == 1 else UNKNOWN,
+        "abs": lambda data: abs(data[0]) if len(data) == 1 and is_number(data[0]) else UNKNOWN,
+        "min": lambda data: min(data) if len(data) > 1 and all(map(is_number, data)) else UNKNOWN,
+        "max": lambda data: max(data) if len(data) > 1 and all(map(is_number, data)) else UNKNOWN,
+    }
+)
+_PATH_JOINS = shipped_names(_TABLE, "paths")
+_PROPERTIES = shipped_names(_TABLE, "properties")
+_PROPERTY_READS = shipped_names(_TABLE, "property_reads")
+
+
+class CallFolder:
+    """Folds calls."""
+
+    def __init__(self, folder: Folder) -> None:
+        self.folder = folder
+
+    def call(self, expr: Call, env: Env) -> tuple[Value, ...]:
+        """String constructions, formats, parameter reads and functions that return a value."""
+        call = invocation_of(expr, env)
+        if call.path.endswith("names::resolve") and len(call.args) == 1:
+            return self._absolute(call.args[0], env.before(env.at))
+        tidied = is_resolver(call.last) or gives_name(call.path)
+        plainly = call.receiver is None and (call.path in _SAME or call.last in STREAMS)
+        if tidied and call.args:
+            return self.folder.fold(call.args[0], env.before(env.at))
+        if plainly:
+            return self._same(call, env.before(env.at))
+        if call.last == "getCameraInfoTopic" and call.args:
+            images = self.folder.fold(call.args[0], env.before(env.at))
+            return demoted(tuple([placed(value, CAMERA_INFO) for value in images]))
+        read = self.folder.reads.read(call)
+        if read is not None:
+            return self.parameter_value(*read, env.before(env.at))
+        if call.path in _PATH_JOINS and call.args and not call.keywords:
+            return self._path(call, env.before(env.at))
+        formatted = formats.formatted(call)
+        if formatted is not None:
+            return joined(self.folded_parts(formatted, env))
+        return self._computed(call, expr, env.before(env.at))
+
+    def _path(self, call: Invocation, env: Env) -> tuple[Value, ...]:
+        """`os.path.join(a, "/b", c)` as Python joins it: a part from the root drops what stands before it."""
+        options = [self.folder.fold(arg, env) for arg in call.args]
+        if all(isinstance(data_in(value), str) for values in options for value in values):
+            return self.folder.combined(options, lambda data: posixpath.join(*data), "join")
+        rooted = [all(value.text.startswith("/") for value in values) for values in options]
+        first = max((at for at, is_rooted in enumerate(rooted) if is_rooted), default=0)
+        between = [[values, (literal("/"),)] for values in options[first:-1]]
+        return joined([*(part for pair in between for part in pair), options[-1]])
+
+    def _computed(self, call: Invocation, expr: Call, env: Env) -> tuple[Value, ...]:
+        """Methods of texts, sizes, functions of the standard library, functions of the tree."""
+        text = self.folder.texts.value(call, env)
+        if text is not None:
+            return text
+        if call.receiver is not None and call.last in _TOPIC_READS:
+            return self._topic(call.receiver, env) or (unknown(call.last),)
+        if call.receiver is not None and call.last in _PROPERTY_READS:
+            return self._property(call.receiver, env) or (unknown(call.last),)
+        held = self.folder.optionals.called(call, env)
+        if held is not None:
+            return held
+        if call.receiver is not None and call.last in formats.VALUE_READS:
+            entry = self._element(call, env) if call.args else None  # `table.get(key)` is no read of a whole value
+            return self._read_from(call.receiver, call.last, env) if entry is None else entry
+        known = self._of_library(call, env)
+        if known is not None:
+            return known
+        closure = self._closure(expr, call, env)
+        if closure is not None:
+            return closure
+        return self.folder.guarded(_asked(expr, env), f"{call.path}()", lambda: self.folder.returns.values(call, env))
+
+    def _read_from(self, receiver: Expr, name: str, env: Env) -> tuple[Value, ...]:
+        """What a value of a parameter holds; of one that nothing shows it is what somebody sets."""
+        values = self.folder.fold(receiver, env)
+        if name not in formats.PARAMETER_READS:
+            return values
+        return tuple([setting(value.text.strip("{}")) if _is_unknown(value) else value for value in values])
+
+    def _same(self, call: Invocation, env: Env) -> tuple[Value, ...]:
+        """Conversions: a text of what is passed, or a number."""
+        if not call.args:
+            return (literal(""),) if call.path not in NUMBERS else (constant(as_number(0, call.path)),)
+        if len(call.args) > 1:
+            return self._repeated(call, env) if call.last == "string" else (unknown(call.last),)
+        values = self.folder.fold(call.args[0], env)
+        python = env.func.file.language == "python"
+        if call.path in {"str", "std::to_string", "String"}:
+            return self._shown_items(call, env) or tuple([self._text_of(value, python) for value in values])
+        return tuple([_converted(value, call.path) for value in values]) if call.path in NUMBERS else values
+
+    def _shown_items(self, call: Invocation, env: Env) -> tuple[Value, ...]:
+        """`str(names)` of a list is nothing that anybody names things with."""
+        listed = env.func.file.language == "python" and self.folder.lists.items(call.args[0], env) is not None
+        return (unknown("value"),) if listed else ()
+
+    def _text_of(self, value: Value, python: bool) -> Value:
+        text = shown(value.data, python) if value.data is not None else ""
+        return (
+            value
+            if value.data is None
+            else unknown("value")
+            if text is UNKNOWN
+            else value._replace(parts=(text,), data=None)
+        )
+
+    def _repeated(self, call: Invocation, env: Env) -> tuple[Value, ...]:
+        """`std::string(3, 'x')`, `std::string(text, 0, 4)`."""
+        options = [self.folder.fold(arg, env) for arg in call.args]
+        return self.folder.combined(options, _filled, "string")
+
+    def _of_library(self, call: Invocation, env: Env) -> tuple[Value, ...] | None:
+        """What the standard library gives for what is known; None for other functions."""
+        python = env.func.file.language == "python"
+        if call.last in _SIZES and self._is_size(call, python):
+            subject = call.args[0] if python else call.receiver
+            items = self.folder.lists.items(subject, env)
+            if items is not None:
+                size = len(items)
+                return (constant(size == 0 if call.last == "empty" else size)._replace(confidence="folded"),)
+            if python and subject is not None:
+                return self.folder.combined([self.folder.fold(subject, env)], _length, "len")
+        searched = None if python else self.folder.searches.count(call, env)
+        if searched is not None:
+            return searched
+        part = None if python else self.folder.structures.part_by_place(call, env)
+        if part is not None:
+            return part
+        bound = None if python else limit(call.path, call.types)
+        if bound is not None:
+            return (constant(bound),)
+        work = _PYTHON_FUNCTIONS.get(call.path) if python and call.receiver is None else None
+        if work is not None and not call.keywords:
+            return self.folder.combined([self.folder.fold(arg, env) for arg in call.args], work, call.last)
+        if call.receiver is not None and call.last in {"at", "front", "back", "get"}:
+            return self._element(call, env)
+        return None
+
+    def _is_size(self, call: Invocation, python: bool) -> bool:
+        return call.path == "len" and len(call.args) == 1 if python else call.receiver is not None and not call.args
+
+    def _element(self, call: Invocation, env: Env) -> tuple[Value, ...] | None:
+        """`names.at(0)`, `names.back()`, `table.get(key, default)`."""
+        receiver = call.receiver
+        if call.last in {"front", "back"} and not call.args:
+            items = self.folder.lists.items(receiver, env)
+            return demoted(self.folder.lists.fold(items[0 if call.last == "front" else -1], env)) if items else None
+        if call.last == "at" and len(call.args) == 1:
+            return self.folder.lists.elements(receiver, env, call.args[0])
+        entries = self.folder.tables.entries(receiver, env) if call.last == "get" and 1 <= len(call.args) <= 2 else None
+        if entries is None:
+            return None
+        return self.folder.tables.entry_or(entries, call.args[0], call.args[1:], env)
+
+    def _closure(self, expr: Call, call: Invocation, env: Env) -> tuple[Value, ...] | None:
+        """A call of a variable that holds a Python lambda."""
+        python = env.func.file.language == "python"
+        ways = self.folder.flow.ways(expr.callee, env) if python and isinstance(expr.callee, Name | Member) else []
+        helds = {held for way in ways for held in way}
+        made = [held for held in helds if isinstance(held.expr, Lambda) and held.how == "value"]
+        if not made:
+            return None
+        held, body = made[0], made[0].expr
+        plain = (
+            isinstance(body, Lambda) and body.body is not None and not any("=" in p or "*" in p for p in body.params)
+        )
+        own = held.env is not None and held.env.func is env.func
+        if len(helds) > 1 or not plain or not own or not isinstance(body, Lambda) or len(body.params) != len(call.args):
+            return (unknown(call.last),)
+        given = {name: Bound(arg, env) for name, arg in zip(body.params, call.args, strict=True)}
+        return demoted(self.folder.fold(body.body, self.folder.flow.naming(env, given)))
+
+    def _absolute(self, name: Expr, env: Env) -> tuple[Value, ...]:
+        """`ros::names::resolve(name)`: below the namespace of the node, whatever handle it is given to later."""
+        values = self.folder.fold(name, env)
+        if any(value.text.startswith(("/", "~")) or value.confidence == "pattern" for value in values):
+            return values
+        return joined([(node_namespace(),), (literal("/"),), values])
+
+    def _topic(self, receiver: Expr, env: Env) -> tuple[Value, ...]:
+        """The name that a publisher, subscription, service or client was made with."""
+        return self._of_makers(receiver, env, _topic_of)
+
+    def _property(self, receiver: Expr, env: Env) -> tuple[Value, ...]:
+        """An rviz property `new XProperty("Topic", "/default", ...)` is read like a parameter with that default."""
+        return lowered(self._of_makers(receiver, env, _text_of_property), "default")
+
+    def _of_makers(self, receiver: Expr, env: Env, named: Callable[[Call, Env], Expr | None]) -> tuple[Value, ...]:
+        """What the calls that may have made an object name it with; empty where one of them is not known."""
+        found: list[Value] = []
+        for made in self.folder.origins.makers(receiver, env) or ():
+            name = named(made.expr, made.env) if isinstance(made.expr, Call) else None
+            if name is None:
+                return ()
+            found += self.folder.fold(name, made.env)
+        return alternatives(demoted(found)) if found else ()
+
+    def folded_parts(self, parts: Sequence[Expr | str], env: Env) -> list[tuple[Value, ...]]:
+        """Return the values of the pieces of a format, in order."""
+        inner = env.before(env.at)
+        return [(literal(part),) if isinstance(part, str) else self.folder.fold(part, inner) for part in parts]
+
+    def kept_value(self, name: Expr, kept: Sequence[Value], env: Env) -> tuple[Value, ...]:
+        """Return what a variable keeps that a parameter is read into which is not set."""
+        names = self.folder.fold(name, env)
+        values = lowered(kept, "default")
+        return values if names[0].confidence == "pattern" else set_by(names[0].text, values)
+
+    def parameter_value(self, name: Expr, default: Expr | None, env: Env) -> tuple[Value, ...]:
+        """Return the value of a ROS parameter: its default where the call or a declaration has one."""
+        names = self.folder.fold(name, env)
+        owner = (env.this or env.func.cls) if env.func is not None else None
+        lineage = self.folder.program.ancestry(owner) if owner is not None else ()
+        known = self.folder.reads.default(names[0].text, env.func.file.package, (*lineage, env.func.file))
+        values = self.default_value(names[0].text, known, default, env)
+        return values if names[0].confidence == "pattern" else set_by(names[0].text, values)
+
+    def default_value(
+        self, name: str, known: tuple[Expr, Env] | str | None, default: Expr | None, env: Env
+    ) -> tuple[Value, ...]:
+        """Return the values of a default: of the call, else of the declaration, else a hole."""
+        values: tuple[Value, ...] = ()
+        if default is not None:
+            values = lowered(self.folder.fold(default, env.before(env.at)), "default")
+        elif isinstance(known, str):
+            values = (Value((known,), "default"),)
+        elif known is not None:
+            values = lowered(self.folder.fold(known[0], known[1].before(known[1].at)), "default")
+        if values and (values[0].text or len(values) > 1):
+            return values
+        return (setting(name.rsplit("/", 1)[-1].rsplit(".", 1)[-1].strip("~{}")),)
+
+
+def _topic_of(made: Call, env: Env) -> Expr | None:
+    """The name in a call that makes an endpoint."""
+    call = invocation_of(made, env)
+    free = call.receiver is None and "::" in call.path
+    position = 1 if free or call.args[:1] == (Name("this"),) else 0
+    return call.args[position] if call.last in _MAKES_TOPICS and len(call.args) > position else None
+
+
+def _text_of_property(made: Call, env: Env) -> Expr | None:
+    """The text that a property of rviz begins with."""
+    of_property = isinstance(made.callee, Name) and last_name(made.callee.id) in _PROPERTIES
+    return made.args[1] if of_property and len(made.args) > 1 else None
+
+
+def _is_unknown(value: Value) -> bool:
+    return len(value.parts) == 1 and isinstance(value.parts[0], Hole) and value.parts[0].kind == "unknown"
+
+
+def _asked(expr: Call, env: Env) -> tuple[object, ...]:
+    """What tells a call with its arguments from the same call with others."""
+    return "call", expr, env.func, env.at, env.state, tuple(env.args.values())
+
+
+def _converted(value: Value, kind: str) -> Value:
+    data = as_number(value.data, kind)
+    return value if data is value.data else constant(data)._replace(confidence="folded")
+
+
+def _filled(data: list[object]) -> object:
+    first, *rest = data
+    if isinstance(first, int) and len(rest) == 1 and isinstance(rest[0], str) and 0 <= first <= MAX_FILL:
+        return rest[0] * first
+    if isinstance(first, str) and len(rest) == 2:
+        return method("substr", first, rest, False)
+    return UNKNOWN
+
+
+def _length(data: list[object]) -> object:
+    return len(data[0]) if isinstance(data[0], str) else UNKNOWN

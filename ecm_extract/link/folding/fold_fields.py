@@ -1,0 +1,90 @@
+"""Fields of structures that hold settings: what the functions at hand write to them.
+
+`nh.param("topic", params_.topic, "scan")` or `params.topic = ...` in one method, `params_.topic` in another. The
+variables may have different names: what is assigned is told by the class of the structure, what is read by the field.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
+
+from ecm_parsers.source.expr import Expr, Member, Name
+
+from ecm_extract.link.code.units import Func
+from ecm_extract.link.running.env import Env, invocation_of
+from ecm_extract.link.running.values import MAX_ALTERNATIVES, Value, alternatives, demoted
+
+if TYPE_CHECKING:
+    from ecm_extract.link.folding.fold import Folder
+
+
+class FieldFolder:
+    """Folds `object.field` by the assignments to that field."""
+
+    def __init__(self, folder: Folder) -> None:
+        self.folder = folder
+
+    def value(self, expr: Member, env: Env) -> tuple[Value, ...]:
+        """Return what the field can hold; empty when nothing at hand writes it."""
+        return self.folder.guarded(
+            ("field", expr, env.func, env.at, env.state), expr.name, lambda: self._value(expr, env)
+        )
+
+    def _value(self, expr: Member, env: Env) -> tuple[Value, ...]:
+        found = [*self._of_functions(expr, env), *self._of_class(expr, env)]
+        filled = [value for value in found if value.text]
+        return alternatives(filled or found)[:MAX_ALTERNATIVES] if found else ()
+
+    def _of_functions(self, expr: Member, env: Env) -> Iterator[Value]:
+        """What the function at hand writes, and functions that it hands the object to."""
+        for func in (env.func, *self._helpers(expr, env)):
+            limit = env.at if func is env.func else len(func.fact.body)
+            for at, name, default in self.folder.reads.written(func, f".{expr.name}"):
+                if at < limit:
+                    yield from self._read(func, at, name, default, env)
+            for at in self.folder.scope.fields(func).get(expr.name, ()):
+                if at < limit:
+                    yield from self._set(expr, func, at, env)
+
+    def _of_class(self, expr: Member, env: Env) -> Iterator[Value]:
+        """What other methods of the class at hand write."""
+        cls = env.this or env.func.cls
+        for entry in self.folder.program.ancestry(cls) if cls is not None else ():
+            for func, at, name, default in self.folder.reads.members(entry, f".{expr.name}"):
+                if func is not env.func:
+                    yield from self._read(func, at, name, default, env)
+            for func, at in self.folder.scope.class_fields(entry).get(expr.name, ()):
+                if func is not env.func:
+                    yield from self._set(expr, func, at, env)
+
+    def _read(self, func: Func, at: int, name: Expr, default: Expr | None, env: Env) -> Iterable[Value]:
+        return self.folder.calls.parameter_value(name, default, self._inside(func, at, env))
+
+    def _set(self, expr: Member, func: Func, at: int, env: Env) -> Iterable[Value]:
+        statement, inner = func.fact.body[at], self._inside(func, at, env)
+        target = statement.target
+        if not isinstance(target, Member) or not self._same_kind(expr.base, env, target.base, inner):
+            return ()
+        return demoted(self.folder.fold(statement.value, inner))
+
+    def _same_kind(self, one: Expr, env: Env, other: Expr, inner: Env) -> bool:
+        """Tell whether two objects are of one class, or called the same where a class is not known."""
+        first = self.folder.objects.class_of(one, env)
+        second = self.folder.objects.class_of(other, inner)
+        return one == other if first is None or second is None else first is second
+
+    def _helpers(self, expr: Member, env: Env) -> Iterator[Func]:
+        cls = env.this or env.func.cls
+        root = expr.base
+        while isinstance(root, Member):
+            root = root.base
+        for at, call, _ in self.folder.scope.passed(env.func, root.id) if isinstance(root, Name) else ():
+            callee = self.folder.objects.callee(invocation_of(call, env.before(at)), env.before(at))
+            if at < env.at and callee is not None and callee is not env.func and (cls is None or callee.cls is not cls):
+                yield callee
+
+    def _inside(self, func: Func, at: int, env: Env) -> Env:
+        if func is env.func:
+            return env.before(at)
+        return Env(func, at, this=func.cls and (env.this or func.cls), depth=env.depth + 1)

@@ -1,0 +1,332 @@
+"""What variables hold, as values: by the statements that made it so, in the order in which they ran."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from typing import TYPE_CHECKING
+
+from ecm_parsers.source.expr import Call, Member
+from ecm_parsers.source.facts import Statement
+
+from ecm_extract.infer.compute import UNKNOWN
+from ecm_extract.infer.held import Held, How, all_ways
+from ecm_extract.link.code.containers import begins_empty
+from ecm_extract.link.code.named_alike import is_name_of_node
+from ecm_extract.link.code.spelling import plain
+from ecm_extract.link.code.units import Cls
+from ecm_extract.link.folding.declared_numbers import as_declared
+from ecm_extract.link.folding.fold_changes import STREAMS, ChangeFolder
+from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, bind, invocation_of
+from ecm_extract.link.running.values import (
+    Value,
+    alternatives,
+    demoted,
+    given_holes,
+    is_setting,
+    literal,
+    lowered,
+    node_name,
+    unknown,
+)
+
+if TYPE_CHECKING:
+    from ecm_extract.link.folding.fold import Folder
+
+_TEXTS = STREAMS | {"string", "QString"}
+
+
+class HeldFolder:
+    """Evaluates what variables hold."""
+
+    def __init__(self, folder: Folder) -> None:
+        self.folder = folder
+        self._changes = ChangeFolder(folder)
+        self._asked: set[Held] = set()
+        self._work: Mapping[How, Callable[[Held, Env], tuple[Value, ...]]] = {
+            "each": self._element,
+            "part": self._part,
+            "read": self._read,
+            "made": self._made,
+            "changed": self._changed,
+            "stored": self._stored,
+            "out": self._written,
+            "after": self._after,
+            "entered": lambda held, env: self.of([held.before], env),
+        }
+
+    def of(self, ways: Iterable[tuple[Held, ...]], env: Env) -> tuple[Value, ...]:
+        """Return the values of a variable: `ways` has what it may hold in each state of the place."""
+        states = list(dict.fromkeys(map(self.folder.flow.decisions.ways, ways)))
+        found: list[Value] = []
+        for helds in states:
+            values = [value for held in helds for value in self.values(held, env)]
+            found += alternatives(values) if len(helds) > 1 else values
+        return alternatives(found) if len(states) > 1 else tuple(found)
+
+    def values(self, held: Held, env: Env) -> tuple[Value, ...]:
+        """Return the values of one thing that a variable may hold; `env` is who asks."""
+        known = held.settled.get("values")
+        if isinstance(known, tuple):
+            return known
+        folder = self.folder
+        marks = folder.marks
+        values = folder.guarded(("held", held), _label(held.name), lambda: self._values(held, env))
+        if marks == folder.marks:
+            held.settled["values"] = values
+        return values
+
+    def _values(self, held: Held, env: Env) -> tuple[Value, ...]:
+        inner = held.env.deeper(env.depth + 1) if held.env is not None else env.deeper(env.depth + 1)
+        work = self._work.get(held.how)
+        if work is not None:
+            return work(held, inner)
+        if held.how == "shared" and held.before:
+            return self.folder.names.variables.given(held.name, env.func.file, self.of([held.before], env))
+        if held.how in {"given", "shared"}:
+            entered = self._entered(held, env)
+            return self.values(entered, env) if entered else self.given(held.name, env, first=held.how == "given")
+        if held.how == "looped":
+            return self.of([held.before], env)
+        if held.how == "handed":
+            return self._handed(held, env, inner.func.file.language == "python")
+        return self._assigned(held, env, inner) if held.how == "value" else (unknown(_label(held.name)),)
+
+    def _entered(self, held: Held, env: Env) -> Held | None:
+        """What a variable held where the function was called that did not give it anything yet."""
+        if held.how != "given":
+            return None
+        lasting = self.folder.lasting_states.entered(held.name, env)
+        if lasting is not None:
+            return Held("entered", held.name, env=env, before=lasting)
+        return self.folder.states.entered(held.name, env)
+
+    def _assigned(self, held: Held, env: Env, inner: Env) -> tuple[Value, ...]:
+        statement = _statement(held)
+        if statement is not None and is_name_of_node(inner.func, statement):
+            return (node_name(),)
+        values = as_declared(demoted(self.folder.fold(held.expr, inner)), statement)
+        return self._by_default(held, env) or values if all(map(is_setting, values)) else values
+
+    def _element(self, held: Held, env: Env) -> tuple[Value, ...]:
+        return self.folder.lists.elements(held.expr, env)
+
+    def _part(self, held: Held, env: Env) -> tuple[Value, ...]:
+        """A part of an element of a list of which not all is known: who knows the list knows it."""
+        values = self.folder.lists.open.element(held.expr, env)
+        return values if any(map(given_holes, values)) else (unknown(_label(held.name)),)
+
+    def _by_default(self, held: Held, env: Env) -> tuple[Value, ...]:
+        """What a member holds that somebody sets through a parameter, as long as nobody does."""
+        if not held.name.startswith(".") or held.name.count(".") > 1:
+            return ()
+        return tuple([value for value in self.given(held.name, env, first=False) if value.confidence != "pattern"])
+
+    def given(self, key: str, env: Env, first: bool = True) -> tuple[Value, ...]:
+        """Return what a variable is that the function did not give anything, `first`: yet."""
+        entry = env.entry()
+        name = key.rpartition(".")[2]
+        if "." not in key:
+            values = self.folder.names.around(name, entry) or (unknown(name),)
+            shifted = not first and self.folder.objects.file_scope.type_of(name, env)
+            return alternatives((*values, unknown(name))) if shifted else values
+        owner = entry.this or entry.func.cls
+        if (
+            first
+            and entry.func.is_constructor
+            and key.startswith(".")
+            and key.count(".") == 1
+            and entry.func.cls is not None
+        ):
+            return self.at_first(name, entry) or (unknown(name),)
+        if key.startswith(".") and key.count(".") == 1 and owner is not None:
+            found = self.folder.members.member_value(name, owner, entry)
+            return found or self.folder.names.around(name, entry) or (unknown(name),)
+        return (unknown(name),)
+
+    def at_first(self, name: str, env: Env) -> tuple[Value, ...]:
+        """Return what a member holds when a constructor starts: what its bases made of it, or its default."""
+        cls = env.func.cls
+        if cls is None or not env.func.is_constructor:
+            return ()
+        for base in self.folder.program.bases(cls):
+            if self._is_of(name, base):
+                return self.folder.members.member_value(name, base, env)
+        values = self.folder.members.initial(name, env.this or cls, env)
+        last = plain(self.folder.scope.member_type(name, cls)).rsplit("::", 1)[-1]
+        return values or ((literal("")._replace(confidence="folded"),) if last in _TEXTS else ())
+
+    def _is_of(self, name: str, base: Cls) -> bool:
+        """Tell whether a base has a member, or gives it a value."""
+        lineage = self.folder.program.ancestry(base)
+        changing = self.folder.scope.changing
+        return bool(self.folder.scope.member_type(name, base)) or any(changing(name, entry) for entry in lineage)
+
+    def _after(self, held: Held, env: Env) -> tuple[Value, ...]:
+        """A member after a method that may have changed it."""
+        found = self.left(held, env)
+        return (unknown(_label(held.name)),) if found is None else self.of([found[0]], found[1].deeper(env.depth + 1))
+
+    def left(self, held: Held, env: Env) -> tuple[tuple[Held, ...], Env] | None:
+        """Return what a called method leaves a member with, and the place to evaluate it at."""
+        if not isinstance(held.expr, Call):
+            return None
+        if self.folder.lasting.named(held.name, env.func) is not None:
+            return self.folder.lasting_states.left(held, env)
+        inner = self.folder.methods.begun(invocation_of(held.expr, env), env)
+        run = self.folder.flow.run(inner) if inner is not None else None
+        if inner is None or run is None or run.end is None:
+            return None
+        ways = self.folder.flow.left(run, held.name)
+        if ways:
+            return ways, inner
+        return (held.before, env) if not run.end.called else ((Held("shared", held.name),), inner)
+
+    def _before(self, held: Held, env: Env) -> tuple[Value, ...]:
+        return self.of([held.before or (Held("given", held.name),)], env)
+
+    def _read(self, held: Held, env: Env) -> tuple[Value, ...]:
+        """A parameter that is read into a variable: where it is not set, the variable keeps what it held."""
+        if held.expr is None:
+            return (unknown(_label(held.name)),)
+        values = self.folder.calls.parameter_value(held.expr, held.more, env)
+        kept = self._before(held, env) if held.before and held.more is None else ()
+        kept = tuple([value for value in kept if value.text and value.confidence != "pattern"])
+        if any(value.confidence == "pattern" for value in values) and kept:
+            return self.folder.calls.kept_value(held.expr, kept, env)
+        return values
+
+    def _made(self, held: Held, _: Env) -> tuple[Value, ...]:
+        """A variable that is declared without a value."""
+        statement = _statement(held)
+        last = plain(statement.type).rsplit("::", 1)[-1] if statement is not None else ""
+        return (literal("")._replace(confidence="folded"),) if last in _TEXTS else (unknown(_label(held.name)),)
+
+    def _changed(self, held: Held, env: Env) -> tuple[Value, ...]:
+        """A text of C++ after a method that changes it; texts of Python never change."""
+        call = held.expr
+        if not isinstance(call, Call) or not isinstance(call.callee, Member) or env.func.file.language == "python":
+            return (unknown(_label(held.name)),)
+        return self._changes.of(call, lambda: self._before(held, env), env, _label(held.name))
+
+    def _stored(self, held: Held, env: Env) -> tuple[Value, ...]:
+        """`text[0] = 'x'` in C++."""
+        if env.func.file.language == "python" or held.expr is None:
+            return (unknown(_label(held.name)),)
+        options = [self._before(held, env), self.folder.fold(held.expr, env), self.folder.fold(held.more, env)]
+        return self.folder.combined(options, _with_character, _label(held.name))
+
+    def _handed(self, held: Held, env: Env, python: bool) -> tuple[Value, ...]:
+        """Whoever gets a text in Python cannot change it; in C++ somebody outside the tree may, or may fill it."""
+        values = self._before(held, env)
+        if python:
+            return values
+        made = any(before.how == "made" for before in all_ways(held.before))
+        return (unknown(_label(held.name)),) if made else lowered(values, "one_of")
+
+    # --- functions that write to what they get ---------------------------------------------------------------
+
+    def out(self, held: Held, env: Env) -> tuple[tuple[Held, ...], Env] | None:
+        """Return what a parameter of a called function holds when it returns, with the place to evaluate it at."""
+        call = held.expr
+        if not isinstance(call, Call):
+            return None
+        invocation = invocation_of(call, env)
+        callee = self.folder.returns.meant(invocation, env)
+        if callee is None or held.name in self.folder.flow.outline(callee).rebound:
+            return None
+        inner = self.folder.returns.entered(callee, invocation, bind(callee, invocation, env), env)
+        run = self.folder.flow.run(inner)
+        if run is None or run.end is None:
+            return None
+        return self.folder.flow.left(run, held.name) or (Held("given", held.name),), inner
+
+    def _written(self, held: Held, env: Env) -> tuple[Value, ...]:
+        if env.func.file.language == "python":  # where a function cannot give the variables of its caller other texts
+            return self._before(held, env)
+        found = self.out(held, env)
+        if found is None:
+            return (unknown(_label(held.name)),)
+        ways, inner = found
+        return self.of([ways], inner.deeper(env.depth + 1))
+
+    # --- lists -------------------------------------------------------------------------------------------------
+
+    def items(self, held: Held, env: Env) -> list[Bound] | None:
+        """Return the elements of a list that a variable may hold; None when they are not all known."""
+        if "items" in held.settled:
+            return held.settled["items"]  # type: ignore[return-value]
+        if env.depth > MAX_DEPTH or held in self._asked:
+            self.folder.cuts += 1
+            return None
+        marks = self.folder.marks
+        self._asked.add(held)
+        found = self._items(held, env.deeper(env.depth + 1))
+        self._asked.discard(held)
+        if marks == self.folder.marks:
+            held.settled["items"] = found
+        return found
+
+    def _items(self, held: Held, env: Env) -> list[Bound] | None:
+        inner = held.env.deeper(env.depth + 1) if held.env is not None else env.deeper(env.depth + 1)
+        if held.how == "value":
+            return self.folder.lists.items(held.expr, inner)
+        if held.how == "made":
+            statement = _statement(held)
+            return [] if statement is not None and begins_empty(statement.type) else None
+        if held.how in {"given", "shared"}:
+            return self._items_at_first(held, env) if not held.before else None
+        if held.how == "out":
+            found = self.out(held, inner)
+            return self.items_of([found[0]], found[1].deeper(env.depth + 1)) if found is not None else None
+        if held.how == "after":
+            found = self.left(held, inner)
+            return self.items_of([found[0]], found[1].deeper(env.depth + 1)) if found is not None else None
+        if held.how == "entered":
+            return self.items_of([held.before], inner)
+        before = self.items_of([held.before], env) if held.before else None
+        if before is None:
+            return None
+        if held.how == "changed" and isinstance(held.expr, Call):
+            return self.folder.list_changes.changed(before, held.expr, inner)
+        return self.folder.list_changes.stored(before, held, inner) if held.how == "stored" else None
+
+    def _items_at_first(self, held: Held, env: Env) -> list[Bound] | None:
+        """The elements of a list that the function did not change."""
+        entered = self._entered(held, env)
+        if entered is not None:
+            return self.items(entered, env)
+        return self.folder.lists.given(held.name, env, held.how == "given")
+
+    def items_of(self, ways: Iterable[tuple[Held, ...]], env: Env) -> list[Bound] | None:
+        """Return the elements of a list that a variable surely holds; None for one of several lists."""
+        states = list(dict.fromkeys(map(self.folder.flow.decisions.ways, ways)))
+        if len(states) != 1 or len(states[0]) != 1:
+            return None
+        return self.items(states[0][0], env)
+
+    def any_items(self, ways: Iterable[tuple[Held, ...]], env: Env) -> tuple[list[Bound], bool]:
+        """Return the elements of all lists that a variable may hold, and whether that is all of them."""
+        found: list[Bound] = []
+        known = True
+        settled = map(self.folder.flow.decisions.ways, ways)
+        for held in dict.fromkeys(held for helds in settled for held in helds):
+            items = self.items(held, env)
+            known = known and items is not None
+            found += items or []
+        return found, known
+
+
+def _label(key: str) -> str:
+    return key.rpartition(".")[2] or "value"
+
+
+def _statement(held: Held) -> Statement | None:
+    body = held.env.func.fact.body if held.env is not None else ()
+    return body[held.at] if 0 <= held.at < len(body) else None
+
+
+def _with_character(data: list[object]) -> object:
+    text, index, char = data
+    if not isinstance(text, str) or not isinstance(index, int) or not isinstance(char, str):
+        return UNKNOWN
+    return text[:index] + char + text[index + 1 :] if len(char) == 1 and 0 <= index < len(text) else UNKNOWN

@@ -1,0 +1,343 @@
+"""Lists: their elements, and the assignments behind a variable."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from ecm_parsers.source.expr import (
+    Call,
+    Comprehension,
+    Expr,
+    Items,
+    Member,
+    Name,
+    Number,
+    Op,
+    Table,
+)
+
+from ecm_extract.infer.compute import UNKNOWN, method
+from ecm_extract.infer.held import Held, State
+from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.containers import begins_empty, is_container
+from ecm_extract.link.code.numbers import kind_of_type
+from ecm_extract.link.code.units import Cls
+from ecm_extract.link.folding.fold_tables import is_plain_table
+from ecm_extract.link.folding.open_lists import OpenLists
+from ecm_extract.link.folding.python_lists import LIST_CALLS, MAX_ITEMS, SPLITS
+from ecm_extract.link.folding.subscripts import character_of, part_of, slice_of
+from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
+from ecm_extract.link.running.values import (
+    Value,
+    alternatives,
+    data_in,
+    demoted,
+    is_proved,
+    unknown,
+)
+
+if TYPE_CHECKING:
+    from ecm_extract.link.folding.fold import Folder
+
+
+_ENDS = frozenset({"begin", "end", "rbegin", "rend", "cbegin", "cend"})
+
+
+class ListFolder:
+    """Takes lists apart."""
+
+    def __init__(self, folder: Folder) -> None:
+        self.folder = folder
+        self.open = OpenLists(folder)
+        self._searching: set[tuple[Cls | None, str]] = set()
+
+    def elements(self, expr: Expr | None, env: Env, index: Expr | None = None) -> tuple[Value, ...]:
+        """Return the values that the elements of a list, or the one at an index or key, can have."""
+        if index is not None:
+            return self._at(expr, index, env)
+        items = self.items(expr, env)
+        if items is not None:
+            return self._folded(items, env) or (unknown("item"),)
+        some, _ = self._some(expr, env)
+        rest = self.open.element(expr, env)
+        return alternatives((*self._folded(some, env), *rest)) if some else rest
+
+    def _folded(self, items: Iterable[Bound], env: Env) -> tuple[Value, ...]:
+        values = [value for bound in items for value in self.fold(bound, env)]
+        return alternatives(demoted(values)) if values else ()
+
+    def fold(self, bound: Bound, env: Env) -> tuple[Value, ...]:
+        """Return the values of an element, as a part of an evaluation at a place."""
+        return self.folder.fold(bound.expr, bound.env.deeper(max(env.depth, bound.env.depth) + 1))
+
+    def _some(self, expr: Expr | None, env: Env) -> tuple[list[Bound], bool]:
+        """Elements that a list surely may have, where not all are known."""
+        ways = self.folder.flow.ways(expr, env) if isinstance(expr, Name | Member) else []
+        if not ways and isinstance(expr, Name | Member):
+            found = self.sources(expr, env)
+            ways = [(held,) for held, _ in found]
+        return self.folder.held.any_items(ways, env)
+
+    def _at(self, expr: Expr | None, index: Expr, env: Env) -> tuple[Value, ...]:
+        """The element at an index, or of a table the value of a key."""
+        if isinstance(index, Op) and index.op == ":":
+            return self._sliced_text(expr, index, env)
+        keys = self.folder.fold(index, env)
+        known = len(keys) == 1 and is_proved(keys[0])
+        entries = self.folder.tables.entries(expr, env)
+        if entries is not None:
+            return self.folder.tables.entry(entries, index, env)
+        items = self.items(expr, env)
+        data = data_in(keys[0]) if known else UNKNOWN
+        if items is not None and isinstance(data, int) and -len(items) <= data < len(items):
+            return demoted(self.fold(items[data], env))
+        if items is not None and data is UNKNOWN:
+            return self._folded(items, env) or (unknown("item"),)
+        if items is None and isinstance(expr, Call) and isinstance(data, int):
+            split = self._part_of_text(invocation_of(expr, env), data, env)
+            if split is not None:
+                return split
+        if items is None and isinstance(data, int):
+            text = self.folder.combined(
+                [self.folder.fold(expr, env)], lambda found: character_of(found[0], data), "item"
+            )
+            if not any(value.confidence == "pattern" for value in text):
+                return text
+        some, _ = self._some(expr, env) if items is None else ([], True)
+        rest = self.open.element(expr, env)
+        return alternatives((*self._folded(some, env), *rest)) if some else rest
+
+    def _part_of_text(self, call: Invocation, at: int, env: Env) -> tuple[Value, ...] | None:
+        """`text.split("/")[-1]` of each of the texts that it may be; None for other calls."""
+        if env.func.file.language != "python" or call.last not in SPLITS or call.receiver is None or call.keywords:
+            return None
+        options = [self.folder.fold(part, env) for part in (call.receiver, *call.args)]
+        return self.folder.combined(
+            options, lambda data: part_of(method(call.last, data[0], data[1:], True), at), "item"
+        )
+
+    def _sliced_text(self, expr: Expr | None, index: Op, env: Env) -> tuple[Value, ...]:
+        bounds = [self.folder.fold(bound, env) for bound in index.operands]
+        options = [self.folder.fold(expr, env), *bounds]
+        return self.folder.combined(options, lambda data: slice_of(data[0], data[1:], str), "item")
+
+    # --- lists -------------------------------------------------------------------------------------------------
+
+    def items(self, expr: Expr | None, env: Env) -> list[Bound] | None:
+        """Return all elements of a list that an expression is, None when the tree does not show them."""
+        if env.depth > MAX_DEPTH or expr is None or not self.folder.steps.take(env):
+            self.folder.cuts += 1
+            return None
+        with self.folder.steps:
+            return self._items(expr, env)
+
+    def _items(self, expr: Expr, env: Env) -> list[Bound] | None:
+        inner = env.before(env.at)
+        if isinstance(expr, Items):
+            return self._spread(expr, env)
+        if isinstance(expr, Table):
+            return [Bound(key, env) for key, _ in expr.entries] if is_plain_table(expr) else None
+        if isinstance(expr, Comprehension):
+            return self.folder.comprehended.elements(expr, inner)
+        if isinstance(expr, Call):
+            return self._called(expr, inner)
+        if isinstance(expr, Op):
+            return self._of_op(expr, inner)
+        return self._of_variable(expr, inner) if isinstance(expr, Name | Member) else None
+
+    def _spread(self, expr: Items, env: Env) -> list[Bound] | None:
+        """The elements of a display, `*spread` ones in place."""
+        found: list[Bound] = []
+        for item in expr.items:
+            spread = isinstance(item, Op) and item.op == "*" and len(item.operands) == 1
+            more = (
+                self.items(item.operands[0], env.before(env.at))
+                if spread and isinstance(item, Op)
+                else [Bound(item, env)]
+            )
+            if more is None:
+                return None
+            found += more
+        return found
+
+    def _of_op(self, expr: Op, env: Env) -> list[Bound] | None:
+        if expr.op == "+" and len(expr.operands) == 2:
+            parts = [self.items(operand, env) for operand in expr.operands]
+            return [*parts[0], *parts[1]] if parts[0] is not None and parts[1] is not None else None
+        if expr.op == "?:":
+            holds = self.folder.flow.truth(expr.operands[0], env)
+            return None if holds is None else self.items(expr.operands[1 if holds else 2], env)
+        if expr.op == "[]":
+            return self._of_subscript(expr, env)
+        return self.items(expr.operands[0], env) if expr.op == "&" and len(expr.operands) == 1 else None
+
+    def _of_subscript(self, expr: Op, env: Env) -> list[Bound] | None:
+        base, index = expr.operands
+        entries = self.folder.tables.entries(base, env)
+        if entries is not None:
+            chosen = self.folder.tables.chosen(entries, index, env)
+            return self.items(chosen.expr, chosen.env.deeper(env.depth + 1)) if chosen is not None else None
+        items = self.items(base, env)
+        if items is None:
+            return None
+        if isinstance(index, Op) and index.op == ":":
+            bounds = [self.folder.fold(bound, env) for bound in index.operands]
+            data = [data_in(values[0]) if len(values) == 1 else UNKNOWN for values in bounds]
+            found = slice_of(items, data, list)
+            return found if isinstance(found, list) else None
+        data_ = [data_in(value) for value in self.folder.fold(index, env)]
+        at = data_[0] if len(data_) == 1 else UNKNOWN
+        if not isinstance(at, int) or not -len(items) <= at < len(items):
+            return None
+        return self.items(items[at].expr, items[at].env.deeper(env.depth + 1))
+
+    def _of_variable(self, expr: Name | Member, env: Env) -> list[Bound] | None:
+        ways = self.folder.flow.ways(expr, env)
+        if ways:
+            return self.folder.held.items_of(ways, env)
+        given = self.folder.names.argument(expr.id, env) if isinstance(expr, Name) else None
+        if given is not None:
+            return self.items(given.expr, given.env.deeper(env.depth + 1))
+        if isinstance(expr, Name) and any(entry.name.lstrip("*") == expr.id for entry in env.func.fact.params):
+            return None
+        found = self.sources(expr, env)
+        if found:
+            return self.folder.held.items(*found[0]) if len(found) == 1 else None
+        default = self._default(expr, env)
+        if isinstance(expr, Name):
+            return default or self._constant(expr, env)
+        field = self.folder.structures.listed(expr, env) if default is None else None
+        return self.items(field.expr, field.env) if field is not None else default
+
+    def sources(self, expr: Name | Member, env: Env) -> list[tuple[Held, Env]]:
+        """Return what methods leave a member with that is a list."""
+        cls = env.this or env.func.cls
+        member = (isinstance(expr, Member) and expr.base == Name("this")) or (
+            isinstance(expr, Name) and env.func.file.language == "cpp"
+        )
+        name = expr.id if isinstance(expr, Name) else expr.name
+        key = (cls, name)
+        if cls is None or not member or key in self._searching:
+            return []
+        self._searching.add(key)
+        try:
+            return self.folder.members.sources(name, cls, env)
+        finally:
+            self._searching.discard(key)
+
+    def _default(self, expr: Name | Member, env: Env) -> list[Bound] | None:
+        """What a member is declared with."""
+        name = expr.id if isinstance(expr, Name) else expr.name
+        cls = env.this or env.func.cls
+        for entry in self.folder.program.ancestry(cls) if cls is not None else ():
+            if name in entry.fields and (isinstance(expr, Name) or expr.base == Name("this")):
+                return self.items(entry.fields[name].default, Env(env.func, depth=env.depth + 1, this=cls))
+        return None
+
+    def _constant(self, expr: Name, env: Env) -> list[Bound] | None:
+        if env.func.file.language == "python":
+            return self.folder.names.module_items(expr.id, env)
+        found = self.folder.scope.constant(expr.id, env)
+        if found is None or self.folder.names.may_change(expr.id, found[0], env):
+            return None
+        return self.items(found[0].value, Env(env.func, 0, depth=env.depth + 1))
+
+    def given(self, key: str, env: Env, first: bool) -> list[Bound] | None:
+        """Return the elements of a list that a variable is which the function did not change, `first`: yet."""
+        name = key.rpartition(".")[2]
+        entry = env.entry(State())
+        cls = env.func.cls
+        if not key.startswith("."):
+            return self._items(Name(name), entry) if "." not in key else None
+        if not first or not env.func.is_constructor or cls is None:
+            return self._shared(name, entry)
+        for base in self.folder.program.bases(cls):
+            found = self.folder.members.sources(name, base, entry)
+            if found:
+                return self.folder.held.items(*found[0]) if len(found) == 1 else None
+        default = self._default(Member(Name("this"), name), entry)
+        empty = begins_empty(self.folder.scope.member_type(name, cls))
+        return default if default is not None else [] if empty else None
+
+    def _shared(self, name: str, env: Env) -> list[Bound] | None:
+        """What all methods together leave a member with."""
+        found = self.sources(Member(Name("this"), name), env)
+        return self.folder.held.items(*found[0]) if len(found) == 1 else None
+
+    # --- calls that give lists ---------------------------------------------------------------------------------
+
+    def _called(self, expr: Call, env: Env) -> list[Bound] | None:
+        call = invocation_of(expr, env)
+        last = call.last
+        if env.func.file.language == "python":
+            work = LIST_CALLS.get(last if call.receiver is not None else call.path)
+            if work is not None:
+                return work(self, call, env)
+        elif call.receiver is None and is_container(call.path):
+            return self._made(call, env)
+        return self._returned(call, env)
+
+    def _is_one(self, inner: Items, call: Invocation, env: Env) -> bool:
+        """Tell whether braces within braces are one element, and not the list: `vector<Row>{{"a", 1}}`."""
+        if call.path.endswith("map"):
+            return not isinstance(inner.items[0], Items) if inner.items else False
+        if any(isinstance(item, Items) for item in inner.items):
+            return False
+        return bool(call.types) and self.folder.objects.class_written(call.types[0], env) is not None
+
+    def _made(self, call: Invocation, env: Env) -> list[Bound] | None:
+        """`vector{a, b}`, `vector<T>(other)`, `vector<T>(count, value)`; types tell braces from parentheses."""
+        args = call.args
+        if len(args) == 1 and isinstance(args[0], Items) and self._is_one(args[0], call, env):
+            return [Bound(args[0], env)]
+        if len(args) == 1 and (isinstance(args[0], Items) or self.items(args[0], env) is not None):
+            return self.items(args[0], env)
+        texts = "string" in "".join(call.types) or "string" in call.statement.type
+        if len(args) == 2 and texts and any(map(_steps_on, args)):
+            return None
+        if len(args) == 2:
+            count = [value.data for value in self.folder.fold(args[0], env)]
+            if len(count) == 1 and isinstance(count[0], int) and not isinstance(count[0], bool):
+                return [Bound(args[1], env)] * count[0] if texts and 0 <= count[0] <= MAX_ITEMS else None
+        iterates = any(
+            isinstance(arg, Call) and isinstance(arg.callee, Member) and arg.callee.name in _ENDS for arg in args
+        )
+        copies = len(args) == 1 and not self._is_element(args[0], env)
+        return None if iterates or copies else [Bound(arg, env) for arg in args]
+
+    def _is_element(self, arg: Expr, env: Env) -> bool:
+        """Tell whether what a list is made from is no other list, which it may be a copy of: a text or a number."""
+        written = self.folder.objects.type_of(arg, env)
+        if kind_of_type(written):
+            return True
+        listed = is_container(written) or (not written and isinstance(arg, Name | Member))
+        return not listed and all(value.confidence != "pattern" for value in self.folder.fold(arg, env))
+
+    def _returned(self, call: Invocation, env: Env) -> list[Bound] | None:
+        """What a function of the tree returns, where one return is reached."""
+        callee = self.folder.returns.meant(call, env)
+        if callee is None:
+            return None
+        found = self.folder.returns.returned(callee, call, env)
+        return self.items(*found[0]) if len(found) == 1 else None
+
+    # --- sequences ---------------------------------------------------------------------------------------------
+
+    def flat(self, expr: Expr, env: Env) -> list[Bound]:
+        """Return the elements of a sequence with spread and concatenated ones in place."""
+        if env.depth > MAX_DEPTH:
+            return [Bound(expr, env)]
+        if isinstance(expr, Items):
+            return [bound for item in expr.items for bound in self.flat(item, env.before(env.at))]
+        if isinstance(expr, Op) and expr.op in {"+", "*"}:
+            return [bound for operand in expr.operands for bound in self.flat(operand, env.before(env.at))]
+        if isinstance(expr, Name) and expr.id in env.args:
+            given = env.args[expr.id]
+            return self.flat(given.expr, given.env.before(given.env.at))
+        return [Bound(expr, env)]
+
+
+def _steps_on(expr: Expr) -> bool:
+    """Whether an expression is a place in an array, and no text: `argv + 1`."""
+    return isinstance(expr, Op) and expr.op in {"+", "-"} and any(isinstance(part, Number) for part in expr.operands)

@@ -1,0 +1,261 @@
+"""Members: what the methods of a class give its data members, and fields of other objects."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Hashable, Iterator
+from typing import TYPE_CHECKING
+
+from ecm_parsers.source.expr import (
+    Call,
+    Expr,
+    Member,
+    Name,
+)
+
+from ecm_extract.infer.held import Held
+from ecm_extract.infer.places import whole_of
+from ecm_extract.infer.run import Run
+from ecm_extract.link.code.calls import dotted_name
+from ecm_extract.link.code.spelling import plain, pointee
+from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.folding.formats import VALUE_READS
+from ecm_extract.link.running.env import Env, Instance
+from ecm_extract.link.running.values import (
+    MAX_ALTERNATIVES,
+    Value,
+    alternatives,
+    circular,
+    demoted,
+    given_holes,
+    is_circle,
+    lowered,
+    set_by,
+    unknown,
+)
+
+if TYPE_CHECKING:
+    from ecm_extract.link.folding.fold import Folder
+
+
+class MemberFolder:
+    """Folds `object.member`."""
+
+    def __init__(self, folder: Folder) -> None:
+        self.folder = folder
+        self._known: dict[Hashable, tuple[Value, ...]] = {}
+
+    def forget(self) -> None:
+        """Drop remembered members, since more of the parameters is known now."""
+        self._known.clear()
+
+    def member(self, expr: Member, env: Env) -> tuple[Value, ...]:
+        """`this->x`, `params_.x`, `module.CONSTANT`, `object.field`."""
+        ways = self.folder.flow.ways(expr, env)
+        if ways:
+            return self.folder.held.of(ways, env)
+        if expr.base == Name("this"):
+            first = self.folder.held.at_first(expr.name, env) if self.folder.names.is_fresh(env) else ()
+            if first:
+                return first
+            cls = env.this or env.func.cls
+            found = self.member_value(expr.name, cls, env) if cls is not None else ()
+            return found or (unknown(expr.name),)
+        pointed = self.folder.searches.part(expr, env)
+        if pointed is not None:
+            return demoted(self.folder.lists.fold(pointed, env))
+        part = self.folder.structures.field(expr, env)
+        if not part and expr.name in VALUE_READS:
+            return self.folder.fold(expr.base, env.before(env.at))
+        dotted = dotted_name(expr)
+        found = self.folder.names.imported(dotted, env) if dotted and env.func.file.language == "python" else ()
+        known = found or part or self._field(expr, env) or self._option(expr, env)
+        if known and self._is_of_changed_variable(expr, env):
+            return alternatives((*known, unknown(expr.name)))
+        return known or self._of_given(expr, env) or self._of_message(expr, env) or (unknown(expr.name),)
+
+    def _is_of_changed_variable(self, expr: Member, env: Env) -> bool:
+        """Tell whether an object is, or is in, a variable of a namespace that some function changes."""
+        root: Expr | None = expr
+        while root is not None and not isinstance(root, Name):
+            root = whole_of(root)
+        if root is None or env.func.file.language != "cpp" or self.folder.scope.declared_type(root.id, env):
+            return False
+        file_scope = self.folder.objects.file_scope
+        return bool(file_scope.type_of(root.id, env)) and file_scope.is_changed(root.id, env)
+
+    def _of_message(self, expr: Member, env: Env) -> tuple[Value, ...]:
+        """`code.ARM`: a constant of the message that an object is."""
+        written = self.folder.objects.type_of(expr.base, env)
+        return self.folder.names.of_message(plain(pointee(written)), expr.name, env) if written else ()
+
+    def _of_given(self, expr: Member, env: Env) -> tuple[Value, ...]:
+        """A part of what callers pass, of which Python need not say the type."""
+        if env.func.file.language != "python" or not isinstance(expr.base, Name):
+            return ()
+        return next(filter(None, (_taken_of(value, expr.name) for value in self.folder.fold(expr.base, env))), ())
+
+    def _option(self, expr: Member, env: Env) -> tuple[Value, ...]:
+        """`args.name` of argparse: the option's default."""
+        if env.func.file.language != "python" or not isinstance(expr.base, Name):
+            return ()
+        default = self.folder.scope.option(expr.name, env.func.file)
+        return lowered(self.folder.fold(default, env.before(env.at)), "default") if default is not None else ()
+
+    def _field(self, expr: Member, env: Env) -> tuple[Value, ...]:
+        default = self._library_parameter(expr, env)
+        if default is not None:
+            return default
+        written = self.folder.fields.value(expr, env)
+        if written:
+            return written
+        cls = self.folder.objects.class_of(expr.base, env)
+        if cls is None:
+            return ()
+        values = self.member_value(expr.name, cls, Env(env.func, env.at, depth=env.depth + 1, this=cls))
+        asked = _is_plain(cls) or any(value.confidence == "pattern" for value in values)
+        given = self.folder.structures.given(expr.base, env) if asked else None
+        if given is None or not values:
+            return _taken_of(given, expr.name) if given is not None else values
+        return (given,)
+
+    def _library_parameter(self, expr: Member, env: Env) -> tuple[Value, ...] | None:
+        """`params_.a.b` of generate_parameter_library: the default of parameter `a.b`."""
+        path: list[str] = []
+        node: Expr = expr
+        while isinstance(node, Member) and node.base != Name("this"):
+            path.insert(0, node.name)
+            node = node.base
+        name, package = ".".join(path), env.func.file.package
+        if not self.folder.reads.is_declared(name, package) or not self._holds_parameters(node, env):
+            return None
+        known = self.folder.reads.default(name, package)
+        asked = ("parameter", package, name)  # a default may be the parameter itself: declare_parameter("a", params_.a)
+        values = self.folder.guarded(asked, name, lambda: self.folder.calls.default_value(name, known, None, env))
+        return set_by(name, values)
+
+    def _holds_parameters(self, node: Expr, env: Env) -> bool:
+        """Tell whether a variable is the struct of a listener: by its type, or by the call that gave it."""
+        root = node.id if isinstance(node, Name) else node.name if isinstance(node, Member) else ""
+        if self.folder.scope.declared_type(root, env).endswith("Params"):
+            return True
+        given = (held.expr for held in self.folder.origins.of(node, env))
+        called = (value.callee for value in given if isinstance(value, Call))
+        return any(isinstance(callee, Member) and callee.name == "get_params" for callee in called)
+
+    def member_value(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
+        """Return the values that the methods of a class and its bases give one of its data members."""
+        anyone = env.made is None or env.made.cls is not cls or not (env.made.args or env.made.types)
+        asked = ("member", cls, name, None if anyone else env.made)
+        known = self._known.get(asked)
+        if known is not None:
+            return known
+        if self._is_being_run(name, cls):
+            self.folder.cycles += 1
+            return (unknown(name),)
+        marks = self.folder.marks
+        place = Env(env.func, env.at, this=env.this, made=env.made)  # at no depth: the answer is for everybody
+        values = self.folder.guarded(asked, name, lambda: self._member_value(name, cls, place), circular(name))
+        if marks == self.folder.marks or not self.folder.is_asking:
+            self._known[asked] = values
+        return values
+
+    def _is_being_run(self, name: str, cls: Cls) -> bool:
+        """Whether a method that may change a member is run right now: what it leaves is not known before it ends."""
+        running = self.folder.flow.running
+        return bool(running) and any(
+            method in running
+            for entry in self.folder.program.ancestry(cls)
+            for method in self.folder.scope.changing(name, entry)
+        )
+
+    def _member_value(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
+        values: list[Value] = []
+        sources = self.sources(name, cls, env)
+        for held, place in sources:
+            values += self.folder.held.values(held, place)
+        for entry in self.folder.program.ancestry(cls):
+            for method, at, read, default in self.folder.reads.members(entry, name):
+                if at not in self._reads_of(method, name):
+                    place = self._method_env(method, cls, env)
+                    values += self.folder.calls.parameter_value(read, default, place.within(None, at))
+        if not any(_makes(held) for held, _ in sources):
+            values += self.initial(name, cls, env)
+        others = [value for value in values if not is_circle(value)]  # `x = x` gives it nothing new
+        filled = [value for value in others or values if value.text]
+        return alternatives(filled or others or values) if values else ()
+
+    def _reads_of(self, method: Func, name: str) -> Collection[int]:
+        """The statements whose reads of parameters the run of a method has followed into the member."""
+        found = self.folder.flow.reads(method)
+        effects = self.folder.flow.effects(method)
+        return [at for at, entries in found.items() if any(effects.key(entry[0]) == f".{name}" for entry in entries)]
+
+    def initial(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
+        """Return what a member holds before any method runs: its default; that of a derived class hides others."""
+        fields = [entry.fields[name] for entry in self.folder.program.ancestry(cls) if name in entry.fields]
+        default = next((field.default for field in fields if field.default is not None), None)
+        default = default or self._defined_outside(name, cls)
+        if default is None:
+            return ()
+        values = demoted(self.folder.fold(default, Env(env.func, depth=env.depth + 1, this=cls)))
+        return alternatives((*values, unknown(name))) if self._is_given(name, cls) else values
+
+    def _is_given(self, name: str, cls: Cls) -> bool:
+        """Whether others than the methods of a class give a member of some object of it something."""
+        if cls.file.language == "python":
+            return self.folder.scope.is_assigned_outside(name, "python")
+        return self.folder.given_fields.is_given(name, cls)
+
+    def _defined_outside(self, name: str, cls: Cls) -> Expr | None:
+        """What a static member of C++ is defined with outside of its class: `double Sensor::limit = 0.5;`."""
+        owners = (entry for entry in self.folder.program.ancestry(cls) if name in entry.fields)
+        owner = next((entry for entry in owners if "static" in entry.fields[name].traits), None)
+        if owner is None:
+            return None
+        found = self.folder.program.constant_named(f"{owner.qualified}::{name}", owner.file)
+        return found.constant.value if found is not None else None
+
+    def sources(self, name: str, cls: Cls, env: Env) -> list[tuple[Held, Env]]:
+        """Return what the methods of a class and its bases leave a member with, or show it with to other functions.
+
+        Of a class whose objects are not known to be of no derived one, what derived classes do counts too.
+        """
+        found = [(held, place) for run, place in self.ends(name, cls, env) for held in self._left(run, name)]
+        return found[: MAX_ALTERNATIVES + 1]
+
+    def ends(self, name: str, cls: Cls, env: Env) -> Iterator[tuple[Run | None, Env]]:
+        """Yield the run of each method that may change a data member, with its place; None for one that is run now."""
+        concrete = env.made is not None and bool(env.made.args or env.made.types or env.made.maker)
+        derived = () if concrete else self.folder.program.derived(cls)
+        for entry in (*self.folder.program.ancestry(cls), *derived):
+            for method in self.folder.scope.changing(name, entry):
+                if self.folder.objects.runs(method, env.made):
+                    place = self._method_env(method, cls if entry not in derived else entry, env)
+                    yield self.folder.flow.run(place, whole=method.is_constructor), place
+
+    def _left(self, run: Run | None, name: str) -> list[Held]:
+        """What a run leaves a data member with that it gives something."""
+        if run is None:
+            return [Held("lost", name)]
+        helds = dict.fromkeys(self.folder.flow.shown(run, f".{name}"))
+        return [held for held in helds if held.how not in {"given", "shared"}]
+
+    def _method_env(self, method: Func, cls: Cls, env: Env) -> Env:
+        made = env.made if env.made is not None and env.made.cls is cls else None
+        return Env(method, this=cls, made=made or Instance(cls, {}, {}), depth=env.depth + 1)
+
+
+def _is_plain(cls: Cls) -> bool:
+    """Tell whether whoever makes an object of a class can give its fields what he likes."""
+    return cls.file.language == "cpp" and not any(method.is_constructor for method in cls.methods)
+
+
+def _taken_of(value: Value, name: str) -> tuple[Value, ...]:
+    """A field of what callers, or the makers of the object, know; nothing of other values."""
+    holes = tuple([hole.of(name) for hole in given_holes(value)])
+    return (Value(holes, "pattern"),) if holes else ()
+
+
+def _makes(held: Held) -> bool:
+    """Tell whether a value does not depend on what was there before."""
+    return held.how in {"value", "each", "part"}

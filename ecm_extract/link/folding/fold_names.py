@@ -1,0 +1,210 @@
+"""Names: locals, parameters, members and constants that an identifier can mean."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+from ecm_parsers.source.expr import (
+    Expr,
+    Name,
+)
+from ecm_parsers.source.facts import Constant
+
+from ecm_extract.link.code.spelling import last_name
+from ecm_extract.link.code.units import File
+from ecm_extract.link.running.env import Bound, Env
+from ecm_extract.link.running.module_variables import ModuleVariables
+from ecm_extract.link.running.values import (
+    Enumerator,
+    Value,
+    alternatives,
+    constant,
+    demoted,
+    literal,
+    lowered,
+    parameter,
+    unknown,
+)
+from ecm_extract.shipped import shipped
+
+if TYPE_CHECKING:
+    from ecm_extract.infer.held import Held
+    from ecm_extract.link.folding.fold import Folder
+    from ecm_extract.link.folding.fold_tables import Entry
+
+
+@cache
+def outside_constants(table: str = "constants") -> Mapping[str, str | float]:
+    """Return constants of public headers outside the tree by their own name, `python`: those of modules, in full."""
+    return MappingProxyType(shipped("link/folding/outside_constants.toml")[table])
+
+
+class NameFolder:
+    """Folds identifiers."""
+
+    def __init__(self, folder: Folder) -> None:
+        self.folder = folder
+        self.variables = ModuleVariables(folder)
+
+    def name(self, expr: Name, env: Env) -> tuple[Value, ...]:
+        """A variable, a parameter, a member of `this`, or a constant."""
+        return self.folder.once(expr.id, env, lambda: self._name(expr.id, env))
+
+    def _name(self, name: str, env: Env) -> tuple[Value, ...]:
+        ways = self.folder.flow.ways(Name(name), env)
+        if ways:
+            return self.folder.held.of(ways, env)
+        key = self.folder.flow.effects(env.func).key(Name(name))
+        first = self.folder.held.at_first(name, env) if key.startswith(".") and self.is_fresh(env) else ()
+        return first or self.around(name, env) or (unknown(name),)
+
+    def is_fresh(self, env: Env) -> bool:
+        """Tell whether a place is one on which no function of the tree was called before, in every state of it."""
+        if env.state is not None:
+            return not env.state.called
+        states = self.folder.flow.states(env) if env.func.is_constructor and env.func.file.language == "cpp" else []
+        return bool(states) and not any(state.called for state in states)
+
+    def around(self, name: str, env: Env) -> tuple[Value, ...]:
+        """Return what a name means that the function at hand does not give a value; empty when nothing shows it."""
+        return self._given(name, env) or self._captured(name, env) or self._outside(name, env)
+
+    def _captured(self, name: str, env: Env) -> tuple[Value, ...]:
+        """A variable of the function around the one at hand: of who calls it there, else if it has one value."""
+        flow = self.folder.flow
+        outer = self.folder.nesting.enclosing(env.func)
+        if outer is None or name not in flow.effects(outer).own:
+            return ()
+        if env.outer is not None and env.outer.func is outer:
+            return self.folder.fold(Name(name), env.outer.deeper(env.depth + 1))
+        if not flow.is_bound_once(outer, name):
+            return (unknown(name),)
+        return self.folder.fold(Name(name), Env(outer, this=env.this, made=env.made, depth=env.depth + 1))
+
+    def _given(self, name: str, env: Env) -> tuple[Value, ...]:
+        """What a name is before the function assigns it: its parameter, or a member of the object."""
+        if any(entry.name.lstrip("*") == name for entry in env.func.fact.params):
+            return self._parameter(name, env)
+        cls = env.this or env.func.cls
+        if cls is None or env.func.file.language != "cpp" or "::" in name:
+            return ()
+        if self.folder.flow.is_outside(name, env.func):
+            return ()
+        return self.folder.members.member_value(name, cls, env)
+
+    def argument(self, name: str, env: Env) -> Bound | None:
+        """Return what is passed for a parameter of the function at hand, where its caller or maker is known."""
+        bound = env.args.get(name)
+        if bound is not None or not env.func.is_constructor or env.made is None or env.func.cls is None:
+            return bound
+        instance = self.folder.objects.part(env.made, env.func.cls)
+        return instance.args.get(name) if instance is not None else None
+
+    def _parameter(self, name: str, env: Env) -> tuple[Value, ...]:
+        bound = self.argument(name, env)
+        if bound is not None:
+            return demoted(self.folder.fold(bound.expr, bound.env.before(bound.env.at)))
+        default = next((entry.default for entry in env.func.fact.params if entry.name == name), None)
+        if default is not None and env.args:
+            return lowered(self.folder.fold(default, env.before(0)), "default")
+        return (parameter(name, env.func.is_constructor, self._fallback(default, env)),)
+
+    def _fallback(self, default: Expr | None, env: Env) -> str | None:
+        """The text of a parameter's default, when it is one."""
+        value = self.folder.fold(default, Env(env.func, 0, depth=env.depth + 1))[0] if default is not None else None
+        known = value is not None and value.confidence != "pattern" and value.text != "null"
+        return value.text if value is not None and known else None
+
+    def _outside(self, name: str, env: Env) -> tuple[Value, ...]:
+        if env.func.file.language == "python":
+            return self._of_module(name, env.func.file, env) or self.imported(name, env)
+        found = self.folder.scope.constant(name, env)
+        if found is not None:
+            return self._of_namespace(name, found, env)
+        known = self.folder.program.message_constant(name, env.func.file, env.scope)
+        return _read(outside_constants().get(last_name(name)) if known is None else known)
+
+    def _of_namespace(self, name: str, found: tuple[Constant, File], env: Env) -> tuple[Value, ...]:
+        """A constant, or a variable that functions may assign to."""
+        constant, file = found
+        if constant.value is None:
+            return (Value((f"{constant.scope}::{constant.name}",), "literal", (), Enumerator(constant)),)
+        values = demoted(self.folder.fold(constant.value, Env(self.at_file(file, env).func, depth=env.depth + 1)))
+        return alternatives((*values, unknown(name))) if self.may_change(name, constant, env) else values
+
+    def may_change(self, name: str, constant: Constant, env: Env) -> bool:
+        """Tell whether a variable of a namespace may hold something else than what it is declared with."""
+        if _is_fixed(constant) or not self.folder.objects.file_scope.is_changed(name, env):
+            return False
+        return not self.folder.outside.is_followed(name, env.func)
+
+    def at_file(self, file: File, env: Env) -> Env:
+        """Return a place at which the names of a file are known; the one at hand where the file has none."""
+        func = next((f for f in self.folder.program.functions_in(file) if f.fact.name == "<module>"), None)
+        return Env(func) if func is not None else env
+
+    def _of_module(self, name: str, file: File, env: Env) -> tuple[Value, ...]:
+        """What the body of a Python module leaves a name with; functions may give it something else."""
+        place = self._module(file, env)
+        ways = self.folder.flow.ways(Name(name), place) if place is not None else []
+        if place is None or not ways:
+            return ()
+        values = demoted(self.folder.held.of(ways, place))
+        return self.variables.given(name, file, values)
+
+    def _module(self, file: File, env: Env) -> Env | None:
+        """The end of the body of a Python module; None in that body itself."""
+        module = next((f for f in self.folder.program.functions_in(file) if f.fact.name == "<module>"), None)
+        return Env(module, depth=env.depth + 1) if module is not None and module is not env.func else None
+
+    def module_items(self, name: str, env: Env) -> list[Bound] | None:
+        """Return the elements of a list that the body of a module leaves a name with."""
+        place, ways = self._left(name, env)
+        return self.folder.held.items_of(ways, place) if place is not None and ways else None
+
+    def module_entries(self, name: str, env: Env) -> list[Entry] | None:
+        """Return the entries of a table that the body of a module leaves a name with."""
+        place, ways = self._left(name, env)
+        if place is None or len(set(ways)) != 1 or len(ways[0]) != 1:
+            return None
+        return self.folder.tables.held_entries(ways[0][0], place)
+
+    def _left(self, name: str, env: Env) -> tuple[Env | None, list[tuple[Held, ...]]]:
+        file = env.func.file
+        place = self._module(file, env)
+        if place is None or self.variables.changers(name, file):
+            return None, []
+        return place, self.folder.flow.ways(Name(name), place)
+
+    def imported(self, dotted: str, env: Env) -> tuple[Value, ...]:
+        """A constant of another Python module, by its dotted name."""
+        found = self.folder.program.constant_named(dotted, env.func.file)
+        if found is None or found.constant.value is None:
+            return self._of_outside(dotted, env.func.file) if found is None else ()
+        if not found.constant.scope:
+            return self._of_module(found.constant.name, found.file, env)
+        inner = Env(self.at_file(found.file, env).func, depth=env.depth + 1)
+        return demoted(self.folder.fold(found.constant.value, inner))
+
+    def _of_outside(self, dotted: str, file: File) -> tuple[Value, ...]:
+        known = self.folder.program.message_constant(dotted, file)
+        whole = self.folder.program.canonical(dotted, file)
+        return _read(outside_constants("python").get(whole) if known is None else known)
+
+    def of_message(self, owner: str, name: str, env: Env) -> tuple[Value, ...]:
+        """Return a constant of a message by the type of one, as it is written; empty where it has none."""
+        dot = "." if env.func.file.language == "python" else "::"
+        return _read(self.folder.program.message_constant(f"{owner}{dot}{name}", env.func.file, env.scope))
+
+
+def _read(known: str | float | None) -> tuple[Value, ...]:
+    return () if known is None else demoted((literal(known) if isinstance(known, str) else constant(known),))
+
+
+def _is_fixed(constant: Constant) -> bool:
+    """Tell whether nobody can assign to a constant; a pointer to what is constant may be moved to something else."""
+    own = "fixed" if constant.type.endswith("*") else "const"
+    return any(trait in {"constexpr", "define", "enum", own} for trait in constant.traits)

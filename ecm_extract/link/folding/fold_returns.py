@@ -1,0 +1,144 @@
+"""Functions of the tree that a call means, and what they give back."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from ecm_parsers.source.expr import Expr, Name
+
+from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.handing_on import THIS
+from ecm_extract.link.code.numbers import kind_of_type
+from ecm_extract.link.code.overloads import score
+from ecm_extract.link.code.spelling import last_name
+from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.running.env import Bound, Env, Instance, bind
+from ecm_extract.link.running.object_states import is_own
+from ecm_extract.link.running.values import (
+    Value,
+    alternatives,
+    below_namespace,
+    demoted,
+    node_name,
+    node_namespace,
+    unknown,
+    without_defaults,
+)
+
+if TYPE_CHECKING:
+    from ecm_extract.link.folding.fold import Folder
+
+_NAMES = frozenset({"ros::this_node::getName", "rospy.get_name"})
+_NAMESPACES = frozenset({"ros::this_node::getNamespace", "rospy.get_namespace"})
+MAX_RETURNS = 12
+"""Returns of one call that are looked at."""
+
+
+class ReturnFolder:
+    """Folds what functions return."""
+
+    def __init__(self, folder: Folder) -> None:
+        self.folder = folder
+
+    def values(self, call: Invocation, env: Env) -> tuple[Value, ...]:
+        """Return what a call can give: of each return that is reached, and of what may be called instead."""
+        callee = self.meant(call, env)
+        if callee is None:
+            return (_of_node(call) or unknown(call.last),)
+        found = self.returned(callee, call, env)
+        if not found or len(found) > MAX_RETURNS:
+            return (unknown(call.last),)
+        values = [value for expr, place in found for value in self.folder.fold(expr, place)]
+        if call.receiver is not None and not is_own(call.receiver):
+            values = [without_defaults(value) for value in values]  # who made that object may have said otherwise
+        open_ = self.may_be_overridden(callee, call, env)
+        listed = _beside_joined(values)
+        return alternatives(demoted((*listed, *([unknown(call.last)] if open_ else []))))
+
+    def meant(self, call: Invocation, env: Env) -> Func | None:
+        """Return the one function that a call means by what is known of its arguments; None where several fit."""
+        fitting = self.folder.objects.callees(call, env)
+        if len(fitting) > 1 and env.func.file.language == "cpp":
+            kinds = [self._kind(arg, env) for arg in call.args]
+            fitting = [func for func in fitting if _takes(func, kinds)]
+            scores = [score(call, func) for func in fitting]
+            fitting = fitting[:1] if scores[1:] and scores[0] > scores[1] and all(kinds) else fitting
+        if env.func.file.language == "python":
+            fitting = [func for func in fitting if "overload" not in map(last_name, func.fact.decorators)]
+        return fitting[0] if len(fitting) == 1 else None  # of two in one place, who knows which was declared last
+
+    def _kind(self, arg: Expr, env: Env) -> str:
+        """`text`, `number`, or nothing where that is not known."""
+        values = self.folder.fold(arg, env)
+        if all(value.data is not None for value in values):
+            return "number"
+        if all(value.data is None and any(isinstance(part, str) for part in value.parts) for value in values):
+            return "text"
+        return kind_of_type(self.folder.objects.type_of(arg, env))
+
+    def may_be_overridden(self, callee: Func, call: Invocation, env: Env) -> bool:
+        """Tell whether a class that derives from the one at hand has a method of its own of that name."""
+        cls = env.this or env.func.cls
+        own = call.receiver in {None, Name("this")} and callee.cls is not None and cls is not None
+        concrete = env.made is not None and bool(env.made.args or env.made.types or env.made.maker)
+        if not own or concrete or cls is None or callee.is_constructor:
+            return False
+        derived = self.folder.program.derived(cls)
+        return any(method.fact.name == callee.fact.name for entry in derived for method in entry.methods)
+
+    def returned(self, callee: Func, call: Invocation, env: Env) -> list[tuple[Expr, Env]]:
+        """Return what a call of a function gives back: an expression for each reached return, with its place."""
+        inner = self.entered(callee, call, bind(callee, call, env), env)
+        run = self.folder.flow.run(inner)
+        body = callee.fact.body
+        found = [(body[at].value, inner.within(state, at)) for at, state in self.folder.flow.returned(run)]
+        return [(value, place) for value, place in found if value is not None]
+
+    def entered(self, callee: Func, call: Invocation, args: Mapping[str, Bound], env: Env) -> Env:
+        """Return the place of evaluation at the entry of a called function."""
+        outer = env if self.folder.nesting.enclosing(callee) is env.func else None
+        led = self.folder.lasting_states.led(callee, call, env)
+        if callee.cls is None and "lambda" not in callee.fact.traits:
+            return Env(callee, 0, args, depth=env.depth + 1, outer=outer, call=led)
+        made = self._made(call, env)
+        this = _class_of(made, callee, call, env)
+        caller = THIS if is_own(call.receiver) else call.receiver if made is not None else None
+        follows = caller is not None and self.folder.methods.depends(callee, this)
+        within = Bound(caller, env) if follows and caller is not None else None
+        return Env(callee, 0, args, this=this, made=made, depth=env.depth + 1, outer=outer, caller=within, call=led)
+
+    def object_at(self, callee: Func, call: Invocation, env: Env) -> Cls | None:
+        """Return the class of the object that a called method has at hand."""
+        return _class_of(self._made(call, env), callee, call, env)
+
+    def _made(self, call: Invocation, env: Env) -> Instance | None:
+        """How the object is made that a method is called on, where that is known."""
+        if is_own(call.receiver):
+            return env.made
+        return self.folder.states.instance(call.receiver, env) if call.receiver is not None else None
+
+
+def _class_of(made: Instance | None, callee: Func, call: Invocation, env: Env) -> Cls | None:
+    """The class of the object that a method is called on, by how that is made."""
+    if is_own(call.receiver):
+        return env.this or env.func.cls or callee.cls
+    return made.cls if made is not None else callee.cls
+
+
+def _takes(func: Func, kinds: Sequence[str]) -> bool:
+    wanted = [kind_of_type(parameter.type) for parameter in func.fact.params]
+    return not any(kind and other and kind != other for kind, other in zip(kinds, wanted, strict=False))
+
+
+def _beside_joined(values: list[Value]) -> list[Value]:
+    """Drop `x` beside `namespace + "/x"`: what a helper joins when it is relative it hands back when it is absolute."""
+    joined_texts = {text for value in values if (text := below_namespace(value)) is not None}
+    return [value for value in values if value.text not in joined_texts or value.text.startswith("/")]
+
+
+def _of_node(call: Invocation) -> Value | None:
+    """`get_name()`, `get_namespace()` of a node and ROS 1 counterparts; functions of the tree were tried before."""
+    if call.last in {"get_name", "get_fully_qualified_name"} or call.path in _NAMES:
+        return node_name()
+    return node_namespace() if call.last == "get_namespace" or call.path in _NAMESPACES else None

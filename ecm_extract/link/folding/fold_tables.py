@@ -1,0 +1,250 @@
+"""Tables: their entries, by the statements that made and changed them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from ecm_parsers.source.expr import Call, Comprehension, Constant, Expr, Items, Member, Name, Table, Text
+
+from ecm_extract.infer.compute import NULL
+from ecm_extract.infer.held import Held, State
+from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.containers import is_map
+from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
+from ecm_extract.link.running.values import Value, alternatives, constant, data_in, demoted, is_proved, unknown
+
+if TYPE_CHECKING:
+    from ecm_extract.link.folding.fold import Folder
+
+
+class Entry(NamedTuple):
+    """An entry of a table."""
+
+    key: Bound
+    value: Bound
+
+
+class TableFolder:
+    """Takes tables apart."""
+
+    def __init__(self, folder: Folder) -> None:
+        self.folder = folder
+        self._asked: set[Held] = set()
+
+    def entry(self, entries: list[Entry], key: Expr, env: Env) -> tuple[Value, ...]:
+        """Return the value of a key: of the last entry that has it, of any that may have it."""
+        found, surely = self._having(entries, key, env)
+        return alternatives(demoted(found) if surely else (*demoted(found), unknown("item")))
+
+    def entry_or(self, entries: list[Entry], key: Expr, rest: Sequence[Expr], env: Env) -> tuple[Value, ...]:
+        """Return `table.get(key, default)`."""
+        found, surely = self._having(entries, key, env)
+        default = self.folder.fold(rest[0], env) if rest else (constant(NULL),)
+        return alternatives(demoted(found if surely else (*found, *default)))
+
+    def chosen(self, entries: list[Entry], key: Expr, env: Env) -> Bound | None:
+        """Return what a table surely has for a key; None where that is not decided."""
+        for entry in reversed(entries):
+            alike = self.folder.flow.alike(key, Name("#key"), self.folder.flow.naming(env, {"#key": entry.key}))
+            if alike is not False:
+                return entry.value if alike else None
+        return None
+
+    def _having(self, entries: list[Entry], key: Expr, env: Env) -> tuple[list[Value], bool]:
+        """The values of the entries that may have a key, the last first, and whether one of them surely has it."""
+        found: list[Value] = []
+        for entry in reversed(entries):
+            alike = self.folder.flow.alike(key, Name("#key"), self.folder.flow.naming(env, {"#key": entry.key}))
+            if alike is not False:
+                found += self.folder.lists.fold(entry.value, env)
+            if alike:
+                return found, True
+        return found, False
+
+    def entries(self, expr: Expr | None, env: Env) -> list[Entry] | None:
+        """Return the entries of a table in the order in which they were given; None when they are not all known."""
+        if env.depth > MAX_DEPTH or expr is None or not self.folder.steps.take(env):
+            self.folder.cuts += 1
+            return None
+        with self.folder.steps:
+            return self._entries(expr, env.before(env.at))
+
+    def _entries(self, expr: Expr, env: Env) -> list[Entry] | None:
+        if isinstance(expr, Table):
+            return [Entry(Bound(k, env), Bound(v, env)) for k, v in expr.entries] if is_plain_table(expr) else None
+        if isinstance(expr, Comprehension) and isinstance(expr.element, Table):
+            rows = self.folder.comprehended.elements(expr, env)
+            return None if rows is None else [entry for row in rows for entry in self._entries(row.expr, row.env) or ()]
+        if isinstance(expr, Call):
+            return self._entries_of_call(expr, env)
+        if not isinstance(expr, Name | Member):
+            return None
+        ways = self.folder.flow.ways(expr, env)
+        if ways:
+            states = list(dict.fromkeys(ways))
+            return self.held_entries(states[0][0], env) if len(states) == 1 and len(states[0]) == 1 else None
+        given = self.folder.names.argument(expr.id, env) if isinstance(expr, Name) else None
+        if given is not None:
+            return self.entries(given.expr, given.env.deeper(env.depth + 1))
+        found = self.folder.lists.sources(expr, env)
+        if found:
+            return self.held_entries(*found[0]) if len(found) == 1 else None
+        return self._declared_entries(expr, env)
+
+    def _declared_entries(self, expr: Name | Member, env: Env) -> list[Entry] | None:
+        if isinstance(expr, Name) and env.func.file.language == "python":
+            return self.folder.names.module_entries(expr.id, env)
+        found = self.folder.scope.constant(expr.id, env) if isinstance(expr, Name) else None
+        if found is not None and found[0].value is not None and "map" in found[0].type:
+            fixed = not self.folder.names.may_change(found[0].name, found[0], env)
+            return self._pairs(found[0].value, Env(env.func, 0, depth=env.depth + 1)) if fixed else None
+        return None
+
+    def _entries_of_call(self, expr: Call, env: Env) -> list[Entry] | None:
+        call = invocation_of(expr, env)
+        if env.func.file.language == "python":
+            if call.path == "dict" and not call.args:
+                return [Entry(Bound(Text(key), env), Bound(value, env)) for key, value in call.keywords]
+            copies = call.path == "dict" or (call.last == "copy" and call.receiver is not None)
+            base = call.args[0] if call.path == "dict" else call.receiver
+            return self.entries(base, env) if copies and len(call.args) <= 1 else self._returned_entries(call, env)
+        if call.receiver is None and is_map(call.path):
+            listed = call.args[0] if len(call.args) == 1 and _is_nested(call.args[0]) else Items(call.args)
+            return self._pairs(listed, env)
+        return self._returned_entries(call, env)
+
+    def _returned_entries(self, call: Invocation, env: Env) -> list[Entry] | None:
+        callee = self.folder.returns.meant(call, env)
+        found = self.folder.returns.returned(callee, call, env) if callee is not None else []
+        return self.entries(*found[0]) if len(found) == 1 else None
+
+    def _pairs(self, expr: Expr, env: Env) -> list[Entry] | None:
+        items = expr.items if isinstance(expr, Items) else ()
+        if not isinstance(expr, Items) or not all(isinstance(item, Items) and len(item.items) == 2 for item in items):
+            return None
+        return [Entry(*[Bound(part, env) for part in item.items]) for item in items if isinstance(item, Items)]
+
+    def held_entries(self, held: Held, env: Env) -> list[Entry] | None:
+        """Return the entries of a table that a variable holds; None when they are not all known."""
+        if env.depth > MAX_DEPTH or held in self._asked:
+            self.folder.cuts += 1
+            return None
+        self._asked.add(held)
+        try:
+            return self._kept_entries(held, env.deeper(env.depth + 1))
+        finally:
+            self._asked.discard(held)
+
+    def _entries_at_first(self, held: Held, env: Env) -> list[Entry] | None:
+        """The entries of a table that the function did not change."""
+        if held.how == "given":
+            entered = self.folder.states.entered(held.name, env)
+            return self.held_entries(entered, env) if entered is not None else self._given_entries(held.name, env)
+        found = self.folder.lists.sources(Member(Name("this"), held.name.rpartition(".")[2]), env)
+        return self.held_entries(*found[0]) if len(found) == 1 else None
+
+    def _kept_entries(self, held: Held, env: Env) -> list[Entry] | None:
+        inner = held.env.deeper(env.depth + 1) if held.env is not None else env.deeper(env.depth + 1)
+        if held.how == "value":
+            declared = self._declared(held)
+            return (
+                self._pairs(held.expr, inner)
+                if declared and isinstance(held.expr, Items)
+                else self.entries(held.expr, inner)
+            )
+        if held.how == "made":
+            return [] if self._declared(held) else None
+        if held.how in {"given", "shared"}:
+            return self._entries_at_first(held, env)
+        if held.how == "out":
+            found = self.folder.held.out(held, inner)
+            single = found is not None and len(found[0]) == 1
+            return self.held_entries(found[0][0], found[1].deeper(env.depth + 1)) if found and single else None
+        if held.how == "after":
+            left = self.folder.held.left(held, inner)
+            single = left is not None and len(left[0]) == 1
+            return self.held_entries(left[0][0], left[1].deeper(env.depth + 1)) if left and single else None
+        ways = self.folder.flow.decisions.ways(held.before)
+        if held.how == "entered":
+            return self.held_entries(ways[0], inner) if len(ways) == 1 else None
+        before = self.held_entries(ways[0], env) if len(ways) == 1 else None
+        if before is None:
+            return None
+        if held.how == "stored" and held.expr is not None and held.more is not None:
+            return [*before, Entry(Bound(held.expr, inner), Bound(held.more, inner))]
+        return self._changed_entries(before, held, inner) if held.how == "changed" else None
+
+    def _declared(self, held: Held) -> bool:
+        """Whether a variable of C++ is declared as a table."""
+        body = held.env.func.fact.body if held.env is not None else ()
+        written = body[held.at].type if 0 <= held.at < len(body) else ""
+        return is_map(written)
+
+    def _given_entries(self, key: str, env: Env) -> list[Entry] | None:
+        """A member at the start of a constructor is empty, or what it is declared with."""
+        name, cls = key.rpartition(".")[2], env.func.cls
+        if "." not in key:
+            entry = env.entry(State())
+            return self._entries(Name(name), entry)
+        if not key.startswith(".") or not env.func.is_constructor or cls is None:
+            return None
+        if any(self.folder.members.sources(name, base, env) for base in self.folder.program.bases(cls)):
+            return None
+        field = cls.fields.get(name)
+        if field is None:
+            return None
+        if field.default is None:
+            return [] if is_map(field.type) else None
+        place = Env(env.func, 0, depth=env.depth + 1, this=cls)
+        return (
+            self._pairs(field.default, place)
+            if isinstance(field.default, Items)
+            else self.entries(field.default, place)
+        )
+
+    def _changed_entries(self, entries: list[Entry], held: Held, env: Env) -> list[Entry] | None:
+        """`update`, `setdefault`, `insert`, `emplace`: those of C++ keep what a key has."""
+        call = held.expr
+        if not isinstance(call, Call) or not isinstance(call.callee, Member):
+            return None
+        name, args = call.callee.name, call.args
+        if name == "clear" and not args:
+            return []
+        if name == "update" and len(args) == 1 and not call.keywords:
+            more = self.entries(args[0], env)
+            return None if more is None else [*entries, *more]
+        if name in {"insert_or_assign"} and len(args) == 2:
+            return [*entries, Entry(Bound(args[0], env), Bound(args[1], env))]
+        pair = args[0].items if name == "insert" and len(args) == 1 and isinstance(args[0], Items) else args
+        if name in {"insert", "emplace", "setdefault", "try_emplace"} and len(pair) == 2:
+            return self._completed(entries, Entry(Bound(pair[0], env), Bound(pair[1], env)), env)
+        return None
+
+    def _completed(self, entries: list[Entry], more: Entry, env: Env) -> list[Entry] | None:
+        """The entries with one more behind them, unless a table has its key: Python keeps the order they came in."""
+        found, surely = self._having(entries, more.key.expr, env)
+        if surely or not found:
+            return entries if surely else [*entries, more]
+        return None if env.func.file.language == "python" else [more, *entries]
+
+    def distinct(self, entries: list[Entry], env: Env) -> list[Entry] | None:
+        """Return the entries that a table has in the end: each key once, in the place where it came first."""
+        found: dict[Any, Entry] = {}
+        for entry in entries:
+            keys = self.folder.lists.fold(entry.key, env)
+            if len(keys) != 1 or not is_proved(keys[0]):
+                return None
+            first = found.get(data_in(keys[0]))
+            found[data_in(keys[0])] = Entry(first.key if first is not None else entry.key, entry.value)
+        return list(found.values())
+
+
+def is_plain_table(expr: Table) -> bool:
+    """Tell whether a display of a table has no other table spread into it."""
+    return all(key != Constant("null") for key, _ in expr.entries)
+
+
+def _is_nested(expr: Expr) -> bool:
+    """Whether braces hold braces: the list of a table, not one of its entries."""
+    return isinstance(expr, Items) and all(isinstance(item, Items) for item in expr.items) and bool(expr.items)

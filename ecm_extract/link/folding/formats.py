@@ -1,0 +1,85 @@
+"""String formats of both languages, taken apart into literal and computed pieces."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from ecm_parsers.source.expr import Expr, Items, Name, Op, Text
+
+from ecm_extract.link.code.calls import Invocation
+from ecm_extract.shipped import shipped_names
+
+_TABLE = "link/code/library_values.toml"
+PARAMETER_READS = shipped_names(_TABLE, "parameter_texts")
+"""Members and methods that give the text of a value of a parameter."""
+VALUE_READS = PARAMETER_READS | shipped_names(_TABLE, "texts")
+"""Members and methods that give the text of what they are called on."""
+_JOINING = shipped_names(_TABLE, "slashes")
+_MAX_INDEX = 6
+"""Digits of an index that are read: no call has as many arguments."""
+_PERCENT = re.compile(r"%(?:\((\w+)\))?[-+ #0-9.]*(?:hh|h|ll|l|z)?[a-zA-Z]")
+_BRACES = re.compile(r"\{([^{}:!]*)((?:![a-z])?)(?::([^{}]*))?\}")
+
+
+def formatted(call: Invocation) -> list[Expr | str] | None:
+    """Return the pieces of a formatting call, None when it is no such call."""
+    receiver, args = call.receiver, call.args
+    if call.last == "format" and isinstance(receiver, Text):
+        return braces(receiver.value, args, dict(call.keywords))
+    if call.path in {"fmt::format", "std::format"} and args and isinstance(args[0], Text):
+        return braces(args[0].value, args[1:], {})
+    if call.last == "format_map" and isinstance(receiver, Text) and len(args) == 1:
+        named: dict[str, Expr] = {
+            match[1]: Op("[]", (args[0], Text(match[1]))) for match in _BRACES.finditer(receiver.value)
+        }
+        return braces(receiver.value, (), named)
+    if call.path in _JOINING or call.path.endswith("names::append"):
+        return _with_separator(args, "/")
+    if call.last == "joinpath" and receiver is not None:
+        return _with_separator((receiver, *args), "/")
+    if call.last == "concat" or call.path == "absl::StrCat":
+        return list(args)
+    return None
+
+
+def percent(text: str, operand: Expr) -> list[Expr | str]:
+    """Take a printf-style format apart."""
+    if "%%" in text:
+        return [Name("value")]
+    values = list(operand.items) if isinstance(operand, Items) else [operand]
+    pieces: list[Expr | str] = []
+    position = 0
+    for match in _PERCENT.finditer(text):
+        pieces.append(text[position : match.start()])
+        value = values.pop(0) if values and not match.group(1) else Name(match.group(1) or "value")
+        spec = match.group().replace(f"({match.group(1)})", "") if match.group(1) else match.group()
+        pieces.append(Op("format", (value, Text(spec))))
+        position = match.end()
+    return [*pieces, text[position:]]
+
+
+def braces(text: str, args: Sequence[Expr], keywords: dict[str, Expr]) -> list[Expr | str]:
+    """Take a brace format apart."""
+    if "{{" in text or "}}" in text:
+        return [Name("value")]
+    pieces: list[Expr | str] = []
+    position, count = 0, 0
+    for match in _BRACES.finditer(text):
+        pieces.append(text[position : match.start()])
+        key = match.group(1)
+        index = int(key[:_MAX_INDEX]) if key.isdecimal() else count
+        count += not key
+        known = keywords.get(key) if key and not key.isdecimal() else args[index] if index < len(args) else None
+        value = known if known is not None else Name(key or "value")
+        spec = match.group(2) + (match.group(3) or "")
+        pieces.append(Op("format", (value, Text(spec))))
+        position = match.end()
+    return [*pieces, text[position:]]
+
+
+def _with_separator(items: Sequence[Expr], separator: str) -> list[Expr | str]:
+    pieces: list[Expr | str] = []
+    for index, item in enumerate(items):
+        pieces += [separator, item] if index else [item]
+    return pieces

@@ -1,0 +1,59 @@
+"""What an element of a list that is not known depends on: what callers or makers pass for the list, or a parameter."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op
+
+from ecm_extract.link.code.walk import children
+from ecm_extract.link.running.env import MAX_DEPTH, Env
+from ecm_extract.link.running.values import Hole, Value, given_holes, set_by, unknown
+
+if TYPE_CHECKING:
+    from ecm_extract.link.folding.fold import Folder
+
+
+class OpenLists:
+    """Tells who knows the elements of a list that the function at hand does not show."""
+
+    def __init__(self, folder: Folder) -> None:
+        self.folder = folder
+
+    def element(self, expr: Expr | None, env: Env) -> tuple[Value, ...]:
+        """Return what an element of such a list is: as long as nobody shows more, `{item}`."""
+        item = unknown("item")
+        values = self.folder.fold(expr, env) if isinstance(expr, Name | Member) else ()
+        names = [value.parameter for value in values if value.parameter]
+        set_by_launch = tuple([value for name in names for value in set_by(name, (item,))])
+        return set_by_launch or (self._left_open(expr, env) or item,)
+
+    def _left_open(self, expr: Expr | None, env: Env) -> Value | None:
+        """An element of what is passed for the list, or for the first that it is made of: who passes one passes all."""
+        hole = next(self._holes(expr, env), None) if expr is not None else None
+        return Value((hole,), "pattern") if hole is not None else None
+
+    def _holes(self, expr: Expr, env: Env) -> Iterator[Hole]:
+        if env.depth > MAX_DEPTH:
+            return
+        for variable in _variables(expr):
+            given = self.folder.names.argument(variable.id, env) if isinstance(variable, Name) else None
+            if given is not None:
+                yield from self._holes(given.expr, given.env.deeper(env.depth + 1))
+                continue
+            for value in self.folder.fold(variable, env):
+                yield from (hole.of("item") for hole in given_holes(value))
+
+
+def _variables(expr: Expr) -> Iterator[Name | Member]:
+    """What a list is made of: `zip(names, ids)`, `table.items()`, `rows[0]`."""
+    if isinstance(expr, Name | Member):
+        yield expr
+    elif isinstance(expr, Call):
+        receiver = (expr.callee.base,) if isinstance(expr.callee, Member) else ()
+        for part in (*receiver, *expr.args):
+            yield from _variables(part)
+    elif isinstance(expr, Op | Items):
+        for part in children(expr):
+            yield from _variables(part)

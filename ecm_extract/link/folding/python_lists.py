@@ -1,0 +1,121 @@
+"""Calls of Python that give lists: `range`, `zip`, `sorted`, methods of tables and texts."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Final, TypeAlias
+
+from ecm_parsers.source.expr import Items, Name, Number, Text
+
+from ecm_extract.infer.compute import UNKNOWN, method
+from ecm_extract.infer.held import Held, State
+from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.running.env import Bound, Env
+from ecm_extract.link.running.values import data_in, is_proved
+
+if TYPE_CHECKING:
+    from ecm_extract.link.folding.fold_lists import ListFolder
+
+SPLITS = frozenset({"split", "rsplit", "partition", "rpartition"})
+"""Methods of texts that give a list of its parts."""
+MAX_ITEMS = 256
+"""Elements of a list that are looked at one by one."""
+_Giver: TypeAlias = "Callable[[ListFolder, Invocation, Env], list[Bound] | None]"
+
+
+def _row(*parts: Bound) -> Bound:
+    """A tuple of elements that are evaluated in different places."""
+    names = [f"#{index}" for index in range(len(parts))]
+    place = parts[0].env
+    state = State().having(
+        {name: (Held("value", name, part.expr, part.env),) for name, part in zip(names, parts, strict=True)}
+    )
+    return Bound(Items(tuple([Name(name) for name in names])), place.within(state, place.at))
+
+
+def _range(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
+    values = [lists.folder.fold(arg, env) for arg in call.args]
+    known = [found[0].data for found in values if len(found) == 1 and is_proved(found[0])]
+    data = [entry for entry in known if isinstance(entry, int)]
+    if not 1 <= len(data) <= 3 or len(data) != len(values) or 0 in data[2:]:
+        return None
+    numbers = range(*data)
+    return [Bound(Number(number), env) for number in numbers] if len(numbers) <= MAX_ITEMS else None
+
+
+def _copied(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
+    if not call.args:
+        return []
+    return lists.items(call.args[0], env) if len(call.args) == 1 and not call.keywords else None
+
+
+def _sorted(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
+    items = _copied(lists, call, env)
+    return None if items is None else lists.folder.list_changes.ordered(items, env)
+
+
+def _reversed(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
+    items = _copied(lists, call, env)
+    return None if items is None else items[::-1]
+
+
+def _enumerated(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
+    start = next(
+        (value for name, value in call.keywords if name == "start"), call.args[1] if len(call.args) > 1 else Number(0)
+    )
+    items = lists.items(call.args[0], env) if call.args else None
+    if items is None or not isinstance(start, Number) or not isinstance(start.value, int):
+        return None
+    return [_row(Bound(Number(start.value + index), env), item) for index, item in enumerate(items)]
+
+
+def _zipped(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
+    columns = [lists.items(arg, env) for arg in call.args]
+    known = [column for column in columns if column is not None]
+    if len(known) != len(columns) or not columns or call.keywords:
+        return None
+    return [_row(*row) for row in zip(*known, strict=False)]
+
+
+def _table_part(which: str) -> _Giver:
+    def work(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
+        entries = lists.folder.tables.entries(call.receiver, env)
+        distinct = lists.folder.tables.distinct(entries, env) if entries is not None else None
+        if distinct is None:
+            return None
+        if which == "items":
+            return [_row(entry.key, entry.value) for entry in distinct]
+        return [entry.key if which == "keys" else entry.value for entry in distinct]
+
+    return work
+
+
+def _split(lists: ListFolder, call: Invocation, env: Env) -> list[Bound] | None:
+    if call.receiver is None:
+        return None
+    groups = [lists.folder.fold(part, env) for part in (call.receiver, *call.args)]
+    if any(len(group) != 1 or not is_proved(group[0]) for group in groups):
+        return None
+    data = [data_in(group[0]) for group in groups]
+    found = method(call.last, data[0], data[1:], True) if isinstance(data[0], str) and UNKNOWN not in data else UNKNOWN
+    return [Bound(Text(part), env) for part in found] if isinstance(found, list | tuple) else None
+
+
+LIST_CALLS: Final[Mapping[str, _Giver]] = MappingProxyType(
+    {
+        "range": _range,
+        "list": _copied,
+        "tuple": _copied,
+        "copy": lambda lists, call, env: lists.items(call.receiver, env) if not call.args else None,
+        "sorted": _sorted,
+        "reversed": _reversed,
+        "enumerate": _enumerated,
+        "zip": _zipped,
+        "keys": _table_part("keys"),
+        "values": _table_part("values"),
+        "items": _table_part("items"),
+        **dict.fromkeys(SPLITS, _split),
+    }
+)
+"""Calls of Python that give lists, as functions or as methods."""

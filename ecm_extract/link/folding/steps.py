@@ -1,0 +1,90 @@
+"""How much is evaluated: bounds for one question and for a whole run, and where they were hit."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Final
+
+from ecm_extract.link.running.env import Env
+from ecm_extract.tree import FileDiagnostic
+
+MAX_QUESTION: Final = 5_000
+"""Evaluations for one name, type or profile; the most that one took in 65 public repositories was 331."""
+LEAST_RUN: Final = 2_000_000
+"""Evaluations that any run has; those 65 repositories took 90,000 together."""
+MAX_PER_STATEMENT: Final = 40
+"""Evaluations that a run has for each statement of its sources."""
+MAX_TOLD: Final = 20
+"""Places that are told one by one."""
+_CODE: Final = "values-left-out"
+_HINT: Final = "split the function, or give the name as one literal"
+
+
+class Steps:
+    """Counts evaluations. What is evaluated while nothing else is, is a question; what it leads to belongs to it.
+
+    Use as a context around an evaluation that `take` has allowed.
+
+    Args:
+        statements: how many the sources have.
+    """
+
+    def __init__(self, statements: int) -> None:
+        self.depth = 0
+        self._left = max(LEAST_RUN, MAX_PER_STATEMENT * statements)
+        self._spent = 0
+        self._asked: Env | None = None
+        self._cut: dict[tuple[str, int], None] = {}
+
+    def take(self, env: Env) -> bool:
+        """Tell whether one more evaluation may be made; a refusal is remembered with the place of its question."""
+        if not self.depth:
+            self._spent, self._asked = 0, env
+        self._spent += 1
+        self._left -= 1
+        if self._spent <= MAX_QUESTION and self._left >= 0:
+            return True
+        self._cut[_place(self._asked or env)] = None
+        return False
+
+    def leave_out(self, env: Env) -> None:
+        """Remember a place whose values are not all computed; within a question it is the place that asked."""
+        self._cut[_place(self._asked if self.depth and self._asked is not None else env)] = None
+
+    def __enter__(self) -> None:
+        self.depth += 1
+
+    def __exit__(self, *_: object) -> None:
+        self.depth -= 1
+
+    @contextmanager
+    def apart(self) -> Iterator[None]:
+        """Within it, each evaluation is a question of its own: a run of a function asks many."""
+        depth, spent, asked = self.depth, self._spent, self._asked
+        self.depth = 0
+        try:
+            yield
+        finally:
+            self.depth, self._spent, self._asked = depth, spent, asked
+
+    def left_out(self) -> tuple[FileDiagnostic, ...]:
+        """Return what is to be told of places whose values were not computed to the end."""
+        told = [_told(path, line) for path, line in list(self._cut)[:MAX_TOLD]]
+        rest = len(self._cut) - len(told)
+        if rest:
+            path, line = list(self._cut)[MAX_TOLD]
+            text = f"From here on {rest} more places have values that take too many steps to compute; {_HINT}."
+            told.append(FileDiagnostic("warning", _CODE, path, line, text))
+        return tuple(told)
+
+
+def _told(path: str, line: int) -> FileDiagnostic:
+    text = f"A value here takes too many steps to compute, so it is unknown; {_HINT}."
+    return FileDiagnostic("warning", _CODE, path, line, text)
+
+
+def _place(env: Env) -> tuple[str, int]:
+    body = env.func.fact.body
+    line = body[env.at].line if env.at < len(body) else env.func.fact.line
+    return env.func.file.path, line

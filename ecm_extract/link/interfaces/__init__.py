@@ -1,0 +1,1 @@
+"""Message, service and action types that expressions of both languages mean."""

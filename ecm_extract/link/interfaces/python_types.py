@@ -1,0 +1,96 @@
+"""Message, service and action classes that Python expressions mean: imports, arguments, variables, attributes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
+
+from ecm_checker.hub.roles import Role, roles
+from ecm_parsers.source.expr import Member, Name
+
+from ecm_extract.infer.held import Held
+from ecm_extract.link.code.calls import dotted_name
+from ecm_extract.link.interfaces.type_found import ACTION, UNKNOWN_TYPE, TypeFound
+from ecm_extract.link.running.env import MAX_DEPTH, Env
+
+if TYPE_CHECKING:
+    from ecm_extract.link.interfaces.types import Types
+
+
+class PythonTypes:
+    """Follows a class from where it is asked for to where it is imported."""
+
+    def __init__(self, types: Types) -> None:
+        self.types = types
+        self.folder = types.folder
+
+    def of(self, expr: Name | Member, env: Env, role: Role) -> TypeFound:
+        """Return the type that a name means at a place."""
+        dotted = dotted_name(expr)
+        head, *rest = dotted.split(".")
+        imported = env.func.file.imported.get(head)
+        if imported is not None:
+            return self._imported(dotted, ".".join([imported, *rest]), env, role)
+        if env.depth > MAX_DEPTH:
+            return UNKNOWN_TYPE
+        return self._variable(expr, env, role) if isinstance(expr, Name) else self._attribute(expr, env, role)
+
+    def _imported(self, dotted: str, path: str, env: Env, role: Role) -> TypeFound:
+        """What is below a `msg`, `srv` or `action`; what a module has is what it is called outside."""
+        full = self.types.full(path.replace(".", "::"), role) if path.count(".") > 1 else None
+        outside = self.types.program.outside(dotted, env.func.file) if full is None else ""
+        return TypeFound(full or self.types.full(outside.replace(".", "::"), role))
+
+    def _variable(self, expr: Name, env: Env, role: Role) -> TypeFound:
+        bound = self.folder.names.argument(expr.id, env)
+        if bound is not None:
+            return self.types.expression(bound.expr, bound.env, role)
+        if any(parameter.name == expr.id for parameter in env.func.fact.params):
+            return TypeFound(None, frozenset({expr.id}))
+        ways = self.folder.flow.ways(expr, env)
+        if ways:
+            return self._only((held for way in ways for held in way), env, role)
+        return self._starred(expr.id, env, role)
+
+    def _attribute(self, expr: Member, env: Env, role: Role) -> TypeFound:
+        """`self.kind`: what methods give it, else what the class or its nearest base says."""
+        cls = env.this or env.func.cls
+        if expr.base != Name("this") or cls is None:
+            return UNKNOWN_TYPE
+        given = (held for held, _ in self.folder.members.sources(expr.name, cls, env))
+        found = self._only(given, env, role)
+        return found if found.name is not None or found.open else self._declared(expr.name, env, role)
+
+    def _declared(self, name: str, env: Env, role: Role) -> TypeFound:
+        cls = env.this or env.func.cls
+        lineage = self.folder.program.ancestry(cls) if cls is not None else ()
+        for owner in lineage:
+            default = owner.fields[name].default if name in owner.fields else None
+            if default is not None:
+                place = self.folder.names.at_file(owner.file, env)
+                return self.types.expression(default, Env(place.func, depth=env.depth + 1), role)
+        return UNKNOWN_TYPE
+
+    def _only(self, given: Iterable[Held], env: Env, role: Role) -> TypeFound:
+        """The type that a variable surely holds, else what that depends on."""
+        found = dict.fromkeys(self._held(given, env, role))
+        return next(iter(found)) if len(found) == 1 else next((entry for entry in found if entry.open), UNKNOWN_TYPE)
+
+    def _held(self, given: Iterable[Held], env: Env, role: Role) -> Iterator[TypeFound]:
+        for held in given:
+            if held.how != "value" or held.expr is None or held.env is None:
+                yield UNKNOWN_TYPE
+            else:
+                yield self.types.expression(held.expr, held.env.deeper(env.depth + 1), role)
+
+    def _starred(self, name: str, env: Env, role: Role) -> TypeFound:
+        """What the one star import of types brings; of several, any can bring the name."""
+        starred = {entry.module for entry in env.func.file.facts.imports if entry.name == "*"}
+        shape = roles()[role].shape
+        wanted = {ACTION, "msg"} if shape == ACTION else {shape or "msg"}
+        found = [module for module in starred if module.rsplit(".", 1)[-1] in wanted]
+        return (
+            TypeFound(self.types.full("::".join([*found[0].split("."), name]), role))
+            if len(found) == 1
+            else UNKNOWN_TYPE
+        )

@@ -1,0 +1,267 @@
+"""Node handles and sub-nodes: the namespace that a name is relative to."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Final, NamedTuple
+
+from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
+
+from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.spelling import by_value, last_name, plain, pointee
+from ecm_extract.link.code.texts import is_text
+from ecm_extract.link.code.units import Func
+from ecm_extract.link.folding.fold import Folder
+from ecm_extract.link.naming.carriers import carriers
+from ecm_extract.link.naming.given_handles import given_namespace
+from ecm_extract.link.naming.host_arguments import HostArguments
+from ecm_extract.link.running.env import Bound, Env, bind, invocation_of
+from ecm_extract.link.running.values import Value, is_known, joined, literal, node_namespace, unknown
+
+MAX_DEPTH = 12
+_PRIVATE = frozenset({"getPrivateNodeHandle", "getMTPrivateNodeHandle"})
+_PUBLIC = frozenset({"getNodeHandle", "getMTNodeHandle"})
+_NODES = frozenset({"Node", "LifecycleNode"})
+_NAMESPACES = frozenset({"get_fully_qualified_name", "get_namespace", "get_effective_namespace"})
+_SAME = frozenset(
+    {"dynamic_pointer_cast", "static_pointer_cast", "lock", "get", "shared_from_this", "move", "ref", "cref"}
+)
+"""Calls that give the object they are given, or that they are called on."""
+_TEXTS: Final = ("string", "char")
+_THIS: Final = Name("this")
+
+
+class Handle(NamedTuple):
+    """What a handle makes of names.
+
+    Attributes:
+        prefix: put before relative names; starts with `~` for a private handle, empty for the node itself.
+        node: name of a node made on the spot, to which `~` then belongs; None for the module's own node.
+    """
+
+    prefix: Value
+    node: Value | None = None
+
+
+OWN = Handle(literal(""))
+
+
+class Handles:
+    """Evaluates receivers of endpoint calls. A handle that nothing in the tree makes is None within, and is told.
+
+    Args:
+        folder: gives values and types.
+        hosts: tells what hosts in the tree give to plugins.
+    """
+
+    def __init__(self, folder: Folder, hosts: HostArguments) -> None:
+        self.folder = folder
+        self.hosts = hosts
+        self._handing: set[tuple[Func, str]] = set()
+
+    def of(self, expr: Expr | None, env: Env) -> Handle:
+        """Return the handle that an expression is.
+
+        In ROS 1 one of which nothing is known has a namespace that is not known either; in ROS 2 a node is itself.
+        """
+        known = self._known(expr, env, 0)
+        if known is not None:
+            return known
+        return Handle(unknown(_label(expr))) if env.func.file.ros == 1 else OWN
+
+    def _known(self, expr: Expr | None, env: Env, depth: int) -> Handle | None:
+        if expr is None or expr == _THIS:
+            return OWN
+        if depth > MAX_DEPTH:
+            return None
+        if isinstance(expr, Call):
+            return self._call(invocation_of(expr, env), env, depth) or self._of_other(expr, env)
+        if isinstance(expr, Op) and expr.op == "&":
+            return self._known(expr.operands[0], env, depth + 1)
+        if isinstance(expr, Name):
+            return self._name(expr, env, depth)
+        return self._member(expr, env, depth) if isinstance(expr, Member) else OWN
+
+    def _of_other(self, expr: Call, env: Env) -> Handle | None:
+        """What makes something else than a handle, as a duration that stands in its place, has no namespace."""
+        written = self.folder.objects.type_of(expr, env)
+        return OWN if written and plain(written) != "auto" and not self._is_handle(written, env) else None
+
+    def _name(self, expr: Name, env: Env, depth: int) -> Handle | None:
+        bound = env.args.get(expr.id) or self._given_to_constructor(expr.id, env)
+        if bound is not None:
+            return self._known(bound.expr, bound.env, depth + 1)
+        return self._variable(expr, env, depth)
+
+    def _given_to_constructor(self, name: str, env: Env) -> Bound | None:
+        if not env.func.is_constructor or env.made is None or env.func.cls is None:
+            return None
+        part = self.folder.objects.part(env.made, env.func.cls)
+        return part.args.get(name) if part is not None else None
+
+    def _member(self, expr: Member, env: Env, depth: int) -> Handle | None:
+        """A member of the object at hand, or of another one, as its class makes it."""
+        if expr.base == _THIS:
+            return self._variable(expr, env, depth)
+        cls = self.folder.objects.class_of(expr.base, env)
+        if cls is None:
+            return self._declared(expr, env)
+        return self._variable(Member(_THIS, expr.name), Env(env.func, env.at, this=cls, depth=env.depth + 1), depth)
+
+    def _variable(self, expr: Name | Member, env: Env, depth: int) -> Handle | None:
+        """What all that may have made a variable agree on, and else what it is as it is declared."""
+        makers = self.folder.origins.makers(expr, env)
+        if makers is None:
+            return None
+        return _agreed([self._given(expr, each, depth) for each in makers]) if makers else self._declared(expr, env)
+
+    def _given(self, expr: Name | Member, made: Bound, depth: int) -> Handle | None:
+        """`nh_("~x")` and `nh_(parent, "x")` in an initialiser list make a handle without naming it."""
+        value, env = made.expr, made.env
+        written = self.folder.objects.type_of(expr, env)
+        if last_name(plain(pointee(written))) in carriers() and isinstance(value, Call):
+            return self._known(next(iter(_initialised_with(expr, value)), None), env, depth + 1)
+        if by_value(written) and last_name(plain(written)) in _NODES and isinstance(value, Call) and value.args:
+            return self._new_node(value.args, env)
+        if not by_value(written) or last_name(plain(written)) != "NodeHandle":
+            return self._known(value, env, depth + 1)
+        return self._node_handle(_initialised_with(expr, value), env, depth)
+
+    def _declared(self, expr: Name | Member, env: Env) -> Handle | None:
+        """A parameter is its default; a handle that is held and never made otherwise is the node's, as is no handle."""
+        if isinstance(expr, Name):
+            for parameter in env.func.fact.params:
+                if parameter.name == expr.id and parameter.default is not None:
+                    return self._known(parameter.default, Env(env.func, 0), 1)
+                if parameter.name == expr.id and self._is_handle(parameter.type, env):
+                    return self._handed(expr.id, env.func)
+        written = self.folder.objects.type_of(expr, env)
+        if not written or plain(written) == "auto":
+            return None if not self._is_text(expr, env) else OWN
+        return OWN if by_value(written) or not self._is_handle(written, env) else None
+
+    def _handed(self, parameter: str, func: Func) -> Handle | None:
+        """What a library, or the hosts in the tree, give a method that they call without knowing its class."""
+        below = given_namespace(func, parameter, self.folder.program)
+        if below is not None:
+            return Handle(below)
+        if (func, parameter) in self._handing:
+            return None
+        self._handing.add((func, parameter))
+        try:
+            return _agreed([self._known(bound.expr, bound.env, 0) for bound in self.hosts.of(func, parameter)])
+        finally:
+            self._handing.discard((func, parameter))
+
+    def _is_handle(self, written: str, env: Env) -> bool:
+        bare = plain(pointee(written))
+        meant = self.folder.program.alias(bare, env.func.file, env.scope) or bare
+        return last_name(plain(pointee(meant))).removesuffix("Ptr") in {"NodeHandle", *carriers()}
+
+    def _is_text(self, expr: Expr, env: Env) -> bool:
+        return is_known(self.folder.fold(expr, env)[0])
+
+    def _call(self, call: Invocation, env: Env, depth: int) -> Handle | None:
+        last = call.last
+        if last in _PRIVATE:
+            return Handle(literal("~"))
+        if last in _PUBLIC:
+            return OWN
+        if last == "NodeHandle" or _makes_handle(call):
+            return self._node_handle(call.args, env, depth)
+        if last == "create_sub_node" and call.args:
+            return self._nested(self._known(call.receiver, env, depth + 1) or OWN, call.args[0], env)
+        if last in _NODES and call.args and (len(call.args) >= 2 or not isinstance(call.args[0], Name)):
+            return self._new_node(call.args, env)
+        if last in carriers() and call.args:
+            return self._known(call.args[0], env, depth + 1)
+        if last in _SAME:
+            return self._known(call.args[0] if call.args else call.receiver, env, depth + 1)
+        return self._returned(call, env, depth)
+
+    def _returned(self, call: Invocation, env: Env, depth: int) -> Handle | None:
+        """What a function of the tree returns, where all its returns agree."""
+        callee = self.folder.objects.callee(call, env)
+        if callee is None:
+            return None
+        this = self.folder.objects.class_of(call.receiver, env) if call.receiver is not None else env.this
+        args = bind(callee, call, env)
+        found = [
+            self._known(statement.value, Env(callee, at, args, this=this or callee.cls, depth=env.depth + 1), depth + 1)
+            for at, statement in enumerate(callee.fact.body)
+            if statement.kind == "return"
+        ]
+        return _agreed(found)
+
+    def _node_handle(self, args: tuple[Expr, ...], env: Env, depth: int) -> Handle | None:
+        if not args:
+            return OWN
+        first = args[0]
+        if not isinstance(first, Name | Member | Call | Op) or self._says_text(first, env):
+            return Handle(self.folder.fold(first, env)[0])
+        parent = self._known(first, env, depth + 1)
+        if len(args) < 2:
+            return parent
+        return self._nested(parent or Handle(unknown(_label(first))), args[1], env)
+
+    def _says_text(self, expr: Expr, env: Env) -> bool:
+        """Tell whether a handle is made of a namespace, and not of another handle."""
+        if isinstance(expr, Op):
+            return expr.op != "&"
+        if is_text(expr, env.func):
+            return True
+        written = self.folder.objects.type_of(expr, env)
+        is_named = bool(written) and plain(written) != "auto"
+        return any(word in written for word in _TEXTS) if is_named else self._is_text(expr, env)
+
+    def _nested(self, parent: Handle, name: Expr, env: Env) -> Handle:
+        value = self.folder.fold(name, env)[0]
+        return Handle(under(parent.prefix, value), parent.node)
+
+    def _new_node(self, args: Sequence[Expr], env: Env) -> Handle:
+        name = self.folder.fold(args[0], env)[0]
+        if len(args) < 2 or not self._is_namespace(args[1], env):
+            return Handle(literal(""), name)
+        space = self.folder.fold(args[1], env)[0]
+        own = space.parts == node_namespace().parts  # that of the node which makes it
+        return Handle(literal(""), name if own else under(space, name))
+
+    def _is_namespace(self, expr: Expr, env: Env) -> bool:
+        """Tell whether the second argument of a node is text; its options are an object."""
+        if isinstance(expr, Call) and invocation_of(expr, env).last in _NAMESPACES:
+            return True
+        return "string" in self.folder.objects.type_of(expr, env) or self._is_text(expr, env)
+
+
+def under(prefix: Value, name: Value) -> Value:
+    """Return `prefix/name`; an empty prefix changes nothing, an absolute name drops the prefix."""
+    if not prefix.parts or prefix.text == "" or name.text.startswith("/"):
+        return name
+    if prefix.text == "~":
+        return joined([(prefix,), (name,)])[0]
+    return joined([(prefix,), (literal("/"),), (name,)])[0]
+
+
+def _initialised_with(expr: Name | Member, value: Expr) -> tuple[Expr, ...]:
+    """What stands in the parentheses of a member of an initialiser list, which are written as a call of it."""
+    own = Name(expr.id if isinstance(expr, Name) else expr.name)
+    return value.args if isinstance(value, Call) and value.callee == own else (value,)
+
+
+def _agreed(found: Sequence[Handle | None]) -> Handle | None:
+    return found[0] if found and all(each == found[0] for each in found) else None
+
+
+def _makes_handle(call: Invocation) -> bool:
+    """Tell whether a declaration makes a handle: `ros::NodeHandle nh(...)`."""
+    written = call.statement.type if call.statement.kind == "let" else ""
+    return call.made and last_name(plain(pointee(written))) in {"NodeHandle", "NodeHandlePtr"}
+
+
+def _label(expr: Expr | None) -> str:
+    """What a handle is called in source, to say which one is not known."""
+    if isinstance(expr, Op) and expr.operands:
+        return _label(expr.operands[0])
+    if isinstance(expr, Call):
+        return _label(expr.callee)
+    return expr.id if isinstance(expr, Name) else expr.name if isinstance(expr, Member) else "handle"

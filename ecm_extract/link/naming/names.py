@@ -1,0 +1,123 @@
+"""ROS names: from what a call passes to the name in the graph.
+
+Sources: ROS wiki "Names", design.ros2.org "Topic and Service name mapping". The launch namespace is not known from
+source alone, so names resolve in `/`, or in the namespace that the code gives its node (`Node("demo", "arm")`).
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from ecm_extract.link.naming.handles import Handle, under
+from ecm_extract.link.naming.own_spaces import marked
+from ecm_extract.link.running.values import Hole, Value, settled, with_node
+
+
+class RosName(NamedTuple):
+    """A name as written (after folding, relative to its handle), and as it is in the graph of a node in `/`."""
+
+    raw: str
+    resolved: str
+
+
+def space_of(handle: Handle, node: str | None) -> str:
+    """Return the namespace that code gives a node: what stands before its name; empty without one."""
+    own = handle.node.text if handle.node is not None else node or ""
+    return own.rpartition("/")[0].strip("/")
+
+
+def local_name(value: Value, handle: Handle, space: str = "") -> str:
+    """Return a name for any namespace and node name: `/absolute`, `~/private` or relative, of a node in `space`.
+
+    `${parameter=default}` stands where a ROS parameter gives a part of it.
+    """
+    if _after(value, "space") is not None:
+        return value.written
+    own = _after(value, "node")
+    name = f"~/{own}" if own is not None else value.written
+    prefix = handle.prefix.written
+    if prefix and not name.startswith(("/", "~")) and not value.text.startswith("/"):
+        name = f"{prefix}/{name}"
+    if not name.startswith("~"):
+        return marked(space, name)
+    private = name[1:].lstrip("/")
+    if handle.node is None:
+        return marked(space, f"~/{private}")
+    return marked(space, f"{handle.node.text.removeprefix(space).lstrip('/')}/{private}")
+
+
+def endpoint_name(value: Value, handle: Handle, node: str | None, ros: int | None) -> RosName:
+    """Return the name of a topic, service or action; `node` may have its namespace before its name."""
+    raw = value.text
+    own = _after(value, "node")
+    if own is not None:
+        return RosName(f"~{own}" if ros == 1 else raw, _private(own, handle, node))
+    beside = _after(value, "space")
+    if beside is not None:
+        return RosName(raw, _clean(f"/{space_of(handle, node)}/{beside}"))
+    if raw.startswith("/"):
+        return RosName(raw, _clean(raw))
+    if raw.startswith("~"):
+        return RosName(raw, _private(raw[1:].lstrip("/"), handle, node))
+    relative = under(handle.prefix, value).text
+    if relative.startswith("~"):
+        return RosName(relative, _private(relative[1:].lstrip("/"), handle, node))
+    return RosName(relative if ros == 1 else raw, _clean(f"/{space_of(handle, node)}/{relative}"))
+
+
+def is_never_made(value: Value, name: RosName) -> bool:
+    """Tell whether a name is certainly empty, in no namespace either: sources ask first, `if (topic != "")`."""
+    return value.text == "" and not value.template and name.resolved == "/"
+
+
+def _after(value: Value, kind: str) -> str | None:
+    """What is below the node's own name or namespace, with which a value begins; None for other values.
+
+    `get_name() + "/x"` is `~/x` and `get_namespace() + "/x"` is `x` while the node stands in the root namespace.
+    """
+    parts = [part for part in value.parts if part]
+    if not is_below_node(value) or not isinstance(parts[0], Hole) or parts[0].kind != kind:
+        return None
+    return "".join(part for part in parts[1:] if isinstance(part, str)).lstrip("/")
+
+
+def is_below_node(value: Value) -> bool:
+    """Tell whether a value is the node's own name or namespace followed by known text below it."""
+    parts = [part for part in value.parts if part]
+    if len(parts) < 2 or not isinstance(parts[0], Hole) or parts[0].kind not in {"node", "space"}:
+        return False
+    rest = parts[1:]
+    return all(isinstance(part, str) for part in rest) and str(rest[0]).startswith("/")
+
+
+def is_below_handle(value: Value) -> bool:
+    """Tell whether the handle that a name is given to decides where it is."""
+    return not value.text.startswith(("/", "~")) and not is_below_node(value)
+
+
+def of_node(value: Value, node: str | None, ros: int | None) -> Value:
+    """Fill in the name of the node; in ROS 1 a name below it is private, whatever name a launch file gives the node."""
+    private = ros == 1 and is_below_node(value)
+    return settled(value if private else with_node(value, node and node.rpartition("/")[2]))
+
+
+def _private(rest: str, handle: Handle, node: str | None) -> str:
+    own = handle.node.text if handle.node is not None else node
+    if own is None:
+        return f"~/{rest}" if rest else "~"
+    return _clean(f"/{own}/{rest}")
+
+
+def parameter_name(value: Value, handle: Handle, node: str | None, ros: int | None) -> RosName:
+    """Return the name of a parameter: local to its node in ROS 2, a graph name in ROS 1."""
+    if ros != 1:
+        prefix = handle.prefix.text
+        full = f"{prefix}.{value.text}" if prefix and not prefix.startswith("~") else value.text
+        return RosName(value.text, full.lstrip("."))
+    return endpoint_name(value, handle, node, ros)
+
+
+def _clean(name: str) -> str:
+    while "//" in name:
+        name = name.replace("//", "/")
+    return name if len(name) == 1 else name.rstrip("/")

@@ -1,0 +1,190 @@
+"""Names of nodes, where a constructor or an initialisation call fixes them."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from ecm_checker.contract import Evidence
+from ecm_parsers.source.expr import Call, Constant, Expr, Member, Name
+from ecm_parsers.source.facts import Statement
+
+from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.spelling import plain
+from ecm_extract.link.code.units import Cls, File, Func
+from ecm_extract.link.declaring.sites import Sites
+from ecm_extract.link.folding.fold import Folder
+from ecm_extract.link.index.module_kinds import is_node_base
+from ecm_extract.link.running.env import Bound, Env, Instance, bind
+from ecm_extract.link.running.values import Value, is_known, unknown
+
+_INITS = {"ros::init": 2, "rospy.init_node": 0, "rclpy.create_node": 0}
+_NAMING = ("init", "init_node", "create_node", "Node", "LifecycleNode", "make_shared")
+
+
+@dataclass(frozen=True, slots=True)
+class NodeName:
+    """The name that a node gives itself, the line that says it, and the namespace that it puts itself in."""
+
+    text: str
+    at: Evidence
+    space: str = ""
+
+    @property
+    def full(self) -> str:
+        """Return the name with the namespace before it."""
+        return f"{self.space}/{self.text}" if self.space else self.text
+
+
+@dataclass(frozen=True, slots=True)
+class Given:
+    """What a node is made with: its name, and what may be its namespace."""
+
+    name: Expr
+    space: Expr | None
+
+
+class NodeNames:
+    """Finds the name that a class or program gives its node."""
+
+    def __init__(self, folder: Folder, sites: Sites) -> None:
+        self.folder = folder
+        self.sites = sites
+        self._free: dict[File, list[Invocation]] | None = None
+
+    def of_class(self, cls: Cls) -> NodeName | None:
+        """Return the name that the class passes to its node base, None when it is not fixed."""
+        found = self._passed_on(Instance(cls, {}, {}))
+        if found is not None and "{" not in found.space:
+            return found
+        return self._made_with(cls) or self._left_to_another(cls) or self._by_default(cls) or found
+
+    def _by_default(self, cls: Cls) -> NodeName | None:
+        """The name that a class gives its node where nobody is seen to give it arguments."""
+        makers = [func for func in cls.methods if func.is_constructor and "declaration" not in func.fact.traits]
+        given = [{name: Bound(default, Env(func)) for name, default in func.defaults} for func in makers]
+        made = [Instance(cls, args, {}, func) for args, func in zip(given, makers, strict=True) if args]
+        return _agreed([self._passed_on(instance) for instance in made])
+
+    def _left_to_another(self, cls: Cls) -> NodeName | None:
+        """The name that the constructors of a class agree on which leave it to another: `Demo(options) : Demo("")`."""
+        makers = [func for func in cls.methods if func.is_constructor and "declaration" not in func.fact.traits]
+        whole = [(Instance(cls, {}, {}, func), func) for func in makers]
+        made = [(self.folder.objects.delegated(instance), func) for instance, func in whole]
+        return _agreed([self._passed_on(instance) for instance, func in made if instance.maker is not func])
+
+    def _passed_on(self, made: Instance) -> NodeName | None:
+        """The name that the constructors of an object pass to a node base."""
+        cls = made.cls
+        for owner in self.folder.program.ancestry(cls):
+            part = self.folder.objects.part(made, owner)
+            if part is None or not self._derives_outside(owner):
+                continue
+            for func in owner.methods:
+                if func.is_constructor:
+                    env = Env(func, args=part.args, this=cls, made=made)
+                    name = self._passed(func, env)
+                    if name is not None:
+                        return name
+        return None
+
+    def _derives_outside(self, cls: Cls) -> bool:
+        program = self.folder.program
+        return any(is_node_base(program.canonical(base, cls.file, cls.qualified)) for base in cls.fact.bases)
+
+    def _passed(self, func: Func, env: Env) -> NodeName | None:
+        for at, statement in enumerate(func.fact.body):
+            given = _base_arguments(statement)
+            if given is not None:
+                place = Evidence(func.file.path, statement.line)
+                return self._named(given, env.before(at), place)
+        return None
+
+    def _named(self, given: Given, env: Env, at: Evidence) -> NodeName | None:
+        name = _known(self.folder.fold(given.name, env), at)
+        if name is None or given.space is None or not self._is_text(given.space, env):
+            return name
+        values = self.folder.fold(given.space, env)
+        value = values[0] if len(values) == 1 else unknown("namespace")
+        return replace(name, space=value.text.strip("/"))
+
+    def _is_text(self, expr: Expr, env: Env) -> bool:
+        """Tell whether the second argument of a node is its namespace; options are an object, in Python it is named."""
+        if env.func.file.language == "python":
+            return expr != Constant("null")
+        written = self.folder.objects.type_of(expr, env)
+        return "string" in written or is_known(self.folder.fold(expr, env)[0])
+
+    def _made_with(self, cls: Cls) -> NodeName | None:
+        """The name that the places that make the class agree on."""
+        found: list[NodeName | None] = []
+        for call in self.sites.calls.get(cls.fact.name, ()):
+            if self.sites.makes(call, cls) and call.func.cls is not cls:
+                constructor = self.folder.objects.constructor(cls, len(call.args))
+                if constructor is None:
+                    return None
+                given = bind(constructor, call, self.sites.root_env(call.func, call.at))
+                name = self._passed_on(self.folder.objects.delegated(Instance(cls, given, {}, constructor)))
+                found.append(replace(name, at=_place(call)) if name is not None else None)
+        return _agreed(found)
+
+    def of_program(self, main: Func) -> NodeName | None:
+        """Return the name that a program gives its node, by a call in the file of its main function."""
+        for call in self._free_calls(main.file):
+            found = self._initialised(call)
+            if found is not None:
+                return found
+        return None
+
+    def _free_calls(self, file: File) -> Sequence[Invocation]:
+        """The calls in functions of a file that can give a node its name, those of client libraries first."""
+        if self._free is None:
+            self._free = defaultdict(list)
+            for call in (call for name in _NAMING for call in self.sites.calls.get(name, ())):
+                if call.func.cls is None:
+                    self._free[call.func.file].append(call)
+        return self._free.get(file, ())
+
+    def _initialised(self, call: Invocation) -> NodeName | None:
+        index = next((at for path, at in _INITS.items() if call.path == path or call.path.endswith("::" + path)), None)
+        if index is None and (is_node_base(call.path) and call.receiver is None):
+            index = 0
+        if index is None or index >= len(call.args):
+            return None
+        env = self.sites.root_env(call.func, call.at)
+        after = call.args[index + 1 : index + 2] if is_node_base(call.path) else ()
+        space = next(iter(after), dict(call.keywords).get("namespace"))
+        return self._named(Given(call.args[index], space), env, _place(call))
+
+
+def _base_arguments(statement: Statement) -> Given | None:
+    """What a constructor hands to a node base: initialiser or `super().__init__`."""
+    value, target = statement.value, statement.target
+    if statement.kind == "init" and isinstance(target, Name) and is_node_base(plain(target.id)):
+        args = value.args if isinstance(value, Call) and value.callee == target else (value,)
+        return _given(args[0] if args else None, args[1] if len(args) > 1 else None)
+    if isinstance(value, Call) and isinstance(value.callee, Member) and value.callee.name == "__init__":
+        args = value.args[1:] if value.args[:1] == (Name("this"),) else value.args
+        keywords = dict(value.keywords)
+        return _given(args[0] if args else keywords.get("node_name"), keywords.get("namespace"))
+    return None
+
+
+def _given(name: Expr | None, space: Expr | None) -> Given | None:
+    return Given(name, space) if name is not None else None
+
+
+def _agreed(found: Sequence[NodeName | None]) -> NodeName | None:
+    """The name that several ways to make a node agree on."""
+    return found[0] if len({name.full if name is not None else None for name in found}) == 1 else None
+
+
+def _place(call: Invocation) -> Evidence:
+    return Evidence(call.func.file.path, call.line)
+
+
+def _known(values: tuple[Value, ...], at: Evidence) -> NodeName | None:
+    value = values[0]
+    is_fixed = len(values) == 1 and value.confidence != "pattern" and bool(value.text)
+    return NodeName(value.text, at) if is_fixed else None

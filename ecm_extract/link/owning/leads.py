@@ -1,0 +1,202 @@
+"""What a name, a function and a class lead to, whichever module comes upon them: each is worked out once.
+
+Names are taken as they stand, whatever object they are asked of, so that nothing that runs is missed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cache
+from typing import NamedTuple
+
+from ecm_parsers.source.facts import Constant
+
+from ecm_extract.link.code.spelling import last_name, plain
+from ecm_extract.link.code.units import Cls, File, Func
+from ecm_extract.link.index.program import Program
+from ecm_extract.link.owning.mentioned import Mentions, mentions_of, mentions_of_class
+from ecm_extract.shipped import shipped
+
+_SUBCLASSES = "__subclasses__"
+
+
+@cache
+def _table() -> dict[str, frozenset[str]]:
+    rows = shipped("link/owning/reach.toml")
+    return {name: frozenset(row["names"]) for name, row in rows.items()}
+
+
+class Asked(NamedTuple):
+    """A name that code mentions; `makes`: it may make an object of a class of that name.
+
+    `file` stands for all files of its package and language, which see the same.
+    """
+
+    name: str
+    file: File
+    makes: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Lead:
+    """What something leads to.
+
+    Attributes:
+        asked: names that it mentions. funcs: functions that it names. classes: those that it may make.
+        any: it calls something whose name is not known before it runs. any_method: of some object.
+    """
+
+    asked: frozenset[Asked]
+    funcs: Sequence[Func] = ()
+    classes: Sequence[Cls] = ()
+    any: bool = False
+    any_method: bool = False
+
+
+class Leads:
+    """Tells where names, functions and classes of a program lead."""
+
+    def __init__(self, program: Program) -> None:
+        self.program = program
+        self._places: dict[tuple[str, str], File] = {}
+        self._by_name: dict[Asked, Lead] = {}
+        self._by_func: dict[Func, Lead] = {}
+        self._by_class: dict[Cls, Lead] = {}
+        self._unnamed: dict[Cls, Sequence[Func]] = {}
+
+    def of_name(self, asked: Asked) -> Lead:
+        """What code can mean that mentions a name."""
+        known = self._by_name.get(asked)
+        if known is None:
+            known = self._by_name[asked] = self._named(asked)
+        return known
+
+    def of_func(self, func: Func) -> Lead:
+        """What the body of a function, the defaults of its parameters and its decorators mention."""
+        known = self._by_func.get(func)
+        if known is None:
+            known = self._by_func[func] = self._run(func)
+        return known
+
+    def of_class(self, cls: Cls) -> Lead:
+        """What the members of a class mention."""
+        known = self._by_class.get(cls)
+        if known is None:
+            found = mentions_of_class(cls.fact)
+            known = self._by_class[cls] = _lead(found, self._outside(found, cls.file))
+        return known
+
+    def of_bases(self, cls: Cls) -> Lead:
+        """What the bases of a class are called."""
+        return Lead(frozenset(self._asked(cls.file, [last_name(plain(base)) for base in cls.fact.bases])))
+
+    def unnamed(self, cls: Cls) -> Sequence[Func]:
+        """Return the methods of a class that run without being named once there is an object of it."""
+        known = self._unnamed.get(cls)
+        if known is None:
+            foreign = self._has_foreign_base(cls)
+            known = self._unnamed[cls] = [func for func in cls.methods if foreign or _runs_unnamed(func)]
+        return known
+
+    def _asked(self, file: File, names: Iterable[str], makes: bool = True) -> Iterator[Asked]:
+        """Names as code in a file mentions them, without those that nothing in the tree is called."""
+        place = self._places.setdefault((file.package, file.language), file)
+        program = self.program
+        tables = (program.functions, program.classes, program.constants, program.aliases.last_names)
+        return (Asked(name, place, makes) for name in names if any(name in table for table in tables))
+
+    def _parts(self, found: Mentions, file: File) -> Iterator[Asked]:
+        yield from self._asked(file, found.used)
+        yield from self._asked(file, found.held, makes=False)
+
+    def _outside(self, found: Mentions, file: File) -> Iterator[Asked]:
+        """All names of what stands outside of functions."""
+        yield from self._parts(found, file)
+        yield from self._asked(file, found.plain)
+
+    # --- names -------------------------------------------------------------------------------------------
+
+    def _named(self, asked: Asked) -> Lead:
+        name, file, makes = asked
+        constants = [(other, _of_constant(one)) for other, one in self.program.seen_constants(name, file)]
+        mentioned = {each for other, found in constants for each in self._outside(found, other)}
+        return Lead(
+            frozenset(mentioned.union(self._aliased(asked))),
+            self.program.seen_functions(name, file),
+            self.program.seen_classes(name, file) if makes else (),
+            any(found.any for _, found in constants),
+            any(found.any_method for _, found in constants),
+        )
+
+    def _aliased(self, asked: Asked) -> Iterator[Asked]:
+        for entry in self.program.aliases.called(asked.name):
+            if self.program.sees(asked.file, entry.file):
+                found = Mentions()
+                found.add_type(entry.alias.target)
+                yield from self._parts(found, entry.file)
+
+    # --- functions ---------------------------------------------------------------------------------------
+
+    def _run(self, func: Func) -> Lead:
+        """A name that stands alone means the function of its own file, if that has one, and no other."""
+        found = mentions_of(func)
+        own = [each for each in self.program.functions_in(func.file) if each.fact.name in found.plain]
+        asked = {
+            *self._parts(found, func.file),
+            *self._asked(func.file, found.plain - {each.fact.name for each in own if each.cls is None}),
+            *self._asked(func.file, _imported(func.file, found.plain)),
+            *self._asked(func.file, _imported(func.file, found.held), makes=False),
+        }
+        if _SUBCLASSES in found.used:
+            asked.update(self._asked(func.file, self._derived_names(found)))
+        return _lead(found, asked, own)
+
+    def _derived_names(self, known: Mentions) -> Iterator[str]:
+        """`Part.__subclasses__()` gives all classes that derive from one."""
+        for group in self.program.classes.values():
+            for cls in group:
+                if any(base.fact.name in known.held for base in self.program.ancestry(cls)):
+                    yield cls.fact.name
+
+    # --- classes -----------------------------------------------------------------------------------------
+
+    def _has_foreign_base(self, cls: Cls) -> bool:
+        """A base outside of the tree can call what its derived classes define."""
+        return any(self._is_foreign(base, entry) for entry in self.program.ancestry(cls) for base in entry.fact.bases)
+
+    def _is_foreign(self, base: str, cls: Cls) -> bool:
+        written = plain(base)
+        known = last_name(written) in _table()["bases"]
+        return not known and self.program.class_named(written, cls.file, cls.fact.scope) is None
+
+
+def _lead(found: Mentions, asked: Iterable[Asked], funcs: Sequence[Func] = ()) -> Lead:
+    return Lead(frozenset(asked), funcs, any=found.any, any_method=found.any_method)
+
+
+def _of_constant(constant: Constant) -> Mentions:
+    """What stands outside of functions is run when it is named: macros, tables of callbacks, global objects."""
+    found = Mentions()
+    found.add_type(constant.type)
+    if constant.value is not None:
+        found.add(constant.value)
+    return found
+
+
+def _imported(file: File, names: Iterable[str]) -> Iterator[str]:
+    """What names are called where a Python file imports them from."""
+    targets = (file.imported.get(name) for name in names)
+    return (last_name(target) for target in targets if target is not None)
+
+
+def _runs_unnamed(func: Func) -> bool:
+    name = func.fact.name
+    special = name.startswith("__") and name.endswith("__")  # `__mine` is private and needs to be named
+    if func.is_constructor or special or name.startswith(("~", "operator")) or name in _table()["unnamed"]:
+        return True
+    return bool(set(map(_bare, func.fact.decorators)) - _table()["decorators"])
+
+
+def _bare(decorator: str) -> str:
+    return last_name(decorator.partition("(")[0].strip())

@@ -1,0 +1,196 @@
+"""Modules: which classes and programs have a contract, and which of them an endpoint belongs to.
+
+A class that derives from a node, controller or hardware base, or that is registered as a plugin or component, is a
+module; so is a program whose endpoints stand in no such class. An endpoint of a helper class belongs to every module
+that uses the helper; one that nobody uses belongs to the package's library.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from ecm_checker.match.generated import snake
+
+from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.index.module_kinds import class_kind
+from ecm_extract.link.index.program import Program
+from ecm_extract.link.owning.loaded_nodelets import loaded_nodelets
+from ecm_extract.link.owning.references import References, Unit
+
+MAX_USERS = 4000
+_REGISTRATION_KINDS = {"RCLCPP_COMPONENTS_REGISTER_NODE": "component", "NODELET": "nodelet"}
+_LOADED = ("PLUGIN", "CLASS_LOADER", "NODE", "COMPONENT", "CONTROLLER", "FILTER", "DISPLAY", "HARDWARE")
+"""Words in macros that hand a class to a loader; those for point types, graph edges or metatypes have none of them."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Module:
+    """A module before its contract is written.
+
+    Attributes:
+        package: name of its package. name: own name, unique in the package.
+        kind: as in the contract. cls: its class; None for a program or library.
+        main: main function of a program.
+        path, line: where it is declared.
+    """
+
+    package: str
+    name: str
+    kind: str
+    cls: Cls | None
+    main: Func | None
+    path: str
+    line: int
+
+
+@dataclass(slots=True)
+class Registry:
+    """What the build files and macros say is a module.
+
+    Attributes:
+        classes: class -> kind, of plugins and components.
+        names: class -> name that a loader or executable gives it.
+        programs: main function -> executable name.
+        libraries: source path -> library name.
+        lookups: name that a loader asks for -> class.
+    """
+
+    classes: dict[Cls, str] = field(default_factory=dict)
+    names: dict[Cls, str] = field(default_factory=dict)
+    programs: dict[Func, str] = field(default_factory=dict)
+    libraries: dict[str, str] = field(default_factory=dict)
+    lookups: dict[str, Cls] = field(default_factory=dict)
+
+
+class Modules:
+    """Finds modules and attributes units to them."""
+
+    def __init__(self, program: Program, references: References, registry: Registry) -> None:
+        self.program = program
+        self.references = references
+        self.registry = registry
+        self.by_class: dict[Cls, Module] = {}
+        self.by_main: dict[Func, Module] = {}
+        self.libraries: dict[tuple[str, str], Module] = {}
+        self.loaded = loaded_nodelets(references.sites, registry.lookups)
+        self._loaders = {cls: [func for func, made in self.loaded.items() if cls in made] for cls in _all(self.loaded)}
+        self._owners: dict[Unit, tuple[Module, ...]] = {}
+
+    def find(self, node_name: Mapping[Cls, str]) -> None:
+        """Make the modules of all classes that are modules, and of programs.
+
+        Args:
+            node_name: class -> node name, where a constructor fixes it.
+        """
+        for group in self.program.classes.values():
+            for cls in group:
+                kind = self._kind(cls)
+                if kind is not None:
+                    name = node_name.get(cls) or self.registry.names.get(cls) or snake(cls.fact.name)
+                    self.by_class[cls] = Module(cls.file.package, name, kind, cls, None, cls.file.path, cls.fact.line)
+
+    def is_module(self, cls: Cls) -> bool:
+        """Tell whether a class has a contract of its own."""
+        return self._kind(cls) is not None
+
+    def _kind(self, cls: Cls) -> str | None:
+        if not cls.file.is_built:
+            return None
+        registered = self.registry.classes.get(cls)
+        kind = class_kind(cls, self.program)
+        if registered is not None:
+            return kind if kind not in {None, "node"} else "component" if kind == "node" else registered
+        if kind is None or not self._concrete(cls):
+            return None
+        return kind
+
+    def _concrete(self, cls: Cls) -> bool:
+        """A class of the tree that others derive from and that nobody makes is a base, not a module."""
+        if any("pure" in method.fact.traits for method in cls.methods):
+            return False
+        sites = self.references.sites
+        if not sites.program.derived(cls):
+            return not cls.fact.template
+        calls = (call for call in sites.calls.get(cls.fact.name, ()) if not sites.is_base_of(call, cls))
+        return any(sites.makes(call, cls) for call in calls)
+
+    def owners(self, unit: Unit) -> tuple[Module, ...]:
+        """Return the modules that have the endpoints of a unit: itself, those that use it, or the library."""
+        known = self._owners.get(unit)
+        if known is None:
+            known = self._owners[unit] = self._find_owners(unit)
+        return known
+
+    def _find_owners(self, unit: Unit) -> tuple[Module, ...]:
+        if not unit.file.is_built:
+            return ()
+        found: dict[Module, None] = {}
+        seen: set[Unit] = {unit}
+        pending = [unit]
+        while pending and len(seen) < MAX_USERS:
+            current = pending.pop()
+            module = self._own(current)
+            if module is not None:
+                found[module] = None
+                if not isinstance(current, Cls):
+                    continue
+            for user in self._users(current, module):
+                if user not in seen:
+                    seen.add(user)
+                    pending.append(user)
+        if not found and not isinstance(unit, Cls) and unit.cls is not None:
+            return self.owners(unit.cls)
+        if not found:
+            return (self.library(unit),)
+        return tuple(sorted(found, key=lambda module: (module.package, module.name, module.path)))
+
+    def _users(self, unit: Unit, module: Module | None) -> Iterable[Unit]:
+        """A module class passes its endpoints on only to the classes that derive from it, and to who loads it."""
+        if module is None:
+            return self.references.users(unit)
+        if not isinstance(unit, Cls):
+            return ()
+        loaders = (func.holder or func for func in self._loaders.get(unit, ()))
+        return (*self.references.sites.program.derived(unit), *loaders)
+
+    def _own(self, unit: Unit) -> Module | None:
+        if isinstance(unit, Cls):
+            return self.by_class.get(unit)
+        name = self.registry.programs.get(unit)
+        if name is None:
+            return None
+        module = self.by_main.get(unit)
+        if module is None:
+            module = self.by_main[unit] = self._started(unit, name)
+        return module
+
+    def _started(self, unit: Func, name: str) -> Module:
+        """A program that is started in two ways, by its file and by a function of it, is one."""
+        known = (each for each in self.by_main.values() if each.path == unit.file.path and each.name == name)
+        kind = "script" if unit.file.language == "python" else "node"
+        made = Module(unit.file.package, name, kind, None, unit, unit.file.path, unit.fact.line)
+        return next(known, made)
+
+    def library(self, unit: Unit) -> Module:
+        """Return the library module of the package of a unit."""
+        file = unit.file
+        name = self.registry.libraries.get(file.path) or file.package
+        key = (file.package, name)
+        if key not in self.libraries:
+            self.libraries[key] = Module(file.package, name, "library", None, None, file.path, 1)
+        return self.libraries[key]
+
+    def all(self) -> Sequence[Module]:
+        """Return every module found so far."""
+        return [*self.by_class.values(), *dict.fromkeys(self.by_main.values()), *self.libraries.values()]
+
+
+def _all(loaded: Mapping[Func, Sequence[Cls]]) -> set[Cls]:
+    return {cls for made in loaded.values() for cls in made}
+
+
+def registration_kind(macro: str) -> str | None:
+    """Return the kind that a registration macro makes of its class; None for a macro that registers other things."""
+    known = _REGISTRATION_KINDS.get(macro)
+    return known or ("plugin" if any(word in macro for word in _LOADED) else None)

@@ -1,0 +1,80 @@
+"""Which modules have what a site declares: those that have its unit and run the functions that it comes through."""
+
+from __future__ import annotations
+
+from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.declaring.client_libraries import is_client_library
+from ecm_extract.link.declaring.site import Site
+from ecm_extract.link.declaring.sites import Sites, overrides
+from ecm_extract.link.owning.decided import Decided
+from ecm_extract.link.owning.modules import Module, Modules
+from ecm_extract.link.owning.reach import Reach
+from ecm_extract.link.owning.references import Unit
+from ecm_extract.link.running.values import Hole, Value
+
+
+class Ownership:
+    """Gives sites to modules."""
+
+    def __init__(self, sites: Sites, modules: Modules) -> None:
+        self.sites = sites
+        self.program = sites.program
+        self.modules = modules
+        self.reach = Reach(self.program, modules.loaded, modules.references.registered)
+        self.decided = Decided(sites, modules.references)
+
+    def owners(self, unit: Unit, site: Site) -> tuple[Module, ...]:
+        """Return the modules that have what a site declares in a unit; the library's is what none of them runs."""
+        if self._is_only_offered(site):
+            return self._library(unit)
+        owners = [each for each in self.modules.owners(unit) if not _is_told_by_rows(site, each)]
+        through = self._through(unit, site)
+        running = self._deciding(site, [each for each in owners if self.reach.reaches(each, through)])
+        if owners and (not running or running[0].kind == "library"):
+            return self._library(unit)
+        return running
+
+    def _deciding(self, site: Site, modules: list[Module]) -> tuple[Module, ...]:
+        """Those of the modules whose arguments lead to a site, where arguments decide."""
+        asked = len(modules) > 1 or (bool(modules) and not self._is_loaded(site))
+        callers = self.decided.callers(site) if asked else None
+        if callers is None:
+            return tuple(modules)
+        return tuple([each for each in modules if any(self.reach.reaches(each, [func]) for func in callers)])
+
+    def _is_loaded(self, site: Site) -> bool:
+        """Whether a class has a contract of its own, of which whoever loads it may make something else."""
+        return site.root.cls is not None and self.modules.is_module(site.root.cls)
+
+    def _library(self, unit: Unit) -> tuple[Module, ...]:
+        """The library that has what no module runs; what a client library declares is told of whoever calls it."""
+        return () if is_client_library(unit.file.package) else (self.modules.library(unit),)
+
+    def _through(self, unit: Unit, site: Site) -> list[Func]:
+        """The functions that a site comes through, from the first that the unit runs inwards."""
+        calls = [call for call in (*site.chain, site.call) if not self.sites.is_held(call)]
+        line = [call.func for call in calls]
+        family = self.program.ancestry(unit) if isinstance(unit, Cls) else ()
+        first = next((at for at, func in enumerate(line) if func is unit or func.cls in family), -1)
+        return line[first:]
+
+    def _is_only_offered(self, site: Site) -> bool:
+        """A helper that nobody calls declares nothing in the modules that could call it."""
+        if site.root.is_constructor or overrides(site.root) or site.form.fixed or site.form.items:
+            return False
+        values = self.sites.names(site)
+        return any(_is_passed(value, site.root) for value in values)
+
+
+def _is_told_by_rows(site: Site, module: Module) -> bool:
+    """Tell whether a client library makes an endpoint for another module, whose call a row tells."""
+    package = site.call.func.file.package
+    return package != module.package and is_client_library(package)
+
+
+def _is_passed(value: Value, func: Func) -> bool:
+    """Tell whether a name is a parameter of a function, and no part of one."""
+    given = {parameter.name for parameter in func.fact.params}
+    holes = [part for part in value.parts if isinstance(part, Hole)]
+    whole = any(hole.kind == "param" and hole.label in given and not hole.part for hole in holes)
+    return whole and len(holes) == len(value.parts)

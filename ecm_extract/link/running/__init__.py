@@ -1,0 +1,1 @@
+"""What runs of the code make true: what variables hold at a place, by which calls, on which routes."""

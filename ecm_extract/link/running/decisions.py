@@ -1,0 +1,154 @@
+"""Which routes through a function are taken: each branch is decided once, and only if somebody wants to know."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Final
+
+from ecm_extract.infer.held import Held, Part, State, Turn, either
+from ecm_extract.infer.routes import OPEN, START, Gate, Route, Verdict
+from ecm_extract.link.code.units import Func
+
+if TYPE_CHECKING:
+    from ecm_extract.link.folding.fold import Folder
+    from ecm_extract.link.running.truths import Truths
+
+MAX_DECIDING: Final = 8
+"""Functions whose branches are decided within a branch of another."""
+MAX_NESTED: Final = 60
+"""Branches that are decided within others."""
+MAX_RECURSION: Final = 2
+"""Runs of one function of which branches are decided within each other."""
+_TAKEN: Final = "taken"
+
+
+class Decisions:
+    """Decides branches, and tells what follows for places and variables."""
+
+    def __init__(self, folder: Folder, truths: Truths) -> None:
+        self.folder = folder
+        self._truths = truths
+        self._deciding: dict[Gate, None] = {}
+        self._meanwhile: dict[Gate, Verdict] = {}
+
+    @property
+    def deciding(self) -> Iterable[Func]:
+        """The functions of which a branch is decided right now."""
+        return [gate.env.func for gate in self._deciding]
+
+    def of(self, gate: Gate) -> Verdict:
+        """Tell whether what a branch asks holds; that is open for who asks in a circle, or too deep."""
+        known = gate.found or self._meanwhile.get(gate)
+        if known is not None:
+            return known
+        if not self._may_decide(gate):
+            self.folder.cuts += 1
+            return OPEN
+        cuts = self.folder.cuts
+        self._deciding[gate] = None
+        try:
+            with self.folder.steps.apart():
+                found = self._truths.verdict(gate.test, gate.env)
+        finally:
+            del self._deciding[gate]
+        if cuts == self.folder.cuts or not self.folder.flow.is_busy:
+            gate.found = found
+        else:
+            self._meanwhile[gate] = found
+        if not self.folder.flow.is_busy:
+            self._meanwhile.clear()
+        return found
+
+    def _may_decide(self, gate: Gate) -> bool:
+        """Whether a branch is neither asked for by itself, nor deeper than is followed."""
+        if gate in self._deciding or len(self._deciding) >= MAX_NESTED:
+            return False
+        runs = list(dict.fromkeys((each.env.func, self.folder.flow.keys.of(each.env)) for each in self._deciding))
+        own = (gate.env.func, self.folder.flow.keys.of(gate.env))
+        if own in runs:
+            return True
+        return len(runs) < MAX_DECIDING and sum(func is gate.env.func for func, _ in runs) < MAX_RECURSION
+
+    # --- places --------------------------------------------------------------------------------------------
+
+    def is_live(self, route: Route, since: Route = START) -> bool:
+        """Tell whether a run may come along a route, from a place on it that it came by."""
+        return _leads(route, since, lambda gate, holds: self.of(gate).holds is not (not holds))
+
+    def is_likely(self, route: Route, since: Route = START) -> bool:
+        """Tell whether a run comes along a route as long as nobody sets a parameter, or whether nothing tells that."""
+        return _leads(route, since, lambda gate, holds: self.of(gate).likely is not (not holds))
+
+    def live(self, states: Sequence[State]) -> Sequence[State]:
+        """Return the states that a run may be in; all of them where no run gets there."""
+        if len(states) <= 1:
+            return states
+        return [state for state in states if self.is_live(state.route)] or states
+
+    def turns(self, state: State) -> tuple[Turn, ...]:
+        """Return the branches on the way to a state that nobody can decide, by the side that was taken."""
+        return tuple(turn for turn in state.path if turn.gate is None or self.of(turn.gate).holds is None)
+
+    # --- variables -----------------------------------------------------------------------------------------
+
+    def ways(self, helds: tuple[Held, ...]) -> tuple[Held, ...]:
+        """Return what a variable may hold on the routes that may be taken."""
+        if all(held.how != "met" for held in helds):
+            return helds
+        cuts, found = self.folder.cuts, dict[Held, tuple[Held, ...]]()
+        for held in helds:
+            self._find(held, found)
+        if cuts == self.folder.cuts:
+            for held, ways in found.items():
+                held.settled[_TAKEN] = ways
+        return _joined(helds, found)
+
+    def _find(self, first: Held, found: dict[Held, tuple[Held, ...]]) -> None:
+        """Find what each of the things holds that met, and those that met to make it: there may be thousands."""
+        taken: dict[Held, Sequence[Part]] = {}
+        pending = [first]
+        while pending:
+            held = pending[-1]
+            known = held.settled.get(_TAKEN)
+            if held.how != "met" or held in found or isinstance(known, tuple):
+                if isinstance(known, tuple):
+                    found[held] = known
+                pending.pop()
+                continue
+            if held not in taken:
+                taken[held] = self._taken(held)
+                pending += [way for part in taken[held] for way in part.ways if way.how == "met"]
+                continue
+            found[held] = _joined([way for part in taken[held] for way in part.ways], found)
+
+    def _taken(self, held: Held) -> Sequence[Part]:
+        """The parts on routes that may be taken, likely ones first; all of them where none may."""
+        since = held.since
+        live = [part for part in held.parts if self.is_live(part.route, since)] or held.parts
+        return live if len(live) == 1 else sorted(live, key=lambda part: not self.is_likely(part.route, since))
+
+
+def _joined(helds: Iterable[Held], found: Mapping[Held, tuple[Held, ...]]) -> tuple[Held, ...]:
+    """What a variable may hold, by what is found of those that met."""
+    ways: tuple[Held, ...] = ()
+    for held in helds:
+        ways = either(held.name, ways, found.get(held, (held,)))
+    return ways
+
+
+def _leads(route: Route, since: Route, passes: Callable[[Gate, bool], bool]) -> bool:
+    """Whether a run may come along a route from a place on it, by asking for as few branches as tell; none recurses."""
+    known = {since: True}
+    pending = [route]
+    while pending:
+        at = pending[-1]
+        further = next((before for before in at.before if before not in known), None)
+        if at in known:
+            pending.pop()
+        elif any(known.get(before) for before in at.before):
+            known[at] = at.gate is None or passes(at.gate, at.holds)
+        elif further is not None:
+            pending.append(further)
+        else:
+            known[at] = at is START
+    return known[route]

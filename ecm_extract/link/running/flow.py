@@ -1,0 +1,334 @@
+"""Runs of functions, each once for what it is called with, and what their variables hold at a place."""
+
+from __future__ import annotations
+
+import sys
+from collections import defaultdict
+from collections.abc import Collection, Hashable, Mapping, Sequence, Set
+from typing import TYPE_CHECKING
+
+from ecm_parsers.source.expr import Call, Expr, Name
+
+from ecm_extract.infer.effects import Effects
+from ecm_extract.infer.held import Held, State, joined_states
+from ecm_extract.infer.interpreter import Interpreter
+from ecm_extract.infer.outline import Outline
+from ecm_extract.infer.places import as_written
+from ecm_extract.infer.routes import Gate, Verdict
+from ecm_extract.infer.run import Run
+from ecm_extract.link.code.naming_calls import leaves_arguments
+from ecm_extract.link.code.spelling import last_name
+from ecm_extract.link.code.units import Func
+from ecm_extract.link.running.decisions import Decisions
+from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
+from ecm_extract.link.running.own_calls import OwnCalls
+from ecm_extract.link.running.run_keys import RunKeys
+from ecm_extract.link.running.truths import Truths
+
+if TYPE_CHECKING:
+    from ecm_extract.link.folding.fold import Folder
+    from ecm_extract.link.running.lasting_states import LastingStates
+
+MAX_WITHIN = 100
+"""Runs that one run leads to, directly or through others."""
+MAX_RECURSION = 2
+"""Runs of a function within runs of itself."""
+MAX_RUNS = 5_000
+"""Runs with arguments that are remembered."""
+MAX_FRAMES = 6_000
+"""Calls within calls: our own bounds (MAX_DEPTH, MAX_RUNNING, MAX_NESTING) end before that, the default does not."""
+MAX_RUNNING = 8
+"""Runs within runs: what a function is called with may be what another function does."""
+
+
+class Flow:
+    """Runs functions; implements `infer.judge.Judge` with a folder."""
+
+    def __init__(self, folder: Folder) -> None:
+        self.folder = folder
+        sys.setrecursionlimit(max(sys.getrecursionlimit(), MAX_FRAMES))
+        self.keys = RunKeys()
+        self._runs: dict[Hashable, tuple[Env, Run]] = {}
+        self._running: dict[Hashable, Func] = {}
+        self._meanwhile: dict[Hashable, tuple[Env, Run]] = {}
+        self._within = 0
+        self._outlines: dict[Func, Outline] = {}
+        self._own = OwnCalls(folder.program)
+        self._truths = Truths(folder, self.outline)
+        self.decisions = Decisions(folder, self._truths)
+        self._changes: dict[tuple[Func, str], bool] = {}
+
+    @property
+    def lasting(self) -> LastingStates:
+        """Who follows variables that outlive a call."""
+        return self.folder.lasting_states
+
+    @property
+    def running(self) -> Collection[Func]:
+        """The functions that are run right now, or of which a branch is decided."""
+        return [*self._running.values(), *self.decisions.deciding]
+
+    @property
+    def is_busy(self) -> bool:
+        """Whether anything is run or decided right now."""
+        return bool(self._running) or bool(self.decisions.deciding)
+
+    def forget(self) -> None:
+        """Drop runs, since more is known of parameters now."""
+        self._runs.clear()
+        self.keys.forget()
+
+    # --- runs --------------------------------------------------------------------------------------------
+
+    def run(self, env: Env, whole: bool = True) -> Run | None:
+        """Return the run of the function at a place; None while it is running: who asks then asks in a circle.
+
+        Args:
+            env: the place.
+            whole: whether its conditions are decided and its loops unrolled.
+        """
+        key = (self.keys.of(env), whole)
+        known = self._runs.get(key) or self._meanwhile.get(key)
+        if known is not None:
+            return known[1]
+        if not self._may_run(key, env):
+            self.folder.cuts += 1
+            return None
+        if len(self._runs) > MAX_RUNS:
+            self._runs = {asked: known for asked, known in self._runs.items() if not known[0].args}
+        cuts = self.folder.cuts
+        run = self._fresh(key, env, whole)
+        whole = cuts == self.folder.cuts or not self.is_busy
+        (self._runs if whole else self._meanwhile)[key] = (env, run)
+        if not self.is_busy:
+            self._meanwhile.clear()
+            self._within = 0
+        return run
+
+    def _fresh(self, key: Hashable, env: Env, whole: bool) -> Run:
+        self._running[key] = env.func
+        entry = env.entry(State())
+        try:
+            with self.folder.steps.apart():
+                return Interpreter(entry, self, whole).result()
+        finally:
+            del self._running[key]
+
+    def _may_run(self, key: Hashable, env: Env) -> bool:
+        """Whether a run is neither asked for by itself, nor deeper than is followed."""
+        if key in self._running or env.depth > MAX_DEPTH or len(self._running) > MAX_RUNNING:
+            return False
+        self._within += 1
+        if self._within > MAX_WITHIN:
+            return False
+        return sum(func is env.func for func in self._running.values()) < MAX_RECURSION
+
+    def states(self, env: Env) -> Sequence[State]:
+        """Return the states in which a place is reached; none where nothing is known of it."""
+        if env.state is not None:
+            return [env.state]
+        run = self.run(env)
+        if run is None:
+            return []
+        if env.at < len(env.func.fact.body):
+            return self.decisions.live(run.states.get(env.at, ()))
+        return [run.end] if run.end is not None else [state for found in run.states.values() for state in found[-1:]]
+
+    def left(self, run: Run | None, key: str) -> tuple[Held, ...]:
+        """Return what a run leaves a variable with; nothing where it left it alone, or never ends."""
+        return self.decisions.ways(run.end.holds.get(key, ())) if run is not None and run.end is not None else ()
+
+    def shown(self, run: Run, key: str) -> tuple[Held, ...]:
+        """Return what others may find a variable with: while a run calls functions, and when it ends."""
+        return (*self.decisions.ways(tuple(run.shown.get(key, ()))), *self.left(run, key))
+
+    def returned(self, run: Run | None) -> list[tuple[int, State]]:
+        """Return the `return` statements that a run may get to, with their states."""
+        found = run.returns if run is not None else []
+        return [(at, state) for at, state in found if self.decisions.is_live(state.route)]
+
+    def reached(self, env: Env) -> Sequence[State]:
+        """Return the states in which a place is reached, none where every run gets there."""
+        return [] if self._is_certain(env) else self.states(env)
+
+    def places(self, env: Env) -> list[Env]:
+        """Return a place once for each state in which a run reaches it; itself where that is not known."""
+        if self._is_certain(env):
+            return [env]
+        return [env.within(state, env.at) for state in self.states(env)] or [env]
+
+    def naming(self, env: Env, given: Mapping[str, Bound]) -> Env:
+        """Return a place at which more names are bound."""
+        state = joined_states(self.states(env)) or State()
+        held = {name: (Held("value", name, bound.expr, bound.env),) for name, bound in given.items()}
+        return env.within(state.having(held), env.at)
+
+    def is_reached(self, env: Env) -> bool:
+        """Tell whether a run with these arguments can get to a place."""
+        if self._is_certain(env):
+            return True
+        states = self.states(env)
+        return not states or any(self.decisions.is_live(state.route) for state in states)
+
+    def _is_certain(self, env: Env) -> bool:
+        return env.state is None and env.at in self.outline(env.func).certain
+
+    def ways(self, expr: Expr, env: Env) -> list[tuple[Held, ...]]:
+        """Return what a variable may hold at a place, for each state; nothing where the function leaves it alone."""
+        effects = self.effects(env.func)
+        key = effects.key(expr)
+        if not key:
+            return []
+        lasting = self.lasting.at(key, env)
+        if lasting is not None:
+            return lasting
+        if env.state is None and not self._may_differ(key, env):
+            return self._entered(key, env)
+        states = self.states(env)
+        found = [self.decisions.ways(state.holds.get(key, ())) for state in states]
+        if not any(found):
+            return [] if any(state.called for state in states) else self._entered(key, env)
+        shared = key.startswith(".") and key.count(".") == 1 and any(state.called for state in states)
+        return [ways or (Held("shared" if shared else "given", key),) for ways in found]
+
+    def _may_differ(self, key: str, env: Env) -> bool:
+        """Whether a function, or a method that it calls on the same object, may give a variable something else."""
+        if key in self.outline(env.func).changes:
+            return True
+        return key.startswith(".") and self.folder.methods.calls_own(env.func)
+
+    def _entered(self, key: str, env: Env) -> list[tuple[Held, ...]]:
+        """What a member holds that the function has left as its callers did, where they are known."""
+        if env.outer is not None and self._is_shared(key, env):
+            return self.ways(as_written(key), env.outer)
+        held = self.folder.states.entered(key, env)
+        return [(held,)] if held is not None else []
+
+    def _is_shared(self, key: str, env: Env) -> bool:
+        """Whether a variable is that of the object, or of the file, for a function and for the one that declares it."""
+        if key.count(".") > 1:
+            return False
+        return key.startswith(".") or ("." not in key and key not in self._names_around(env))
+
+    def _names_around(self, env: Env) -> Set[str]:
+        names: set[str] = set()
+        place: Env | None = env
+        while place is not None:
+            names |= self.effects(place.func).own
+            place = place.outer
+        return names
+
+    def outline(self, func: Func) -> Outline:
+        """Return what is known of a function before it runs."""
+        known = self._outlines.get(func)
+        if known is None:
+            known = self._outlines[func] = Outline(func, self.reads(func), self.folder.nesting.inner(func), self)
+        return known
+
+    def effects(self, func: Func) -> Effects:
+        """Return who knows the effects of a function's statements."""
+        return self.outline(func).effects
+
+    def is_bound_once(self, func: Func, key: str) -> bool:
+        """Tell whether a function gives a variable one value and never changes it."""
+        return self.outline(func).changes.get(key, 0) <= 1
+
+    # --- what a run asks ---------------------------------------------------------------------------------
+
+    def truth(self, test: Expr, env: Env) -> bool | None:
+        """Tell whether a condition holds; None when that is not decided."""
+        return self._truths.holds(test, env)
+
+    def verdict(self, test: Expr, env: Env) -> Verdict:
+        """Tell whether a condition holds, and whether it likely does."""
+        return self._truths.verdict(test, env)
+
+    def decided(self, gate: Gate) -> Verdict:
+        """Tell whether what a branch asks holds, and whether it likely does."""
+        return self.decisions.of(gate)
+
+    def alike(self, one: Expr, other: Expr, env: Env) -> bool | None:
+        """Tell whether two expressions have the same value; None when that is not decided."""
+        return self._truths.alike(one, other, env)
+
+    def rounds(self, over: Expr, env: Env) -> list[Bound] | None:
+        """Return what a loop is over, each element once; None when not all of it is known."""
+        return self.folder.lists.items(over, env)
+
+    def target(self, call: Call, func: Func, at: int) -> Func | None:
+        """Return the function with a body that a call in a statement of a function means."""
+        env = Env(func, at, this=func.cls)
+        return self.folder.objects.callee(invocation_of(call, env), env)
+
+    def keeps(self, path: str) -> bool:
+        """Tell whether a call that is written so is one of a client library, which leaves what it gets as it is."""
+        return self.folder.reads.knows(last_name(path)) or leaves_arguments(path)
+
+    def changes(self, func: Func, name: str) -> bool:
+        """Tell whether a function may change what its parameter consists of."""
+        key = (func, name)
+        known = self._changes.get(key)
+        if known is None:
+            self._changes[key] = True  # who asks in a circle is told that it may
+            known = self._changes[key] = self.effects(func).may_change(name)
+        return known
+
+    def is_outside(self, name: str, func: Func) -> bool:
+        """Tell whether a name in a method of C++, or in a lambda of one, means a variable of a namespace."""
+        program = self.folder.program
+        cls = self.folder.nesting.object_of(func) if name.rpartition("::")[2] in program.constants else None
+        if cls is None or any(name in entry.fields for entry in program.ancestry(cls)):
+            return False
+        return self.folder.scope.constant(name, Env(func)) is not None
+
+    def own_calls(self, env: Env) -> Sequence[Call]:
+        """Return the calls of a statement that may run functions of the tree."""
+        return self._own.of(env)
+
+    def is_own(self, call: Call, func: Func, at: int) -> bool:
+        """Tell whether a call in a statement of a function may run a function of the tree."""
+        return self._own.is_own(call, func, at)
+
+    def reaches_object(self, call: Call, env: Env) -> bool:
+        """Tell whether a call of a function of the tree may run a method of the object at hand."""
+        return self._own.reaches_object(call, env)
+
+    def hands_on(self, call: Call, env: Env) -> bool:
+        """Tell whether a call gives others the object at hand, or a function that may use it."""
+        return self._own.hands_on(call, env)
+
+    def called_on(self, call: Call, env: Env) -> str | None:
+        """Return the variable of the object that a method is called on: empty for that at hand, None for others."""
+        return "" if self.reaches_object(call, env) else self.folder.methods.holder(invocation_of(call, env), env)
+
+    def members_changed(self, call: Call, env: Env) -> Mapping[str, str] | None:
+        """Return the members that a call of a method may change; None where that is not known."""
+        return self.folder.methods.changed(call, env)
+
+    def is_fixed(self, key: str, env: Env) -> bool:
+        """Tell whether nobody gives a member anything else once the constructor gave it what it holds."""
+        return self.folder.shifting.is_fixed(key, env)
+
+    def is_followed(self, key: str, func: Func) -> bool:
+        """Tell whether it is known who changes a variable outside of functions, or a field of one, and when."""
+        alone = self.folder.outside.is_followed(key.partition(".")[0], func)
+        return alone or self.folder.lasting.named(key, func) is not None
+
+    def runs_once(self, func: Func) -> bool:
+        """Tell whether no program runs a function more than once."""
+        return self.folder.runs_once.of(func)
+
+    def reads(self, func: Func) -> Mapping[int, Sequence[tuple[Expr, Expr, Expr | None]]]:
+        """Return statement -> (variable, name, default) of the parameters that a function reads into variables."""
+        found: dict[int, list[tuple[Expr, Expr, Expr | None]]] = defaultdict(list)
+        for target, entries in self.folder.reads.all_written(func).items():
+            for at, name, default in entries:
+                if not target.startswith("."):
+                    found[at].append((Name(target), name, default))
+        return found
+
+    def settle(self, held: Held) -> None:
+        """Evaluate now, so that a long chain of changes needs no deep recursion later."""
+        if held.env is not None:
+            self.folder.held.values(held, held.env)
+            self.folder.held.items(held, held.env)

@@ -1,0 +1,164 @@
+"""Which members a call of a method may change, through all methods of the same object that it calls in turn."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Set
+from typing import TYPE_CHECKING
+
+from ecm_parsers.source.expr import Call
+
+from ecm_extract.infer.effects import calls_of
+from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.handing_on import THIS
+from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.running.env import Env, Instance, bind, invocation_of
+from ecm_extract.link.running.object_states import is_own
+from ecm_extract.link.running.seen_from_outside import leaves_members
+
+if TYPE_CHECKING:
+    from ecm_extract.link.folding.fold import Folder
+
+
+class MethodEffects:
+    """Tells what calls of methods do to the objects that they are called on."""
+
+    def __init__(self, folder: Folder) -> None:
+        self.folder = folder
+        self._known: dict[tuple[Func, Cls | None], Set[str] | None] = {}
+        self._depending: dict[tuple[Func, Cls | None], bool] = {}
+        self._calling: dict[Func, bool] = {}
+
+    def changed(self, call: Call, env: Env) -> Mapping[str, str] | None:
+        """Return the members that a call of a method may change; None where that is not known.
+
+        Args:
+            call: a call on the object at hand, or on one that a variable of the function holds.
+            env: where it stands.
+
+        Returns:
+            The member as a variable of the function that calls -> as one of the method.
+        """
+        found = invocation_of(call, env)
+        if self._is_outside(found, env) and not self.folder.flow.hands_on(call, env):
+            return {}
+        if self._makes_base(found) or leaves_members(found, env, self.folder):
+            return {}
+        prefix = "" if is_own(found.receiver) else self.holder(found, env)
+        if prefix is None:
+            return None
+        callee = self._meant(found, env)
+        if callee is None or self.folder.flow.hands_on(call, env):
+            return None
+        members = self._members(callee, self.folder.returns.object_at(callee, found, env))
+        return None if members is None else {prefix + key: key for key in sorted(members)}
+
+    def _makes_base(self, call: Invocation) -> bool:
+        """Whether a call makes a base of the object at hand, whose own members begin after that."""
+        cls, last = call.func.cls, call.last
+        if call.statement.kind != "init" or cls is None or last == cls.fact.name:
+            return False
+        return any(entry.fact.name == last for entry in self.folder.program.ancestry(cls)[1:])
+
+    def _is_outside(self, call: Invocation, env: Env) -> bool:
+        """Whether a call on the object at hand means a method of a base outside of the tree."""
+        cls = env.func.cls
+        if call.receiver is None or cls is None:
+            return False
+        lineage = self.folder.program.ancestry(cls) if call.receiver == THIS else self.folder.program.ancestry(cls)[1:]
+        derived = self.folder.program.derived(env.this or cls) if call.receiver == THIS else ()
+        known = (method for entry in (*lineage, *derived) for method in entry.methods)
+        return is_own(call.receiver) and not any(method.fact.name == call.last for method in known)
+
+    def holder(self, call: Invocation, env: Env) -> str | None:
+        """Return the variable of an object that the function made and that nobody else has; None for other calls."""
+        made = call.receiver is not None and self.folder.states.instance(call.receiver, env) is not None
+        return self.folder.flow.effects(env.func).key(call.receiver) if made else None
+
+    def calls_own(self, func: Func) -> bool:
+        """Tell whether a function may call methods of the object at hand."""
+        known = self._calling.get(func)
+        if known is None:
+            flow = self.folder.flow
+            asked = ((call, Env(func, at)) for at, calls in enumerate(func.calls) for call in calls)
+            known = any(flow.is_own(call, func, place.at) and flow.reaches_object(call, place) for call, place in asked)
+            self._calling[func] = known
+        return known
+
+    def begun(self, call: Invocation, env: Env) -> Env | None:
+        """Return the beginning of the method that a call runs, or of the function that is declared around the call."""
+        callee = self.folder.returns.meant(call, env)
+        if callee is None or callee not in self.folder.flow.outline(env.func).captured:
+            return self.entry(call, env)
+        return self.folder.returns.entered(callee, call, bind(callee, call, env), env)
+
+    def entry(self, call: Invocation, env: Env) -> Env | None:
+        """Return the beginning of the one method that a call runs; None where several fit."""
+        callee = self._meant(call, env)
+        return self.folder.returns.entered(callee, call, bind(callee, call, env), env) if callee is not None else None
+
+    def _meant(self, call: Invocation, env: Env) -> Func | None:
+        """The one method that a call runs; None where several fit, or a class that derives may have its own."""
+        callee = self.folder.returns.meant(call, env)
+        method = callee is not None and callee.cls is not None
+        return callee if callee and method and not self.folder.returns.may_be_overridden(callee, call, env) else None
+
+    def _members(self, func: Func, this: Cls | None) -> Set[str] | None:
+        asked = (func, this)
+        if asked not in self._known:
+            self._known[asked] = self._reached(func, this)
+        return self._known[asked]
+
+    def leaves(self, func: Func, this: Cls) -> bool:
+        """Tell whether a method changes no member of its object, through none of the methods that it calls either."""
+        return self._members(func, this) == frozenset()
+
+    def depends(self, func: Func, this: Cls | None) -> bool:
+        """Tell whether what a method does depends on when it is called: on members that are given several things."""
+        asked = (func, this)
+        if asked not in self._depending:
+            self._depending[asked] = False  # who asks in a circle
+            called = self._called(func, this) or () if func.cls is not None else ()
+            own = self.folder.shifting.is_read(func, this)
+            self._depending[asked] = own or any(self.depends(each, this) for each in called)
+        return self._depending[asked]
+
+    def _reached(self, func: Func, this: Cls | None) -> Set[str] | None:
+        """The members that a method changes, or those that it calls on the same object."""
+        found: set[str] = set()
+        seen, pending = {func}, [func]
+        while pending:
+            current = pending.pop()
+            found |= {key for key in self.folder.flow.outline(current).changes if key.startswith(".")}
+            called = self._called(current, this)
+            if called is None:
+                return None
+            pending += called - seen
+            seen |= called
+        return found
+
+    def _called(self, func: Func, this: Cls | None) -> set[Func] | None:
+        """The methods that a method calls on its object; None where somebody else may change that meanwhile."""
+        table = calls_of(func.file.language)
+        made = Instance(this, {}, {}) if this is not None else None
+        found: set[Func] = set()
+        for at, calls in enumerate(func.calls):
+            place = Env(func, at, this=this, made=made)
+            for call in calls:
+                if table.waits(call):
+                    return None
+                if self.folder.flow.is_own(call, place.func, place.at) and self.folder.flow.reaches_object(call, place):
+                    known = self._runs(call, place)
+                    if known is None:
+                        return None
+                    found |= known
+        return found
+
+    def _runs(self, call: Call, place: Env) -> set[Func] | None:
+        """The method that a call on the object at hand runs, none for one outside of the tree; None: nobody knows."""
+        if self.folder.flow.hands_on(call, place):
+            return None
+        found = invocation_of(call, place)
+        if self._is_outside(found, place):
+            return set()
+        callee = self._meant(found, place)
+        return {callee} if callee is not None else None

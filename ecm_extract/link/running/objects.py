@@ -1,0 +1,325 @@
+"""Objects: of which class they are, how they were made, and which function a call on them means."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Hashable, Iterable, Mapping, Sequence
+from typing import Final
+
+from ecm_parsers.source.expr import Call, Expr, Member, Name, Op, Text
+
+from ecm_extract.link.code.calls import Invocation, dotted_name, one_node
+from ecm_extract.link.code.containers import ELEMENT_METHODS, element_type
+from ecm_extract.link.code.overloads import NO, score
+from ecm_extract.link.code.pointed import pointed
+from ecm_extract.link.code.spelling import last_name, plain, pointee, template_arguments
+from ecm_extract.link.code.units import Cls, File, Func
+from ecm_extract.link.index.program import Program
+from ecm_extract.link.running.env import MAX_DEPTH, Env, Instance, bind
+from ecm_extract.link.running.file_scope import FileScope
+from ecm_extract.link.running.scope import Scope
+
+_POINTER_SUFFIX = re.compile(r"(?:Const)?(?:Shared|Unique|Weak)?Ptr$")
+HANDLES_OF_NODELETS: Final = frozenset(
+    {"getNodeHandle", "getPrivateNodeHandle", "getMTNodeHandle", "getMTPrivateNodeHandle"}
+)
+"""Methods of nodelet::Nodelet (nodelet/nodelet.h) that give a handle."""
+_ITSELF = frozenset({"lock", "get", "shared_from_this", "value", "release"})
+
+MAX_DELEGATIONS = 4
+"""Constructors that leave the work to another one, each to the next."""
+
+
+class Objects:
+    """Looks up classes, constructors and methods of a program."""
+
+    def __init__(self, program: Program, scope: Scope) -> None:
+        self.program = program
+        self.scope = scope
+        self.file_scope = FileScope(program, scope)
+        self._callees: dict[Hashable, Sequence[Func]] = {}
+
+    # --- types -----------------------------------------------------------------------------------------
+
+    def class_of(self, expr: Expr, env: Env) -> Cls | None:
+        """Return the class in the tree that an object belongs to."""
+        if expr == Name("this"):
+            return env.this or env.func.cls
+        return self.class_written(self.type_of(expr, env), env)
+
+    def class_written(self, written: str, env: Env) -> Cls | None:
+        """Return the class in the tree that a type as written means, through pointers and aliases of them."""
+        for _ in range(3):
+            name = plain(pointee(written))
+            found = self.program.class_named(name, env.func.file, env.scope) if name else None
+            found = found or (self._of_inherited_member(name, env) if name else None)
+            if found is not None or not name:
+                return found
+            alias = self.program.alias(name, env.func.file, env.scope)
+            written = alias or _POINTER_SUFFIX.sub("", name)
+            if written == name:
+                return None
+        return None
+
+    def _of_inherited_member(self, name: str, env: Env) -> Cls | None:
+        """The class of a member of a base, which names it where the base stands."""
+        cls = env.this or env.func.cls
+        bases = self.program.ancestry(cls)[1:] if cls is not None else ()
+        naming = (base for base in bases if any(plain(pointee(each.type)) == name for each in base.fields.values()))
+        found = (self.program.class_named(name, base.file, base.qualified) for base in naming)
+        return next((each for each in found if each is not None), None)
+
+    def type_of(self, expr: Expr, env: Env) -> str:
+        """Return the type of an object as written, empty when the tree does not show it."""
+        if env.depth > MAX_DEPTH:
+            return ""
+        if isinstance(expr, Name):
+            known = self.scope.declared_type(expr.id, env) or self._assigned_type(expr.id, env)
+            return known or self.file_scope.type_of(expr.id, env)
+        if isinstance(expr, Member) and expr.base == Name("this"):
+            cls = env.this or env.func.cls
+            return self.scope.member_type(expr.name, cls) or self._member_assigned_type(expr.name, cls, env)
+        if isinstance(expr, Member):
+            cls = self.class_of(expr.base, env.before(env.at))
+            return self.scope.member_type(expr.name, cls)
+        if isinstance(expr, Call):
+            return self._made_type(expr, env)
+        if isinstance(expr, Op) and expr.op in {"&", "?:"}:
+            return self.type_of(expr.operands[-1], env.before(env.at))
+        if isinstance(expr, Op) and expr.op == "[]":
+            return element_type(self.type_of(expr.operands[0], env.before(env.at)))
+        return ""
+
+    def _assigned_type(self, name: str, env: Env) -> str:
+        """The type of what a variable is given; a type needs no run, since it does not change on the way."""
+        body = env.func.fact.body
+        given = [
+            at for at in self.scope.locals_of(env.func).get(name, ()) if at < env.at and body[at].value is not None
+        ]
+        for at in reversed(given):
+            value = body[at].value
+            written = self.type_of(value, env.before(at)) if value is not None else ""
+            return element_type(written) if body[at].kind == "each" else written
+        return self._member_assigned_type(name, env.this or env.func.cls, env)
+
+    def _member_assigned_type(self, name: str, cls: Cls | None, env: Env) -> str:
+        for entry in self.program.ancestry(cls) if cls is not None else ():
+            for definition in self.scope.members(name, entry):
+                value = definition.statement.value
+                if value is not None:
+                    return self.type_of(value, Env(definition.func, definition.at, this=cls, depth=env.depth + 1))
+        return ""
+
+    def _made_type(self, expr: Call, env: Env) -> str:
+        if isinstance(expr.callee, Name):
+            last = expr.callee.id.rsplit("::", 1)[-1]
+            if pointed(expr):
+                return pointed(expr)
+            if last in {"dynamic_pointer_cast", "static_pointer_cast"} and expr.types:
+                return expr.types[0]
+            if last in HANDLES_OF_NODELETS:
+                return "ros::NodeHandle"
+            return expr.callee.id if self._is_type(last, env.func.file) else self._returned(last, env.func.file)
+        dotted = dotted_name(expr.callee)
+        if dotted and env.func.file.language == "python":
+            return dotted
+        return self._method_type(expr.callee, env) if isinstance(expr.callee, Member) else ""
+
+    def _method_type(self, callee: Member, env: Env) -> str:
+        """The type that a method returns; `lock()` and the like give the object itself."""
+        inner = env.before(env.at)
+        if callee.name in _ITSELF:
+            return self.type_of(callee.base, inner)
+        if callee.name in ELEMENT_METHODS:
+            return element_type(self.type_of(callee.base, inner))
+        cls = self.class_of(callee.base, inner)
+        for owner in self.program.ancestry(cls) if cls is not None else ():
+            for method in owner.methods:
+                if method.fact.name == callee.name and method.fact.returns:
+                    return method.fact.returns
+        return ""
+
+    def _is_type(self, name: str, file: File) -> bool:
+        known = self.program.seen_classes(name, file)
+        return bool(known) or (name[:1].isupper() and not self.program.seen_functions(name, file))
+
+    def _returned(self, name: str, file: File) -> str:
+        types = {func.fact.returns for func in self.program.seen_functions(name, file) if func.fact.returns}
+        return next(iter(types)) if len(types) == 1 else ""
+
+    # --- instances -------------------------------------------------------------------------------------
+
+    def part(self, made: Instance, base: Cls, depth: int = 0) -> Instance | None:
+        """Return how the `base` part of an object is made, following constructor initialisers."""
+        if made.cls is base:
+            return made
+        if depth > 8:
+            return None
+        for written in made.cls.fact.bases:
+            parent = self.program.class_named(plain(written), made.cls.file, made.cls.fact.scope)
+            if parent is None or base not in self.program.ancestry(parent):
+                continue
+            return self.part(self.base_instance(made, parent, written), base, depth + 1)
+        return None
+
+    def class_types(self, env: Env) -> Mapping[str, str]:
+        """Return what the object at hand has for the template parameters of the class whose method runs."""
+        made, cls = env.made, env.func.cls
+        if made is None or cls is None or made.cls is cls or not cls.fact.template:
+            return made.types if made is not None else {}
+        part = self.part(made, cls)
+        return part.types if part is not None else made.types
+
+    def held(self, expr: Expr | None, cls: Cls, env: Env) -> Instance:
+        """Return the part of class `cls` of an object of which only the type is known, with its template arguments."""
+        written = self.type_of(expr, env) if expr is not None else ""
+        owner = self.class_written(written, env) if written else None
+        if owner is None or cls not in self.program.ancestry(owner):
+            return Instance(cls, {}, {})
+        bare = pointee(written)
+        full = bare if "<" in bare else self.program.alias(plain(bare), env.func.file, env.scope) or bare
+        types = dict(zip(owner.fact.template, template_arguments(full), strict=False))
+        return self.part(Instance(owner, {}, types), cls) or Instance(cls, {}, {})
+
+    def runs(self, func: Func, made: Instance | None) -> bool:
+        """Tell whether a method can have run on an object: of several constructors only the one that made it."""
+        if not func.is_constructor or made is None or func.cls is None:
+            return True
+        part = self.part(made, func.cls)
+        return part is None or part.maker is None or part.maker is func
+
+    def base_instance(self, made: Instance, parent: Cls, written: str) -> Instance:
+        """Return how a derived class makes its direct base."""
+        types = dict(zip(parent.fact.template, template_arguments(written), strict=False))
+        types = {key: made.types.get(value) or self._meant(value, made.cls) for key, value in types.items()}
+        if made.maker is not None and made.maker.cls is not made.cls:
+            return Instance(parent, made.args, types, made.maker)  # a constructor that is inherited
+        for func in made.cls.methods:
+            if not func.is_constructor:
+                continue
+            env = Env(func, args=made.args, this=made.cls, made=made)
+            call = _base_call(func, parent)
+            constructor = self.constructor(parent, len(call.args)) if call is not None else None
+            if call is not None and constructor is not None:
+                return Instance(parent, bind(constructor, call, env.before(call.at)), types, constructor)
+        return Instance(parent, {}, types)
+
+    def delegated(self, made: Instance) -> Instance:
+        """Return how an object is made by the constructor to which its own one leaves that."""
+        for _ in range(MAX_DELEGATIONS):
+            if made.maker is None:
+                break
+            env = Env(made.maker, args=made.args, this=made.cls, made=made)
+            call = _base_call(made.maker, made.cls)
+            target = self.constructor(made.cls, len(call.args)) if call is not None else None
+            if call is None or target is None or target is made.maker:
+                break
+            made = Instance(made.cls, bind(target, call, env.before(call.at)), made.types, target)
+        return made
+
+    def _meant(self, written: str, cls: Cls) -> str:
+        """What a template argument in the head of a class stands for where the class is."""
+        return self.program.alias(written, cls.file, cls.fact.scope) or written
+
+    def constructor(self, cls: Cls, count: int) -> Func | None:
+        """Return the constructor that takes `count` arguments best; a class without any has that of its base."""
+        lineage = ([each for each in owner.methods if each.is_constructor] for owner in self.program.ancestry(cls))
+        makers = [func for func in next(filter(None, lineage), ()) if "deleted" not in func.fact.traits]
+        fitting = [func for func in makers if len(func.params) >= count]
+        defined = sorted(fitting or makers, key=lambda f: ("declaration" in f.fact.traits, abs(len(f.params) - count)))
+        return min(defined, key=lambda f: abs(len(f.params) - count), default=None)
+
+    # --- functions -------------------------------------------------------------------------------------
+
+    def callee(self, call: Invocation, env: Env) -> Func | None:
+        """Return the function in the tree that a call means, with a body; of several that it can mean one."""
+        return next(iter(self.callees(call, env)), None)
+
+    def callees(self, call: Invocation, env: Env) -> Sequence[Func]:
+        """Return the functions in the tree that a call can mean, with a body, best first; each is looked up once."""
+        if call.last not in self.program.functions:
+            return ()
+        place = (env.func, env.at, env.this, call.func)
+        asked = (place, call.path, call.receiver, call.args, call.keywords, call.types)
+        known = self._callees.get(asked)
+        if known is None:
+            known = self._callees[asked] = self._looked_up(call, env.deeper(0))
+        return known
+
+    def _looked_up(self, call: Invocation, env: Env) -> Sequence[Func]:
+        own = env.func.cls or env.this
+        if is_super(call.receiver) and own is not None:
+            return self._methods_of_base(call, own)
+        if call.receiver is not None:
+            return self._methods(call, self.class_of(call.receiver, env.before(env.at)))
+        return self._methods(call, self._named_base(call, env) or env.this or env.func.cls) or self._free(call, env)
+
+    def _methods_of_base(self, call: Invocation, own: Cls) -> Sequence[Func]:
+        """`super().name()` means that of the first base, `Base.name(self)` that of the named one."""
+        written = call.receiver.args[0] if isinstance(call.receiver, Call) and call.receiver.args else None
+        if not isinstance(written, Text):
+            return self._methods(call, next(iter(self.program.bases(own)), None))
+        named = self.program.class_named(plain(written.value), call.func.file, call.func.scope)
+        found = self._methods(call, named)
+        return [func for func in found if "static" not in func.fact.traits]  # that is given the object in its place
+
+    def _named_base(self, call: Invocation, env: Env) -> Cls | None:
+        """`Base::name()` means that of the base, whatever a derived class has."""
+        owner = env.this or env.func.cls
+        qualifier = last_name(call.path.rpartition("::")[0])
+        lineage = self.program.ancestry(owner) if owner is not None and qualifier else ()
+        return next((entry for entry in lineage if entry.fact.name == qualifier), None)
+
+    def _methods(self, call: Invocation, cls: Cls | None) -> Sequence[Func]:
+        """The methods of an object's class, or else of its nearest base, that fit a call."""
+        owners, name = self.program.ancestry(cls) if cls is not None else (), call.last
+        found = (_fitting(call, [func for func in owner.methods if func.fact.name == name]) for owner in owners)
+        return next((funcs for funcs in found if funcs), ())
+
+    def _free(self, call: Invocation, env: Env) -> Sequence[Func]:
+        """The functions outside of classes, or methods named with their class, that a call can mean."""
+        free = self.program.functions_named(call.path, call.func.file, env.scope)
+        owner = self.program.class_named(call.path.rpartition("::")[0], call.func.file, env.scope)
+        methods = self.program.ancestry(owner) if owner is not None else ()
+        named = [func for cls in methods for func in cls.methods if func.fact.name == call.last]
+        return _fitting(call, [*free, *named])
+
+
+def _fitting(call: Invocation, funcs: Iterable[Func]) -> list[Func]:
+    """The functions with a body that a call can mean, best first."""
+    scored = [(score(call, func), func) for func in funcs if _has_body(func)]
+    return [func for fit, func in sorted(scored, key=lambda entry: -entry[0]) if fit != NO]
+
+
+def _has_body(func: Func) -> bool:
+    """Whether it is seen what a function does, be it nothing."""
+    return bool(func.fact.body) or not {"declaration", "pure", "deleted"} & set(func.fact.traits)
+
+
+def is_super(receiver: Expr | None) -> bool:
+    """`super()`, or `super(Class, self)`."""
+    return isinstance(receiver, Call) and receiver.callee == Name("super")
+
+
+def _calls_super(call: Call, parent: Cls) -> bool:
+    callee = call.callee
+    if not isinstance(callee, Member) or callee.name != "__init__":
+        return False
+    base = callee.base
+    if isinstance(base, Call) and isinstance(base.callee, Name) and base.callee.id == "super":
+        return True
+    return last_name(dotted_name(base)) == parent.fact.name
+
+
+def _base_call(func: Func, parent: Cls) -> Invocation | None:
+    """The call by which a constructor makes its base."""
+    for at, statement in enumerate(func.fact.body):
+        value = statement.value
+        target = statement.target
+        if statement.kind == "init" and isinstance(target, Name) and last_name(target.id) == parent.fact.name:
+            args = value.args if isinstance(value, Call) and value.callee == target else (value,) if value else ()
+            return Invocation(func, at, statement, target.id, None, one_node(func, args), (), (), statement.line)
+        if isinstance(value, Call) and _calls_super(value, parent):
+            args = value.args[1:] if value.args[:1] == (Name("this"),) else value.args
+            return Invocation(func, at, statement, "super", None, args, value.keywords, (), statement.line)
+    return None

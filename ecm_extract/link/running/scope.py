@@ -1,0 +1,232 @@
+"""Which definitions a name has at a place: locals, parameters, members, constants, module globals."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Callable, Iterator, Sequence
+from typing import Final, NamedTuple
+
+from ecm_parsers.source import expr as expressions
+from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Text
+from ecm_parsers.source.facts import Constant, Statement
+
+from ecm_extract.infer.held import Held
+from ecm_extract.infer.places import whole_of
+from ecm_extract.link.code.spelling import plain
+from ecm_extract.link.code.units import Cls, File, Func
+from ecm_extract.link.index.program import Program
+from ecm_extract.link.running.env import Env
+
+_FLAGS: Final = {"store_true": "false", "store_false": "true"}
+
+
+class Definition(NamedTuple):
+    """One assignment: the statement `func.body[at]`."""
+
+    func: Func
+    at: int
+
+    @property
+    def statement(self) -> Statement:
+        """The assigning statement."""
+        return self.func.fact.body[self.at]
+
+
+class Scope:
+    """Definition look-ups over a program, each function and class indexed once.
+
+    `ways` gives what a variable may hold at a place; whoever runs functions sets it.
+    """
+
+    def __init__(self, program: Program) -> None:
+        self.program = program
+        self.ways: Callable[[Expr, Env], Sequence[Sequence[Held]]] = _nothing
+        self._locals: dict[Func, dict[str, list[int]]] = {}
+        self._options: dict[tuple[File, str], Expr] | None = None
+        self._passed: dict[Func, dict[str, list[tuple[int, Call, int]]]] = {}
+        self._members: dict[Cls, dict[str, list[Definition]]] = {}
+        self._changing: dict[Cls, dict[str, list[Func]]] = {}
+        self._fields: dict[Func, dict[str, list[int]]] = {}
+        self._outside: frozenset[tuple[str, str]] | None = None
+        self._class_fields: dict[Cls, dict[str, list[Definition]]] = {}
+
+    def locals_of(self, func: Func) -> dict[str, list[int]]:
+        """Return name -> indices of the statements that bind it in a function."""
+        known = self._locals.get(func)
+        if known is None:
+            known = defaultdict(list)
+            for at, statement in enumerate(func.fact.body):
+                if isinstance(statement.target, Name) and statement.kind != "init":
+                    known[statement.target.id].append(at)
+            self._locals[func] = known
+        return known
+
+    def is_certain(self, name: str, env: Env) -> bool:
+        """Tell whether the function has surely given a variable a value before the place."""
+        ways = self.ways(Name(name), env)
+        return bool(ways) and all(
+            held.how not in {"given", "shared", "made", "entered"} for helds in ways for held in helds
+        )
+
+    def passed(self, func: Func, name: str) -> list[tuple[int, Call, int]]:
+        """Return (statement, call, argument index) of the calls that a local is handed to."""
+        known = self._passed.get(func)
+        if known is None:
+            known = defaultdict(list)
+            for at, calls in enumerate(func.calls):
+                for call in calls:
+                    for index, arg in enumerate(call.args):
+                        if isinstance(arg, Name):
+                            known[arg.id].append((at, call, index))
+            self._passed[func] = known
+        return known.get(name, [])
+
+    def declared_type(self, name: str, env: Env) -> str:
+        """Return the written type of a variable at a place: local, parameter, member, constant; empty when unknown."""
+        body = env.func.fact.body
+        for at in self.locals_of(env.func).get(name, ()):
+            if body[at].kind == "let" and body[at].type and plain(body[at].type) != "auto":
+                return body[at].type
+        for parameter in env.func.fact.params:
+            if parameter.name == name:
+                return parameter.type
+        return self.member_type(name, env.this or env.func.cls)
+
+    def member_type(self, name: str, cls: Cls | None) -> str:
+        """Return the written type of a data member, bases included."""
+        for entry in self.program.ancestry(cls) if cls is not None else ():
+            field = entry.fields.get(name)
+            if field is not None:
+                return field.type
+        return ""
+
+    def members(self, name: str, cls: Cls) -> list[Definition]:
+        """Return the assignments of a data member in all methods of a class (bases are separate classes)."""
+        known = self._members.get(cls)
+        if known is None:
+            known = defaultdict(list)
+            for method in cls.methods:
+                own = {parameter.name for parameter in method.fact.params}
+                for at, statement in enumerate(method.fact.body):
+                    target = _member_target(statement, own)
+                    if target and statement.value is not None:
+                        known[target].append(Definition(method, at))
+            self._members[cls] = known
+        return known.get(name, [])
+
+    def changing(self, name: str, cls: Cls) -> list[Func]:
+        """Return the methods of a class that may give a data member something else, by an assignment or a call."""
+        known = self._changing.get(cls)
+        if known is None:
+            known = self._changing[cls] = defaultdict(list)
+            for method in cls.methods:
+                for target in _touched(method):
+                    known[target].append(method)
+        return known.get(name, [])
+
+    def fields(self, func: Func) -> dict[str, list[int]]:
+        """Return field -> indices of the statements of a function that assign it on an object other than its own."""
+        known = self._fields.get(func)
+        if known is None:
+            known = self._fields[func] = defaultdict(list)
+            for at, statement in enumerate(func.fact.body):
+                target = statement.target
+                if isinstance(target, Member) and target.base != Name("this") and statement.kind == "set":
+                    known[target.name].append(at)
+        return known
+
+    def is_assigned_outside(self, name: str, language: str) -> bool:
+        """Tell whether a function assigns a field of that name of something else than its own object."""
+        if self._outside is None:
+            written = (func for group in self.program.functions.values() for func in group)
+            self._outside = frozenset((func.file.language, field) for func in written for field in self.fields(func))
+        return (language, name) in self._outside
+
+    def class_fields(self, cls: Cls) -> dict[str, list[Definition]]:
+        """Return field -> the assignments of it on other objects in all methods of a class."""
+        known = self._class_fields.get(cls)
+        if known is None:
+            known = self._class_fields[cls] = defaultdict(list)
+            for method in cls.methods:
+                for name, indices in self.fields(method).items():
+                    known[name] += [Definition(method, at) for at in indices]
+        return known
+
+    def constant(self, name: str, env: Env) -> tuple[Constant, File] | None:
+        """Return the constant that `name` means at a place, with the file it stands in."""
+        cls = env.func.cls
+        scope = f"{cls.qualified}::{env.func.fact.name}" if cls is not None else env.scope
+        found = self.program.constant_named(name, env.func.file, scope)
+        if found is None or (found.constant.value is None and "enum" not in found.constant.traits):
+            return None
+        return found.constant, found.file
+
+    def option(self, name: str, file: File) -> Expr | None:
+        """Return the default of a command line option that a Python file adds with `add_argument`."""
+        if self._options is None:
+            self._options = {}
+            for functions in self.program.functions.values():
+                for func in functions:
+                    if func.file.language == "python":
+                        self._options |= {(func.file, key): value for key, value in _options(func)}
+        return self._options.get((file, name))
+
+
+def _member_target(statement: Statement, params: set[str]) -> str:
+    target = statement.target
+    if isinstance(target, Member) and target.base == Name("this"):
+        return target.name
+    if (
+        isinstance(target, Name)
+        and statement.kind in {"set", "init"}
+        and (statement.kind == "init" or target.id not in params)
+    ):
+        return target.id
+    return ""
+
+
+def _touched(method: Func) -> set[str]:
+    """Names of members, or of what may be one, that a method assigns, calls a method of, or hands to somebody."""
+    own = {parameter.name for parameter in method.fact.params}
+    own |= {s.target.id for s in method.fact.body if s.kind == "let" and isinstance(s.target, Name)}
+    targets: list[Expr | None] = [s.target for s in method.fact.body if s.kind != "let"]
+    targets += [part for target in targets if isinstance(target, Items) for part in target.items]
+    for call in (call for calls in method.calls for call in calls):
+        targets += [call.callee.base if isinstance(call.callee, Member) else None, *call.args]
+    return {name for target in targets if (name := _reached(target, own))}
+
+
+def _reached(expr: Expr | None, own: set[str]) -> str:
+    """The name of the member that an expression is or leads into; `own` are the names of the method itself."""
+    while expr is not None:
+        if isinstance(expr, Name):
+            return "" if expr.id in own else expr.id
+        if isinstance(expr, Member) and expr.base == Name("this"):
+            return expr.name
+        expr = whole_of(expr)
+    return ""
+
+
+def _options(func: Func) -> Iterator[tuple[str, Expr]]:
+    for calls in func.calls:
+        for call in calls:
+            if isinstance(call.callee, Member) and call.callee.name == "add_argument":
+                keywords = _with_flag(dict(call.keywords))
+                dest = keywords.get("dest") or next((arg for arg in call.args if _is_long(arg)), None)
+                if isinstance(dest, Text) and "default" in keywords:
+                    yield dest.value.lstrip("-").replace("-", "_"), keywords["default"]
+
+
+def _with_flag(keywords: dict[str, Expr]) -> dict[str, Expr]:
+    """`action="store_true"` is false unless it is given."""
+    action = keywords.get("action")
+    flag = _FLAGS.get(action.value) if isinstance(action, Text) else None
+    return keywords if flag is None else {"default": expressions.Constant(flag), **keywords}
+
+
+def _is_long(arg: Expr) -> bool:
+    return isinstance(arg, Text) and (arg.value.startswith("--") or not arg.value.startswith("-"))
+
+
+def _nothing(expr: Expr, env: Env) -> Sequence[Sequence[Held]]:
+    return ()
