@@ -11,11 +11,12 @@ from ecm_parsers.source.cpp_captures import initial_captures
 from ecm_parsers.source.cpp_effects import matters
 from ecm_parsers.source.cpp_expr import ExprReader, lambda_types
 from ecm_parsers.source.cpp_parameters import declared_name, parameters
+from ecm_parsers.source.cpp_raising import type_thrown, types_caught
 from ecm_parsers.source.cpp_statements import StatementWriter, line_of
 from ecm_parsers.source.cpp_vexing import loop_macro
 from ecm_parsers.source.expr import Constant, Expr, Lambda, Name, Op, Opaque
 from ecm_parsers.source.facts import Function, Parameter
-from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Later, Leave, Loop, Switch
+from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Handler, Later, Leave, Loop, Switch
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -183,10 +184,11 @@ class BodyReader:
         return Case(tests, self._inner(*rest, deeper=0))
 
     def _try(self, node: Node) -> None:
-        handlers = [child for child in node.named_children if child.type == "catch_clause"]
+        clauses = [child for child in node.named_children if child.type == "catch_clause"]
         body = self._inner(node.child_by_field_name("body"))
-        caught = tuple([self._inner(child.child_by_field_name("body"), deeper=2) for child in handlers])
-        self.writer.step(Attempt(body, caught))
+        blocks = [self._inner(clause.child_by_field_name("body"), deeper=2) for clause in clauses]
+        types = [types_caught(self.expr, clause) for clause in clauses]
+        self.writer.step(Attempt(body, tuple(map(Handler, types, blocks))))
 
     def _break(self, _: Node) -> None:
         self.writer.step(Leave("break"))
@@ -196,7 +198,7 @@ class BodyReader:
 
     def _throw(self, node: Node) -> None:
         self._expressions(node)
-        self.writer.step(Leave("throw"))
+        self.writer.step(Leave("throw", type_thrown(self.expr, node)))
 
     def _macro_block(self, node: Node) -> None:
         """`BOOST_FOREACH(const T & item, list) { ... }` reads as a function; within a body none can stand."""
