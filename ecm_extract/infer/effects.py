@@ -73,6 +73,15 @@ class Targets(Protocol):
     def is_outside(self, name: str, func: Func) -> bool:
         """Tell whether a name in a method of C++ means a variable of a namespace."""
 
+    def may_be_proved_to_raise(self, func: Func, at: int, handled: bool) -> bool:
+        """Tell whether a statement has anything of which it can be known that it raises.
+
+        Args:
+            func: the function.
+            at: the statement.
+            handled: also what it calls that raises for some arguments, which matters where somebody handles it.
+        """
+
 
 @cache
 def calls_of(language: str) -> Calls:

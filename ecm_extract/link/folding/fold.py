@@ -38,6 +38,7 @@ from ecm_extract.link.folding.fold_tables import TableFolder
 from ecm_extract.link.folding.fold_texts import TextFolder
 from ecm_extract.link.folding.list_changes import ListChanges
 from ecm_extract.link.folding.optionals import OptionalFolder
+from ecm_extract.link.folding.raises import Raises
 from ecm_extract.link.folding.searches import SearchFolder
 from ecm_extract.link.folding.steps import Steps
 from ecm_extract.link.folding.structures import StructureFolder
@@ -100,6 +101,7 @@ class Folder:
         self.structures = StructureFolder(self)
         self.tables = TableFolder(self)
         self.optionals = OptionalFolder(self)
+        self.raises = Raises(self)
         self.searches = SearchFolder(self)
         self.operators = OperatorFolder(self)
         self.streams = StreamFolder(self)
