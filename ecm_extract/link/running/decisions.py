@@ -56,8 +56,7 @@ class Decisions:
             gate.found = found
         else:
             self._meanwhile[gate] = found
-        if not self.folder.flow.is_busy:
-            self._meanwhile.clear()
+        self.folder.flow.answered()
         return found
 
     def _asked(self, fork: Fork) -> Verdict:
@@ -70,6 +69,10 @@ class Decisions:
             return Verdict(fits, fits)
         raises, fork.kinds = self.folder.raises.of(fork.env)
         return Verdict(raises, raises)
+
+    def answered(self) -> None:
+        """Forget what held only within a question."""
+        self._meanwhile.clear()
 
     def _may_decide(self, gate: Fork) -> bool:
         """Whether a branch is neither asked for by itself, nor deeper than is followed."""

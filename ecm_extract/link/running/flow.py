@@ -96,8 +96,6 @@ class Flow:
         known = self._runs.get(key) or self._meanwhile.get(key)
         if known is not None:
             return known[1]
-        if not self.is_busy:
-            self._within = 0  # what was decided before has led to runs as well
         if not self._may_run(key, env):
             self.folder.cuts += 1
             return None
@@ -107,9 +105,15 @@ class Flow:
         run = self._fresh(key, env, whole)
         whole = cuts == self.folder.cuts or not self.is_busy
         (self._runs if whole else self._meanwhile)[key] = (env, run)
+        self.answered()
+        return run
+
+    def answered(self) -> None:
+        """Forget what held only within a question, and what it cost, once it is answered: no other pays for it."""
         if not self.is_busy:
             self._meanwhile.clear()
-        return run
+            self.decisions.answered()
+            self._within = 0
 
     def _fresh(self, key: Hashable, env: Env, whole: bool) -> Run:
         self._running[key] = env.func
