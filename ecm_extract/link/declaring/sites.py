@@ -132,8 +132,8 @@ class Sites:
         return [replace(site, certain=site.certain or site.chain in single) for site in sites]
 
     def _in_each_state(self, site: Site) -> Iterator[Site]:
-        """A site once for each state in which its call is reached; none where its arguments keep it from that."""
-        if site.chain and not self.folder.flow.is_reached(site.env):
+        """A site once for each state in which its call is reached; none where it is proved that no run gets there."""
+        if not self.folder.flow.is_reached(site.env):
             return
         for env, certain in self._places(site.env):
             yield replace(site, env=env, certain=site.certain and certain)
