@@ -15,6 +15,7 @@ from ecm_extract.infer.effects import Effect, Effects, Targets, is_plain
 from ecm_extract.infer.inner import only_called
 from ecm_extract.infer.places import own_names
 from ecm_extract.infer.raising import may_raise
+from ecm_extract.infer.raising_calls import unpacks
 from ecm_extract.link.code.walk import children, comprehensions
 
 if TYPE_CHECKING:
@@ -155,7 +156,8 @@ class Outline:
 
     def _may_raise(self, statement: Statement) -> bool:
         language = self.func.file.language
-        return any(may_raise(each, language) for each in (statement.value, statement.target))
+        parts = (statement.value, statement.target)
+        return any(may_raise(each, language) for each in parts) or unpacks(statement)
 
     def _repeats(self, at: int) -> bool:
         """Whether a statement calls something for each element that a comprehension runs over."""

@@ -13,6 +13,7 @@ from ecm_extract.infer.raising import may_raise, raises_itself
 from ecm_extract.infer.raising_calls import UNPACKED, Operation, operation, unpacks
 from ecm_extract.infer.routes import Raising
 from ecm_extract.infer.run import Raised, Run
+from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.code.walk import children
 from ecm_extract.link.folding.raise_checks import CHECKS, Asked
@@ -118,6 +119,8 @@ class Raises:
 
     def _called(self, call: Call, env: Env) -> Found:
         found = invocation_of(call, env)
+        if self._makes_exception(found, env):
+            return _CALM
         callee = self.folder.returns.meant(found, env)
         if callee is None or not self._runs_at_once(callee) or self._has_others(callee):
             return _OPEN
@@ -127,11 +130,21 @@ class Raises:
         run = self.folder.flow.run(self.folder.returns.entered(callee, found, bind(callee, found, env), env))
         return self._left(run) if run is not None and not run.cut else _OPEN
 
+    def _makes_exception(self, call: Invocation, env: Env) -> bool:
+        """Whether a call only makes an exception: no class of the tree that it is of has a constructor of its own."""
+        program = self.folder.program
+        cls = program.class_named(call.path, env.func.file, env.func.scope) if call.receiver is None else None
+        kind = self.folder.flow.kind(call.path, env.func) if cls is not None else None
+        if cls is None or kind is None or not kind.whole:
+            return False
+        return not any(method.is_constructor for entry in program.ancestry(cls) for method in entry.methods)
+
     def _runs_at_once(self, callee: Func) -> bool:
         """Whether a call runs the body, and nothing around it that may handle what it raises."""
         has_body = bool(callee.fact.body or callee.fact.flow)
         waits = not {"generator", "coroutine"}.isdisjoint(callee.fact.traits)
-        return has_body and not waits and _CALM_DECORATORS.issuperset(callee.fact.decorators)
+        plain = callee.file.language == "cpp" or _CALM_DECORATORS.issuperset(callee.fact.decorators)
+        return has_body and not waits and plain
 
     def _has_others(self, callee: Func) -> bool:
         """Whether a class that derives from that of a method has one of its own."""
@@ -143,9 +156,9 @@ class Raises:
     def _left(self, run: Run) -> Found:
         """What a function raises that never ends otherwise."""
         live = self.folder.flow.decisions.is_live
-        if run.end is not None and live(run.end.route):
-            return _OPEN
         raised = [each for each in run.raised if live(each.state.route)]
+        if run.end is not None and live(run.end.route):
+            return _OPEN if raised or run.risky else _CALM
         if not raised:
             return _OPEN
         kinds = [self._kinds(each) for each in raised]

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Set
+from collections.abc import Callable, Set
 
 from ecm_parsers.source.expr import Call, Constant, Member, Name
 from ecm_parsers.source.facts import Statement
 from ecm_parsers.source.flow import Attempt, Block, Branch, Later, Leave, Step, blocks
 
-from ecm_extract.infer.raising_calls import has_operation, unpacks
+from ecm_extract.infer.raising_calls import has_operation, operation, unpacks
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.index.program import Program
@@ -21,7 +21,7 @@ class Throwing:
         self.program = program
         self._own: dict[Func, frozenset[int]] = {}
         self._calling: dict[tuple[Func, bool], frozenset[int]] = {}
-        self._some: Set[str] | None = None
+        self._tree: Set[str] | None = None
         self._always: Set[str] | None = None
 
     def is_provable(self, func: Func, at: int, handled: bool) -> bool:
@@ -30,7 +30,7 @@ class Throwing:
         Args:
             func: the function.
             at: the statement.
-            handled: also what it calls that raises for some arguments.
+            handled: also what it calls of the tree, which may raise for some arguments.
         """
         return at in self._operations(func) or at in self._calls(func, handled)
 
@@ -39,10 +39,10 @@ class Throwing:
         return _raises_in(_steps(func), func, self._names_of_always())
 
     def _calls(self, func: Func, handled: bool) -> frozenset[int]:
-        """The statements that call functions which raise: for some arguments, or always."""
+        """The statements that call functions which raise always, or functions of the tree at all."""
         known = self._calling.get((func, handled))
         if known is None:
-            names = self._names_of_some() if handled else self._names_of_always()
+            names = self._names_of_tree() if handled else self._names_of_always()
             found = (at for at in range(len(func.calls)) if self._calls_any(func, at, names))
             known = self._calling[func, handled] = frozenset(found)
         return known
@@ -66,13 +66,11 @@ class Throwing:
 
     # --- names ---------------------------------------------------------------------------------------------
 
-    def _names_of_some(self) -> Set[str]:
-        """The names of functions that raise for some arguments, by themselves or by what they call."""
-        if self._some is None:
-            called = {name: self._called(group) for name, group in self.program.functions.items()}
-            own = {name for name, group in self.program.functions.items() if any(map(self._raises, group))}
-            self._some = _grown(own, lambda found: {name for name, inner in called.items() if inner & found})
-        return self._some
+    def _names_of_tree(self) -> Set[str]:
+        """The names of functions of the tree, and of classes."""
+        if self._tree is None:
+            self._tree = {*self.program.functions, *self.program.classes}
+        return self._tree
 
     def _names_of_always(self) -> Set[str]:
         """The names of functions that all raise, whatever they are called with."""
@@ -87,12 +85,6 @@ class Throwing:
     def _all_raise(self, group: list[Func], found: Set[str]) -> bool:
         bodies = [func for func in group if func.fact.body or func.fact.flow]
         return bool(bodies) and all(_raises_in(_steps(func), func, found) for func in bodies)
-
-    def _called(self, group: list[Func]) -> Set[str]:
-        return {_last(call) for func in group for calls in func.calls for call in calls}
-
-    def _raises(self, func: Func) -> bool:
-        return any(_throws(func.fact.flow)) or bool(self._operations(func))
 
 
 def _grown(first: Set[str], more: Callable[[Set[str]], Set[str]]) -> Set[str]:
@@ -114,9 +106,14 @@ def _raises_in(block: Block, func: Func, names: Set[str]) -> bool:
             return True
         if isinstance(step, Attempt) or _may_leave(step, func):
             return False
-        if isinstance(step, int) and any(_last(call) in names for call in func.calls[step]):
+        if isinstance(step, int) and any(_raises_always(call, func, names) for call in func.calls[step]):
             return True
     return False
+
+
+def _raises_always(call: Call, func: Func, names: Set[str]) -> bool:
+    known = operation(call, func.file.language)
+    return _last(call) in names or (known is not None and known.when == "always")
 
 
 def _may_leave(step: Step, func: Func) -> bool:
@@ -134,15 +131,6 @@ def _steps(func: Func) -> Block:
 
 def _is_nothing(statement: Statement) -> bool:
     return statement.value == Constant("null")
-
-
-def _throws(block: Block) -> Iterator[Step]:
-    for step in block:
-        if isinstance(step, Leave) and step.how == "throw":
-            yield step
-        elif not isinstance(step, int | Later | Leave):
-            for inner in blocks(step):
-                yield from _throws(inner)
 
 
 def _last(call: Call) -> str:

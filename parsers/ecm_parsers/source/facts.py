@@ -113,7 +113,8 @@ class Class(_Fact, frozen=True):
 class Constant(_Fact, frozen=True):
     """A named value outside functions: namespace constant, static member, `#define`, enum value, module global.
 
-    A value of an enum has the enum as scope and type, and the trait `scoped` when it is known within that only.
+    A value of an enum has the enum as scope and type, and the trait `scoped` when it is known within that only. A
+    `#define` has the trait `default` where it stands for a value that a build does not give.
     """
 
     name: str

@@ -17,7 +17,7 @@ from ecm_parsers.source.facts import Constant, Field
 from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Handler, Leave, Loop, Switch
 from ecm_parsers.source.python_expr import parts, salvage
 from ecm_parsers.source.python_literal import NULL, TRUE
-from ecm_parsers.source.python_raising import asserted, raised, types_caught
+from ecm_parsers.source.python_raising import asserted, raised, types_caught, types_suppressed
 from ecm_parsers.source.python_scan import Scan, StatementHandler
 
 _THIS = Name("this")
@@ -290,8 +290,11 @@ def _for(scan: Scan, node: Node) -> None:
 
 
 def _with(scan: Scan, node: Node) -> None:
+    passed = types_suppressed(scan, node)
     for child in parts(node):
-        if child.type == "block":
+        if child.type == "block" and passed is not None:
+            scan.frame.flow.add(Attempt(scan.inner(child), (Handler(passed, ()),)))
+        elif child.type == "block":
             scan.block(child)
         elif child.type == "with_clause":
             for item in parts(child):
