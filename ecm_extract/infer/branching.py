@@ -112,7 +112,7 @@ class Branching:
         return self.blocks.run(step.final, met)
 
     def _handled(self, step: Attempt, state: State) -> State | None:
-        kind, func = self.frame.judge.kind, self.frame.env.func
+        kind, func = self.frame.judge.exceptions.kind, self.frame.env.func
         self.exits.enter_attempt([tuple([kind(name, func) for name in each.types]) for each in step.handlers])
         done = self.blocks.run(step.body, state)
         around = self.exits.end()

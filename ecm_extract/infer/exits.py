@@ -68,7 +68,7 @@ class Exits:
     def thrown(self, state: State, spelled: str) -> None:
         """Note a state in which something is raised, by its type as written; without one, what is handled."""
         again = self._handling[-1] if self._handling and not spelled else None
-        self.raised(state, self._frame.judge.kind(spelled, self._frame.env.func) if spelled else again)
+        self.raised(state, self._frame.judge.exceptions.kind(spelled, self._frame.env.func) if spelled else again)
 
     def raised(self, state: State, what: Kind | Raising | None) -> None:
         """Note a state in which something surely raises: it goes on in the first handler that is for it."""

@@ -125,6 +125,8 @@ class Interpreter:
             return self.branching.attempt(step, state)
         if isinstance(step, Later):
             return self._run_later(step, state)
+        if isinstance(step, Leave) and step.how == "goto":
+            return state  # where it leads is not followed
         if isinstance(step, Leave) and step.how == "throw":
             self.exits.thrown(state, step.raised)
         elif isinstance(step, Leave):

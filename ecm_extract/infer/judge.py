@@ -9,7 +9,6 @@ from ecm_parsers.source.expr import Call, Expr
 
 from ecm_extract.infer.effects import Targets
 from ecm_extract.infer.held import Held, State
-from ecm_extract.infer.kinds import Kind
 from ecm_extract.infer.outline import Outline
 from ecm_extract.infer.routes import Fork, Verdict
 
@@ -43,9 +42,6 @@ class Judge(Targets, Protocol):
 
     def decided(self, fork: Fork) -> Verdict:
         """Tell whether what a branch asks holds, or something raises, and whether it likely does."""
-
-    def kind(self, spelled: str, func: Func) -> Kind | None:
-        """Return the type of exceptions that is written so in a function; None for what is no type that is known."""
 
     def alike(self, one: Expr, other: Expr, env: Env) -> bool | None:
         """Tell whether two expressions have the same value; None when that is not decided."""

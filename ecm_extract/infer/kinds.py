@@ -6,9 +6,13 @@ import builtins
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
+from typing import TYPE_CHECKING, Protocol
 
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.shipped import shipped
+
+if TYPE_CHECKING:
+    from ecm_extract.link.code.units import Func
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,3 +70,19 @@ def _of_cpp(name: str) -> Kind | None:
     while bases[above[-1]]:
         above.append(bases[above[-1]])
     return Kind(last, frozenset(above))
+
+
+class Exceptions(Protocol):
+    """Who knows types of exceptions, and what may be proved to raise."""
+
+    def kind(self, spelled: str, func: Func) -> Kind | None:
+        """Return the type of exceptions that is written so in a function; None for what is no type that is known."""
+
+    def is_provable(self, func: Func, at: int, handled: bool) -> bool:
+        """Tell whether a statement has anything of which it can be known that it raises.
+
+        Args:
+            func: the function.
+            at: the statement.
+            handled: also what it calls of the tree, which matters where somebody handles it.
+        """

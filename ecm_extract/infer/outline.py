@@ -142,7 +142,7 @@ class Outline:
         for step in self.block:
             if isinstance(step, int):
                 found.update(() if self._repeats(step) else (step,))
-                if step in self.risks and self.effects.targets.may_be_proved_to_raise(self.func, step, False):
+                if step in self.risks and self.effects.targets.exceptions.is_provable(self.func, step, False):
                     break
             elif self._may_end(step):
                 break

@@ -54,7 +54,7 @@ class RaisingStatements:
 
     def _may_be_proved(self, at: int) -> bool:
         """Whether it can be known that a statement raises; with nobody around who handles it, by itself."""
-        return self.frame.judge.may_be_proved_to_raise(self.frame.env.func, at, self.exits.catches)
+        return self.frame.judge.exceptions.is_provable(self.frame.env.func, at, self.exits.catches)
 
     def _may_raise(self, at: int, before: State, after: State) -> None:
         if not self.exits.catches:

@@ -82,7 +82,7 @@ class Sites:
         self.folder.forget()
         found: list[Site] = []
         for last in self.matcher.forms:
-            for call in self.calls.get(last, ()):
+            for call in self.folder.dead.without(self.calls.get(last, ())):
                 for site in self._direct(call, parameters):
                     found.extend(self._closed(site))
         return found
@@ -132,8 +132,8 @@ class Sites:
         return [replace(site, certain=site.certain or site.chain in single) for site in sites]
 
     def _in_each_state(self, site: Site) -> Iterator[Site]:
-        """A site once for each state in which its call is reached; none where it is proved that no run gets there."""
-        if not self.folder.flow.is_reached(site.env):
+        """A site once for each state in which its call is reached; none where its arguments keep it from that."""
+        if site.chain and not self.folder.flow.is_reached(site.env):
             return
         for env, certain in self._places(site.env):
             yield replace(site, env=env, certain=site.certain and certain)
@@ -186,7 +186,7 @@ class Sites:
             yield from self._makers(site, site.owner) if site.owner is not None else ()
             return
         passed = set(site.chain)
-        for call in self.callers(root):
+        for call in self.folder.dead.without(self.callers(root)):
             if call in passed:
                 continue
             for outer, certain in self._places(self.root_env(call.func, call.at)):

@@ -44,6 +44,7 @@ from ecm_extract.link.folding.steps import Steps
 from ecm_extract.link.folding.structures import StructureFolder
 from ecm_extract.link.index.nesting import Nesting
 from ecm_extract.link.index.program import Program
+from ecm_extract.link.running.dead_code import DeadCode
 from ecm_extract.link.running.env import MAX_DEPTH, Env
 from ecm_extract.link.running.flow import Flow
 from ecm_extract.link.running.given_fields import GivenFields
@@ -102,6 +103,7 @@ class Folder:
         self.tables = TableFolder(self)
         self.optionals = OptionalFolder(self)
         self.raises = Raises(self)
+        self.dead = DeadCode(self)
         self.searches = SearchFolder(self)
         self.operators = OperatorFolder(self)
         self.streams = StreamFolder(self)

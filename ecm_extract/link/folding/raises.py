@@ -109,7 +109,7 @@ class Raises:
         if expr is None:
             return _OPEN
         verdict = CHECKS[known.when](Asked(self.folder, expr, env))
-        kinds = [self.folder.flow.kind(name, env.func) for name in known.kinds]
+        kinds = [self.folder.flow.exceptions.kind(name, env.func) for name in known.kinds]
         if verdict.raises is None:
             return _OPEN
         kind = kinds[min(verdict.form, len(kinds) - 1)]
@@ -124,7 +124,7 @@ class Raises:
         callee = self.folder.returns.meant(found, env)
         if callee is None or not self._runs_at_once(callee) or self._has_others(callee):
             return _OPEN
-        implied = callee.cls is not None and self.folder.flow.always_raises(callee)  # for others to override
+        implied = callee.cls is not None and self.folder.flow.exceptions.always(callee)  # for others to override
         if callee.is_constructor or implied or self.folder.returns.may_be_overridden(callee, found, env):
             return _OPEN
         run = self.folder.flow.run(self.folder.returns.entered(callee, found, bind(callee, found, env), env))
@@ -134,7 +134,7 @@ class Raises:
         """Whether a call only makes an exception: no class of the tree that it is of has a constructor of its own."""
         program = self.folder.program
         cls = program.class_named(call.path, env.func.file, env.func.scope) if call.receiver is None else None
-        kind = self.folder.flow.kind(call.path, env.func) if cls is not None else None
+        kind = self.folder.flow.exceptions.kind(call.path, env.func) if cls is not None else None
         if cls is None or kind is None or not kind.whole:
             return False
         return not any(method.is_constructor for entry in program.ancestry(cls) for method in entry.methods)

@@ -12,7 +12,6 @@ from ecm_parsers.source.expr import Call, Expr, Name
 from ecm_extract.infer.effects import Effects
 from ecm_extract.infer.held import Held, State, joined_states
 from ecm_extract.infer.interpreter import Interpreter
-from ecm_extract.infer.kinds import Kind
 from ecm_extract.infer.outline import Outline
 from ecm_extract.infer.places import as_written
 from ecm_extract.infer.routes import Fork, Verdict
@@ -22,10 +21,9 @@ from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.running.decisions import Decisions
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
-from ecm_extract.link.running.exception_types import ExceptionTypes
+from ecm_extract.link.running.exceptions import Exceptions
 from ecm_extract.link.running.own_calls import OwnCalls
 from ecm_extract.link.running.run_keys import RunKeys
-from ecm_extract.link.running.throwing import Throwing
 from ecm_extract.link.running.truths import Truths
 
 if TYPE_CHECKING:
@@ -57,8 +55,7 @@ class Flow:
         self._within = 0
         self._outlines: dict[Func, Outline] = {}
         self._own = OwnCalls(folder.program)
-        self._throwing = Throwing(folder.program)
-        self._exceptions = ExceptionTypes(folder.program)
+        self.exceptions = Exceptions(folder.program)
         self._truths = Truths(folder, self.outline)
         self.decisions = Decisions(folder, self._truths)
         self._changes: dict[tuple[Func, str], bool] = {}
@@ -256,18 +253,6 @@ class Flow:
     def decided(self, fork: Fork) -> Verdict:
         """Tell whether what a branch asks holds, or something raises, and whether it likely does."""
         return self.decisions.of(fork)
-
-    def kind(self, spelled: str, func: Func) -> Kind | None:
-        """Return the type of exceptions that is written so in a function; None for what is no type that is known."""
-        return self._exceptions.kind(spelled, func)
-
-    def may_be_proved_to_raise(self, func: Func, at: int, handled: bool) -> bool:
-        """Tell whether a statement has anything of which it can be known that it raises."""
-        return self._throwing.is_provable(func, at, handled)
-
-    def always_raises(self, func: Func) -> bool:
-        """Tell whether no way through a function leads out of it but by an exception."""
-        return self._throwing.always(func)
 
     def alike(self, one: Expr, other: Expr, env: Env) -> bool | None:
         """Tell whether two expressions have the same value; None when that is not decided."""

@@ -190,12 +190,6 @@ class BodyReader:
         types = [types_caught(self.expr, clause) for clause in clauses]
         self.writer.step(Attempt(body, tuple(map(Handler, types, blocks))))
 
-    def _break(self, _: Node) -> None:
-        self.writer.step(Leave("break"))
-
-    def _continue(self, _: Node) -> None:
-        self.writer.step(Leave("continue"))
-
     def _throw(self, node: Node) -> None:
         self._expressions(node)
         self.writer.step(Leave("throw", type_thrown(self.expr, node)))
@@ -316,8 +310,9 @@ _STEPS: dict[str, Callable[[BodyReader, Node], None]] = {
     "namespace_alias_definition": BodyReader._local_name,
     "return_statement": BodyReader._return,
     "co_return_statement": BodyReader._return,
-    "break_statement": BodyReader._break,
-    "continue_statement": BodyReader._continue,
+    "break_statement": lambda body, _: body.writer.step(Leave("break")),
+    "goto_statement": lambda body, _: body.writer.step(Leave("goto")),
+    "continue_statement": lambda body, _: body.writer.step(Leave("continue")),
     "throw_statement": BodyReader._throw,
     "if_statement": BodyReader._if,
     "while_statement": BodyReader._while,

@@ -79,14 +79,14 @@ class Attempt(_Step, frozen=True):
 
 
 class Leave(_Step, frozen=True):
-    """What ends a path: a `return` without a value, `break`, `continue`, `throw` or `raise`.
+    """What ends a path: a `return` without a value, `break`, `continue`, `throw` or `raise`, `goto`.
 
     Attributes:
         raised: what is raised as it is written, without its arguments: a type, or a variable; empty for what is
             raised again.
     """
 
-    how: Literal["return", "break", "continue", "throw"]
+    how: Literal["return", "break", "continue", "throw", "goto"]
     raised: str = ""
 
 

@@ -1,4 +1,4 @@
-"""Which statements may be proved to raise, before anything is run: what is left out is never asked for."""
+"""What is known of exceptions before anything is run: their types, and which statements may be proved to raise."""
 
 from __future__ import annotations
 
@@ -8,21 +8,29 @@ from ecm_parsers.source.expr import Call, Constant, Member, Name
 from ecm_parsers.source.facts import Statement
 from ecm_parsers.source.flow import Attempt, Block, Branch, Later, Leave, Step, blocks
 
+from ecm_extract.infer.kinds import Kind
 from ecm_extract.infer.raising_calls import has_operation, operation, unpacks
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Func
+from ecm_extract.link.code.walk import dotted
 from ecm_extract.link.index.program import Program
+from ecm_extract.link.running.exception_types import ExceptionTypes
 
 
-class Throwing:
-    """Knows which functions raise, and which may, by what stands in them and by what they call."""
+class Exceptions:
+    """Knows types of exceptions, and which functions raise, by what stands in them and by what they call."""
 
     def __init__(self, program: Program) -> None:
         self.program = program
+        self._types = ExceptionTypes(program)
         self._own: dict[Func, frozenset[int]] = {}
         self._calling: dict[tuple[Func, bool], frozenset[int]] = {}
         self._tree: Set[str] | None = None
         self._always: Set[str] | None = None
+
+    def kind(self, spelled: str, func: Func) -> Kind | None:
+        """Return the type of exceptions that is written so in a function; None for what is no type that is known."""
+        return self._types.kind(spelled, func)
 
     def is_provable(self, func: Func, at: int, handled: bool) -> bool:
         """Tell whether a statement has anything of which it can be known that it raises.
@@ -37,6 +45,15 @@ class Throwing:
     def always(self, func: Func) -> bool:
         """Tell whether no way through a function leads out of it but by an exception."""
         return _raises_in(_steps(func), func, self._names_of_always())
+
+    def calls_what_raises(self, func: Func, at: int) -> bool:
+        """Tell whether a statement does nothing but call a function outside of classes that raises whatever happens."""
+        value = func.fact.body[at].value
+        if not isinstance(value, Call):
+            return False
+        meant = self.program.functions_named(dotted(value.callee) or "", func.file, func.scope)
+        bodies = [each for each in meant if each.fact.body or each.fact.flow]
+        return bool(bodies) and all(self.always(each) and not _waits(each) for each in bodies)
 
     def _calls(self, func: Func, handled: bool) -> frozenset[int]:
         """The statements that call functions which raise always, or functions of the tree at all."""
@@ -109,6 +126,12 @@ def _raises_in(block: Block, func: Func, names: Set[str]) -> bool:
         if isinstance(step, int) and any(_raises_always(call, func, names) for call in func.calls[step]):
             return True
     return False
+
+
+def _waits(func: Func) -> bool:
+    """Whether a call of a function does not run its body, or runs others around it."""
+    decorated = bool(func.fact.decorators) and func.file.language == "python"
+    return decorated or not {"generator", "coroutine"}.isdisjoint(func.fact.traits)
 
 
 def _raises_always(call: Call, func: Func, names: Set[str]) -> bool:
