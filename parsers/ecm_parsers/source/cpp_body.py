@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.cpp_assigning import Assigning
 from ecm_parsers.source.cpp_binding import Binding
-from ecm_parsers.source.cpp_captures import initial_captures
+from ecm_parsers.source.cpp_captures import capturing, initial_captures
 from ecm_parsers.source.cpp_effects import matters
 from ecm_parsers.source.cpp_expr import ExprReader, lambda_types
 from ecm_parsers.source.cpp_parameters import declared_name, parameters
@@ -256,27 +256,36 @@ class BodyReader:
 
     def _named_lambda(self, name: str, node: Node) -> None:
         body = node.child_by_field_name("body")
-        self._captured(node)
+        held = self._held_captures(name, node)
         inner = BodyReader(self.expr.data, f"{self.scope}::{name}")
         inner._nesting = self._nesting
         if body is not None:
             inner.read(body)
-        params = _lambda_parameters(self.expr, node)
-        self.functions.append(
-            Function(
-                name,
-                self.scope,
-                params,
-                "",
-                line_of(node),
-                node.end_point[0] + 1,
-                tuple(inner.writer.statements),
-                traits=("lambda", "mutable") if _is_mutable(node) else ("lambda",),
-                flow=inner.writer.flow(),
-            )
+        made = Function(
+            name,
+            self.scope,
+            _lambda_parameters(self.expr, node),
+            "",
+            line_of(node),
+            node.end_point[0] + 1,
+            tuple(inner.writer.statements),
+            traits=("lambda", "mutable") if _is_mutable(node) else ("lambda",),
+            flow=inner.writer.flow(),
         )
-        self.functions.extend(inner.functions)
+        self.functions.extend(capturing((made, *inner.functions), held))
         self.writer.add("let", node, Lambda(lambda_types(self.expr, node)), Name(name), "auto")
+
+    def _held_captures(self, name: str, node: Node) -> Mapping[str, str]:
+        """Declare what a lambda evaluates when it is made; return what its body calls that, by its own names."""
+        found: dict[str, str] = {}
+        for capture in initial_captures(node):
+            value = self.expr.read(capture.value)
+            shared = capture.shares and isinstance(value, Name)
+            held = value if shared and isinstance(value, Name) else Name(f"{name}::{capture.name}")
+            found[capture.name] = held.id
+            if not shared:
+                self.writer.add("let", node, value, held, "auto")
+        return found
 
     def _lambda_body(self, node: Node) -> None:
         given = [parameter.name for parameter in _lambda_parameters(self.expr, node)]
@@ -287,10 +296,9 @@ class BodyReader:
 
     def _captured(self, node: Node) -> list[str]:
         """Read what a lambda evaluates when it is made; return the names by which its body has that."""
-        found = initial_captures(node)
-        for capture in found:
+        for capture in initial_captures(node):
             self._assigning.expression(capture.value)
-        return [capture.name for capture in found]
+        return [capture.name for capture in initial_captures(node)]
 
 
 def _otherwise(node: Node) -> Node | None:
