@@ -145,7 +145,7 @@ class MemberFolder:
     def member_value(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
         """Return the values that the methods of a class and its bases give one of its data members."""
         anyone = env.made is None or env.made.cls is not cls or not (env.made.args or env.made.types)
-        asked = ("member", cls, name, None if anyone else env.made)
+        asked = ("member", cls, name, None if anyone else env.made, self.folder.scope.owner(name, cls, env))
         known = self._known.get(asked)
         if known is not None:
             return known
@@ -228,8 +228,10 @@ class MemberFolder:
         """Yield the run of each method that may change a data member, with its place; None for one that is run now."""
         concrete = env.made is not None and bool(env.made.args or env.made.types or env.made.maker)
         derived = () if concrete else self.folder.program.derived(cls)
+        scope = self.folder.scope
+        owner = scope.owner(name, cls, env)
         for entry in (*self.folder.program.ancestry(cls), *derived):
-            for method in self.folder.scope.changing(name, entry):
+            for method in scope.changing(name, entry) if scope.declaring(name, entry) is owner else ():
                 if self.folder.objects.runs(method, env.made):
                     place = self._method_env(method, cls if entry not in derived else entry, env)
                     yield self.folder.flow.run(place, whole=method.is_constructor), place
