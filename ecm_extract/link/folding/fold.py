@@ -26,6 +26,7 @@ from ecm_parsers.source.expr import (
 from ecm_extract.infer.compute import NULL, UNKNOWN, shown
 from ecm_extract.link.folding.comprehended import Comprehended
 from ecm_extract.link.folding.fold_calls import CallFolder
+from ecm_extract.link.folding.fold_closures import ClosureFolder
 from ecm_extract.link.folding.fold_fields import FieldFolder
 from ecm_extract.link.folding.fold_held import HeldFolder
 from ecm_extract.link.folding.fold_lists import ListFolder
@@ -93,6 +94,7 @@ class Folder:
         self.members = MemberFolder(self)
         self.fields = FieldFolder(self)
         self.calls = CallFolder(self)
+        self.closures = ClosureFolder(self)
         self.origins = Origins(self)
         self.lists = ListFolder(self)
         self.comprehended = Comprehended(self)
