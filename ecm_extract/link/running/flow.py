@@ -202,6 +202,8 @@ class Flow:
         """Whether a function, or a method that it calls on the same object, may give a variable something else."""
         if key in self.outline(env.func).changes:
             return True
+        if "." in key and key.partition(".")[0] in self.outline(env.func).changes:
+            return True  # a field of an object that the function has: methods and other names of it may change that
         return key.startswith(".") and self.folder.methods.calls_own(env.func)
 
     def _entered(self, key: str, env: Env) -> list[tuple[Held, ...]]:
