@@ -52,9 +52,18 @@ class ReturnFolder:
         values = [value for expr, place in found for value in self.folder.fold(expr, place)]
         if call.receiver is not None and not is_own(call.receiver):
             values = [without_defaults(value) for value in values]  # who made that object may have said otherwise
-        open_ = self.may_be_overridden(callee, call, env)
+        open_ = self.may_be_overridden(callee, call, env) or self._has_given_fields(callee, call, env)
         listed = _beside_joined(values)
         return alternatives(demoted((*listed, *([unknown(call.last)] if open_ else []))))
+
+    def _has_given_fields(self, callee: Func, call: Invocation, env: Env) -> bool:
+        """Whether the function at hand gives fields of an object something, which its method is not followed with."""
+        if env.func.file.language != "python" or self.folder.methods.depends(callee, callee.cls):
+            return False
+        key = self.folder.flow.effects(env.func).key(_receiver(call))
+        return bool(key) and any(
+            changed.startswith(f"{key}.") for changed in self.folder.flow.outline(env.func).changes
+        )
 
     def meant(self, call: Invocation, env: Env) -> Func | None:
         """Return the one function that a call means by what is known of its arguments; None where several fit."""
@@ -128,6 +137,11 @@ def _class_of(made: Instance | None, callee: Func, call: Invocation, env: Env) -
     if is_own(call.receiver):
         return env.this or env.func.cls or callee.cls
     return made.cls if made is not None else callee.cls
+
+
+def _receiver(call: Invocation) -> Expr | None:
+    """The object that a method is called on; in Python a path may begin with it."""
+    return call.receiver if call.receiver is not None else Name(call.path.split(".")[0])
 
 
 def _takes(func: Func, kinds: Sequence[str]) -> bool:
