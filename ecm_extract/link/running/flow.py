@@ -100,10 +100,15 @@ class Flow:
         run = self._fresh(key, env, whole)
         whole = cuts == self.folder.cuts or not self.is_busy
         (self._runs if whole else self._meanwhile)[key] = (env, run)
-        if not self.is_busy:
-            self._meanwhile.clear()
-            self._within = 0
+        self.rest()
         return run
+
+    def rest(self) -> None:
+        """Forget what was found while something else was at work, and how much that was; not while anything is."""
+        if not self.is_busy:
+            self._within = 0
+            self._meanwhile.clear()
+            self.decisions.forget_meanwhile()
 
     def _fresh(self, key: Hashable, env: Env, whole: bool) -> Run:
         self._running[key] = env.func
