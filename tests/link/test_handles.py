@@ -220,3 +220,67 @@ int main(int argc, char ** argv) {{
 }}
 """
     assert workspace.package({"src/demo.cpp": source}, ros=1).only("publisher").name == name
+
+
+PART = """
+class Part {
+ public:
+  explicit Part(const ros::NodeHandle & h, double span = 3.0) : inner_(ros::NodeHandle(h, "part")) {
+    pub_ = inner_.advertise<std_msgs::String>("out", 1);
+  }
+  ros::NodeHandle inner_;
+  ros::Publisher pub_;
+};
+struct Held { std::unique_ptr<Part> part_; };
+"""
+DERIVED = """
+#include <ros/ros.h>
+{part}
+class Base {held} {{
+ public:
+  Base(ros::NodeHandle & given) {constructor}
+  virtual bool configure() {{ {configure} return true; }}
+  ros::NodeHandle own_;
+  ros::Publisher pub_;
+}};
+class Derived : public Base {{
+ public:
+  Derived(ros::NodeHandle & given) : Base(given) {{}}
+  bool configure() override {{ return Base::configure(); }}
+}};
+class Other : public Base {{
+ public:
+  Other(ros::NodeHandle & given) : Base(given) {{}}
+}};
+class Host {{
+ public:
+  explicit Host(const ros::NodeHandle & given) : given_(given) {{ reset(); }}
+  void reset() {{
+    if (kind_ == "a") {{ made_ = std::make_shared<Derived>(given_); }} else {{ made_ = std::make_shared<Other>(given_); }}
+    made_->configure();
+  }}
+  ros::NodeHandle given_;
+  std::shared_ptr<Base> made_;
+  std::string kind_;
+}};
+int main(int c, char ** v) {{ ros::init(c, v, "n"); ros::NodeHandle nh("~"); {make} }}
+"""
+OWN_OUT = 'pub_ = own_.advertise<std_msgs::String>("out", 1);'
+BASES = {
+    "in the body of a constructor": ("{ own_ = given; }", OWN_OUT, "Base b(nh); b.configure();", "/n/out"),
+    "of a base that a host makes": (": own_(given) {}", OWN_OUT, "Host h(nh);", "/n/out"),
+    "of both": ("{ own_ = given; }", OWN_OUT, "Host h(nh);", "/n/out"),
+    "below the one of a member": ("{ own_ = given; }", "part_.reset(new Part(own_));", "Host h(nh);", "/n/part/out"),
+    "of a member in a body": ("{ part_.reset(new Part(given)); }", "", "Base b(nh); b.configure();", "/n/part/out"),
+}
+
+
+@pytest.mark.parametrize("case", BASES.values(), ids=BASES)
+def test_a_handle_is_followed_through_bases_and_members_to_who_made_it(workspace: Any, case: tuple[str, ...]) -> None:
+    """What a constructor does in its body counts like its list, and who makes a derived object gives its base."""
+    constructor, configure, make, name = case
+    part, held = (PART, ": public Held") if "part" in name else ("", "")
+    text = DERIVED.format(part=part, held=held, constructor=constructor, configure=configure, make=make)
+    workspace.package({"src/n.cpp": text}, ros=1)
+    program = next(module for module in workspace.modules().values() if module.ecm.kind == "node")
+    assert {found.name for found in program.signature.interfaces if found.role == "publisher"} == {name}
