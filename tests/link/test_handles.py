@@ -284,3 +284,31 @@ def test_a_handle_is_followed_through_bases_and_members_to_who_made_it(workspace
     workspace.package({"src/n.cpp": text}, ros=1)
     program = next(module for module in workspace.modules().values() if module.ecm.kind == "node")
     assert {found.name for found in program.signature.interfaces if found.role == "publisher"} == {name}
+
+
+def test_a_handle_of_an_object_that_a_method_named_with_its_class_gives(workspace: Any) -> None:
+    """Two classes have a method of one name: the one that is named tells of which type its object is."""
+    text = """
+#include <ros/ros.h>
+class Settings {
+ public:
+  static Settings & instance() { static Settings instance; return instance; }
+  std::shared_ptr<ros::NodeHandle> handle_;
+  int size_;
+ private:
+  Settings() { handle_ = std::make_shared<ros::NodeHandle>("inner"); size_ = 7; }
+};
+class Reader {
+ public:
+  static Reader & instance() { static Reader instance; return instance; }
+  void read(const std_msgs::StringConstPtr & message) {}
+ private:
+  Reader() {
+    sub_ = ros::Subscriber(Settings::instance().handle_->subscribe("in", Settings::instance().size_, &Reader::read, this));
+  }
+  ros::Subscriber sub_;
+};
+int main(int c, char ** v) { ros::init(c, v, "n"); Reader::instance(); ros::spin(); }
+"""
+    found = workspace.package({"src/n.cpp": text}, ros=1).only("subscriber")
+    assert (found.name, found.qos.depth) == ("/inner/in", 7)
