@@ -57,3 +57,12 @@ def test_a_part_that_is_empty_unless_somebody_sets_it(
     """A prefix that is empty by default puts nothing before a name; a name that is nothing else has to be set."""
     found = workspace.package({"src/n.cpp": TALKER.format(default=default, name=name)}, ros=1).only("publisher")
     assert (found.name, found.confidence) == told
+
+
+def test_a_part_that_a_source_asks_for_first_stays_open(workspace: Any) -> None:
+    """Where something else stands in for an empty prefix, it is not empty where it stands itself."""
+    body = 'if (given.empty()) { given = host(); }\n  ros::Publisher p = nh.advertise'
+    text = TALKER.format(default="", name='"at_" + given').replace("ros::Publisher p = nh.advertise", body)
+    workspace.package({"src/n.cpp": text}, ros=1)
+    found = {entry.name for entry in workspace.interfaces() if entry.role == "publisher"}
+    assert found == {"/n/at_{given}", "/n/at_{host}"}

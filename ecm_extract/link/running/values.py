@@ -143,7 +143,18 @@ def alternatives(values: Iterable[Value]) -> tuple[Value, ...]:
     fixed = tuple([value for value in listed if not is_setting(value)])
     if len(fixed) < len(listed) and any(value.text and is_known(value) for value in fixed):
         listed = lowered(fixed, "default")
-    return listed if len(listed) <= 1 else lowered(listed, "one_of")
+    return listed if len(listed) <= 1 else lowered(map(_set, listed), "one_of")
+
+
+def _set(value: Value) -> Value:
+    """The same value where it stands beside others: sources ask first whether a parameter is empty."""
+    if not any(isinstance(part, Hole) and part.kind == "setting" and part.default is not None for part in value.parts):
+        return value
+    parts = [
+        part._replace(default=None) if isinstance(part, Hole) and part.kind == "setting" else part
+        for part in value.parts
+    ]
+    return value._replace(parts=tuple(parts))
 
 
 def unknown(label: str) -> Value:
