@@ -8,7 +8,6 @@ import pytest
 
 from ecm_extract.extraction import extract
 from ecm_extract.extraction_model import Options
-from ecm_extract.link.running import flow
 from ecm_extract.link.running.values import MAX_LENGTH, TOO_LONG, joined, literal
 from ecm_extract.tree import open_tree
 
@@ -97,17 +96,29 @@ def test_a_format_with_an_index_beyond_all_counts_stays(workspace: Any) -> None:
     assert _driver(workspace, body).packages
 
 
-def test_what_one_question_took_is_not_taken_from_the_next(workspace: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    """How many functions one question may run is bounded; each branch that is decided is a question of its own."""
-    monkeypatch.setattr(flow, "MAX_WITHIN", 3)
-    functions = "".join(f"inline int f{at}(int n) {{ return n + {at}; }}\n" for at in range(9))
-    asked = "".join(
-        f'std::string t{at} = "a{at}"; if (f{at}(1) == 0) {{ t{at} = "b{at}"; }}'
-        f" create_publisher<std_msgs::msg::String>(t{at}, 1);\n"
-        for at in range(9)
-    )
-    workspace.package({"pkg/src/d.cpp": functions + _CPP.format(asked)}, name="pkg")
-    found = extract(open_tree(workspace.root), Options(jobs=1))
-    module = next(module for package in found.packages for module in package.modules)
-    names = {entry.name for entry in module.signature.interfaces if entry.role == "publisher"}
-    assert names == {f"/a{at}" for at in range(9)}
+def test_what_loops_within_loops_hand_on_ends(workspace: Any) -> None:
+    """A table that two loops and methods change refers to itself in a circle; who asks where it began ends."""
+    source = """
+import rospy
+from std_srvs.srv import Empty
+class Chat:
+    def __init__(self):
+        rospy.init_node("chat")
+        self.service = rospy.get_param("~service", "/upload")
+        self.wait = rospy.get_param("~wait", 3)
+    def rows(self, rows):
+        for row in rows:
+            for part in row.parts:
+                self.one(part)
+    def one(self, part):
+        if part.image:
+            self.upload(part.path)
+    def upload(self, path):
+        rospy.wait_for_service(self.service, timeout=self.wait)
+        rospy.ServiceProxy(self.service, Empty)()
+if __name__ == "__main__":
+    chat = Chat()
+    chat.rows(rospy.get_param("~rows"))
+"""
+    workspace.package({"scripts/chat.py": source}, ros=1)
+    assert "/upload" in {entry.name for entry in workspace.interfaces()}

@@ -61,7 +61,7 @@ def test_a_part_that_is_empty_unless_somebody_sets_it(
 
 def test_a_part_that_a_source_asks_for_first_stays_open(workspace: Any) -> None:
     """Where something else stands in for an empty prefix, it is not empty where it stands itself."""
-    body = 'if (given.empty()) { given = host(); }\n  ros::Publisher p = nh.advertise'
+    body = "if (given.empty()) { given = host(); }\n  ros::Publisher p = nh.advertise"
     text = TALKER.format(default="", name='"at_" + given').replace("ros::Publisher p = nh.advertise", body)
     workspace.package({"src/n.cpp": text}, ros=1)
     found = {entry.name for entry in workspace.interfaces() if entry.role == "publisher"}

@@ -27,9 +27,8 @@ class Making:
             return False
         if not call.args and not call.keywords and not _default_constructible(cls):
             return False
-        scope = f"{call.func.fact.scope}::{call.func.fact.name}"
         path = call.path.replace(".", "::") if call.func.file.language == "cpp" else call.path
-        return self.program.class_named(path, call.func.file, scope) is cls
+        return self.program.class_named(path, call.func.file, call.func.scope) is cls
 
     def made(self, call: Invocation, cls: Cls) -> Cls | None:
         """Return the class of which a call makes an object with the methods of a class: itself, or a derived one."""

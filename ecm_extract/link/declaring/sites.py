@@ -149,8 +149,9 @@ class Sites:
 
     def _wider(self, site: Site) -> Iterator[Site]:
         params, made = self.openness.of(site, self.names(site))
-        given = {parameter.name.lstrip("*") for parameter in site.root.fact.params}
-        if params & (given | set(site.root.fact.template)):
+        given = site.root.given
+        around = {name for func in self.folder.nesting.around(site.root) for name in func.given}
+        if params & (given | set(site.root.fact.template)) or (params | made) & around:
             if site.form.row.value and site.root not in self._remembered:
                 self._remembered.add(site.root)
                 self._remember_wrapper(site)

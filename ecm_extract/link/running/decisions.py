@@ -55,11 +55,11 @@ class Decisions:
             gate.found = found
         else:
             self._meanwhile[gate] = found
-        self.folder.flow.rest()
+        self.folder.flow.answered()
         return found
 
-    def forget_meanwhile(self) -> None:
-        """Drop what was found while who asked was at work, and could not be told everything."""
+    def answered(self) -> None:
+        """Forget what held only within a question."""
         self._meanwhile.clear()
 
     def _may_decide(self, gate: Gate) -> bool:

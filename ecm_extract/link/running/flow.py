@@ -100,15 +100,15 @@ class Flow:
         run = self._fresh(key, env, whole)
         whole = cuts == self.folder.cuts or not self.is_busy
         (self._runs if whole else self._meanwhile)[key] = (env, run)
-        self.rest()
+        self.answered()
         return run
 
-    def rest(self) -> None:
-        """Forget what was found while something else was at work, and how much that was; not while anything is."""
+    def answered(self) -> None:
+        """Forget what held only within a question, and what it cost, once it is answered: no other pays for it."""
         if not self.is_busy:
-            self._within = 0
             self._meanwhile.clear()
-            self.decisions.forget_meanwhile()
+            self.decisions.answered()
+            self._within = 0
 
     def _fresh(self, key: Hashable, env: Env, whole: bool) -> Run:
         self._running[key] = env.func
