@@ -180,6 +180,9 @@ UNKNOWN = [
     ('it_->advertise<std_msgs::Bool>("in", 1)', ["std_msgs/msg/Bool"]),
     ('nh->subscribe("in", 1, &A::seen, this)', []),
     ('image_transport_->advertise("in", 1)', []),
+    ('nh->param("rate", rate_, 10.0)', ["double"]),
+    ('nh->param("rate", 10.0)', []),
+    ("nh->param(key, rate_, 10.0)", []),
 ]
 
 
@@ -187,7 +190,7 @@ UNKNOWN = [
 def test_an_unknown_receiver_is_not_what_it_is_called(workspace: Any, call: str, kinds: list[str]) -> None:
     """Only what the call itself says counts, as the message type in its template; the name of the object does not."""
     text = (
-        "class A : public outside::Nodelet { void seen(const std_msgs::StringConstPtr & m) {}"
+        "class A : public outside::Nodelet { double rate_; void seen(const std_msgs::StringConstPtr & m) {}"
         f" void onInit() {{ auto a = {call}; }} }}; PLUGINLIB_EXPORT_CLASS(A, nodelet::Nodelet)"
     )
     found = workspace.package({"src/a.cpp": text}, ros=1).interfaces()
