@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 from ecm_checker.contract import Evidence, Interface
 from ecm_parsers.dynamic_reconfigure import ReconfigureFile
@@ -18,6 +18,14 @@ from ecm_extract.link.owning.references import Unit
 from ecm_extract.read.facts import PackageFacts
 
 _TYPES = {"int": "integer", "str": "string", "double": "double", "bool": "bool"}
+
+
+class Generated(NamedTuple):
+    """A unit that holds generated parameters, and the class of their configuration where a server sets them."""
+
+    unit: Unit
+    parameters: tuple[Interface, ...]
+    config: str = ""
 
 
 class GeneratedParameters:
@@ -41,7 +49,7 @@ class GeneratedParameters:
                         if isinstance(entry.default, str):
                             parameters.declare(entry.name, package.name, entry.default)
 
-    def interfaces(self) -> Iterator[tuple[Unit, tuple[Interface, ...]]]:
+    def interfaces(self) -> Iterator[Generated]:
         """Yield each unit that holds generated parameters, with them."""
         for package in self.packages:
             files = self._files[package.name]
@@ -49,10 +57,10 @@ class GeneratedParameters:
                 for namespace in namespaces:
                     found = _library(path, namespace)
                     for unit in self._listeners(namespace.name, files):
-                        yield unit, found
+                        yield Generated(unit, found)
             for path, reconfigure in package.reconfigure.items():
                 for unit in self._servers(reconfigure, files):
-                    yield unit, _reconfigured(path, reconfigure)
+                    yield Generated(unit, _reconfigured(path, reconfigure), _config_class(reconfigure))
 
     def _listeners(self, namespace: str, files: Sequence[File]) -> list[Unit]:
         """Units that mention `<namespace>::ParamListener`; for Python the import of the generated module."""
@@ -75,11 +83,11 @@ class GeneratedParameters:
 
     def _servers(self, reconfigure: ReconfigureFile, files: Sequence[File]) -> list[Unit]:
         """Units that hold a `dynamic_reconfigure::Server<pkg::NameConfig>`, or make a server of it in Python."""
-        return self._mentioned.servers(f"{_config_name(reconfigure)}Config", files)
+        return self._mentioned.servers(_config_class(reconfigure), files)
 
 
-def _config_name(reconfigure: ReconfigureFile) -> str:
-    return reconfigure.name or "?"
+def _config_class(reconfigure: ReconfigureFile) -> str:
+    return f"{reconfigure.name or '?'}Config"
 
 
 def _library(path: str, namespace: ParameterNamespace) -> tuple[Interface, ...]:

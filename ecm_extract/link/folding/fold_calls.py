@@ -292,7 +292,8 @@ class CallFolder:
             values = lowered(self.folder.fold(known[0], known[1].before(known[1].at)), "default")
         if values and (values[0].text or len(values) > 1):
             return values
-        return (setting(name.rsplit("/", 1)[-1].rsplit(".", 1)[-1].strip("~{}")),)
+        empty = "" if values and values[0].data is None else None
+        return (setting(name.rsplit("/", 1)[-1].rsplit(".", 1)[-1].strip("~{}"), empty),)
 
 
 def _topic_of(made: Call, env: Env) -> Expr | None:

@@ -143,7 +143,18 @@ def alternatives(values: Iterable[Value]) -> tuple[Value, ...]:
     fixed = tuple([value for value in listed if not is_setting(value)])
     if len(fixed) < len(listed) and any(value.text and is_known(value) for value in fixed):
         listed = lowered(fixed, "default")
-    return listed if len(listed) <= 1 else lowered(listed, "one_of")
+    return listed if len(listed) <= 1 else lowered(map(_set, listed), "one_of")
+
+
+def _set(value: Value) -> Value:
+    """The same value where it stands beside others: sources ask first whether a parameter is empty."""
+    if not any(isinstance(part, Hole) and part.kind == "setting" and part.default is not None for part in value.parts):
+        return value
+    parts = [
+        part._replace(default=None) if isinstance(part, Hole) and part.kind == "setting" else part
+        for part in value.parts
+    ]
+    return value._replace(parts=tuple(parts))
 
 
 def unknown(label: str) -> Value:
@@ -151,9 +162,9 @@ def unknown(label: str) -> Value:
     return Value((Hole(_label(label)),), "pattern")
 
 
-def setting(label: str) -> Value:
-    """The value of a parameter, or of a port of a behaviour tree, of which no default is known."""
-    return Value((Hole(_label(label), "setting"),), "pattern")
+def setting(label: str, default: str | None = None) -> Value:
+    """The value of a parameter, or of a port of a behaviour tree, of which no default is known but an empty one."""
+    return Value((Hole(_label(label), "setting", default),), "pattern")
 
 
 def is_setting(value: Value) -> bool:
@@ -182,8 +193,8 @@ def parameter(label: str, made: bool = False, default: str | None = None) -> Val
 
 
 def settled(value: Value) -> Value:
-    """Fill holes that have a default: nobody in the tree says otherwise."""
-    if not any(isinstance(part, Hole) and part.default is not None for part in value.parts):
+    """Fill holes that have a default: nobody in the tree says otherwise. What a parameter has to give stays open."""
+    if is_setting(value) or not any(isinstance(part, Hole) and part.default is not None for part in value.parts):
         return value
     parts = tuple(
         [part.default if isinstance(part, Hole) and part.default is not None else part for part in value.parts]
@@ -276,7 +287,13 @@ def _template(left: Value, right: Value) -> tuple[str | OfParameter, ...]:
 
 def set_by(name: str, values: Iterable[Value]) -> tuple[Value, ...]:
     """The same values as those of a ROS parameter that a launch may set."""
-    return tuple([value._replace(template=(OfParameter(name, value.text),)) for value in values])
+    return tuple([value._replace(template=(OfParameter(name, _unset(value)),)) for value in values])
+
+
+def _unset(value: Value) -> str:
+    """The text that a value has as long as nobody sets it."""
+    hole = value.parts[0] if is_setting(value) else None
+    return hole.default if isinstance(hole, Hole) and hole.default is not None else value.text
 
 
 def unique(values: Iterable[Value]) -> tuple[Value, ...]:
