@@ -108,6 +108,9 @@ class MemberFolder:
         written = self.folder.fields.value(expr, env)
         if written:
             return written
+        handed = self.folder.structures.handed_on(expr, env)
+        if handed:
+            return handed
         cls = self.folder.objects.class_of(expr.base, env)
         if cls is None:
             return ()
