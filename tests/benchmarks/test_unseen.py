@@ -86,7 +86,7 @@ def test_rows_are_those_with_evidence_in_the_files_of_the_node() -> None:
 
 
 def test_one_name_told_with_several_types_is_several_rows() -> None:
-    """Only the row of the type that the source has is true in its type; of places without a name the typed one is it."""
+    """Only the row of the type that the source has is true in its type; among names that are open it is found by it."""
     node = _node(SourceRow("parameter", "rate", type="double", where="src/a.cpp:1"))
     told = [_one("parameter", "rate", type=kind) for kind in ("double", "bool", "string")]
     figures = _figures(node, *told)
@@ -94,4 +94,5 @@ def test_one_name_told_with_several_types_is_several_rows() -> None:
     row = SourceRow("publisher", "a{serial}", type="m/msg/T", where="src/a.cpp:7")
     open_ones = [_one("publisher", "/{topic}", line=7, type=kind) for kind in ("m/msg/S", "m/msg/T")]
     found = best(row, open_ones, _node(row))
-    assert found is not None and found.type == "m/msg/T"
+    assert found is not None
+    assert found.type == "m/msg/T"
