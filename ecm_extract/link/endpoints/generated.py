@@ -15,6 +15,7 @@ from ecm_extract.link.declaring.parameters import Parameters
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.owning.mentioned_types import MentionedTypes
 from ecm_extract.link.owning.references import Unit
+from ecm_extract.link.running.values import Value, constant, literal
 from ecm_extract.read.facts import PackageFacts
 
 _TYPES = {"int": "integer", "str": "string", "double": "double", "bool": "bool"}
@@ -38,8 +39,9 @@ class GeneratedParameters:
                 for namespace in namespaces:
                     for entry in namespace.parameters:
                         parameters.declare_name(entry.name, package.name)
-                        if isinstance(entry.default, str):
-                            parameters.declare(entry.name, package.name, entry.default)
+                        value = _value(entry.default)
+                        if value is not None:
+                            parameters.declare(entry.name, package.name, value)
 
     def interfaces(self) -> Iterator[tuple[Unit, tuple[Interface, ...]]]:
         """Yield each unit that holds generated parameters, with them."""
@@ -76,6 +78,13 @@ class GeneratedParameters:
     def _servers(self, reconfigure: ReconfigureFile, files: Sequence[File]) -> list[Unit]:
         """Units that hold a `dynamic_reconfigure::Server<pkg::NameConfig>`, or make a server of it in Python."""
         return self._mentioned.servers(f"{_config_name(reconfigure)}Config", files)
+
+
+def _value(default: Any) -> Value | None:
+    """A default as it folds; None of lists and of what has none."""
+    if isinstance(default, str):
+        return literal(default)
+    return constant(default) if isinstance(default, bool | int | float) else None
 
 
 def _config_name(reconfigure: ReconfigureFile) -> str:
