@@ -72,6 +72,12 @@ CPP_UNSEEN = [
         ("unknown", "volatile", "keep_last", 1),
     ),
     (
+        'declare_parameter<int>("n", 4); int n = 5; get_parameter("n", n);',
+        "n",
+        ("reliable", "volatile", "keep_last", 4),
+    ),
+    ("auto q = rclcpp::QoS(5); ask(q);", "outside(q)", UNSEEN),
+    (
         "",
         "fast ? rclcpp::QoS(1).best_effort() : rclcpp::QoS(1)",
         ("unknown", "volatile", "keep_last", 1),
