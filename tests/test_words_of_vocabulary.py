@@ -2,18 +2,13 @@
 
 from __future__ import annotations
 
-import ast
 from collections import Counter
-from collections.abc import Iterator
-from pathlib import Path
 from typing import Final
 
 import pytest
 from ecm_checker.hub.kinds import kinds, uses
 from ecm_checker.hub.roles import roles
-
-ROOT: Final = Path(__file__).resolve().parents[1]
-OURS: Final = ("ecm_extract", "parsers/ecm_parsers", "checker/ecm_checker", "corpus/ecm_corpus")
+from own_sources import sources
 
 ROLES_TOLD: Final = {
     "ecm_extract/description/simulator.py": "what a sensor of a simulator is in the graph",
@@ -55,40 +50,13 @@ LISTED: Final = {
 """Files with a list of words that are also words of roles or kinds; the list only gets shorter."""
 
 
-def _trees() -> Iterator[tuple[str, ast.AST]]:
-    for folder in OURS:
-        for path in sorted((ROOT / folder).rglob("*.py")):
-            yield str(path.relative_to(ROOT)), ast.parse(path.read_text("utf-8"))
-
-
-def _texts(node: ast.AST) -> set[str]:
-    return {each.value for each in ast.walk(node) if isinstance(each, ast.Constant) and isinstance(each.value, str)}
-
-
-def _names(node: ast.AST) -> set[str]:
-    return {each.attr if isinstance(each, ast.Attribute) else each.id for each in ast.walk(node) if _is_named(each)}
-
-
-def _is_named(node: ast.AST) -> bool:
-    return isinstance(node, ast.Attribute | ast.Name)
-
-
-def _compared(column: str, words: set[str]) -> Iterator[str]:
+def _compared(column: str, words: set[str]) -> list[str]:
     """Files in which a column is compared with words of the vocabulary."""
-    for path, tree in _trees():
-        tests = (node for node in ast.walk(tree) if isinstance(node, ast.Compare | ast.MatchValue))
-        if any(column in _names(node) and _texts(node) & words for node in tests):
-            yield path
-
-
-def _grouped(words: set[str]) -> Iterator[str]:
-    """Files with a collection of several words, none of which is another one."""
-    for path, tree in _trees():
-        for node in ast.walk(tree):
-            if isinstance(node, ast.Set | ast.Tuple | ast.List) and len(node.elts) > 1:
-                texts = {each.value for each in node.elts if isinstance(each, ast.Constant)}
-                if len(texts) == len(node.elts) and texts <= words:
-                    yield path
+    return [
+        source.path
+        for source in sources()
+        if any(column in test.names and test.texts & words for test in source.compared)
+    ]
 
 
 def test_roles_are_told_once() -> None:
@@ -97,19 +65,15 @@ def test_roles_are_told_once() -> None:
     `parameter` is a kind of name, of a condition and of a file as well, and is bounded where it is compared.
     """
     words = set(roles()) - set(kinds())
-    told = Counter(path for path, tree in _trees() for node in ast.walk(tree) for _ in _texts_of(node) & words)
+    told = Counter(source.path for source in sources() for text in source.texts if text in words)
     assert set(told) == set(ROLES_TOLD)
     assert sum(told.values()) <= 14
-
-
-def _texts_of(node: ast.AST) -> set[str]:
-    return {node.value} if isinstance(node, ast.Constant) and isinstance(node.value, str) else set()
 
 
 @pytest.mark.parametrize(("column", "words"), [("role", set(roles())), ("use", set(uses()))])
 def test_no_decision_by_the_word_of_a_role_or_use(column: str, words: set[str]) -> None:
     """A new row is treated as its columns say, not left out by a list that nobody thought of."""
-    assert list(_compared(column, words)) == []
+    assert _compared(column, words) == []
 
 
 def test_no_decision_by_the_word_of_a_kind() -> None:
@@ -120,7 +84,8 @@ def test_no_decision_by_the_word_of_a_kind() -> None:
 @pytest.mark.parametrize("words", [set(roles()), set(kinds())], ids=["roles", "kinds"])
 def test_no_list_of_words(words: set[str]) -> None:
     """What several kinds or roles have in common is a column of their rows."""
-    assert set(_grouped(words)) <= set(LISTED)
+    listed = {source.path for source in sources() if any(group <= words for group in source.groups)}
+    assert listed <= set(LISTED)
 
 
 def test_rows_name_rows() -> None:

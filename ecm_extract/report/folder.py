@@ -34,7 +34,8 @@ _MARK: Final = MANIFEST_SCHEMA.encode()
 def write_manifests(extraction: Extraction, out_dir: Path) -> tuple[Path, ...]:
     """Write one manifest per module and the document of each package; what a package no longer has is removed.
 
-    Each file is complete or not there: it is written beside its place and then moved.
+    Each file is complete or not there: it is written beside its place and then moved. One that has not changed is left
+    as it is.
 
     Args:
         extraction: what was read.
@@ -91,7 +92,9 @@ def keep_out_of_git(folder: Path) -> None:
 
 
 def _write_atomically(path: Path, content: bytes) -> None:
-    """Put a complete file at `path`; a link that is there is replaced, not followed."""
+    """Put a complete file at `path`; a link that is there is replaced, not followed, the same content left alone."""
+    if _holds(path, content):
+        return
     handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=".ecm-", suffix=".tmp")
     try:
         with os.fdopen(handle, "wb") as file:
@@ -102,6 +105,13 @@ def _write_atomically(path: Path, content: bytes) -> None:
         with contextlib.suppress(OSError):
             Path(temporary).unlink()
         raise
+
+
+def _holds(path: Path, content: bytes) -> bool:
+    """Tell whether a file has this content already: tools that build go by when a file was last changed."""
+    if path.is_symlink() or not path.is_file() or not os.access(path, os.R_OK):
+        return False
+    return path.stat().st_size == len(content) and path.read_bytes() == content
 
 
 def _unwritable(folder: Path, error: OSError) -> InputError:

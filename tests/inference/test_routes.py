@@ -135,3 +135,17 @@ def test_thousands_of_branches_one_after_the_other_are_no_deep_recursion(linker:
     assert state is not None
     assert [held.expr for held in decisions.ways(state.holds["x"])] == [Text("0")]
     assert decisions.is_live(passed.route)
+
+
+def test_what_one_question_costs_is_not_taken_from_the_next(workspace: Any) -> None:
+    """However many branches were decided, one after the other, the next is decided too."""
+    asked = "".join(f"    if weight({number}) > 90:\n        name = 'heavy'\n" for number in range(120))
+    source = (
+        "def doubled(number):\n    return number * 2\n"
+        "def weight(number):\n    found = doubled(number)\n    if found > 80:\n        found = 80\n    return found\n"
+        f"def topic():\n    name = 'light'\n{asked}    return name\n"
+    )
+    linker = _linker(workspace, source)
+    run = linker.folder.flow.run(Env(_function(linker, "topic")))
+    assert run is not None
+    assert {linker.folder.flow.decisions.of(gate).holds for gate in _gates(run)} == {False}

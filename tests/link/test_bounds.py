@@ -94,3 +94,31 @@ def test_a_format_with_an_index_beyond_all_counts_stays(workspace: Any) -> None:
     """`{99999}` and digits of other scripts fill nothing."""
     body = "".join(f'        self.create_publisher(String, "a{{{key}}}".format(x), 1)\n' for key in ("9" * 5000, "²"))
     assert _driver(workspace, body).packages
+
+
+def test_what_loops_within_loops_hand_on_ends(workspace: Any) -> None:
+    """A table that two loops and methods change refers to itself in a circle; who asks where it began ends."""
+    source = """
+import rospy
+from std_srvs.srv import Empty
+class Chat:
+    def __init__(self):
+        rospy.init_node("chat")
+        self.service = rospy.get_param("~service", "/upload")
+        self.wait = rospy.get_param("~wait", 3)
+    def rows(self, rows):
+        for row in rows:
+            for part in row.parts:
+                self.one(part)
+    def one(self, part):
+        if part.image:
+            self.upload(part.path)
+    def upload(self, path):
+        rospy.wait_for_service(self.service, timeout=self.wait)
+        rospy.ServiceProxy(self.service, Empty)()
+if __name__ == "__main__":
+    chat = Chat()
+    chat.rows(rospy.get_param("~rows"))
+"""
+    workspace.package({"scripts/chat.py": source}, ros=1)
+    assert "/upload" in {entry.name for entry in workspace.interfaces()}

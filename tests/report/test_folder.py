@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
@@ -52,6 +53,18 @@ def test_a_second_run_changes_nothing(tmp_path: Path) -> None:
     first = {path: path.read_bytes() for path in write_manifests(demo(), tmp_path)}
     assert {path: path.read_bytes() for path in write_manifests(demo(), tmp_path)} == first
     assert {path for path in tmp_path.rglob("*") if path.is_file()} == set(first)
+
+
+def test_what_has_not_changed_is_left_alone(tmp_path: Path) -> None:
+    """A file is written when its content is another, so that a build makes nothing anew for the same contract."""
+    made = make_extraction(make_package("p", make_module("one", "m"), make_module("two", "m")))
+    first, other, *_ = write_manifests(made, tmp_path)
+    os.utime(first, ns=(1, 1))
+    other.write_bytes(b"#" * other.stat().st_size)
+    os.utime(other, ns=(1, 1))
+    write_manifests(made, tmp_path)
+    assert first.stat().st_mtime_ns == 1
+    assert other.stat().st_mtime_ns > 1
 
 
 def test_a_module_that_is_gone_loses_its_manifest(tmp_path: Path) -> None:

@@ -55,9 +55,12 @@ class Decisions:
             gate.found = found
         else:
             self._meanwhile[gate] = found
-        if not self.folder.flow.is_busy:
-            self._meanwhile.clear()
+        self.folder.flow.answered()
         return found
+
+    def answered(self) -> None:
+        """Forget what held only within a question."""
+        self._meanwhile.clear()
 
     def _may_decide(self, gate: Gate) -> bool:
         """Whether a branch is neither asked for by itself, nor deeper than is followed."""

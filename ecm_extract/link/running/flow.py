@@ -100,10 +100,15 @@ class Flow:
         run = self._fresh(key, env, whole)
         whole = cuts == self.folder.cuts or not self.is_busy
         (self._runs if whole else self._meanwhile)[key] = (env, run)
+        self.answered()
+        return run
+
+    def answered(self) -> None:
+        """Forget what held only within a question, and what it cost, once it is answered: no other pays for it."""
         if not self.is_busy:
             self._meanwhile.clear()
+            self.decisions.answered()
             self._within = 0
-        return run
 
     def _fresh(self, key: Hashable, env: Env, whole: bool) -> Run:
         self._running[key] = env.func

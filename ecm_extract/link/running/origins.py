@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING, Final
@@ -24,7 +25,7 @@ class Origins:
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
-        self._asked: set[Held] = set()
+        self._asked: set[tuple[Held, Env]] = set()
         self._members: set[tuple[Cls | None, str]] = set()
 
     def held(self, expr: Expr, env: Env) -> list[Held]:
@@ -43,7 +44,7 @@ class Origins:
         """Return the same, each as it was given: through loops, calls of methods, and callers that are known."""
         around, self._members = self._members, set()
         try:
-            return list(dict.fromkeys(origin for held in self.held(expr, env) for origin in self._given(held)))
+            return list(dict.fromkeys(self._first(self.held(expr, env), env)))
         finally:
             self._members = around
 
@@ -81,29 +82,31 @@ class Origins:
                     place = Env(func, at, this=cls, made=made, depth=env.depth + 1)
                     yield Held("each" if statement.kind == "each" else "value", name, statement.value, place, at)
 
-    def _given(self, held: Held) -> tuple[Held, ...]:
-        """Where a variable was given what it holds; nothing for what it comes to in a circle."""
-        known = held.settled.get("origins")
-        if isinstance(known, tuple):
-            return known
-        if held.env is None or held in self._asked or held.env.depth > MAX_DEPTH:
-            self.folder.cuts += 1
-            return ()
-        cuts = self.folder.cuts
-        self._asked.add(held)
-        behind = self._behind(held, held.env)
-        self._asked.discard(held)
-        found = (held,) if behind is None else tuple(dict.fromkeys(behind))
-        if cuts == self.folder.cuts:
-            held.settled["origins"] = found
-        return found
+    def _first(self, helds: Iterable[Held], env: Env) -> Iterator[Held]:
+        """Yield what was there before nothing was done that matters; nothing for what comes to itself in a circle."""
+        pending = deque((held, held.env or env) for held in helds)
+        seen: set[tuple[Held, Env]] = set()
+        while pending:
+            held, place = asked = pending.popleft()
+            if asked in seen:
+                continue
+            if asked in self._asked or place.depth > MAX_DEPTH:
+                self.folder.cuts += 1
+                continue
+            seen.add(asked)
+            before = self._asking(held, place)
+            if before is None:
+                yield _placed(held, place)
+            else:
+                pending.extendleft((each, each.env or at) for each, at in reversed(before))
 
-    def _behind(self, held: Held, env: Env) -> list[Held] | None:
-        """The origins of what a variable held before nothing was done to it that matters; None for an origin."""
-        before = self._before(held, env)
-        if before is None:
-            return None
-        return [origin for each, place in before for origin in self._given(_placed(each, place))]
+    def _asking(self, held: Held, env: Env) -> list[tuple[Held, Env]] | None:
+        """Return what was there before; whoever asks for the same meanwhile asks in a circle."""
+        self._asked.add((held, env))
+        try:
+            return self._before(held, env)
+        finally:
+            self._asked.discard((held, env))
 
     def _before(self, held: Held, env: Env) -> list[tuple[Held, Env]] | None:
         if held.how in {"looped", "handed", "entered"} or (held.how in {"given", "shared"} and held.before):
