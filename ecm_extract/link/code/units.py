@@ -93,6 +93,11 @@ class Func:
         return self._params
 
     @property
+    def given(self) -> frozenset[str]:
+        """The names of its parameters, in its body."""
+        return frozenset(parameter.name.lstrip("*") for parameter in self.fact.params)
+
+    @property
     def written_types(self) -> Mapping[str, str]:
         """The types of its parameters and variables as written; of several declarations of a name the first."""
         if self._written_types is None:
@@ -145,6 +150,11 @@ class Func:
         """The scope in which the names of its body stand."""
         outer = self.cls.qualified if self.cls is not None else self.fact.scope
         return f"{outer}::{self.fact.name}" if outer else self.fact.name
+
+    @property
+    def inner_scope(self) -> str:
+        """The scope of the functions that its body declares, as the file writes it."""
+        return f"{self.fact.scope}::{self.fact.name}" if self.fact.scope else self.fact.name
 
     @property
     def is_constructor(self) -> bool:

@@ -36,14 +36,21 @@ class CallTargets:
         self._receivers: dict[Invocation, Container[Cls]] = {}
         self._asked: set[tuple[str, str]] = set()
         self._callers_of: dict[Func, list[Invocation]] = defaultdict(list)
+        self._uses_of: dict[Func, tuple[Invocation, ...]] = {}
 
     def callers(self, func: Func) -> Sequence[Invocation]:
         """Return the calls of a function by others: those that mean it by name, arguments and receiver."""
         outer = around(func, self.folder)
         if outer is None:
             return self._by_name(func)
-        makers = self.callers(outer) if is_returned(func, outer) else ()
-        return [*self._by_name(func), *uses(func, outer, makers), *self._handed(func, outer)]
+        return [*self._by_name(func), *self._uses(func, outer)]
+
+    def _uses(self, func: Func, outer: Func) -> Sequence[Invocation]:
+        """The calls of what holds a function, found once: a function that is handed to itself calls itself again."""
+        if func not in self._uses_of:
+            makers = self.callers(outer) if is_returned(func, outer) else ()
+            self._uses_of[func] = (*uses(func, outer, makers), *self._handed(func, outer))
+        return self._uses_of[func]
 
     def _handed(self, func: Func, outer: Func) -> Iterator[Invocation]:
         """The calls of a function by those that the function around it hands it to."""
@@ -82,7 +89,7 @@ class CallTargets:
 
     def _visible(self, call: Invocation, func: Func) -> bool:
         if "lambda" in func.fact.traits and func.file.language == "cpp":
-            here = f"{call.func.fact.scope}::{call.func.fact.name}"
+            here = call.func.inner_scope
             return (
                 call.func.file is func.file
                 and call.receiver is None

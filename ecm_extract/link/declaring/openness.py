@@ -72,11 +72,11 @@ class Openness:
         """
         params: frozenset[str] = frozenset()
         made: frozenset[str] = frozenset()
-        pending = [(expr, site.env)]
+        pending, around = [(expr, site.env)], list(self.folder.nesting.around(site.root))
         for _ in range(MAX_CHAIN):
             for each, env in pending:
                 found = self._accepted(each, env, accepts)
-                if env.func is site.root:
+                if env.func is site.root or (env.func in around and not env.func.is_constructor):
                     params |= found
                 elif env.func.is_constructor:
                     made |= found
@@ -97,6 +97,9 @@ class Openness:
         bound = env.args.get(name)
         if bound is not None:
             return [(bound.expr, bound.env)]
+        place = self.folder.names.captured_at(name, env) if name else None
+        if place is not None:
+            return [(expr, place)]
         return self._initialisers(name, env) if name and not self._accepted(expr, env, accepts) else ()
 
     def _initialisers(self, name: str, env: Env) -> Iterator[tuple[Expr | None, Env]]:

@@ -151,8 +151,9 @@ class Sites:
 
     def _wider(self, site: Site) -> Iterator[Site]:
         params, made = self.openness.of(site, self.names(site))
-        given = {parameter.name.lstrip("*") for parameter in site.root.fact.params}
-        if params & (given | set(site.root.fact.template)):
+        given = site.root.given
+        around = {name for func in self.folder.nesting.around(site.root) for name in func.given}
+        if params & (given | set(site.root.fact.template)) or (params | made) & around:
             if site.form.row.value and site.root not in self._remembered:
                 self._remembered.add(site.root)
                 self._remember_wrapper(site)
@@ -325,9 +326,8 @@ class Sites:
             return False
         if not call.args and not call.keywords and not _default_constructible(cls):
             return False
-        scope = f"{call.func.fact.scope}::{call.func.fact.name}"
         path = call.path.replace(".", "::") if call.func.file.language == "cpp" else call.path
-        return self.program.class_named(path, call.func.file, scope) is cls
+        return self.program.class_named(path, call.func.file, call.func.scope) is cls
 
 
 def overrides(func: Func) -> bool:

@@ -112,7 +112,7 @@ class QosVariables:
         cls = env.this or env.func.cls
         if _is_member(key) and cls is not None:
             return self._of_member(key, cls, env, level)
-        passed = any(entry.name.lstrip("*") == key for entry in env.func.fact.params)  # who asks knows what for
+        passed = key in env.func.given  # who asks knows what for
         if passed:
             return None
         ways = self.folder.flow.ways(expr, env)

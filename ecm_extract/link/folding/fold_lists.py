@@ -199,7 +199,7 @@ class ListFolder:
         given = self.folder.names.argument(expr.id, env) if isinstance(expr, Name) else None
         if given is not None:
             return self.items(given.expr, given.env.deeper(env.depth + 1))
-        if isinstance(expr, Name) and any(entry.name.lstrip("*") == expr.id for entry in env.func.fact.params):
+        if isinstance(expr, Name) and expr.id in env.func.given:
             return None
         found = self.sources(expr, env)
         if found:

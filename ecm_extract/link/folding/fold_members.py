@@ -12,7 +12,7 @@ from ecm_parsers.source.expr import (
     Name,
 )
 
-from ecm_extract.infer.held import Held
+from ecm_extract.infer.held import Held, all_ways
 from ecm_extract.infer.places import whole_of
 from ecm_extract.infer.run import Run
 from ecm_extract.link.code.calls import dotted_name
@@ -148,7 +148,7 @@ class MemberFolder:
     def member_value(self, name: str, cls: Cls, env: Env) -> tuple[Value, ...]:
         """Return the values that the methods of a class and its bases give one of its data members."""
         anyone = env.made is None or env.made.cls is not cls or not (env.made.args or env.made.types)
-        asked = ("member", cls, name, None if anyone else env.made)
+        asked = ("member", cls, name, None if anyone else env.made, self.folder.scope.owner(name, cls, env))
         known = self._known.get(asked)
         if known is not None:
             return known
@@ -175,7 +175,8 @@ class MemberFolder:
         values: list[Value] = []
         sources = self.sources(name, cls, env)
         for held, place in sources:
-            values += self.folder.held.values(held, place)
+            if place.func.file.language != "python" or not _is_as_given(held):
+                values += self.folder.held.values(held, place)
         for entry in self.folder.program.ancestry(cls):
             for method, at, read, default in self.folder.reads.members(entry, name):
                 if at not in self._reads_of(method, name):
@@ -230,8 +231,10 @@ class MemberFolder:
         """Yield the run of each method that may change a data member, with its place; None for one that is run now."""
         concrete = env.made is not None and bool(env.made.args or env.made.types or env.made.maker)
         derived = () if concrete else self.folder.program.derived(cls)
+        scope = self.folder.scope
+        owner = scope.owner(name, cls, env)
         for entry in (*self.folder.program.ancestry(cls), *derived):
-            for method in self.folder.scope.changing(name, entry):
+            for method in scope.changing(name, entry) if scope.declaring(name, entry) is owner else ():
                 if self.folder.objects.runs(method, env.made):
                     place = self._method_env(method, cls if entry not in derived else entry, env)
                     yield self.folder.flow.run(place, whole=method.is_constructor), place
@@ -257,6 +260,19 @@ def _taken_of(value: Value, name: str) -> tuple[Value, ...]:
     """A field of what callers, or the makers of the object, know; nothing of other values."""
     holes = tuple([hole.of(name) for hole in given_holes(value)])
     return (Value(holes, "pattern"),) if holes else ()
+
+
+def _is_as_given(held: Held) -> bool:
+    """Tell whether a text of Python is the one that the function found: who was handed it cannot change it."""
+    pending, seen = [held], {held}
+    while pending:
+        each = pending.pop()
+        if each.how not in {"handed", "given", "shared"}:
+            return False
+        further = all_ways(each.before) if each.how == "handed" else ()
+        pending += [way for way in further if way not in seen]
+        seen.update(further)
+    return True
 
 
 def _makes(held: Held) -> bool:

@@ -74,19 +74,25 @@ class NameFolder:
 
     def _captured(self, name: str, env: Env) -> tuple[Value, ...]:
         """A variable of the function around the one at hand: of who calls it there, else if it has one value."""
-        flow = self.folder.flow
-        outer = self.folder.nesting.enclosing(env.func)
-        if outer is None or name not in flow.effects(outer).own:
+        place = self.captured_at(name, env)
+        if place is None:
             return ()
-        if env.outer is not None and env.outer.func is outer:
-            return self.folder.fold(Name(name), env.outer.deeper(env.depth + 1))
-        if not flow.is_bound_once(outer, name):
+        if place is not env.outer and not self.folder.flow.is_bound_once(place.func, name):
             return (unknown(name),)
-        return self.folder.fold(Name(name), Env(outer, this=env.this, made=env.made, depth=env.depth + 1))
+        return self.folder.fold(Name(name), place.deeper(env.depth + 1))
+
+    def captured_at(self, name: str, env: Env) -> Env | None:
+        """Return the place in the function around the one at hand that has a variable; None where it has none."""
+        outer = self.folder.nesting.enclosing(env.func)
+        if outer is None or name not in self.folder.flow.effects(outer).own or name in env.func.given:
+            return None
+        if env.outer is not None and env.outer.func is outer:
+            return env.outer
+        return Env(outer, this=env.this, made=env.made, depth=env.depth)
 
     def _given(self, name: str, env: Env) -> tuple[Value, ...]:
         """What a name is before the function assigns it: its parameter, or a member of the object."""
-        if any(entry.name.lstrip("*") == name for entry in env.func.fact.params):
+        if name in env.func.given:
             return self._parameter(name, env)
         cls = env.this or env.func.cls
         if cls is None or env.func.file.language != "cpp" or "::" in name:

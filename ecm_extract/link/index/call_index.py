@@ -41,12 +41,11 @@ def _add_meant(call: Invocation, program: Program, index: dict[str, list[Invocat
     """`Reader reader;` with `using Reader = Basic<int>` makes a `Basic`, with the arguments of the alias."""
     if call.receiver is not None:
         return
-    scope = f"{call.func.fact.scope}::{call.func.fact.name}"
-    target = program.alias(call.path, call.func.file, scope)
+    target = program.alias(call.path, call.func.file, call.func.scope)
     if target is None:
         return
     types = call.types or template_arguments(target)
-    cls = program.class_named(call.path, call.func.file, scope)
+    cls = program.class_named(call.path, call.func.file, call.func.scope)
     if cls is not None:
         index[cls.fact.name].append(replace(call, types=types))
     elif last_name(plain(target)) in wanted:

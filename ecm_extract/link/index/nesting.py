@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.index.program import Program
@@ -22,8 +22,7 @@ class Nesting:
         by_scope = self._inside(func.file)
         if func.fact.name == "<module>":
             return [entry for group in by_scope.values() for entry in group if entry.fact.shared]
-        scope = f"{func.fact.scope}::{func.fact.name}" if func.fact.scope else func.fact.name
-        return by_scope.get(scope, ())
+        return by_scope.get(func.inner_scope, ())
 
     def enclosing(self, func: Func) -> Func | None:
         """Return the function that one is declared in."""
@@ -32,6 +31,13 @@ class Nesting:
             named = (other for other in self.program.functions_in(func.file) if other.fact.name == last)
             self._around[func] = next((other for other in named if other.fact.scope == head and other.fact.body), None)
         return self._around[func]
+
+    def around(self, func: Func) -> Iterator[Func]:
+        """Yield the functions that one is declared in, the next one first; none for methods."""
+        outer = self.enclosing(func) if func.cls is None and func.fact.scope else None
+        if outer is not None and outer is not func:
+            yield outer
+            yield from self.around(outer)
 
     def object_of(self, func: Func) -> Cls | None:
         """Return the class of the object at hand: that of a method, of a lambda that of the function around it."""

@@ -91,7 +91,8 @@ class Handles:
         bound = env.args.get(expr.id) or self._given_to_constructor(expr.id, env)
         if bound is not None:
             return self._known(bound.expr, bound.env, depth + 1)
-        return self._variable(expr, env, depth)
+        place = self.folder.names.captured_at(expr.id, env)
+        return self._name(expr, place, depth + 1) if place is not None else self._variable(expr, env, depth)
 
     def _given_to_constructor(self, name: str, env: Env) -> Bound | None:
         if not env.func.is_constructor or env.made is None or env.func.cls is None:

@@ -58,10 +58,9 @@ class References:
 
     def _mention_body(self, func: Func) -> None:
         unit: Unit = func.holder or func
-        scope = f"{func.fact.scope}::{func.fact.name}"
         for statement in func.fact.body:
             if statement.type and plain(statement.type) != "auto":
-                self._mention(statement.type, unit, func.file, scope)
+                self._mention(statement.type, unit, func.file, func.scope)
 
     def _mention(self, text: str, unit: Unit, file: File, scope: str) -> None:
         held = by_value(text) and not only_loads(text)

@@ -44,7 +44,7 @@ class FileScope:
         """Return the constant or variable of a namespace that a name means in a function."""
         if name.rsplit("::", 1)[-1] not in self.program.constants:
             return None
-        return self.program.constant_named(name, func.file, f"{func.fact.scope}::{func.fact.name}")
+        return self.program.constant_named(name, func.file, func.scope)
 
     def definitions(self, name: str, env: Env) -> list[Definition]:
         """Return the assignments of a variable in all functions that see it."""

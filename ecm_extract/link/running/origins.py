@@ -75,8 +75,10 @@ class Origins:
     def _assigned_to_member(self, name: str, env: Env) -> Iterator[Held]:
         cls = env.this or env.func.cls
         made = env.made if env.made is not None and env.made.cls is cls else Instance(cls, {}, {}) if cls else None
+        scope = self.folder.scope
+        owner = scope.owner(name, cls, env) if cls is not None else None
         for entry in self.folder.program.ancestry(cls) if cls is not None else ():
-            for func, at in self.folder.scope.members(name, entry):
+            for func, at in scope.members(name, entry) if scope.declaring(name, entry) is owner else ():
                 statement = func.fact.body[at]
                 if self.folder.objects.runs(func, env.made):
                     place = Env(func, at, this=cls, made=made, depth=env.depth + 1)

@@ -114,6 +114,27 @@ class Scope:
             self._members[cls] = known
         return known.get(name, [])
 
+    def owner(self, name: str, cls: Cls, env: Env) -> Cls | None:
+        """Return the class that declares the data member of an object which a name means at a place (see `declaring`).
+
+        Args:
+            name: the member.
+            cls: the class of the object.
+            env: the place: in a method of that class or of a base, or elsewhere.
+        """
+        asking = env.func.holder
+        inside = asking is not None and asking in self.program.ancestry(cls)
+        return self.declaring(name, asking if inside and asking is not None else cls)
+
+    def declaring(self, name: str, cls: Cls) -> Cls | None:
+        """Return the class whose member the methods of a class mean by a name; None where one name is one member.
+
+        A class of C++ that declares a member has one of its own, beside that of a base which is called alike.
+        """
+        if cls.file.language != "cpp":
+            return None
+        return next((entry for entry in self.program.ancestry(cls) if name in entry.fields), None)
+
     def changing(self, name: str, cls: Cls) -> list[Func]:
         """Return the methods of a class that may give a data member something else, by an assignment or a call."""
         known = self._changing.get(cls)
