@@ -16,6 +16,7 @@ from ecm_extract.infer.inner import only_called
 from ecm_extract.infer.places import own_names
 from ecm_extract.infer.raising import may_raise
 from ecm_extract.infer.raising_calls import unpacks
+from ecm_extract.infer.unpacking import unstarred
 from ecm_extract.link.code.walk import children, comprehensions
 
 if TYPE_CHECKING:
@@ -202,7 +203,7 @@ class Outline:
         """Yield the variables that an assignment to a target changes."""
         if isinstance(target, Items):
             for item in target.items:
-                yield from self.bound_keys(item)
+                yield from self.bound_keys(unstarred(item))
         else:
             yield self.effects.key(target) or self.effects.root(target)
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Final, NamedTuple
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op
 
 from ecm_extract.infer.compute import NULL, UNKNOWN, is_number
+from ecm_extract.infer.unpacking import unstarred
 from ecm_extract.link.code.walk import children
 from ecm_extract.link.running.env import Bound, Env, invocation_of
 from ecm_extract.link.running.values import data_in, is_proved
@@ -236,7 +237,7 @@ def _unlike(asked: Asked) -> Checked:
     items = asked.items(asked.expr)
     if items is None or not isinstance(target, Items):
         return Checked(None)
-    spread = any(isinstance(item, Op) and item.op == "*" for item in target.items)
+    spread = any(unstarred(item) is not item for item in target.items)
     return Checked(None if spread else len(items) != len(target.items), _LIST)
 
 
