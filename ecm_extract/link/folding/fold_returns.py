@@ -13,6 +13,8 @@ from ecm_extract.link.code.numbers import kind_of_type
 from ecm_extract.link.code.overloads import score
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.folding.fold_closures import ClosureFolder
+from ecm_extract.link.folding.raises import Raises
 from ecm_extract.link.running.env import Bound, Env, Instance, bind
 from ecm_extract.link.running.object_states import is_own
 from ecm_extract.link.running.values import (
@@ -40,6 +42,8 @@ class ReturnFolder:
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
+        self.closures = ClosureFolder(folder)
+        self.raises = Raises(folder)
 
     def values(self, call: Invocation, env: Env) -> tuple[Value, ...]:
         """Return what a call can give: of each return that is reached, and of what may be called instead."""
@@ -67,7 +71,7 @@ class ReturnFolder:
 
     def meant(self, call: Invocation, env: Env) -> Func | None:
         """Return the one function that a call means by what is known of its arguments; None where several fit."""
-        handed = self.folder.closures.function(call, env)
+        handed = self.closures.function(call, env)
         if handed is not None:
             return handed[0]
         fitting = self.folder.objects.callees(call, env)
@@ -109,7 +113,7 @@ class ReturnFolder:
 
     def entered(self, callee: Func, call: Invocation, args: Mapping[str, Bound], env: Env) -> Env:
         """Return the place of evaluation at the entry of a called function."""
-        handed = self.folder.closures.function(call, env)
+        handed = self.closures.function(call, env)
         outer = env if self.folder.nesting.enclosing(callee) is env.func else handed[1] if handed is not None else None
         led = self.folder.lasting_states.led(callee, call, env)
         if callee.cls is None and "lambda" not in callee.fact.traits:
