@@ -27,7 +27,7 @@ from ecm_extract.link.endpoints.generated import GeneratedParameters
 from ecm_extract.link.endpoints.merging import merged
 from ecm_extract.link.endpoints.observe import Observation, observation_forms, observations
 from ecm_extract.link.endpoints.qos import QosReader
-from ecm_extract.link.endpoints.reconfigured import SERVICE, Placed, beside
+from ecm_extract.link.endpoints.reconfigured import SERVICE, Placed, beside, serving
 from ecm_extract.link.endpoints.stamps import Stamp, stamps
 from ecm_extract.link.folding.data import UNKNOWN, stated_type
 from ecm_extract.link.folding.fold import Folder
@@ -152,9 +152,9 @@ class Linker:
 
     def _generate(self, found: dict[Module, list[Interface]]) -> None:
         """Give what build files generate to the modules whose units use it."""
-        for unit, interfaces in self.generated.interfaces():
+        for unit, interfaces, config in self.generated.interfaces():
             for module in self.modules.owners(unit):
-                servers = self._servers.get((module, unit), ())
+                servers = serving(self._servers.get((module, unit), ()), config)
                 placed = [entry for each in interfaces for entry in beside(each, servers)]
                 found[module] += [entry.interface for entry in placed]
                 self._local[module] |= {_key(entry.interface): [entry.local] for entry in placed if servers}
@@ -235,12 +235,12 @@ class Linker:
             names += [local] * (local not in names)
             if interface.type == SERVICE:
                 for maker in {unit, site.call.func.holder or site.call.func}:
-                    self._servers[module, maker].append(Placed(interface, local))
+                    self._servers[module, maker].append(Placed(interface, local, next(iter(site.call.types), "")))
 
     def _interfaces(self, site: Site, node: str | None, origin: str | None) -> Iterator[tuple[Interface, LocalName]]:
         ros = site.root.file.ros
         handle = self.handles.of(handle_argument(site.form, site.call), site.env)
-        evidence = tuple(Evidence(path, line) for path, line in dict.fromkeys(site.lines()))
+        evidence = tuple(Evidence(path, line) for path, line in site.lines())
         when = self.conditions.of(site)
         names = self._named(site)
         is_choice = any(named.confidence == "one_of" for named, _ in names)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 from ecm_checker.hub.local_name import LocalName, OpenPart, Parts
 
@@ -95,3 +97,41 @@ def test_a_parameter_is_below_the_prefix_of_its_node() -> None:
     below = Handle(literal("arm"))
     assert local_parameter(literal("rate"), below, 2) == LocalName(("arm.rate",))
     assert local_parameter(literal("rate"), below, 1) == LocalName(("arm/rate",))
+
+
+TALKER = """
+#include <ros/ros.h>
+int main(int c, char ** v) {{
+  ros::init(c, v, "n");
+  ros::NodeHandle nh("~");
+  std::string given;
+  nh.param<std::string>("given", given, "{default}");
+  ros::Publisher p = nh.advertise<std_msgs::String>({name}, 1);
+}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("default", "name", "told"),
+    [
+        ("", 'given + "/out"', ("/out", "default")),
+        ("", 'given + "out"', ("/n/out", "default")),
+        ("", "given", ("/n/{given}", "pattern")),
+        ("a", 'given + "/out"', ("/n/a/out", "default")),
+    ],
+)
+def test_a_part_that_is_empty_unless_somebody_sets_it(
+    workspace: Any, default: str, name: str, told: tuple[str, str]
+) -> None:
+    """A prefix that is empty by default puts nothing before a name; a name that is nothing else has to be set."""
+    found = workspace.package({"src/n.cpp": TALKER.format(default=default, name=name)}, ros=1).only("publisher")
+    assert (found.name, found.confidence) == told
+
+
+def test_a_part_that_a_source_asks_for_first_stays_open(workspace: Any) -> None:
+    """Where something else stands in for an empty prefix, it is not empty where it stands itself."""
+    body = "if (given.empty()) { given = host(); }\n  ros::Publisher p = nh.advertise"
+    text = TALKER.format(default="", name='"at_" + given').replace("ros::Publisher p = nh.advertise", body)
+    workspace.package({"src/n.cpp": text}, ros=1)
+    found = {entry.name for entry in workspace.interfaces() if entry.role == "publisher"}
+    assert found == {"/n/at_{given}", "/n/at_{host}"}

@@ -17,11 +17,14 @@ from ecm_extract.link.code.option_structs import spread
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.declaring.call_targets import CallTargets
 from ecm_extract.link.declaring.closures import around, captured, given, is_of_parameter
+from ecm_extract.link.declaring.instead import returned_instead
+from ecm_extract.link.declaring.making import Making
 from ecm_extract.link.declaring.match import Matcher, name_argument, positions
 from ecm_extract.link.declaring.openness import MAX_CHAIN, Openness
 from ecm_extract.link.declaring.parameters import Parameters
 from ecm_extract.link.declaring.prefixes import prefixed
 from ecm_extract.link.declaring.site import Site
+from ecm_extract.link.declaring.template_types import TemplateTypes
 from ecm_extract.link.folding.emplaced import EMPLACING, emplaced
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.index.call_index import call_index
@@ -64,12 +67,14 @@ class Sites:
         self.types = types
         self.folder: Folder = matcher.folder
         self.parameters = parameters
+        self._types = TemplateTypes(self.folder)
         self._remembered: set[Func] = set()
         self._names: dict[Site, tuple[Value, ...]] = {}
         self.openness = Openness(self.folder, types, program.derived)
-        self._aliases = program.aliases.meaning(program.classes, matcher.forms)
+        aliases = program.aliases.meaning(program.classes, matcher.forms)
+        self.making = Making(program, aliases)
         wanted = {*matcher.forms, *program.functions, *program.classes, *_ALSO, *EMPLACING, *also}
-        self.calls = call_index(program, wanted, self._aliases)
+        self.calls = call_index(program, wanted, aliases)
         for name, call in list(emplaced(self.calls, self.folder.objects)):
             self.calls[name].append(call)
         self._calls_of = CallTargets(self.folder, self.calls, self._place)
@@ -82,7 +87,7 @@ class Sites:
         self.folder.forget()
         found: list[Site] = []
         for last in self.matcher.forms:
-            for call in self.calls.get(last, ()):
+            for call in self.folder.dead.without(self.calls.get(last, ())):
                 for site in self._direct(call, parameters):
                     found.extend(self._closed(site))
         return found
@@ -116,6 +121,8 @@ class Sites:
         closed: list[Site] = []
         while pending and len(closed) < MAX_EXPANSIONS:
             current = pending.popleft()
+            if self._types.leads_elsewhere(current):
+                continue
             wider = list(self._wider(current)) if len(current.chain) < MAX_CHAIN else []
             if wider:
                 pending.extend(wider)
@@ -172,7 +179,9 @@ class Sites:
     def _remember_wrapper(self, site: Site) -> None:
         """A function that declares the parameter it is asked for also gives its value."""
         name = self._parameter_of(name_argument(site.form, site.call), site)
-        default = self._parameter_of(next(positions(site.form.default, site.call), None), site)
+        stated = next(positions(site.form.default, site.call), None)
+        out = next(positions(site.form.out, site.call), None)
+        default = self._parameter_of(stated or returned_instead(site.call, out), site)
         if name:
             self.parameters.add_wrapper(site.root, name, default)
 
@@ -187,7 +196,7 @@ class Sites:
             yield from self._makers(site, site.owner) if site.owner is not None else ()
             return
         passed = set(site.chain)
-        for call in self.callers(root):
+        for call in self.folder.dead.without(self.callers(root)):
             if call in passed:
                 continue
             for outer, certain in self._places(self.root_env(call.func, call.at)):
@@ -247,17 +256,15 @@ class Sites:
     def _enter(self, link: Invocation, following: Invocation, env: Env) -> Env:
         func, at = following.func, following.at
         args = bind(func, link, env)
-        types = self._types(func.fact.template, link, env)
+        types = self._types.of_function(func, link, env)
         if around(func, self.folder) is not None:
             outer = captured(func, link, env, self.folder)
             return Env(func, at, args, types, outer.this, outer.made, outer=outer)
         if func.cls is None:
             return Env(func, at, args, types)
-        if func.is_constructor or self.makes(link, func.cls):
-            maker = func if func.is_constructor else self.folder.objects.constructor(func.cls, len(link.args))
-            given = bind(maker, link, env) if maker is not None else {}
-            made = Instance(func.cls, given, self._types(func.cls.fact.template, link, env), maker)
-            return Env(func, at, given if func.is_constructor else {}, types, func.cls, made)
+        cls = self.making.made(link, func.cls)
+        if func.is_constructor or cls is not None:
+            return self._entered(link, following, env, cls or func.cls)
         same = (
             env.this is not None
             and func.cls in self.program.ancestry(env.this)
@@ -267,16 +274,15 @@ class Sites:
         inner = env.made if same else self.folder.objects.held(link.receiver, func.cls, env)
         return Env(func, at, args, types, this, inner)
 
-    def _types(self, template: Sequence[str], link: Invocation, env: Env) -> dict[str, str]:
-        """What a call gives the template parameters of a function or class."""
-        types = dict(zip(template, link.types, strict=False))
-        return {name: self._bound_type(written, env) for name, written in types.items()}
-
-    def _bound_type(self, written: str, env: Env) -> str:
-        outer = env.types.get(written) or self.folder.objects.class_types(env).get(written)
-        if outer is not None:
-            return outer
-        return self.program.alias(written, env.func.file, env.scope) or written
+    def _entered(self, link: Invocation, following: Invocation, env: Env, cls: Cls) -> Env:
+        """The place of a call in a constructor, or in a method, of the object of a class that a call makes."""
+        func = following.func
+        begins = func.is_constructor and func.cls is cls
+        maker = func if begins else self.folder.objects.constructor(cls, len(link.args))
+        given = bind(maker, link, env) if maker is not None else {}
+        made = Instance(cls, given, self._types.of_class(cls, link, env), maker)
+        types = self._types.of_function(func, link, env)
+        return Env(func, following.at, given if begins else {}, types, cls, made)
 
     # --- objects -----------------------------------------------------------------------------------------
 
@@ -311,7 +317,7 @@ class Sites:
         func = place.func
         constructor = self.folder.objects.constructor(cls, len(call.args))
         args = bind(constructor, call, outer) if constructor is not None else {}
-        types = self._types(cls.fact.template, call, outer)
+        types = self._types.of_class(cls, call, outer)
         made = Instance(cls, args, types, constructor)
         made = made if func is constructor else self.folder.objects.delegated(made)
         own = made.args if func.is_constructor and func.cls is cls else {}
@@ -329,20 +335,9 @@ class Sites:
 
     def makes(self, call: Invocation, cls: Cls) -> bool:
         """Tell whether a call makes an object of a class."""
-        if call.receiver is not None or (call.last != cls.fact.name and call.last not in self._aliases):
-            return False
-        if not call.args and not call.keywords and not _default_constructible(cls):
-            return False
-        path = call.path.replace(".", "::") if call.func.file.language == "cpp" else call.path
-        return self.program.class_named(path, call.func.file, call.func.scope) is cls
+        return self.making.makes(call, cls)
 
 
 def overrides(func: Func) -> bool:
     """Tell whether whoever calls a function may know its base class only, as the host of a plugin does."""
     return "override" in func.fact.traits
-
-
-def _default_constructible(cls: Cls) -> bool:
-    """Tell whether a class can be made without arguments: no constructor at all, or one that needs none."""
-    makers = [func for func in cls.methods if func.is_constructor]
-    return not makers or any(all(entry.default is not None for entry in maker.fact.params) for maker in makers)

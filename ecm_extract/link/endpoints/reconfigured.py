@@ -9,6 +9,7 @@ from ecm_checker.contract import Interface
 from ecm_checker.hub.local_name import LocalName, joined
 from msgspec.structs import replace
 
+from ecm_extract.link.code.spelling import last_name, plain
 from ecm_extract.link.running.values import weaker
 
 SERVICE: Final = "dynamic_reconfigure/srv/Reconfigure"
@@ -17,10 +18,17 @@ _LEAF: Final = "set_parameters"
 
 
 class Placed(NamedTuple):
-    """An interface, and its name for any namespace and node."""
+    """An interface, its name for any namespace and node, and of a server the class of its configuration, as written."""
 
     interface: Interface
     local: LocalName
+    served: str = ""
+
+
+def serving(servers: Sequence[Placed], config: str) -> Sequence[Placed]:
+    """Return the servers of the class of a configuration; where none says so, those that may be."""
+    own = [server for server in servers if last_name(plain(server.served)) == config]
+    return own or [server for server in servers if not server.served] or servers
 
 
 def beside(parameter: Interface, servers: Sequence[Placed]) -> Iterator[Placed]:

@@ -18,7 +18,7 @@ from ecm_extract.infer.run import Run
 from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.spelling import plain, pointee
 from ecm_extract.link.code.units import Cls, Func
-from ecm_extract.link.folding.formats import VALUE_READS
+from ecm_extract.link.folding.formats import VALUE_READS, read_as
 from ecm_extract.link.running.env import Env, Instance
 from ecm_extract.link.running.values import (
     MAX_ALTERNATIVES,
@@ -65,7 +65,7 @@ class MemberFolder:
             return demoted(self.folder.lists.fold(pointed, env))
         part = self.folder.structures.field(expr, env)
         if not part and expr.name in VALUE_READS:
-            return self.folder.fold(expr.base, env.before(env.at))
+            return read_as(expr.name, self.folder.fold(expr.base, env.before(env.at)))
         dotted = dotted_name(expr)
         found = self.folder.names.imported(dotted, env) if dotted and env.func.file.language == "python" else ()
         known = found or part or self._field(expr, env) or self._option(expr, env)
@@ -108,6 +108,9 @@ class MemberFolder:
         written = self.folder.fields.value(expr, env)
         if written:
             return written
+        handed = self.folder.structures.handed_on(expr, env)
+        if handed:
+            return handed
         cls = self.folder.objects.class_of(expr.base, env)
         if cls is None:
             return ()
@@ -179,8 +182,9 @@ class MemberFolder:
                 if at not in self._reads_of(method, name):
                     place = self._method_env(method, cls, env)
                     values += self.folder.calls.parameter_value(read, default, place.within(None, at))
-        if not any(_makes(held) for held, _ in sources):
-            values += self.initial(name, cls, env)
+        making = [place.func for held, place in sources if _makes(held)]
+        if not any(func.is_constructor for func in making):
+            values += [each for each in self.initial(name, cls, env) if not making or isinstance(each.data, bool)]
         others = [value for value in values if not is_circle(value)]  # `x = x` gives it nothing new
         filled = [value for value in others or values if value.text]
         return alternatives(filled or others or values) if values else ()

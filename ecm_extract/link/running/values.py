@@ -135,7 +135,18 @@ def alternatives(values: Iterable[Value]) -> tuple[Value, ...]:
     fixed = tuple([value for value in listed if not is_setting(value)])
     if len(fixed) < len(listed) and any(value.text and is_known(value) for value in fixed):
         listed = lowered(fixed, "default")
-    return listed if len(listed) <= 1 else lowered(listed, "one_of")
+    return listed if len(listed) <= 1 else lowered(map(_set, listed), "one_of")
+
+
+def _set(value: Value) -> Value:
+    """The same value where it stands beside others: sources ask first whether a parameter is empty."""
+    if not any(isinstance(part, Hole) and part.kind == "setting" and part.default is not None for part in value.parts):
+        return value
+    parts = [
+        part._replace(default=None) if isinstance(part, Hole) and part.kind == "setting" else part
+        for part in value.parts
+    ]
+    return value._replace(parts=tuple(parts))
 
 
 def unknown(label: str) -> Value:
@@ -143,9 +154,9 @@ def unknown(label: str) -> Value:
     return Value((Hole(_label(label)),), "pattern")
 
 
-def setting(label: str) -> Value:
-    """The value of a parameter, or of a port of a behaviour tree, of which no default is known."""
-    return Value((Hole(_label(label), "setting"),), "pattern")
+def setting(label: str, default: str | None = None) -> Value:
+    """The value of a parameter, or of a port of a behaviour tree, of which no default is known but an empty one."""
+    return Value((Hole(_label(label), "setting", default),), "pattern")
 
 
 def is_setting(value: Value) -> bool:
@@ -174,8 +185,8 @@ def parameter(label: str, made: bool = False, default: str | None = None) -> Val
 
 
 def settled(value: Value) -> Value:
-    """Fill holes that have a default: nobody in the tree says otherwise."""
-    if not any(isinstance(part, Hole) and part.default is not None for part in value.parts):
+    """Fill holes that have a default: nobody in the tree says otherwise. What a parameter has to give stays open."""
+    if is_setting(value) or not any(isinstance(part, Hole) and part.default is not None for part in value.parts):
         return value
     parts = _with_defaults(value.parts)
     rest = any(isinstance(part, Hole) for part in parts)
@@ -288,7 +299,12 @@ def _template(left: Value, right: Value) -> tuple[str | Hole | OfParameter, ...]
 
 def set_by(name: str, values: Iterable[Value]) -> tuple[Value, ...]:
     """The same values as those of a ROS parameter that a launch may set."""
-    return tuple([value._replace(template=(OfParameter(name, value.parts),)) for value in values])
+    return tuple([value._replace(template=(OfParameter(name, _unset(value)),)) for value in values])
+
+
+def _unset(value: Value) -> tuple[str | Hole, ...]:
+    """What a value is made of as long as nobody sets it."""
+    return _with_defaults(value.parts) if is_setting(value) else value.parts
 
 
 def unique(values: Iterable[Value]) -> tuple[Value, ...]:

@@ -19,7 +19,7 @@ from ecm_parsers.source.cpp_declarators import (
 from ecm_parsers.source.cpp_expr import ExprReader
 from ecm_parsers.source.cpp_macro_values import macro_value
 from ecm_parsers.source.cpp_members import CLASSES, declared_type, members
-from ecm_parsers.source.cpp_parameters import declared_name, parameters
+from ecm_parsers.source.cpp_parameters import declared_name, parameters, specialized
 from ecm_parsers.source.cpp_place import Place
 from ecm_parsers.source.cpp_vexing import is_call_of_macro
 from ecm_parsers.source.expr import Call, Expr, Items, Name
@@ -186,6 +186,7 @@ class DeclarationReader:
             self._local_name(local, Place(f"{read.scope}()"))
         params = parameters(self.expr, declarator.child_by_field_name("parameters"))
         traits = (*place.traits(), *function_traits(self.expr, node, declarator, words, body is None))
+        specializes = specialized(self.expr, named) if place.written == () else None
         returns = self.expr.type_text(kind) if kind is not None else ""
         decorators = tuple([self.expr.text(c) for c in node.named_children if c.type == "attribute_declaration"])
         self.functions.append(
@@ -200,6 +201,7 @@ class DeclarationReader:
                 traits,
                 decorators,
                 read.writer.flow(),
+                specializes=specializes,
             )
         )
         self.functions.extend(read.functions)
@@ -277,7 +279,16 @@ class DeclarationReader:
             return
         read = macro_value(self.data[value.start_byte : value.end_byte].strip())
         if read is not None:
-            self.constants.append(Constant(self.expr.text(name), "", read, lines_of(node)[0], "", ("define",)))
+            traits = ("define", "default") if self._is_unless_given(node, name) else ("define",)
+            self.constants.append(Constant(self.expr.text(name), "", read, lines_of(node)[0], "", traits))
+
+    def _is_unless_given(self, node: Node, name: Node) -> bool:
+        """Whether a build may give a macro another value: it is defined where it is not yet (`#ifndef NAME`)."""
+        around = node.parent
+        asked = around.child_by_field_name("name") if around is not None and around.type == "preproc_ifdef" else None
+        if around is None or asked is None or around.children[0].type != "#ifndef":
+            return False
+        return self.expr.text(asked) == self.expr.text(name)
 
     def enum(self, node: Node, place: Place) -> None:
         """An enum: each value is a constant; those of an `enum class` are known within it only."""
