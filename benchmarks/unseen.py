@@ -1,7 +1,8 @@
 """How much of nodes that nobody here had read is told: `python benchmarks/unseen.py truth_unseen CLONES_DIR`.
 
 The truth was written from the sources before the first run. Each difference is a line: `-` in the source and not
-extracted, `+` extracted and not in the source, `~` extracted otherwise, `o` added by a library (not counted).
+extracted, `+` extracted and not in the source, `~` extracted otherwise, `t` the name right and the type wrong, `o`
+added by a library (not counted).
 """
 
 from __future__ import annotations
@@ -44,6 +45,7 @@ class Tally(msgspec.Struct):
     qos: Share = msgspec.field(default_factory=Share)
     defaults: Share = msgspec.field(default_factory=Share)
     true: Share = msgspec.field(default_factory=Share)
+    typed: Share = msgspec.field(default_factory=Share)
 
     def add(self, other: Tally) -> None:
         """Add the counts of another one."""
@@ -62,6 +64,7 @@ class Tally(msgspec.Struct):
             "qos": "QoS right (of rows whose source decides it)",
             "defaults": "defaults right (of literal ones)",
             "true": "rows true",
+            "typed": "rows true in their type too",
         }
         return (f"  {label:44} {getattr(self, name)}" for name, label in words.items())
 
@@ -138,16 +141,27 @@ class Comparison:
         return resolved(row.name, self.node.name) == resolved(one.name, self.node.name)
 
     def _told(self, one: Interface) -> None:
-        if any(best(row, [one], self.node) for row in self.node.interfaces):
+        fitting = [row for row in self.node.interfaces if best(row, [one], self.node)]
+        if fitting:
             self.tally.true.count(right=True)
+            self._told_type(fitting, one)
             return
         added = next((row for row in self.node.also if best(row, [one], self.node)), None)
         if added is not None:
             self._say("o", added, "")
             return
         self.tally.true.count(right=False)
+        self.tally.typed.count(right=False)
         place = f"{one.evidence[0].path}:{one.evidence[0].line}"
         self.lines.append(f"  + {one.role} {_name(one)} [{one.type or '-'}] {place}")
+
+    def _told_type(self, fitting: list[SourceRow], one: Interface) -> None:
+        """One name told with several types is several rows, and those of a type that the source has not are false."""
+        right = any(not row.type or not one.type or same_type(row.type, one.type) for row in fitting)
+        self.tally.typed.count(right)
+        if not right:
+            place = f"{one.evidence[0].path}:{one.evidence[0].line}"
+            self.lines.append(f"  t {one.role} {_name(one)} [{one.type}] {place}")
 
     def _say(self, mark: str, row: SourceRow, told: str) -> None:
         self.lines.append(f"  {mark} {row.role} {row.name} [{row.type or '-'}] {row.where} {told}".rstrip())

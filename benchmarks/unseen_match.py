@@ -18,7 +18,7 @@ def best(row: SourceRow, interfaces: list[Interface], node: SourceNode) -> Inter
         return max(same, key=lambda one: bool(row.type and one.type and same_type(row.type, one.type)))
     typed = [one for one in fitting if row.type and one.type and same_type(row.type, one.type)]
     found = None if row.name.startswith("{") else match_row(row, typed)[0] or match_row(row, fitting)[0]
-    return found or next((one for one in fitting if is_open(one) and _is_at(row, one)), None)
+    return found or next((one for one in [*typed, *fitting] if is_open(one) and _is_at(row, one)), None)
 
 
 def is_open(one: Interface) -> bool:

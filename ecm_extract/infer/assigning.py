@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Set
+from collections.abc import Iterator, Set
 from typing import TYPE_CHECKING, Final
 
-from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Number, Op, Opaque
+from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op, Opaque
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.effects import bare_names, is_plain
 from ecm_extract.infer.held import Held, State, all_ways
 from ecm_extract.infer.memory import Memory
 from ecm_extract.infer.run import Frame
+from ecm_extract.infer.unpacking import taken, unstarred
 from ecm_extract.link.code.containers import makes_tuple
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.walk import children
@@ -134,16 +135,7 @@ class Assigning:
     def _unpack(self, target: Items, held: Held, state: State) -> State:
         """`a, b = value`: each gets its part, all of them at once."""
         value = _of_maker(held.expr, self.frame.python)
-        env = held.env
-        for index, item in enumerate(target.items):
-            if held.how == "value" and isinstance(value, Items) and len(value.items) == len(target.items):
-                part = Held("value", "", value.items[index], env, held.at)
-            elif held.how == "value" and value is not None:
-                part = Held("value", "", Op("[]", (value, Number(index))), env, held.at)
-            elif held.how in {"each", "part"}:
-                part = Held("part", "", value, env, held.at)
-            else:
-                part = Held("lost", "", None, env, held.at)
+        for item, part in _parts(target, held, value):
             state = self.bind(item, part, state)
         return state
 
@@ -166,6 +158,17 @@ class Assigning:
         """Return the state in which a loop has bound its variable to an element that is known."""
         own = item.env.func is self.frame.env.func  # the place of a statement means something in its function only
         return self.bind(target, Held("value", "", item.expr, item.env, at if own else -1), state)
+
+
+def _parts(target: Items, held: Held, value: Expr | None) -> Iterator[tuple[Expr, Held]]:
+    """Yield each variable of several with what it gets."""
+    if held.how == "value" and value is not None:
+        for each in taken(target.items, value):
+            yield each.target, Held("lost" if each.part is None else "value", "", each.part, held.env, held.at)
+        return
+    inner = held.how in {"each", "part"}
+    for item in target.items:
+        yield unstarred(item), Held("part" if inner else "lost", "", value if inner else None, held.env, held.at)
 
 
 def _of_maker(value: Expr | None, python: bool) -> Expr | None:

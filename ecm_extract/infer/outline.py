@@ -14,6 +14,7 @@ from ecm_parsers.source.flow import Block, Later, Leave, Step, blocks
 from ecm_extract.infer.effects import Effect, Effects, Targets, is_plain
 from ecm_extract.infer.inner import only_called
 from ecm_extract.infer.places import own_names
+from ecm_extract.infer.unpacking import unstarred
 from ecm_extract.link.code.walk import children, comprehensions
 
 if TYPE_CHECKING:
@@ -187,7 +188,7 @@ class Outline:
         """Yield the variables that an assignment to a target changes."""
         if isinstance(target, Items):
             for item in target.items:
-                yield from self.bound_keys(item)
+                yield from self.bound_keys(unstarred(item))
         else:
             yield self.effects.key(target) or self.effects.root(target)
 

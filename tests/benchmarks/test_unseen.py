@@ -45,9 +45,17 @@ def test_what_is_found_and_what_is_false() -> None:
     right = _one("publisher", "/n/a", type="m/msg/T", qos={"depth": 3, "history": "keep_last"})
     assert _figures(node, right) == {
         "endpoints": (1, 1), "types": (1, 1), "names": (1, 1), "qos": (1, 1), "true": (1, 1),
+        "typed": (1, 1),
     }  # fmt: skip
     other = _figures(node, _one("publisher", "/a", type="m/msg/S"), _one("subscriber", "/b"))
-    assert other == {"endpoints": (1, 1), "types": (0, 1), "names": (0, 1), "qos": (0, 1), "true": (1, 2)}
+    assert other == {
+        "endpoints": (1, 1),
+        "types": (0, 1),
+        "names": (0, 1),
+        "qos": (0, 1),
+        "true": (1, 2),
+        "typed": (0, 2),
+    }
 
 
 def test_parameters_and_what_libraries_add() -> None:
@@ -56,7 +64,7 @@ def test_parameters_and_what_libraries_add() -> None:
     node = _node(SourceRow("parameter", "rate", where="src/a.cpp:1", default=5), also=added)
     assert _figures(node) == {"parameters": (0, 1), "names": (0, 1), "defaults": (0, 1)}
     found = _figures(node, _one("parameter", "rate", default=5), _one("service_server", "/n/set_parameters"))
-    assert found == {"parameters": (1, 1), "names": (1, 1), "defaults": (1, 1), "true": (1, 1)}
+    assert found == {"parameters": (1, 1), "names": (1, 1), "defaults": (1, 1), "true": (1, 1), "typed": (1, 1)}
 
 
 def test_holes_are_alike_and_a_name_that_is_not_told_is_found_by_its_place() -> None:
@@ -75,3 +83,16 @@ def test_rows_are_those_with_evidence_in_the_files_of_the_node() -> None:
     module = Module(_Identity("ecm.p.n"), _Signature((*rows, elsewhere)))
     extraction = Extraction("s", (Package("p", ".", (module,)), Package("q", ".", (module,))))
     assert [one.type for one in of_files(_node(), extraction)] == ["m/msg/T", "m/msg/S"]
+
+
+def test_one_name_told_with_several_types_is_several_rows() -> None:
+    """Only the row of the type that the source has is true in its type; among names that are open it is found by it."""
+    node = _node(SourceRow("parameter", "rate", type="double", where="src/a.cpp:1"))
+    told = [_one("parameter", "rate", type=kind) for kind in ("double", "bool", "string")]
+    figures = _figures(node, *told)
+    assert (figures["true"], figures["typed"], figures["types"]) == ((3, 3), (1, 3), (1, 1))
+    row = SourceRow("publisher", "a{serial}", type="m/msg/T", where="src/a.cpp:7")
+    open_ones = [_one("publisher", "/{topic}", line=7, type=kind) for kind in ("m/msg/S", "m/msg/T")]
+    found = best(row, open_ones, _node(row))
+    assert found is not None
+    assert found.type == "m/msg/T"

@@ -36,6 +36,8 @@ CPP_ROWS = [
         "q",
         ("best_effort", "volatile", "keep_last", 2),
     ),
+    ("rclcpp::SensorDataQoS q;", "q", ("best_effort", "volatile", "keep_last", 5)),
+    ("rclcpp::SensorDataQoS q; q.keep_last(1);", "q", ("best_effort", "volatile", "keep_last", 1)),
     (
         "auto p = rmw_qos_profile_default; p.depth = 50;",
         "rclcpp::QoS(rclcpp::QoSInitialization::from_rmw(p), p)",
@@ -71,6 +73,12 @@ CPP_UNSEEN = [
         "q",
         ("unknown", "volatile", "keep_last", 1),
     ),
+    (
+        'declare_parameter<int>("n", 4); int n = 5; get_parameter("n", n);',
+        "n",
+        ("reliable", "volatile", "keep_last", 4),
+    ),
+    ("auto q = rclcpp::QoS(5); ask(q);", "outside(q)", UNSEEN),
     (
         "",
         "fast ? rclcpp::QoS(1).best_effort() : rclcpp::QoS(1)",
@@ -124,6 +132,13 @@ def test_python_qos(workspace: Any, setup: str, qos: str, expected: tuple[Any, .
     """Profiles by keyword and by assignment are read alike."""
     entry = workspace.package({"pkg/d.py": PYTHON.format(setup=setup, qos=qos)}).only("publisher")
     assert four(entry.qos) == expected
+
+
+def test_a_member_that_is_only_declared_is_the_preset_of_its_type(workspace: Any) -> None:
+    """What a method sets on it comes on top."""
+    text = CPP.format(setup="q_.keep_last(3);", qos="q_").replace("};", "rclcpp::SensorDataQoS q_; };")
+    entry = workspace.package({"src/d.cpp": text}).only("publisher")
+    assert four(entry.qos) == ("best_effort", "volatile", "keep_last", 3)
 
 
 def test_unset_policies_are_named_as_defaults(workspace: Any) -> None:

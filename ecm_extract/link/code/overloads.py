@@ -19,7 +19,7 @@ def score(call: Invocation, func: Func) -> int:
         return NO
     if func.file.language == "python":
         return 0
-    if not _deducible(call, func):
+    if not _deducible(call, func) or not _is_specialized_so(call, func):
         return NO
     total = 1 if "declaration" not in func.fact.traits else 0
     for arg, parameter in zip(call.args, func.params, strict=False):
@@ -41,6 +41,12 @@ def _deducible(call: Invocation, func: Func) -> bool:
         return True
     text = " ".join(parameter.type for parameter in func.fact.params)
     return not any(name and name not in text for name in func.fact.template[:1])
+
+
+def _is_specialized_so(call: Invocation, func: Func) -> bool:
+    """Of a template and its specializations only one is meant; which one a template that calls it need not know."""
+    open_ = {*call.func.fact.template, *(call.func.cls.fact.template if call.func.cls is not None else ())}
+    return not call.types or not open_.isdisjoint(call.types) or func.takes(call.types)
 
 
 def _fit(arg: Expr, parameter: Parameter, caller: Func, func: Func) -> int:

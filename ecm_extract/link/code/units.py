@@ -11,6 +11,7 @@ from ecm_parsers.source.facts import Class, Field, Function, Parameter, SourceFi
 
 from ecm_extract.link.code.bound_methods import bound_methods
 from ecm_extract.link.code.spelling import is_node_interface
+from ecm_extract.link.code.templates import alike, unified
 from ecm_extract.link.code.walk import calls_in
 
 
@@ -52,6 +53,7 @@ class Func:
     _defaults: tuple[tuple[str, Expr], ...] | None = None
     _written_types: Mapping[str, str] | None = None
     _bound: Mapping[str, Member] | None = None
+    _specialized: tuple[str, ...] | None = None
 
     def siblings(self) -> Iterator[Func]:
         """The declarations and definitions of that name in its class or namespace, itself included."""
@@ -61,6 +63,28 @@ class Func:
         for other in self.namesakes:
             if other.cls is None and other.fact.scope == self.fact.scope and other.file.package == self.file.package:
                 yield other
+
+    @property
+    def specialized(self) -> tuple[str, ...]:
+        """The arguments for which it specializes a template; empty of what is no specialization."""
+        if self.fact.specializes is None or self.fact.specializes:
+            return self.fact.specializes or ()
+        if self._specialized is None:
+            primary = next((each for each in self.siblings() if _has_same_form(each, self)), None)
+            self._specialized = _arguments(primary, self) if primary is not None else ()
+        return self._specialized
+
+    def takes(self, types: Sequence[str]) -> bool:
+        """Tell whether template arguments mean it, and not a specialization for them, or for others."""
+        own = self.specialized
+        if own and alike(types, own):
+            return True
+        if not own and not self.fact.template:
+            return True
+        others = list(self.siblings())
+        if own and any(_has_same_form(other, self) and "declaration" not in other.fact.traits for other in others):
+            return False
+        return not any(other.specialized and alike(types, other.specialized) for other in others)
 
     @property
     def params(self) -> tuple[Parameter, ...]:
@@ -153,6 +177,21 @@ class Cls:
     def qualified(self) -> str:
         """Name with its namespaces."""
         return f"{self.fact.scope}::{self.fact.name}" if self.fact.scope else self.fact.name
+
+
+def _has_same_form(template: Func, func: Func) -> bool:
+    """Whether a function is a template with as many parameters as one that specializes it."""
+    return bool(template.fact.template) and len(template.fact.params) == len(func.fact.params)
+
+
+def _arguments(template: Func, func: Func) -> tuple[str, ...]:
+    """What the parameters of a template are in the signature of a specialization; empty for what that does not show."""
+    pairs = [(template.fact.returns, func.fact.returns)]
+    pairs += [(one.type, other.type) for one, other in zip(template.fact.params, func.fact.params, strict=True)]
+    found: dict[str, str] = {}
+    for pattern, written in pairs:
+        found = {**unified(pattern, written, template.fact.template), **found}
+    return tuple([found.get(name, "") for name in template.fact.template])
 
 
 def _one_node(params: tuple[Parameter, ...]) -> tuple[Parameter, ...]:

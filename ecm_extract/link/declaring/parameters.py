@@ -13,6 +13,7 @@ from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.declaring.forms import Form, FormTable
 from ecm_extract.link.declaring.match import name_argument, positions
 from ecm_extract.link.running.env import Env, bind
+from ecm_extract.link.running.values import Value
 
 Home = Cls | File | str
 """Who declares a parameter: a class, a file, or by its name a package, whose nodes may give it different defaults."""
@@ -29,7 +30,7 @@ class Parameters:
         self._names = {name for name, rows in forms.items() if any(form.row.value for form in rows)}
         self._written: dict[Func, dict[str, list[tuple[int, Expr, Expr | None]]]] = {}
         self._by_class: dict[Cls, dict[str, list[tuple[Func, int, Expr, Expr | None]]]] = {}
-        self._defaults: dict[tuple[Home, str], tuple[Expr, Env] | str] = {}
+        self._defaults: dict[tuple[Home, str], tuple[Expr, Env] | Value] = {}
         self._several: set[tuple[Home, str]] = set()
         self._declared: set[tuple[str, str]] = set()
         self._wrappers: dict[str, list[tuple[Func, str, str]]] = defaultdict(list)
@@ -140,21 +141,21 @@ class Parameters:
                     return _variable(arg), *found
         return None
 
-    def declare(self, name: str, home: Home, default: tuple[Expr, Env] | str) -> None:
+    def declare(self, name: str, home: Home, default: tuple[Expr, Env] | Value) -> None:
         """Remember the default of a parameter that a class, a file or a package declares."""
         known = self._defaults.setdefault((home, name), default)
         if _written(known) != _written(default):
             self._several.add((home, name))
 
     def declare_name(self, name: str, package: str) -> None:
-        """Remember a parameter whose default is no text."""
+        """Remember a parameter, with or without a default."""
         self._declared.add((package, name))
 
     def is_declared(self, name: str, package: str) -> bool:
         """Tell whether a package declares a parameter, with a default or without."""
         return (package, name) in self._declared or (package, name) in self._defaults
 
-    def default(self, name: str, package: str, owners: Sequence[Cls | File] = ()) -> tuple[Expr, Env] | str | None:
+    def default(self, name: str, package: str, owners: Sequence[Cls | File] = ()) -> tuple[Expr, Env] | Value | None:
         """Return the default that the first of `owners` declares, else the only one that is declared in the package."""
         for owner in owners:
             if (owner, name) in self._defaults:
@@ -173,8 +174,8 @@ class Parameters:
             known.append((func, name, default))
 
 
-def _written(default: tuple[Expr, Env] | str) -> Expr | str:
-    return default if isinstance(default, str) else default[0]
+def _written(default: tuple[Expr, Env] | Value) -> Expr | Value:
+    return default if isinstance(default, Value) else default[0]
 
 
 def _variable(expr: Expr | None) -> str:

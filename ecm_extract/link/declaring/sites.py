@@ -24,6 +24,7 @@ from ecm_extract.link.declaring.openness import MAX_CHAIN, Openness
 from ecm_extract.link.declaring.parameters import Parameters
 from ecm_extract.link.declaring.prefixes import prefixed
 from ecm_extract.link.declaring.site import Site
+from ecm_extract.link.declaring.template_types import TemplateTypes
 from ecm_extract.link.folding.emplaced import EMPLACING, emplaced
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.index.call_index import call_index
@@ -66,6 +67,7 @@ class Sites:
         self.types = types
         self.folder: Folder = matcher.folder
         self.parameters = parameters
+        self._types = TemplateTypes(self.folder)
         self._remembered: set[Func] = set()
         self._names: dict[Site, tuple[Value, ...]] = {}
         self.openness = Openness(self.folder, types, program.derived)
@@ -119,6 +121,8 @@ class Sites:
         closed: list[Site] = []
         while pending and len(closed) < MAX_EXPANSIONS:
             current = pending.popleft()
+            if self._types.leads_elsewhere(current):
+                continue
             wider = list(self._wider(current)) if len(current.chain) < MAX_CHAIN else []
             if wider:
                 pending.extend(wider)
@@ -252,7 +256,7 @@ class Sites:
     def _enter(self, link: Invocation, following: Invocation, env: Env) -> Env:
         func, at = following.func, following.at
         args = bind(func, link, env)
-        types = self._types(func.fact.template, link, env)
+        types = self._types.of_function(func, link, env)
         if around(func, self.folder) is not None:
             outer = captured(func, link, env, self.folder)
             return Env(func, at, args, types, outer.this, outer.made, outer=outer)
@@ -276,20 +280,9 @@ class Sites:
         begins = func.is_constructor and func.cls is cls
         maker = func if begins else self.folder.objects.constructor(cls, len(link.args))
         given = bind(maker, link, env) if maker is not None else {}
-        made = Instance(cls, given, self._types(cls.fact.template, link, env), maker)
-        types = self._types(func.fact.template, link, env)
+        made = Instance(cls, given, self._types.of_class(cls, link, env), maker)
+        types = self._types.of_function(func, link, env)
         return Env(func, following.at, given if begins else {}, types, cls, made)
-
-    def _types(self, template: Sequence[str], link: Invocation, env: Env) -> dict[str, str]:
-        """What a call gives the template parameters of a function or class."""
-        types = dict(zip(template, link.types, strict=False))
-        return {name: self._bound_type(written, env) for name, written in types.items()}
-
-    def _bound_type(self, written: str, env: Env) -> str:
-        outer = env.types.get(written) or self.folder.objects.class_types(env).get(written)
-        if outer is not None:
-            return outer
-        return self.program.alias(written, env.func.file, env.scope) or written
 
     # --- objects -----------------------------------------------------------------------------------------
 
@@ -324,7 +317,7 @@ class Sites:
         func = place.func
         constructor = self.folder.objects.constructor(cls, len(call.args))
         args = bind(constructor, call, outer) if constructor is not None else {}
-        types = self._types(cls.fact.template, call, outer)
+        types = self._types.of_class(cls, call, outer)
         made = Instance(cls, args, types, constructor)
         made = made if func is constructor else self.folder.objects.delegated(made)
         own = made.args if func.is_constructor and func.cls is cls else {}

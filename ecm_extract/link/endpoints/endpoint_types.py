@@ -67,10 +67,10 @@ class EndpointTypes:
     def _read_type(self, site: Site) -> str | None:
         """The type of the variable that the same function reads the parameter into: `get_parameter("port", port)`."""
         name = name_argument(site.form, site.call)
-        if name is None or site.chain or site.env.func.file.language != "cpp":
+        if name is None or site.env.func.file.language != "cpp":
             return None
         targets = self.folder.reads.read_into(site.call.func, name)
-        types = (declared_type(plain_type(self.folder.objects.type_of(Name(target), site.env))) for target in targets)
+        types = (self._out_type(Name(target), site.env) for target in targets)
         return next((found for found in types if found is not None), None)
 
     def _described(self, site: Site) -> str | None:
@@ -130,7 +130,7 @@ class EndpointTypes:
         written = self.folder.objects.type_of(out, env) if out is not None else ""
         if written and plain(written) in env.func.fact.template:
             return self._deduced(plain(written), env)
-        return declared_type(written) if written else None
+        return declared_type(plain_type(written)) if written else None
 
     def _deduced(self, template: str, env: Env) -> str | None:
         """What a template parameter is at a call: given, or the type of an argument that is declared with it."""

@@ -15,6 +15,7 @@ from ecm_extract.link.declaring.parameters import Parameters
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.owning.mentioned_types import MentionedTypes
 from ecm_extract.link.owning.references import Unit
+from ecm_extract.link.running.values import Value, constant, literal
 from ecm_extract.read.facts import PackageFacts
 
 _TYPES = {"int": "integer", "str": "string", "double": "double", "bool": "bool"}
@@ -46,8 +47,9 @@ class GeneratedParameters:
                 for namespace in namespaces:
                     for entry in namespace.parameters:
                         parameters.declare_name(entry.name, package.name)
-                        if isinstance(entry.default, str):
-                            parameters.declare(entry.name, package.name, entry.default)
+                        value = _value(entry.default)
+                        if value is not None:
+                            parameters.declare(entry.name, package.name, value)
 
     def interfaces(self) -> Iterator[Generated]:
         """Yield each unit that holds generated parameters, with them."""
@@ -88,6 +90,13 @@ class GeneratedParameters:
 
 def _config_class(reconfigure: ReconfigureFile) -> str:
     return f"{reconfigure.name or '?'}Config"
+
+
+def _value(default: Any) -> Value | None:
+    """A default as it folds; None of lists and of what has none."""
+    if isinstance(default, str):
+        return literal(default)
+    return constant(default) if isinstance(default, bool | int | float) else None
 
 
 def _library(path: str, namespace: ParameterNamespace) -> tuple[Interface, ...]:

@@ -112,15 +112,20 @@ class QosReader:
 
     def _unseen(self, expr: Expr, env: Env) -> dict[str, Any]:
         """A depth where the value is or looks like a number, else a profile of which nothing is known."""
-        number = self._number(expr, env)
+        name = expr.id if isinstance(expr, Name) else expr.name if isinstance(expr, Member) else ""
+        depth = self._depth_alone(expr, env)
+        if depth is None and _NUMBERS & set(snake(name).split("_")):
+            return {"history": "keep_last", "depth": None}
+        return {**UNSEEN} if depth is None else depth
+
+    def _depth_alone(self, expr: Expr, env: Env) -> dict[str, Any] | None:
+        """What a number says, or a variable of which only is known that it is one; None of everything else."""
+        number = self._number(expr, env) if len(self.folder.fold(expr, env)) == 1 else None
         if number is not None:
             return {"history": "keep_last", "depth": number}
-        name = expr.id if isinstance(expr, Name) else expr.name if isinstance(expr, Member) else ""
         returned = _returned(expr) if isinstance(expr, Call) else ""
         written = declared_type(plain_type(returned or self.folder.objects.type_of(expr, env)))
-        if written == "integer" or _NUMBERS & set(snake(name).split("_")):
-            return {"history": "keep_last", "depth": None}
-        return {**UNSEEN}
+        return {"history": "keep_last", "depth": None} if written == "integer" else None
 
     def _preset(self, expr: Expr) -> dict[str, Any] | None:
         if (
@@ -235,7 +240,7 @@ class QosReader:
                 return given  # `if qos is None: qos = ...` has not happened then
         found = self.variables.at(expr, env, level)
         if found is not None:
-            return found
+            return (self._depth_alone(expr, env) if found == UNSEEN else None) or found
         for parameter in env.func.fact.params:
             if parameter.name == name and parameter.default is not None:
                 return self.policies(parameter.default, env, level + 1)

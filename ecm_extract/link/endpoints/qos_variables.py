@@ -9,8 +9,9 @@ from ecm_parsers.source.expr import Call, Constant, Expr, Member, Name
 
 from ecm_extract.infer.held import Held, State
 from ecm_extract.infer.run import Run
+from ecm_extract.link.code.spelling import last_name, plain
 from ecm_extract.link.code.units import Cls
-from ecm_extract.link.endpoints.qos_presets import UNSEEN, agreed
+from ecm_extract.link.endpoints.qos_presets import UNSEEN, agreed, presets
 from ecm_extract.link.running.env import Env
 
 if TYPE_CHECKING:
@@ -90,7 +91,7 @@ class QosVariables:
         if held.how == "value" and held.expr is not None:
             return self.profiles.policies(held.expr, inner, level + 1)
         if held.how == "made":
-            return {}
+            return _preset(self.folder.objects.type_of(Name(held.name.removeprefix(".")), inner))
         if held.how == "changed" and isinstance(held.expr, Call):
             before = self._any_of(held.before, env, level)
             return None if before is None else before | self.profiles.set_by(held.expr, inner)
@@ -149,12 +150,16 @@ class QosVariables:
 
     def _declared(self, name: str, cls: Cls, env: Env, level: int) -> Policies | None:
         """What a data member, its own or of a base, is declared with; None for no such."""
-        default = next(
-            (own.fields[name].default for own in self.folder.program.ancestry(cls) if name in own.fields), None
-        )
-        if default is None:
-            return None
-        return self.profiles.policies(default, Env(env.func, depth=env.depth + 1, this=cls), level + 1)
+        field = next((own.fields[name] for own in self.folder.program.ancestry(cls) if name in own.fields), None)
+        if field is None or field.default is None:
+            return (_preset(field.type) or None) if field is not None else None
+        return self.profiles.policies(field.default, Env(env.func, depth=env.depth + 1, this=cls), level + 1)
+
+
+def _preset(written: str) -> Policies:
+    """What a variable begins with that is only declared: `rclcpp::SensorDataQoS qos;` is a preset by its type."""
+    preset = presets().get(last_name(plain(written))) if written else None
+    return {**preset[1], "profile": preset[0]} if preset is not None else {}
 
 
 def _unknown(field: str) -> Policies:

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import Final, NamedTuple
 
 from ecm_checker.contract import Interface
+from ecm_checker.hub.local_name import LocalName, joined
 from msgspec.structs import replace
 
 from ecm_extract.link.code.spelling import last_name, plain
@@ -20,7 +21,7 @@ class Placed(NamedTuple):
     """An interface, its name for any namespace and node, and of a server the class of its configuration, as written."""
 
     interface: Interface
-    local: str
+    local: LocalName
     served: str = ""
 
 
@@ -40,6 +41,13 @@ def beside(parameter: Interface, servers: Sequence[Placed]) -> Iterator[Placed]:
         sure = weaker(parameter.confidence, service.confidence)
         sure = weaker(sure, "one_of") if len(servers) > 1 else sure
         placed = replace(parameter, name=f"{head}{leaf}", raw_name=f"{raw}{leaf}", confidence=sure)
-        yield Placed(placed, f"{server.local.removesuffix(_LEAF)}{leaf}")
+        yield Placed(placed, _beside(server.local, leaf))
     if not servers:
-        yield Placed(parameter, parameter.name)
+        yield Placed(parameter, LocalName((parameter.name,)))
+
+
+def _beside(service: LocalName, leaf: str) -> LocalName:
+    """The name with another last part."""
+    *head, last = service.parts
+    kept = last.removesuffix(_LEAF) if isinstance(last, str) else ""
+    return LocalName(joined([*head, kept, leaf]), service.space)

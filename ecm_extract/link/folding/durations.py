@@ -17,6 +17,7 @@ from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.folding.data import UNKNOWN, data_of
 from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.running.env import Env
+from ecm_extract.link.running.values import Value
 
 MAX_DEPTH = 8
 _SECONDS: Mapping[str, float] = MappingProxyType(
@@ -151,8 +152,10 @@ def _declared(expr: Expr, env: Env, folder: Folder) -> Any:
     if not isinstance(expr, Member):
         return None
     known = folder.reads.default(expr.name, env.func.file.package)
-    if known is None or isinstance(known, str):
-        return known
+    if known is None:
+        return None
+    if isinstance(known, Value):
+        return known.text if known.data is None else known.data
     found = data_of(known[0], known[1], folder)
     return None if found is UNKNOWN else found
 

@@ -139,6 +139,7 @@ class CallFolder:
         values = self.folder.fold(receiver, env)
         if name not in formats.PARAMETER_READS:
             return values
+        values = formats.read_as(name, values)
         return tuple([setting(value.text.strip("{}")) if _is_unknown(value) else value for value in values])
 
     def _same(self, call: Invocation, env: Env) -> tuple[Value, ...]:
@@ -280,14 +281,14 @@ class CallFolder:
         return values if names[0].confidence == "pattern" else set_by(names[0].text, values)
 
     def default_value(
-        self, name: str, known: tuple[Expr, Env] | str | None, default: Expr | None, env: Env
+        self, name: str, known: tuple[Expr, Env] | Value | None, default: Expr | None, env: Env
     ) -> tuple[Value, ...]:
         """Return the values of a default: of the call, else of the declaration, else a hole."""
         values: tuple[Value, ...] = ()
         if default is not None:
             values = lowered(self.folder.fold(default, env.before(env.at)), "default")
-        elif isinstance(known, str):
-            values = (Value((known,), "default"),)
+        elif isinstance(known, Value):
+            values = lowered((known,), "default")
         elif known is not None:
             values = lowered(self.folder.fold(known[0], known[1].before(known[1].at)), "default")
         if values and (values[0].text or len(values) > 1):

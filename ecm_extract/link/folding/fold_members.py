@@ -18,7 +18,7 @@ from ecm_extract.infer.run import Run
 from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.spelling import plain, pointee
 from ecm_extract.link.code.units import Cls, Func
-from ecm_extract.link.folding.formats import VALUE_READS
+from ecm_extract.link.folding.formats import VALUE_READS, read_as
 from ecm_extract.link.running.env import Env, Instance
 from ecm_extract.link.running.values import (
     MAX_ALTERNATIVES,
@@ -65,7 +65,7 @@ class MemberFolder:
             return demoted(self.folder.lists.fold(pointed, env))
         part = self.folder.structures.field(expr, env)
         if not part and expr.name in VALUE_READS:
-            return self.folder.fold(expr.base, env.before(env.at))
+            return read_as(expr.name, self.folder.fold(expr.base, env.before(env.at)))
         dotted = dotted_name(expr)
         found = self.folder.names.imported(dotted, env) if dotted and env.func.file.language == "python" else ()
         known = found or part or self._field(expr, env) or self._option(expr, env)
@@ -108,6 +108,9 @@ class MemberFolder:
         written = self.folder.fields.value(expr, env)
         if written:
             return written
+        handed = self.folder.structures.handed_on(expr, env)
+        if handed:
+            return handed
         cls = self.folder.objects.class_of(expr.base, env)
         if cls is None:
             return ()

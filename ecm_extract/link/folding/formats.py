@@ -8,11 +8,13 @@ from collections.abc import Sequence
 from ecm_parsers.source.expr import Expr, Items, Name, Op, Text
 
 from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.running.values import Value, setting
 from ecm_extract.shipped import shipped_names
 
 _TABLE = "link/code/library_values.toml"
 PARAMETER_READS = shipped_names(_TABLE, "parameter_texts")
 """Members and methods that give the text of a value of a parameter."""
+_TEXT_READS = shipped_names(_TABLE, "parameter_texts_only")
 VALUE_READS = PARAMETER_READS | shipped_names(_TABLE, "texts")
 """Members and methods that give the text of what they are called on."""
 _JOINING = shipped_names(_TABLE, "slashes")
@@ -20,6 +22,13 @@ _MAX_INDEX = 6
 """Digits of an index that are read: no call has as many arguments."""
 _PERCENT = re.compile(r"%(?:\((\w+)\))?[-+ #0-9.]*(?:hh|h|ll|l|z)?[a-zA-Z]")
 _BRACES = re.compile(r"\{([^{}:!]*)((?:![a-z])?)(?::([^{}]*))?\}")
+
+
+def read_as(name: str, values: Sequence[Value]) -> tuple[Value, ...]:
+    """Return what a read gives of the values of a parameter: one that reads a text has nothing of a number."""
+    if name not in _TEXT_READS:
+        return tuple(values)
+    return tuple([value if value.data is None else setting(value.parameter or name) for value in values])
 
 
 def formatted(call: Invocation) -> list[Expr | str] | None:

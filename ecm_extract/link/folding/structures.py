@@ -28,6 +28,8 @@ _PAIR: Final = ("first", "second")
 _GET: Final = "std::get"
 _DECLARED: Final = frozenset({"made", "given", "shared"})
 """Ways to hold an object that say nothing of its fields: it is as it was declared, here or elsewhere."""
+_FOLLOWED: Final = _DECLARED | {"value"}
+"""Ways to hold an object whose fields are what the functions at hand give them."""
 
 
 class StructureFolder:
@@ -38,6 +40,8 @@ class StructureFolder:
 
     def field(self, expr: Member, env: Env) -> tuple[Value, ...]:
         """Return the values of a field; empty when it is not known what the object is made from."""
+        if self._is_reached_into(expr, env):
+            return ()
         made = self._constructed(expr, env)
         if made:
             return made
@@ -105,9 +109,42 @@ class StructureFolder:
         listed = self._listed(expr, env)
         if listed is not None:
             return self.given(listed.expr, listed.env.deeper(env.depth + 1)) or unknown(_name(expr))
+        copied = self._copied(expr, env)
+        if copied is not None:
+            return self.given(copied.expr, copied.env.deeper(env.depth + 1))
         if self._is_changed(expr, env):
             return unknown(_name(expr))
         return self.given(expr.base, env) if isinstance(expr, Member) else self._passed(expr.id, env)
+
+    def handed_on(self, expr: Member, env: Env) -> tuple[Value, ...]:
+        """Return a field of an object that is handed on, or copied: what it was there; empty of others."""
+        copied = self._copied(expr.base, env)
+        if copied is None or self._is_touched(copied.expr, copied.env) or self._is_reached_into(expr, env):
+            return ()
+        values = self.folder.fold(Member(copied.expr, expr.name), copied.env.deeper(env.depth + 1))
+        return demoted(values) if any(value.confidence != "pattern" for value in values) else ()
+
+    def _is_touched(self, expr: Expr, env: Env) -> bool:
+        """Tell whether somebody whose body is not seen, or who is not followed, may have changed an object."""
+        if not isinstance(expr, Name | Member):
+            return False
+        touched = any(held.how not in _FOLLOWED for held in self._helds(expr, env))
+        return touched or (isinstance(expr, Member) and self._is_touched(expr.base, env))
+
+    def _is_reached_into(self, expr: Member, env: Env) -> bool:
+        """Tell whether a member of the object at hand may be changed by those who have the object."""
+        path = self.folder.flow.effects(env.func).key(expr)
+        return path.startswith(".") and path.count(".") > 1 and self.folder.given_fields.is_reached_into(path)
+
+    def _copied(self, expr: Expr, env: Env) -> Bound | None:
+        """Return the other object of which one is a copy, or a part of one, or for which it stands as a parameter."""
+        made = self._made(expr, env) if env.depth < MAX_DEPTH else None
+        if made is not None:
+            return made if isinstance(made.expr, Name | Member) else None
+        whole = self._copied(expr.base, env) if isinstance(expr, Member) else None
+        return (
+            Bound(Member(whole.expr, expr.name), whole.env) if whole is not None and isinstance(expr, Member) else None
+        )
 
     def _listed(self, expr: Name | Member, env: Env) -> Bound | None:
         """Return the list that an object is one of, of which not all is known."""
@@ -124,11 +161,11 @@ class StructureFolder:
         return given and self._parts(expr, env) is None
 
     def _passed(self, name: str, env: Env) -> Value | None:
-        bound = env.args.get(name)
+        bound = self.folder.names.argument(name, env)
         if bound is not None:
             return self.given(bound.expr, bound.env.deeper(env.depth + 1))
         is_param = any(entry.name == name for entry in env.func.fact.params)
-        return parameter(name) if is_param and not env.func.is_constructor else None
+        return parameter(name, env.func.is_constructor) if is_param else None
 
     def _part(self, expr: Member, env: Env) -> Bound | None:
         parts = self._parts(expr.base, env)
@@ -205,7 +242,7 @@ class StructureFolder:
 
     def _of_name(self, expr: Name, env: Env) -> Bound | None:
         """What is passed for a parameter, or what a variable of a namespace is declared with that nobody changes."""
-        given = env.args.get(expr.id)
+        given = self.folder.names.argument(expr.id, env)
         if given is not None or not self.folder.outside.is_untouched(expr.id, env.func):
             return given
         found = self.folder.scope.constant(expr.id, env)

@@ -284,7 +284,7 @@ class Flow:
         cls = self.folder.nesting.object_of(func) if name.rpartition("::")[2] in program.constants else None
         if cls is None or any(name in entry.fields for entry in program.ancestry(cls)):
             return False
-        return self.folder.scope.constant(name, Env(func)) is not None
+        return self.folder.objects.file_scope.meant(name, func) is not None
 
     def own_calls(self, env: Env) -> Sequence[Call]:
         """Return the calls of a statement that may run functions of the tree."""

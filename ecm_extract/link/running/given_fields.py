@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from ecm_parsers.source.expr import Items, Member, Name
 
+from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.spelling import last_name, plain
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.running.env import Env
@@ -44,6 +45,19 @@ class GivenFields:
             for func in self._functions
             for at in self.folder.scope.fields(func).get(name, ())
         )
+
+    def is_reached_into(self, path: str) -> bool:
+        """Tell whether somebody assigns `object.member.field`, of whatever object; `path` is `.member.field`."""
+        field = last_name(path)
+        if not self.folder.scope.is_assigned_outside(field, "cpp"):
+            return False
+        targets = (
+            func.fact.body[at].target
+            for func in self._functions
+            for at in self.folder.scope.fields(func).get(field, ())
+        )
+        written = (dotted_name(target) for target in targets if target is not None)
+        return any(name.endswith(path) for name in written)
 
     def _is_of(self, func: Func, at: int, cls: Cls) -> bool:
         target = func.fact.body[at].target

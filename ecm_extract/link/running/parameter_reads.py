@@ -12,6 +12,7 @@ from ecm_parsers.source.expr import (
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.running.env import Env
+from ecm_extract.link.running.values import Value
 
 
 class ParameterReads(Protocol):
@@ -41,5 +42,5 @@ class ParameterReads(Protocol):
     def is_declared(self, name: str, package: str) -> bool:
         """Tell whether a package declares a parameter, with a default or without."""
 
-    def default(self, name: str, package: str, owners: Sequence[Cls | File] = ()) -> tuple[Expr, Env] | str | None:
+    def default(self, name: str, package: str, owners: Sequence[Cls | File] = ()) -> tuple[Expr, Env] | Value | None:
         """Return the declared default of a parameter: by its owners first, then by the package where it has one."""

@@ -19,7 +19,7 @@ from ecm_parsers.source.cpp_declarators import (
 from ecm_parsers.source.cpp_expr import ExprReader
 from ecm_parsers.source.cpp_macro_values import macro_value
 from ecm_parsers.source.cpp_members import CLASSES, declared_type, members
-from ecm_parsers.source.cpp_parameters import declared_name, parameters
+from ecm_parsers.source.cpp_parameters import declared_name, parameters, specialized
 from ecm_parsers.source.cpp_place import Place
 from ecm_parsers.source.cpp_vexing import is_call_of_macro
 from ecm_parsers.source.expr import Call, Expr, Items, Name
@@ -186,6 +186,7 @@ class DeclarationReader:
             self._local_name(local, Place(f"{read.scope}()"))
         params = parameters(self.expr, declarator.child_by_field_name("parameters"))
         traits = (*place.traits(), *function_traits(self.expr, node, declarator, words, body is None))
+        specializes = specialized(self.expr, named) if place.written == () else None
         returns = self.expr.type_text(kind) if kind is not None else ""
         decorators = tuple([self.expr.text(c) for c in node.named_children if c.type == "attribute_declaration"])
         self.functions.append(
@@ -200,6 +201,7 @@ class DeclarationReader:
                 traits,
                 decorators,
                 read.writer.flow(),
+                specializes=specializes,
             )
         )
         self.functions.extend(read.functions)

@@ -48,6 +48,16 @@ def declared_name(reader: ExprReader, node: Node) -> str:
     return reader.name(node)
 
 
+def specialized(reader: ExprReader, node: Node) -> tuple[str, ...]:
+    """Return the template arguments after the name of a function, as `f<int>`; none of what its class is given."""
+    while node.type == "qualified_identifier":
+        inner = node.child_by_field_name("name")
+        if inner is None:
+            return ()
+        node = inner
+    return reader.template_arguments(node) if node.type == "template_function" else ()
+
+
 _WORD = f"{ascii_letters}{digits}_"
 _NAMES = frozenset(
     {

@@ -4,17 +4,25 @@ from __future__ import annotations
 
 
 class Place:
-    """Where a declaration stands: scope, access, template parameters, anonymous namespace."""
+    """Where a declaration stands: scope, access, anonymous namespace, and the template parameters as written.
 
-    __slots__ = ("access", "anonymous", "scope", "template")
+    `written` is None outside of templates, and empty for an explicit specialization.
+    """
+
+    __slots__ = ("access", "anonymous", "scope", "written")
 
     def __init__(
-        self, scope: str = "", access: str = "", anonymous: bool = False, template: tuple[str, ...] = ()
+        self, scope: str = "", access: str = "", anonymous: bool = False, written: tuple[str, ...] | None = None
     ) -> None:
         self.scope = scope
         self.access = access
         self.anonymous = anonymous
-        self.template = template
+        self.written = written
+
+    @property
+    def template(self) -> tuple[str, ...]:
+        """The template parameters, none of what is no template."""
+        return self.written or ()
 
     def inside(self, name: str, access: str = "") -> Place:
         """Return the place within a namespace of that name."""

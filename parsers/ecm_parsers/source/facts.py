@@ -70,6 +70,8 @@ class Function(_Fact, frozen=True):
         decorators: Python decorators or C++ attributes, as written.
         flow: how the statements of its body follow each other; empty where they simply do.
         shared: names that a Python function takes from around it to assign them (`global`, `nonlocal`).
+        specializes: of an explicit specialization of a C++ template the arguments that stand after its name, none
+            where its signature shows them; None of what is no specialization.
     """
 
     name: str
@@ -84,6 +86,7 @@ class Function(_Fact, frozen=True):
     decorators: tuple[str, ...] = ()
     flow: Block = ()
     shared: tuple[str, ...] = ()
+    specializes: tuple[str, ...] | None = None
 
 
 class Field(_Fact, frozen=True):

@@ -320,3 +320,19 @@ def test_a_macro_with_arguments_is_no_function() -> None:
     )
     names = [function.name for function in parse_cpp(text.encode()).facts.functions]
     assert names == ["A", "A", "~A", "operator=", "f", "A"]
+
+
+SPECIALIZED = [
+    ("template<typename T> T get(int at);", None),
+    ("template<> int get(int at) { return at; }", ()),
+    ("template<> std::vector<int> a::get<std::vector<int>>(int at);", ("std::vector<int>",)),
+    ("template<> void Box<int>::get(int at) {}", ()),
+    ("int get(int at) { return at; }", None),
+]
+
+
+@pytest.mark.parametrize(("text", "expected"), SPECIALIZED, ids=[row[0] for row in SPECIALIZED])
+def test_explicit_specializations_say_for_what_they_are(text: str, expected: tuple[str, ...] | None) -> None:
+    """The arguments behind the own name of a function; what its class is given is none of its own."""
+    (function,) = parse_cpp(text.encode()).facts.functions
+    assert (function.name, function.specializes) == ("get", expected)

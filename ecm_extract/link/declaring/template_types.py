@@ -1,0 +1,83 @@
+"""What stands for template parameters at a call: what it names, else what the types of its arguments show."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import pairwise
+
+from ecm_parsers.source.expr import Call, Constant, Expr, Name, Number
+
+from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.code.containers import is_container
+from ecm_extract.link.code.spelling import plain
+from ecm_extract.link.code.templates import unified, unqualified
+from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.declaring.site import Site
+from ecm_extract.link.folding.fold import Folder
+from ecm_extract.link.running.env import Env, bind
+
+
+class TemplateTypes:
+    """Finds the types of calls; `folder` knows the types of their arguments."""
+
+    def __init__(self, folder: Folder) -> None:
+        self.folder = folder
+
+    def of_class(self, cls: Cls, call: Invocation, env: Env) -> dict[str, str]:
+        """Return what a call that makes an object gives the template parameters of its class."""
+        return self._named(cls.fact.template, call, env)
+
+    def of_function(self, func: Func, call: Invocation, env: Env) -> dict[str, str]:
+        """Return what a call gives the template parameters of a function."""
+        named = self._named(func.fact.template, call, env)
+        if len(named) == len(func.fact.template):
+            return named
+        shown = {name: self.meant(written, env) for name, written in self._shown(func, call, env)}
+        return {**shown, **named}
+
+    def meant(self, written: str, env: Env) -> str:
+        """Return what a type means at a place: what stands there for a template parameter, or behind an alias."""
+        outer = env.types.get(written) or self.folder.objects.class_types(env).get(written)
+        return outer or self.folder.program.alias(written, env.func.file, env.scope) or written
+
+    def leads_elsewhere(self, site: Site) -> bool:
+        """Tell whether a template on the way calls another specialization, by what its callers make of it."""
+        return any(
+            not inner.func.takes([self._known(written, env) for written in outer.types])
+            for (outer, env), (inner, _) in pairwise(site.steps())
+            if outer.types
+        )
+
+    def _known(self, written: str, env: Env) -> str:
+        """What a type means at a place; empty of a template parameter of which nothing is known there."""
+        found = self.meant(written, env)
+        return "" if found in env.func.fact.template else found
+
+    def _named(self, template: Sequence[str], call: Invocation, env: Env) -> dict[str, str]:
+        return {name: self.meant(written, env) for name, written in zip(template, call.types, strict=False)}
+
+    def _shown(self, func: Func, call: Invocation, env: Env) -> Iterator[tuple[str, str]]:
+        """What the arguments that the call itself gives show of the template parameters."""
+        given = bind(func, call, env)
+        for parameter in reversed(func.params):
+            bound = given.get(parameter.name) if _mentions(parameter.type, func.fact.template) else None
+            if bound is not None and bound.env is env:
+                yield from self._matched(parameter.type, bound.expr, func, env).items()
+
+    def _matched(self, pattern: str, given: Expr, func: Func, env: Env) -> Mapping[str, str]:
+        return unified(pattern, self._written(given, env), func.fact.template)
+
+    def _written(self, expr: Expr, env: Env) -> str:
+        """The type of an argument; empty where that is not shown, and of a text, which several types take."""
+        if isinstance(expr, Number):
+            return "int" if isinstance(expr.value, int) else "double"
+        if isinstance(expr, Constant):
+            return "bool" if expr.name in {"true", "false"} else ""
+        if isinstance(expr, Call) and isinstance(expr.callee, Name) and is_container(expr.callee.id):
+            return f"{expr.callee.id}<{', '.join(expr.types)}>" if expr.types else ""
+        written = unqualified(self.folder.objects.type_of(expr, env))
+        return "" if plain(written) == "auto" else self.meant(written, env)
+
+
+def _mentions(written: str, template: Sequence[str]) -> bool:
+    return any(name and name in written for name in template)
