@@ -14,6 +14,7 @@ from ecm_extract.infer.memory import Memory
 from ecm_extract.infer.run import Frame
 from ecm_extract.infer.unpacking import taken, unstarred
 from ecm_extract.link.code.containers import makes_tuple
+from ecm_extract.link.code.pointed import makes_pointed
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.walk import children
 
@@ -42,6 +43,7 @@ class Assigning:
             return self.bind(target, Held("lost", "", None, env, at), state)
         state = self._placed(value, state)
         self._refer_through(target, value)
+        self._refer_by_pointer(statement, state)
         state = self.bind(target, Held("value", "", value, env, at), state)
         return self._from_before(target, state) if statement.kept else state
 
@@ -98,6 +100,16 @@ class Assigning:
                 if part.startswith(f"{key}."):
                     self.memory.sharing.refer(part, self.frame.effects.root(callee.base))
 
+    def _refer_by_pointer(self, let: Statement, state: State) -> None:
+        """`auto b = a;` of a pointer to an object that the function makes: what one points to, the other does."""
+        key, other = self.frame.effects.key(let.target), self.frame.effects.key(let.value)
+        if self.frame.python or let.kind != "let" or not key or not other:
+            return
+        made = all(map(_makes_pointed, state.holds.get(other) or (Held("lost", other),)))
+        once = all(self.frame.outline.changes.get(each, 0) <= 1 for each in (key, other))
+        if made and once:
+            self.memory.sharing.refer(key, other, other)
+
     def bind(self, target: Expr | None, held: Held, state: State) -> State:
         """Give a variable, a field, an element or several variables what a statement gives them."""
         if isinstance(target, Items):
@@ -130,6 +142,10 @@ class Assigning:
             return state
         same = self.memory.sharing.names_of(key)
         touched = self.memory.sharing.touched(same, state)
+        for whole in _wholes(key):
+            names = self.memory.sharing.names_of(whole)
+            touched |= self.memory.sharing.touched(names, state)
+            same |= {name + key.removeprefix(whole) for name in names}
         return self.memory.lost(state, touched).having(dict.fromkeys(same, state.holds[key]))
 
     def _unpack(self, target: Items, held: Held, state: State) -> State:
@@ -171,6 +187,12 @@ def _parts(target: Items, held: Held, value: Expr | None) -> Iterator[tuple[Expr
         yield unstarred(item), Held("part" if inner else "lost", "", value if inner else None, held.env, held.at)
 
 
+def _wholes(key: str) -> list[str]:
+    """The objects that a field lies in, by key; the object at hand has none."""
+    parts = key.split(".")
+    return [".".join(parts[:count]) for count in range(1, len(parts)) if parts[0]]
+
+
 def _of_maker(value: Expr | None, python: bool) -> Expr | None:
     """The values that a pair or tuple of C++ is made of; anything else as it is."""
     return Items(value.args) if isinstance(value, Call) and not python and makes_tuple(value) else value
@@ -180,6 +202,12 @@ def _braces(value: Expr | None) -> list[Items]:
     """The lists in braces that an object is made from: its own, or those of its construction."""
     given = value.args if isinstance(value, Call) else (value,)
     return [entry for entry in given if isinstance(entry, Items)]
+
+
+def _makes_pointed(held: Held) -> bool:
+    """Tell whether a variable holds a pointer to an object that was made for it."""
+    callee = held.expr.callee if held.how == "value" and isinstance(held.expr, Call) else None
+    return isinstance(callee, Name) and makes_pointed(last_name(callee.id))
 
 
 def _is_empty(held: Held) -> bool:

@@ -8,7 +8,7 @@ from typing import NamedTuple, Protocol
 from ecm_parsers.source.expr import Constant, Expr, Op
 from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Leave, Switch, blocks
 
-from ecm_extract.infer.exits import Exits
+from ecm_extract.infer.exits import Around, Exits
 from ecm_extract.infer.held import State, joined_states
 from ecm_extract.infer.routes import OPEN
 from ecm_extract.infer.run import Frame
@@ -113,22 +113,44 @@ class Branching:
 
     def attempt(self, step: Attempt, state: State) -> State | None:
         """Run a block, its handlers where something in it may raise, and what runs in the end."""
-        self.exits.enter_attempt()
-        done = self.blocks.run(step.body, state)
-        raised = self.exits.end_attempt()
-        done = self.blocks.run(step.other, done) if done is not None else None
-        outs: list[State | None] = [done]
-        caught = joined_states(raised)
-        for handler in step.handlers:
-            if caught is None:
-                self.blocks.unreached(handler, state)
-            else:
-                outs.append(self.blocks.run(handler, self.frame.undecided(caught)))
-        met = joined_states(outs)
-        if met is None:
-            self.blocks.run(step.final, self.frame.undecided(joined_states([state, *raised]) or state))
-            return None
+        if not step.final:
+            return self._handled(step, state)
+        self.exits.enter_final()
+        met = self._handled(step, state)
+        around = self.exits.end()
+        if met is None and not around.passing and not around.risky:
+            self.blocks.unreached(step.final, state)
+        self._pass_by(step.final, around)
         return self.blocks.run(step.final, met)
+
+    def _handled(self, step: Attempt, state: State) -> State | None:
+        kind, func = self.frame.judge.exceptions.kind, self.frame.env.func
+        self.exits.enter_attempt([tuple([kind(name, func) for name in each.types]) for each in step.handlers])
+        done = self.blocks.run(step.body, state)
+        around = self.exits.end()
+        outs = [self.blocks.run(step.other, done)]
+        for handler, catching in zip(step.handlers, around.handlers, strict=True):
+            caught = joined_states([each.state for each in catching.caught])
+            if caught is None:
+                self.blocks.unreached(handler.body, state)
+                continue
+            with self.exits.handling(catching.caught):
+                outs.append(self.blocks.run(handler.body, self.frame.undecided(caught)))
+        return joined_states(outs)
+
+    def _pass_by(self, final: Block, around: Around) -> None:
+        """What is raised goes on behind what runs in the end."""
+        kinds = {each.what for each in around.passing}
+        surely = joined_states([each.state for each in around.passing])
+        if surely is not None:
+            after = self.blocks.run(final, self.frame.undecided(surely))
+            if after is not None:
+                self.exits.raised(after, kinds.pop() if len(kinds) == 1 else None)
+        maybe = joined_states(around.risky)
+        if maybe is not None:
+            after = self.blocks.run(final, self.frame.undecided(maybe))
+            if after is not None:
+                self.exits.may_raise(after)
 
 
 def _behind(step: Branch | Switch, before: State, after: State | None) -> State | None:

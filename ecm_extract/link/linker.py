@@ -240,7 +240,7 @@ class Linker:
     def _interfaces(self, site: Site, node: str | None, origin: str | None) -> Iterator[tuple[Interface, LocalName]]:
         ros = site.root.file.ros
         handle = self.handles.of(handle_argument(site.form, site.call), site.env)
-        evidence = tuple(Evidence(path, line) for path, line in dict.fromkeys(site.lines()))
+        evidence = tuple(Evidence(path, line) for path, line in site.lines())
         when = self.conditions.of(site)
         names = self._named(site)
         is_choice = any(named.confidence == "one_of" for named, _ in names)

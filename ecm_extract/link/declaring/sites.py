@@ -87,7 +87,7 @@ class Sites:
         self.folder.forget()
         found: list[Site] = []
         for last in self.matcher.forms:
-            for call in self.calls.get(last, ()):
+            for call in self.folder.dead.without(self.calls.get(last, ())):
                 for site in self._direct(call, parameters):
                     found.extend(self._closed(site))
         return found
@@ -196,7 +196,7 @@ class Sites:
             yield from self._makers(site, site.owner) if site.owner is not None else ()
             return
         passed = set(site.chain)
-        for call in self.callers(root):
+        for call in self.folder.dead.without(self.callers(root)):
             if call in passed:
                 continue
             for outer, certain in self._places(self.root_env(call.func, call.at)):
