@@ -21,3 +21,4 @@ def test_a_golden_file_that_differs_fails(kept: str | None, said: str, tmp_path:
 def test_one_that_is_the_same_passes(tmp_path: Path) -> None:
     (tmp_path / "kept.txt").write_text("a\n")
     AS_USUAL.check(tmp_path / "kept.txt", "a\n")
+    assert (tmp_path / "kept.txt").read_text() == "a\n"

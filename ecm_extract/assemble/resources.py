@@ -8,6 +8,7 @@ from functools import cache
 
 import msgspec
 from ecm_checker.contract import Evidence, Interface, Resources, Value
+from ecm_checker.hub.local_name import OpenPart, Parts, shown
 from ecm_checker.hub.roles import roles
 
 from ecm_extract.assemble.controller_settings import ControllerSettings
@@ -17,7 +18,6 @@ from ecm_extract.link.naming.filling import filled
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.shipped import shipped_as
 
-_PARAMETER = re.compile(r"\$\{([^={}]+)=((?:[^{}]|\{[^{}]*\})*)\}")
 _BETWEEN_WORDS = re.compile(r"[/_]")
 _CONTROL_RATES = frozenset({"update_rate", "controller_frequency", "control_rate", "control_frequency"})
 
@@ -122,11 +122,16 @@ def configured_locks(entry: LinkedModule, settings: ControllerSettings) -> Value
     path, controller = found[0]
     values = {each.name: each.value for each in controller.parameters}
     commands = [claim for claim in entry.claims or () if claim.kind == "command"]
-    names = [name for claim in commands for name in filled(claim.name, values.get)]
+    names = [shown(name) for claim in commands for name in filled(claim.name, values.get)]
     lines = [Evidence(path, controller.line), *(claim.evidence for claim in commands)]
     return inferred([name for name in dict.fromkeys(names) if "{" not in name], lines, "folded")
 
 
-def shown_claim(name: str) -> str:
+def shown_claim(name: Parts) -> str:
     """Return a claim with each parameter as its default, or as `{parameter}` where it has none."""
-    return _PARAMETER.sub(lambda match: "{" + match[1] + "}" if "{" in match[2] else match[2], name)
+    return "".join(part if isinstance(part, str) else _shown(part) for part in name)
+
+
+def _shown(part: OpenPart) -> str:
+    known = part.of != "parameter" or all(isinstance(each, str) for each in part.default)
+    return part.shown if known else f"{{{part.label}}}"

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Set
+from collections.abc import Iterator, Set
 from typing import TYPE_CHECKING, Final
 
-from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Number, Op, Opaque
+from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op, Opaque
 from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.effects import bare_names, is_plain
 from ecm_extract.infer.held import Held, State, all_ways
 from ecm_extract.infer.memory import Memory
 from ecm_extract.infer.run import Frame
+from ecm_extract.infer.unpacking import taken, unstarred
 from ecm_extract.link.code.containers import makes_tuple
+from ecm_extract.link.code.pointed import makes_pointed
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.walk import children
 
@@ -41,6 +43,7 @@ class Assigning:
             return self.bind(target, Held("lost", "", None, env, at), state)
         state = self._placed(value, state)
         self._refer_through(target, value)
+        self._refer_by_pointer(statement, state)
         state = self.bind(target, Held("value", "", value, env, at), state)
         return self._from_before(target, state) if statement.kept else state
 
@@ -97,6 +100,16 @@ class Assigning:
                 if part.startswith(f"{key}."):
                     self.memory.sharing.refer(part, self.frame.effects.root(callee.base))
 
+    def _refer_by_pointer(self, let: Statement, state: State) -> None:
+        """`auto b = a;` of a pointer to an object that the function makes: what one points to, the other does."""
+        key, other = self.frame.effects.key(let.target), self.frame.effects.key(let.value)
+        if self.frame.python or let.kind != "let" or not key or not other:
+            return
+        made = all(map(_makes_pointed, state.holds.get(other) or (Held("lost", other),)))
+        once = all(self.frame.outline.changes.get(each, 0) <= 1 for each in (key, other))
+        if made and once:
+            self.memory.sharing.refer(key, other, other)
+
     def bind(self, target: Expr | None, held: Held, state: State) -> State:
         """Give a variable, a field, an element or several variables what a statement gives them."""
         if isinstance(target, Items):
@@ -129,21 +142,16 @@ class Assigning:
             return state
         same = self.memory.sharing.names_of(key)
         touched = self.memory.sharing.touched(same, state)
+        for whole in _wholes(key):
+            names = self.memory.sharing.names_of(whole)
+            touched |= self.memory.sharing.touched(names, state)
+            same |= {name + key.removeprefix(whole) for name in names}
         return self.memory.lost(state, touched).having(dict.fromkeys(same, state.holds[key]))
 
     def _unpack(self, target: Items, held: Held, state: State) -> State:
         """`a, b = value`: each gets its part, all of them at once."""
         value = _of_maker(held.expr, self.frame.python)
-        env = held.env
-        for index, item in enumerate(target.items):
-            if held.how == "value" and isinstance(value, Items) and len(value.items) == len(target.items):
-                part = Held("value", "", value.items[index], env, held.at)
-            elif held.how == "value" and value is not None:
-                part = Held("value", "", Op("[]", (value, Number(index))), env, held.at)
-            elif held.how in {"each", "part"}:
-                part = Held("part", "", value, env, held.at)
-            else:
-                part = Held("lost", "", None, env, held.at)
+        for item, part in _parts(target, held, value):
             state = self.bind(item, part, state)
         return state
 
@@ -168,6 +176,23 @@ class Assigning:
         return self.bind(target, Held("value", "", item.expr, item.env, at if own else -1), state)
 
 
+def _parts(target: Items, held: Held, value: Expr | None) -> Iterator[tuple[Expr, Held]]:
+    """Yield each variable of several with what it gets."""
+    if held.how == "value" and value is not None:
+        for each in taken(target.items, value):
+            yield each.target, Held("lost" if each.part is None else "value", "", each.part, held.env, held.at)
+        return
+    inner = held.how in {"each", "part"}
+    for item in target.items:
+        yield unstarred(item), Held("part" if inner else "lost", "", value if inner else None, held.env, held.at)
+
+
+def _wholes(key: str) -> list[str]:
+    """The objects that a field lies in, by key; the object at hand has none."""
+    parts = key.split(".")
+    return [".".join(parts[:count]) for count in range(1, len(parts)) if parts[0]]
+
+
 def _of_maker(value: Expr | None, python: bool) -> Expr | None:
     """The values that a pair or tuple of C++ is made of; anything else as it is."""
     return Items(value.args) if isinstance(value, Call) and not python and makes_tuple(value) else value
@@ -177,6 +202,12 @@ def _braces(value: Expr | None) -> list[Items]:
     """The lists in braces that an object is made from: its own, or those of its construction."""
     given = value.args if isinstance(value, Call) else (value,)
     return [entry for entry in given if isinstance(entry, Items)]
+
+
+def _makes_pointed(held: Held) -> bool:
+    """Tell whether a variable holds a pointer to an object that was made for it."""
+    callee = held.expr.callee if held.how == "value" and isinstance(held.expr, Call) else None
+    return isinstance(callee, Name) and makes_pointed(last_name(callee.id))
 
 
 def _is_empty(held: Held) -> bool:

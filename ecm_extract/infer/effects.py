@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Final, Literal, Protocol
 from ecm_parsers.source.expr import Call, Constant, Expr, Items, Lambda, Member, Name, Number, Op, Table, Template, Text
 from ecm_parsers.source.facts import Statement
 
+from ecm_extract.infer.kinds import Exceptions
 from ecm_extract.infer.places import key_of, root_of
 from ecm_extract.link.code.walk import calls_in, children
 from ecm_extract.shipped import shipped
@@ -72,6 +73,10 @@ class Targets(Protocol):
 
     def is_outside(self, name: str, func: Func) -> bool:
         """Tell whether a name in a method of C++ means a variable of a namespace."""
+
+    @property
+    def exceptions(self) -> Exceptions:
+        """Who knows what raises."""
 
 
 @cache

@@ -2,11 +2,36 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import dataclass, field
 
 from ecm_extract.infer.held import State
-from ecm_extract.infer.run import Frame
+from ecm_extract.infer.kinds import Kind, any_fits
+from ecm_extract.infer.routes import Fitting, Raising
+from ecm_extract.infer.run import Frame, Raised
+
+
+@dataclass(slots=True, eq=False)
+class Catching:
+    """A handler, by the types that it is for, with what it gets; without types it is for all."""
+
+    types: tuple[Kind | None, ...]
+    caught: list[Raised] = field(default_factory=list)
+
+
+@dataclass(slots=True, eq=False)
+class Around:
+    """What stands around a block: handlers, or what runs in the end.
+
+    Attributes:
+        handlers: the handlers; none where something runs in the end.
+        passing: what surely raises and passes by what runs in the end. risky: what may raise and does so.
+    """
+
+    handlers: tuple[Catching, ...] = ()
+    passing: list[Raised] = field(default_factory=list)
+    risky: list[State] = field(default_factory=list)
 
 
 class Exits:
@@ -20,29 +45,98 @@ class Exits:
         self._frame = frame
         self._breaks: list[list[State]] = []
         self._continues: list[list[State]] = []
-        self._raised: list[list[State]] = []
+        self._around: list[Around] = []
+        self._handling: list[Kind | Raising | None] = []
         self.left: list[State] = []
 
     def leave(self, how: str, state: State) -> None:
-        """Take the way out that a step is: `break`, `continue`, `throw`, `return`."""
+        """Take the way out that a step is: `break`, `continue`, `return`."""
         if how == "break" and self._breaks:
             self._breaks[-1].append(state)
         elif how == "continue" and self._continues:
             self._continues[-1].append(state)
-        elif how == "throw":
-            self.may_raise(state)
         elif how == "return" and not self._frame.later:
             self.left.append(state)
+
+    # --- exceptions --------------------------------------------------------------------------------------
 
     @property
     def catches(self) -> bool:
         """Whether a handler is around, for which it matters what raises."""
-        return bool(self._raised)
+        return bool(self._around)
+
+    def thrown(self, state: State, spelled: str) -> None:
+        """Note a state in which something is raised, by its type as written; without one, what is handled."""
+        again = self._handling[-1] if self._handling and not spelled else None
+        self.raised(state, self._frame.judge.exceptions.kind(spelled, self._frame.env.func) if spelled else again)
+
+    def raised(self, state: State, what: Kind | Raising | None) -> None:
+        """Note a state in which something surely raises: it goes on in the first handler that is for it."""
+        passing: State | None = state
+        for around in reversed(self._around):
+            if not around.handlers:
+                around.passing.append(Raised(state, what))
+                return
+            for handler in around.handlers:
+                passing = self._past(handler, Raised(passing, what)) if passing is not None else None
+            if passing is None:
+                return
+            state = passing
+        if not self._frame.later:
+            self._frame.run.raised.append(Raised(state, what))
 
     def may_raise(self, state: State) -> None:
-        """Note a state in which a handler around may go on."""
-        for frame in self._raised:
-            frame.append(state)
+        """Note a state in which something may raise, nobody knows what: any handler around may go on."""
+        for around in reversed(self._around):
+            if not around.handlers:
+                around.risky.append(state)
+                return
+            for handler in around.handlers:
+                handler.caught.append(Raised(state, None))
+            if any(not handler.types for handler in around.handlers):
+                return
+        self._frame.run.risky = True
+
+    def _past(self, handler: Catching, raised: Raised) -> State | None:
+        """The state in which a handler is passed by, which gets what it is for."""
+        if isinstance(raised.what, Raising) and handler.types:
+            return self._past_by_statement(handler, raised, raised.what)
+        fits = not handler.types or self._fits(raised.what, handler.types)
+        if fits is not False:
+            handler.caught.append(raised)
+        return None if fits else raised.state
+
+    def _past_by_statement(self, handler: Catching, raised: Raised, raising: Raising) -> State | None:
+        fitting = Fitting(raising, handler.types)
+        holds = self._frame.judge.decided(fitting).holds if self._frame.rounds else None
+        if holds is not False:
+            handler.caught.append(raised._replace(state=raised.state.through(fitting, True)))
+        return None if holds else raised.state.through(fitting, False)
+
+    def _fits(self, what: Kind | Raising | None, types: Sequence[Kind | None]) -> bool | None:
+        return any_fits([what], types) if isinstance(what, Kind) else None
+
+    def enter_attempt(self, types: Sequence[tuple[Kind | None, ...]]) -> None:
+        """From here on, what is raised goes to handlers, each for some types."""
+        self._around.append(Around(tuple([Catching(each) for each in types])))
+
+    def enter_final(self) -> None:
+        """From here on, what is raised passes by what runs in the end."""
+        self._around.append(Around())
+
+    def end(self) -> Around:
+        """Return what was raised within the innermost handlers, or came by what runs in the end."""
+        return self._around.pop()
+
+    @contextmanager
+    def handling(self, caught: Sequence[Raised]) -> Iterator[None]:
+        """Within it, what is handled may be raised again."""
+        kinds = {each.what for each in caught}
+        self._handling.append(kinds.pop() if len(kinds) == 1 else None)
+        yield
+        self._handling.pop()
+
+    # --- the function ------------------------------------------------------------------------------------
 
     def returned(self, at: int, state: State, after: State) -> None:
         """Note a `return` statement that is reached; that of a lambda leaves the lambda only.
@@ -61,7 +155,7 @@ class Exits:
         """How many ways have left the function so far."""
         return len(self.left)
 
-    # --- what is around ----------------------------------------------------------------------------------
+    # --- loops and switches ------------------------------------------------------------------------------
 
     def enter_loop(self) -> None:
         """From here on `break` and `continue` mean this loop."""
@@ -91,29 +185,22 @@ class Exits:
         """Return the states in which the switch at hand was left."""
         return self._breaks.pop()
 
-    def enter_attempt(self) -> None:
-        """From here on, what is raised goes to the handlers of this attempt."""
-        self._raised.append([])
-
-    def end_attempt(self) -> list[State]:
-        """Return the states in which something was raised."""
-        return self._raised.pop()
-
     # --- code of its own ---------------------------------------------------------------------------------
 
     @contextmanager
     def within_lambda(self) -> Iterator[None]:
         """Within it, loops and handlers around mean nothing."""
-        keep = (self._breaks, self._continues, self._raised)
-        self._breaks, self._continues, self._raised = [[]], [[]], []
+        keep = (self._breaks, self._continues, self._around, self._handling)
+        self._breaks, self._continues, self._around, self._handling = [[]], [[]], [], []
         yield
-        self._breaks, self._continues, self._raised = keep
+        self._breaks, self._continues, self._around, self._handling = keep
 
     @contextmanager
     def unreached(self) -> Iterator[None]:
         """Within it, no way out leads anywhere."""
-        left, returns = self.left, self._frame.run.returns
-        self.left, self._frame.run.returns = [], []
+        run = self._frame.run
+        left, returns, raised, risky = self.left, run.returns, run.raised, run.risky
+        self.left, run.returns, run.raised = [], [], []
         with self.within_lambda():
             yield
-        self.left, self._frame.run.returns = left, returns
+        self.left, run.returns, run.raised, run.risky = left, returns, raised, risky

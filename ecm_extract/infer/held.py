@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 from ecm_parsers.source.expr import Expr
 
-from ecm_extract.infer.routes import START, Gate, Route, fork, met_routes
+from ecm_extract.infer.routes import START, Fork, Gate, Route, fork, met_routes
 
 if TYPE_CHECKING:
     from ecm_extract.link.running.env import Env
@@ -179,6 +179,10 @@ class State:
         """The same state on one side of a branch."""
         route = self.route.through(turn.gate, turn.holds) if turn.gate is not None else self.route
         return State(self.holds, (*self.path, turn), route, self.called)
+
+    def through(self, fork: Fork, holds: bool) -> State:
+        """The same state on one side of what decides which way a run takes, and is no branch."""
+        return State(self.holds, self.path, self.route.through(fork, holds), self.called)
 
     def along(self, path: tuple[Turn, ...]) -> State:
         """The same state on another path."""

@@ -22,7 +22,8 @@ from ecm_extract.infer.held import Held, State, joined_states
 from ecm_extract.infer.judge import Judge
 from ecm_extract.infer.looping import Looping
 from ecm_extract.infer.memory import Memory
-from ecm_extract.infer.raising import asks_what_raises, may_raise
+from ecm_extract.infer.raising import asks_what_raises
+from ecm_extract.infer.raising_statements import RaisingStatements
 from ecm_extract.infer.routes import NOWHERE
 from ecm_extract.infer.run import Frame, Run
 
@@ -43,6 +44,7 @@ class Interpreter:
         self.assigning = Assigning(self.frame, self.memory)
         self.calling = Calling(self.frame, self.memory)
         self.comprehending = Comprehending(self.frame, self.assigning)
+        self.raising = RaisingStatements(self.frame, self.exits, self.memory)
         self.branching = Branching(self.frame, self.exits, self)
         self.looping = Looping(self.frame, self.exits, self.assigning, self.calling, self)
         self._nesting = 0
@@ -101,7 +103,8 @@ class Interpreter:
     def _step(self, step: Step, state: State) -> State | None:
         if isinstance(step, int):
             return self._statement(step, state)
-        raises = self.exits.catches and asks_what_raises(step, self.frame.body, self.frame.language)
+        asks = self.exits.catches or not self.frame.run.risky
+        raises = asks and asks_what_raises(step, self.frame.body, self.frame.language)
         after = self._taken(step, self._raising(raises, state))
         return after if after is None or not isinstance(step, Loop) else self._raising(raises, after)
 
@@ -122,7 +125,11 @@ class Interpreter:
             return self.branching.attempt(step, state)
         if isinstance(step, Later):
             return self._run_later(step, state)
-        if isinstance(step, Leave):
+        if isinstance(step, Leave) and step.how == "goto":
+            return state  # where it leads is not followed
+        if isinstance(step, Leave) and step.how == "throw":
+            self.exits.thrown(state, step.raised)
+        elif isinstance(step, Leave):
             self.exits.leave(step.how, state)
         return None
 
@@ -151,18 +158,15 @@ class Interpreter:
             self.frame.record(at, [state])
             return state
         self.frame.record(at, self.comprehending.states(statement, at, state))
-        raises = self.exits.catches and self._may_raise(statement)
-        env = self.frame.place(self._raising(raises, state))
-        if raises:  # somewhere on the way through what it calls
-            self.exits.may_raise(self.memory.lost(state, self.frame.judge.lasting.keys(self.frame.env.func, at)))
-        before, state = state, self._read(at, env, self.calling.after(at, state, env))
-        if statement.kind == "return":
-            self.exits.returned(at, self.calling.undone(at, before, state), state)
+        env = self.frame.place(state)
+        after = self._read(at, env, self.calling.after(at, state, env))
+        passed = self.raising.past(at, env, state, after)
+        if passed is None:
             return None
-        return self._given(statement, at, env, self._raising(raises, state))
-
-    def _may_raise(self, statement: Statement) -> bool:
-        return any(may_raise(each, self.frame.language) for each in (statement.value, statement.target))
+        if statement.kind == "return":
+            self.exits.returned(at, self.calling.undone(at, state, passed), passed)
+            return None
+        return self._given(statement, at, env, passed)
 
     def _read(self, at: int, env: Env, state: State) -> State:
         """The state after a statement has read parameters into variables."""

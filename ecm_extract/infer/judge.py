@@ -10,7 +10,7 @@ from ecm_parsers.source.expr import Call, Expr
 from ecm_extract.infer.effects import Targets
 from ecm_extract.infer.held import Held, State
 from ecm_extract.infer.outline import Outline
-from ecm_extract.infer.routes import Gate, Verdict
+from ecm_extract.infer.routes import Fork, Verdict
 
 if TYPE_CHECKING:
     from ecm_extract.link.code.units import Func
@@ -40,8 +40,8 @@ class Judge(Targets, Protocol):
     def truth(self, test: Expr, env: Env) -> bool | None:
         """Tell whether a condition holds; None when that is not decided."""
 
-    def decided(self, gate: Gate) -> Verdict:
-        """Tell whether what a branch asks holds, and whether it likely does."""
+    def decided(self, fork: Fork) -> Verdict:
+        """Tell whether what a branch asks holds, or something raises, and whether it likely does."""
 
     def alike(self, one: Expr, other: Expr, env: Env) -> bool | None:
         """Tell whether two expressions have the same value; None when that is not decided."""

@@ -14,6 +14,9 @@ from ecm_parsers.source.flow import Block, Later, Leave, Step, blocks
 from ecm_extract.infer.effects import Effect, Effects, Targets, is_plain
 from ecm_extract.infer.inner import only_called
 from ecm_extract.infer.places import own_names
+from ecm_extract.infer.raising import may_raise
+from ecm_extract.infer.raising_calls import unpacks
+from ecm_extract.infer.unpacking import unstarred
 from ecm_extract.link.code.walk import children, comprehensions
 
 if TYPE_CHECKING:
@@ -140,9 +143,22 @@ class Outline:
         for step in self.block:
             if isinstance(step, int):
                 found.update(() if self._repeats(step) else (step,))
+                if step in self.risks and self.effects.targets.exceptions.is_provable(self.func, step, False):
+                    break
             elif self._may_end(step):
                 break
         return found
+
+    @cached_property
+    def risks(self) -> Set[int]:
+        """The statements of which anything may raise."""
+        found = (at for at, entry in enumerate(self.func.fact.body) if self._may_raise(entry))
+        return frozenset(found)
+
+    def _may_raise(self, statement: Statement) -> bool:
+        language = self.func.file.language
+        parts = (statement.value, statement.target)
+        return any(may_raise(each, language) for each in parts) or unpacks(statement)
 
     def _repeats(self, at: int) -> bool:
         """Whether a statement calls something for each element that a comprehension runs over."""
@@ -187,7 +203,7 @@ class Outline:
         """Yield the variables that an assignment to a target changes."""
         if isinstance(target, Items):
             for item in target.items:
-                yield from self.bound_keys(item)
+                yield from self.bound_keys(unstarred(item))
         else:
             yield self.effects.key(target) or self.effects.root(target)
 

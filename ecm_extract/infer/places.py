@@ -7,6 +7,8 @@ from collections.abc import Callable, Iterator, Set
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Name, Op
 from ecm_parsers.source.facts import Function
 
+from ecm_extract.infer.unpacking import unstarred
+
 _THIS = Name("this")
 _GET = Name("std::get")
 
@@ -25,7 +27,7 @@ def _bound(target: Expr | None) -> Iterator[str]:
         yield target.id
     elif isinstance(target, Items):
         for item in target.items:
-            yield from _bound(item)
+            yield from _bound(unstarred(item))
 
 
 def key_of(expr: Expr | None, own: Set[str], member: Callable[[str], bool]) -> str:

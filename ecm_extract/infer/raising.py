@@ -10,6 +10,7 @@ from ecm_parsers.source.facts import Statement
 from ecm_parsers.source.flow import Branch, Loop, Step, Switch
 
 from ecm_extract.infer.effects import calls_of
+from ecm_extract.infer.kinds import standard_kind
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.walk import children
 
@@ -21,18 +22,24 @@ def may_raise(expr: Expr | None, language: str) -> bool:
     """Tell whether evaluating an expression may raise: calls, subscripts, divisions, fields that Python looks up."""
     if expr is None:
         return False
+    return raises_itself(expr, language) or any(may_raise(part, language) for part in children(expr))
+
+
+def raises_itself(expr: Expr, language: str) -> bool:
+    """Tell whether an expression may raise apart from its parts."""
     if isinstance(expr, Comprehension | Opaque) or (isinstance(expr, Op) and expr.op in _OPERATORS):
         return True
-    if isinstance(expr, Call) and not _is_calm(expr, language):
-        return True
-    if isinstance(expr, Member) and language == "python" and expr.base != _THIS:
-        return True
-    return any(may_raise(part, language) for part in children(expr))
+    if isinstance(expr, Call):
+        return not _is_calm(expr, language)
+    return isinstance(expr, Member) and language == "python" and expr.base != _THIS
 
 
 def _is_calm(call: Call, language: str) -> bool:
     """Whether a call makes a text or an exception, which nothing keeps it from."""
-    return isinstance(call.callee, Name) and last_name(call.callee.id) in calls_of(language).calm
+    if not isinstance(call.callee, Name):
+        return False
+    calm = last_name(call.callee.id) in calls_of(language).calm
+    return calm or standard_kind(call.callee.id, language) is not None
 
 
 def asks_what_raises(step: Step, body: Sequence[Statement], language: str) -> bool:

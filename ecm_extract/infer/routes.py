@@ -1,4 +1,4 @@
-"""How places are reached: through which sides of branches, of which each is decided when somebody wants to know.
+"""How places are reached: which sides of branches lead there, past what; each is decided when somebody asks.
 
 Most of what a function asks decides nothing that anybody wants to know of it, and asking is what takes time.
 """
@@ -7,11 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, Final, NamedTuple, TypeAlias
 
 from ecm_parsers.source.expr import Expr
 
 if TYPE_CHECKING:
+    from ecm_extract.infer.kinds import Kind
     from ecm_extract.link.running.env import Env
 
 
@@ -40,23 +41,62 @@ class Gate:
     found: Verdict | None = None
 
 
+@dataclass(slots=True, eq=False)
+class Raising:
+    """Whether a statement raises.
+
+    Attributes:
+        env: the statement, in the state in which it is reached.
+        found: whether it does, once somebody wanted to know.
+        kinds: what it raises then, of which each is possible; None where that is not known.
+    """
+
+    env: Env
+    found: Verdict | None = None
+    kinds: frozenset[Kind] | None = None
+
+
+@dataclass(slots=True, eq=False)
+class Fitting:
+    """Whether a handler is for what a statement raises.
+
+    Attributes:
+        raising: the statement.
+        caught: the types that the handler is for; None for one that nobody knows.
+        found: whether it is, once somebody wanted to know.
+    """
+
+    raising: Raising
+    caught: tuple[Kind | None, ...]
+    found: Verdict | None = None
+
+    @property
+    def env(self) -> Env:
+        """The place of the statement."""
+        return self.raising.env
+
+
+Fork: TypeAlias = Gate | Raising | Fitting
+"""What decides which way a run takes."""
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Route:
     """How a place is reached; each is itself only.
 
     Attributes:
         before: the routes that lead here, of which any is taken; none where a function begins.
-        gate: the branch behind them; None where several meet.
+        gate: what decides whether it is taken from there; None where several meet.
         holds: the side of it.
         depth: how many branches lie behind it since routes met, or the function began.
     """
 
     before: tuple[Route, ...] = ()
-    gate: Gate | None = None
+    gate: Fork | None = None
     holds: bool = True
     depth: int = 0
 
-    def through(self, gate: Gate, holds: bool) -> Route:
+    def through(self, gate: Fork, holds: bool) -> Route:
         """The route on one side of a branch."""
         return Route((self,), gate, holds, depth=self.depth + 1)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from ecm_parsers.source.expr import Expr
 from ecm_parsers.source.facts import Statement
@@ -13,8 +13,9 @@ from ecm_parsers.source.facts import Statement
 from ecm_extract.infer.effects import Effects
 from ecm_extract.infer.held import Held, State, Turn, joined_states
 from ecm_extract.infer.judge import Judge
+from ecm_extract.infer.kinds import Kind
 from ecm_extract.infer.outline import Outline
-from ecm_extract.infer.routes import Gate
+from ecm_extract.infer.routes import Gate, Raising
 
 if TYPE_CHECKING:
     from ecm_extract.link.running.env import Env
@@ -23,6 +24,13 @@ MAX_STATES = 64
 """States of one statement that are kept apart; beyond, they are joined."""
 MAX_STEPS = 4_000
 """Statements that one run may take; beyond, loops are no longer unrolled."""
+
+
+class Raised(NamedTuple):
+    """A state in which something raises, and what: by type, or by the statement; None where that is not known."""
+
+    state: State
+    what: Kind | Raising | None
 
 
 @dataclass(slots=True, eq=False)
@@ -35,6 +43,8 @@ class Run:
         end: the state in which the function is left; None when it never is.
         shown: member or variable outside of functions -> what it holds while other functions may run.
         cut: whether a bound was hit.
+        raised: the states in which it is surely left by an exception, if their routes are taken.
+        risky: whether anything else in it may raise that nobody in it handles.
     """
 
     states: dict[int, list[State]] = field(default_factory=lambda: defaultdict(list))
@@ -42,6 +52,8 @@ class Run:
     end: State | None = None
     shown: dict[str, list[Held]] = field(default_factory=lambda: defaultdict(list))
     cut: bool = False
+    raised: list[Raised] = field(default_factory=list)
+    risky: bool = False
 
 
 class Frame:

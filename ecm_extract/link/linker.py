@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any, TypeVar
 
 from ecm_checker.contract import Evidence, Interface, Qos
+from ecm_checker.hub.local_name import LocalName
 from ecm_parsers.source.expr import Expr, Items, Name, Text
 
 from ecm_extract.link.code.units import Cls
@@ -26,7 +27,7 @@ from ecm_extract.link.endpoints.generated import GeneratedParameters
 from ecm_extract.link.endpoints.merging import merged
 from ecm_extract.link.endpoints.observe import Observation, observation_forms, observations
 from ecm_extract.link.endpoints.qos import QosReader
-from ecm_extract.link.endpoints.reconfigured import SERVICE, Placed, beside
+from ecm_extract.link.endpoints.reconfigured import SERVICE, Placed, beside, serving
 from ecm_extract.link.endpoints.stamps import Stamp, stamps
 from ecm_extract.link.folding.data import UNKNOWN, stated_type
 from ecm_extract.link.folding.fold import Folder
@@ -37,18 +38,18 @@ from ecm_extract.link.interfaces.types import Types
 from ecm_extract.link.naming.handles import Handle, Handles
 from ecm_extract.link.naming.host_arguments import HostArguments
 from ecm_extract.link.naming.implied_names import fixed_name, place_at
+from ecm_extract.link.naming.local_names import local_name, local_parameter
 from ecm_extract.link.naming.names import (
     RosName,
     endpoint_name,
     is_below_handle,
     is_below_node,
     is_never_made,
-    local_name,
     of_node,
     parameter_name,
-    space_of,
 )
 from ecm_extract.link.naming.node_names import NodeName, NodeNames
+from ecm_extract.link.naming.plugin_names import Names, with_own_names
 from ecm_extract.link.owning.activation import Activation
 from ecm_extract.link.owning.built import files_of
 from ecm_extract.link.owning.made import units_of
@@ -71,7 +72,7 @@ _Found = TypeVar("_Found", Observation, Stamp, Diagnosis)
 class LinkedModule:
     """A module with its endpoints and the name of its node.
 
-    `local` holds, by role, name and type of an endpoint, its names for any namespace and node (`names.local_name`):
+    `local` holds, by role, name and type of an endpoint, its names for any namespace and node (`local_names`):
     several where parameters tell endpoints apart. `claims` are hardware interfaces, None for no controller.
     `lifecycle`: it works when active only. `lines`: endpoints one by one where several lines make one, with their QoS.
     `diagnoses`: failures that it reports. `named_at`: the line that names its node.
@@ -80,7 +81,7 @@ class LinkedModule:
     module: Module
     node: str | None
     interfaces: tuple[Interface, ...]
-    local: Mapping[tuple[str, str, str | None], Sequence[str]] = field(default_factory=dict)
+    local: Mapping[tuple[str, str, str | None], Sequence[LocalName]] = field(default_factory=dict)
     claims: tuple[Claim, ...] | None = None
     observations: tuple[Observation, ...] = ()
     lifecycle: bool = False
@@ -118,7 +119,7 @@ class Linker:
         self._stamped: dict[Module, list[Stamp]] = defaultdict(list)
         self._diagnosed: dict[Module, list[Diagnosis]] = defaultdict(list)
         self._servers: dict[tuple[Module, Unit], list[Placed]] = defaultdict(list)
-        self._local: dict[Module, dict[tuple[str, str, str | None], list[str]]] = defaultdict(dict)
+        self._local: dict[Module, Names] = defaultdict(dict)
 
     def link(self) -> list[LinkedModule]:
         """Return all modules with their endpoints, in a stable order."""
@@ -146,13 +147,14 @@ class Linker:
         self._given_out(observations(self.sites, activation), self._observed)
         self._given_out(stamps(self.sites), self._stamped)
         self._given_out(diagnoses(self.sites), self._diagnosed)
+        self._local |= with_own_names(self._local, self.packages, self.registry)
         return [self._linked(module, found, nodes) for module in _ordered(self.modules.all())]
 
     def _generate(self, found: dict[Module, list[Interface]]) -> None:
         """Give what build files generate to the modules whose units use it."""
-        for unit, interfaces in self.generated.interfaces():
+        for unit, interfaces, config in self.generated.interfaces():
             for module in self.modules.owners(unit):
-                servers = self._servers.get((module, unit), ())
+                servers = serving(self._servers.get((module, unit), ()), config)
                 placed = [entry for each in interfaces for entry in beside(each, servers)]
                 found[module] += [entry.interface for entry in placed]
                 self._local[module] |= {_key(entry.interface): [entry.local] for entry in placed if servers}
@@ -233,18 +235,19 @@ class Linker:
             names += [local] * (local not in names)
             if interface.type == SERVICE:
                 for maker in {unit, site.call.func.holder or site.call.func}:
-                    self._servers[module, maker].append(Placed(interface, local))
+                    self._servers[module, maker].append(Placed(interface, local, next(iter(site.call.types), "")))
 
-    def _interfaces(self, site: Site, node: str | None, origin: str | None) -> Iterator[tuple[Interface, str]]:
+    def _interfaces(self, site: Site, node: str | None, origin: str | None) -> Iterator[tuple[Interface, LocalName]]:
         ros = site.root.file.ros
         handle = self.handles.of(handle_argument(site.form, site.call), site.env)
-        evidence = tuple(Evidence(path, line) for path, line in dict.fromkeys(site.lines()))
+        evidence = tuple(Evidence(path, line) for path, line in site.lines())
         when = self.conditions.of(site)
         names = self._named(site)
         is_choice = any(named.confidence == "one_of" for named, _ in names)
         for named, default in names:
             value = of_node(named, node, ros)
-            local = local_name(settled(named), handle, "" if site.form.row.value else space_of(handle, node))
+            own = settled(named)
+            local = local_parameter(own, handle, ros) if site.form.row.value else local_name(own, handle, node)
             name, confidence = self._name(site, value, handle, node, ros), value.confidence
             if is_never_made(value, name) and not site.form.row.value:
                 continue
@@ -270,7 +273,7 @@ class Linker:
                 inherited_from=origin,
                 when=when,
             )
-            yield interface, name.resolved if _is_absolute(site) else local
+            yield interface, LocalName((name.resolved,)) if _is_absolute(site) else local
 
     def _typed(self, site: Site, default: Expr | None) -> tuple[str | None, Any]:
         """The type and default of a site; where an object is made with these, what all places make it with."""

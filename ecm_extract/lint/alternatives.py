@@ -2,13 +2,30 @@
 
 from __future__ import annotations
 
-import re
+from collections.abc import Iterable, Iterator
+from itertools import takewhile
+from typing import TYPE_CHECKING, Final, NamedTuple
 
-_CPP = tuple(re.compile(rb"\s*#\s*" + word) for word in (rb"if", rb"el", rb"endif"))
-_CMAKE = tuple(re.compile(rb"\s*" + word + rb"\s*\(", re.IGNORECASE) for word in (rb"if", rb"else(?:if)?", rb"endif"))
-_CHOOSES = re.compile(rb"ROS_DISTRO|ROS_VERSION|ROS_PYTHON_VERSION|rosdistro|rosversion|version_info", re.IGNORECASE)
-"""What tells a distribution, or a version of Python, from another."""
-_INDENT = re.compile(rb"[ \t]*")
+from ecm_parsers.cmake_tokens import parse_commands
+from ecm_parsers.python_tree import parse_python
+from ecm_parsers.source.cpp_directives import directives
+
+if TYPE_CHECKING:
+    from tree_sitter import Node
+
+_CMAKE: Final = ("CMakeLists.txt", ".cmake")
+_CHOOSES: Final = frozenset(
+    {b"ros_distro", b"ros_version", b"ros_python_version", b"rosdistro", b"rosversion", b"version_info"}
+)
+"""Names and texts, in lower case, that tell a distribution, or a version of Python, from another."""
+_NAMED: Final = frozenset({"identifier", "string_content"})
+
+
+class _Mark(NamedTuple):
+    """What opens, goes on with or closes a condition: its word in lower case, and its 1-based line."""
+
+    word: str
+    line: int
 
 
 def has_alternative(path: str, data: bytes, line: int) -> bool:
@@ -22,45 +39,66 @@ def has_alternative(path: str, data: bytes, line: int) -> bool:
         data: its content.
         line: 1-based.
     """
-    lines = data.splitlines()
     if path.endswith(".py"):
-        return _is_tried(lines, line)
-    opens, other, closes = _CMAKE if path.endswith(("CMakeLists.txt", ".cmake")) else _CPP
-    blocks: list[list[int]] = []
-    for at, text in enumerate(lines, 1):
-        if opens.match(text):
-            blocks.append([at, 0])
-        elif other.match(text) and blocks:
-            blocks[-1][1] = 1
-        elif closes.match(text) and blocks:
-            start, branched = blocks.pop()
-            if start < line < at and branched:
+        return any(_is_choice(around, inner) for inner, around in _around(data, line))
+    marks = _of_cmake(data) if path.endswith(_CMAKE) else _of_preprocessor(data)
+    return _is_branched(marks, line)
+
+
+def _is_branched(marks: Iterable[_Mark], line: int) -> bool:
+    blocks: list[tuple[int, bool]] = []
+    for mark in marks:
+        if mark.word.startswith("if"):
+            blocks.append((mark.line, False))
+        elif mark.word.startswith("el") and blocks:
+            blocks[-1] = (blocks[-1][0], True)
+        elif mark.word == "endif" and blocks:
+            start, has_other = blocks.pop()
+            if has_other and start < line < mark.line:
                 return True
     return False
 
 
-def _is_tried(lines: list[bytes], line: int) -> bool:
-    """Tell whether a block around a line is a `try`, or a branch that the version or distribution chooses."""
-    own = _indent(lines[line - 1]) if 0 < line <= len(lines) else 0
-    for at in range(min(line - 1, len(lines)) - 1, -1, -1):
-        text = lines[at]
-        if not text.strip() or _indent(text) >= own:
-            continue
-        own = _indent(text)
-        if text.strip().startswith(b"try") or _CHOOSES.search(_condition(lines, at)):
-            return True
+def _of_preprocessor(data: bytes) -> Iterator[_Mark]:
+    for each in directives(data):
+        yield _Mark(each.word.decode("ascii", "replace"), data.count(b"\n", 0, each.start) + 1)
+
+
+def _of_cmake(data: bytes) -> Iterator[_Mark]:
+    return (_Mark(command.name, command.line) for command in parse_commands(data).facts)
+
+
+def _around(data: bytes, line: int) -> Iterator[tuple[Node, Node]]:
+    """Yield what the statement of a line stands in, from the inside, each with what it is in that."""
+    text = data.decode("utf-8", "replace")
+    lines = text.splitlines()
+    own = lines[line - 1] if 0 < line <= len(lines) else ""
+    at = (line - 1, len(own.encode()) - len(own.lstrip().encode()))
+    node = parse_python(text).descendant_for_point_range(at, at) if own.strip() else None
+    while node is not None and node.parent is not None:
+        yield node, node.parent
+        node = node.parent
+
+
+def _is_choice(around: Node, inner: Node) -> bool:
+    """Tell whether a part of a statement is one of several: of a `try`, or of a test that tells versions apart."""
+    if around.type == "try_statement":
+        return True
+    if around.type == "elif_clause":
+        return _tells_version(around)
+    if around.type != "if_statement":
+        return False
+    before = takewhile(lambda each: each != inner, around.children_by_field_name("alternative"))
+    tests = [around, *before] if inner.type == "else_clause" else [around] if inner.type == "block" else []
+    return any(_tells_version(test) for test in tests)
+
+
+def _tells_version(branch: Node) -> bool:
+    pending = [branch.child_by_field_name("condition")]
+    while pending:
+        node = pending.pop()
+        if node is not None:
+            if node.type in _NAMED and (node.text or b"").lower() in _CHOOSES:
+                return True
+            pending += node.children
     return False
-
-
-def _condition(lines: list[bytes], at: int) -> bytes:
-    """The `if` or `elif` at a line; of an `else` the branch before it."""
-    own = _indent(lines[at])
-    if not lines[at].strip().startswith(b"else"):
-        return lines[at] if lines[at].strip().startswith((b"if", b"elif")) else b""
-    before = (text for text in reversed(lines[:at]) if text.strip() and _indent(text) == own)
-    return next((text for text in before if text.strip().startswith((b"if", b"elif"))), b"")
-
-
-def _indent(text: bytes) -> int:
-    match = _INDENT.match(text)
-    return match.end() if match is not None else 0

@@ -1,36 +1,26 @@
-"""What libraries outside the workspace have deprecated: a table of lines and imports, and where a package has them."""
+"""What libraries outside the workspace have deprecated: a table of uses and imports, and where a package has them."""
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import cache
 
 import msgspec
 
 from ecm_extract.entities.distributions import is_for_older
 from ecm_extract.lint.alternatives import has_alternative
+from ecm_extract.lint.spoken import Way, spoken
 from ecm_extract.lint.workspace import Workspace
 from ecm_extract.read.facts import PackageFacts
 from ecm_extract.shipped import shipped_as
-from ecm_extract.source_suffixes import CPP
 from ecm_extract.test_code import is_test_path
 
-_KINDS = {
-    "cpp": tuple(CPP),
-    "python": (".py",),
-    "launch": (".launch", ".launch.xml", ".xml.launch"),
-    "cmake": ("CMakeLists.txt", ".cmake"),
-}
-_COMMENT = re.compile(rb"\s*(?://|#(?!\s*include)|\*|<!--)")
-_BLOCK = re.compile(rb"/\*.*?\*/|<!--.*?-->", re.DOTALL)
 
+class DeprecatedUse(msgspec.Struct, frozen=True):
+    """A use of one of some names; `ros` is None where it holds for both."""
 
-class DeprecatedText(msgspec.Struct, frozen=True):
-    """A line of some kinds of files; `ros` is None where it holds for both."""
-
-    files: tuple[str, ...]
-    pattern: str
+    of: Way
+    names: tuple[str, ...]
     old: str
     new: str
     since: str
@@ -50,7 +40,7 @@ class DeprecatedImport(msgspec.Struct, frozen=True):
 class Deprecations(msgspec.Struct, frozen=True):
     """The whole table."""
 
-    text: tuple[DeprecatedText, ...]
+    use: tuple[DeprecatedUse, ...]
     imports: tuple[DeprecatedImport, ...] = msgspec.field(name="import", default=())
 
 
@@ -72,16 +62,16 @@ def deprecations() -> Deprecations:
 
 def deprecated_in(package: PackageFacts, workspace: Workspace) -> Iterator[Deprecated]:
     """Yield the uses of a package, tests left out."""
-    named = workspace.known.distributions
-    possible = [row for row in deprecations().text if not _is_needed(row, package, named)]
-    rows = {
-        entry.path: concerned
-        for entry in package.root.files
-        if not is_test_path(entry.path, package.root.path)
-        and (concerned := [row for row in possible if _concerns(row, entry.path, package.ros)])
-    }
-    for path, data in workspace.tree.read_many(list(rows)):
-        yield from _lines(path, _BLOCK.sub(_blank, data), rows[path])
+    rows = _rows(package, workspace)
+    found = dict.fromkeys(each for each in spoken(package, workspace) if (each.of, each.name) in rows)
+    for each in found:
+        row = rows[each.of, each.name]
+        if not is_test_path(each.path, package.root.path) and not _has_other_way(each.path, each.line, workspace):
+            yield Deprecated(each.path, each.line, row.old, row.new, row.since)
+    yield from _imports(package, workspace)
+
+
+def _imports(package: PackageFacts, workspace: Workspace) -> Iterator[Deprecated]:
     for path, facts in package.sources.items():
         for found in facts.imports:
             for row in deprecations().imports:
@@ -89,11 +79,22 @@ def deprecated_in(package: PackageFacts, workspace: Workspace) -> Iterator[Depre
                     continue
                 if found.module != row.module or found.name not in row.names:
                     continue
-                if not has_alternative(path, workspace.files.read(path) or b"", found.line):
+                if not _has_other_way(path, found.line, workspace):
                     yield Deprecated(path, found.line, f"{row.module}.{found.name}", row.new, row.since)
 
 
-def _is_needed(row: DeprecatedText, package: PackageFacts, named: frozenset[str]) -> bool:
+def _rows(package: PackageFacts, workspace: Workspace) -> Mapping[tuple[Way, str], DeprecatedUse]:
+    """The rows that hold for a package, by use and name."""
+    named = workspace.known.distributions
+    rows = (row for row in deprecations().use if row.ros in {None, package.ros} and not _is_needed(row, package, named))
+    return {(row.of, name): row for row in rows for name in row.names}
+
+
+def _has_other_way(path: str, line: int, workspace: Workspace) -> bool:
+    return has_alternative(path, workspace.files.read(path) or b"", line)
+
+
+def _is_needed(row: DeprecatedUse, package: PackageFacts, named: frozenset[str]) -> bool:
     """Tell whether a distribution that the repository is for lacks what replaces something."""
     return is_for_older(row.since, named) or (package.root.rosbuild and row.since.startswith("ROS"))
 
@@ -102,22 +103,3 @@ def _is_other(holds: tuple[str, str], workspace: Workspace) -> bool:
     """Tell whether the workspace holds the package in a version in which the row does not hold."""
     name, versions = holds
     return name in workspace.versions and not workspace.provides(name, versions)
-
-
-def _concerns(row: DeprecatedText, path: str, ros: int | None) -> bool:
-    return row.ros in {None, ros} and any(path.endswith(_KINDS[kind]) for kind in row.files)
-
-
-def _lines(path: str, data: bytes, rows: list[DeprecatedText]) -> Iterator[Deprecated]:
-    for row in rows:
-        for match in re.finditer(row.pattern.encode(), data, re.MULTILINE):
-            start = data.rfind(b"\n", 0, match.start()) + 1
-            if _COMMENT.match(data, start) is None:
-                line = data.count(b"\n", 0, match.end()) + 1
-                if not has_alternative(path, data, line):
-                    yield Deprecated(path, line, row.old, row.new, row.since)
-
-
-def _blank(match: re.Match[bytes]) -> bytes:
-    """Lines keep their numbers when a comment goes."""
-    return b"\n" * match[0].count(b"\n")

@@ -12,6 +12,8 @@ from functools import cache
 from types import MappingProxyType
 from typing import Any
 
+from ecm_checker.hub.local_name import shown
+from ecm_checker.hub.running import as_local
 from ecm_parsers.parameter_yaml import parse_parameter_yaml
 
 from ecm_extract.link.naming.filling import filled
@@ -126,7 +128,8 @@ class _Controllers:
     def _claims(self, kind: str, parameters: Mapping[str, Any]) -> tuple[str, ...] | None:
         module = self.index.plugin(kind) if kind else None
         if module is not None and module.claims is not None:
-            return _settled(name for claim in module.claims for name in filled(claim, parameters.get))
+            claims = [as_local(claim).parts for claim in module.claims]
+            return _settled(shown(name) for claim in claims for name in filled(claim, parameters.get))
         rows = public_claims().get(kind)
         if rows is None:
             return None

@@ -8,6 +8,7 @@ from typing import NamedTuple
 from ecm_checker.hub.running import Part, Running, RunningModule
 
 from ecm_extract.system.model import Instance
+from ecm_extract.system.older_plugins import renewed
 
 MAX_PARTS = 200
 
@@ -33,7 +34,7 @@ class ModuleIndex:
     """
 
     def __init__(self, packages: Mapping[str, Running]) -> None:
-        self._packages = packages
+        self._packages = packages = renewed(packages)
         self._classes = {
             module.cls: module for running in packages.values() for module in running.modules if module.cls
         }
@@ -91,12 +92,6 @@ class ModuleIndex:
     def plugin(self, name: str) -> RunningModule | None:
         """Return the module of a class by its lookup name or its qualified name."""
         return self._plugins.get(name) or self._class(name)
-
-    def siblings(self, module: RunningModule) -> Sequence[RunningModule]:
-        """Return the plugins that are loaded as the same base as a plugin, itself among them."""
-        bases = {self._bases[name] for name, entry in self._plugins.items() if entry is module}
-        alike = [entry for name, entry in self._plugins.items() if self._bases[name] in bases]
-        return alike or [module]
 
     def _class(self, name: str) -> RunningModule | None:
         bare = name.replace("/", "::").removeprefix("::")

@@ -10,12 +10,10 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
-from ecm_extract.link.naming.filling import filled
-from ecm_extract.link.naming.own_spaces import unmarked
-from ecm_extract.link.running.values import NAMESPACE, PARENT_NAMESPACE
-from ecm_extract.system.model import Remapping, join
+from ecm_checker.hub.local_name import LocalName, Parts, Teller
 
-_PARAMETER = re.compile(r"\$\{([^={}]+)=((?:[^{}]|\{[^{}]*\})*)\}")
+from ecm_extract.link.naming.filling import filled
+from ecm_extract.system.model import Remapping, join
 
 
 class Resolved(NamedTuple):
@@ -39,29 +37,37 @@ class Around(NamedTuple):
     parameter: Callable[[str], Any]
 
 
-def resolve(local: str, around: Around) -> list[Resolved]:
+def resolve(local: LocalName, around: Around) -> list[Resolved]:
     """Return the names that an endpoint has in the graph: several when a parameter holds a list.
 
     Args:
-        local: for any namespace and node, as `ecm_extract.link.naming.names.local_name` gives it.
+        local: for any namespace and node.
         around: the node.
     """
-    own = unmarked(local)
-    if own.space:
-        is_given = bool(around.namespace.strip("/"))
-        return resolve(own.name, around if is_given else around._replace(namespace=f"/{own.space}"))
-    used = tuple(match[1] for match in _PARAMETER.finditer(local))
-    above = around.namespace.rstrip("/").rpartition("/")[0]
-    known = {"node": around.node, NAMESPACE: around.namespace.rstrip("/"), PARENT_NAMESPACE: above}
-    return [_remapped(_told(text, known), used, around) for text in filled(local, around.parameter)]
+    if local.space and not around.namespace.strip("/"):
+        around = around._replace(namespace=f"/{local.space}")
+    used = tuple(part.label for part in local.parts if not isinstance(part, str) and part.of == "parameter")
+    namespace = around.namespace.rstrip("/")
+    known: dict[Teller, str] = {
+        "node": around.node,
+        "namespace": namespace,
+        "above": namespace.rpartition("/")[0],
+    }
+    return [_remapped(_told(name, known), used, around) for name in filled(local.parts, around.parameter)]
 
 
-def _told(text: str, known: Mapping[str, str]) -> str:
+def _told(name: Parts, known: Mapping[Teller, str]) -> str:
     """Fill in what a node is called; a name that a parameter gives is put below a namespace only if it is relative."""
-    for label, value in known.items():
-        head, found, rest = text.partition(f"{{{label}}}")
-        if found:
-            text = rest[1:] if rest.startswith("//") else f"{head}{value}{_told(rest, known)}"
+    text = ""
+    for part in reversed(name):
+        if isinstance(part, str):
+            text = part + text
+        elif part.of not in known:
+            text = part.shown + text
+        elif text.startswith("//"):
+            return text[1:]
+        else:
+            text = known[part.of] + text
     return text
 
 

@@ -8,6 +8,8 @@ from fnmatch import fnmatchcase
 from typing import Any
 
 from ecm_checker.contract import Qos
+from ecm_checker.hub.local_name import LocalName, shown
+from ecm_checker.hub.name_notation import read_name
 from ecm_checker.hub.roles import Role
 from ecm_checker.hub.running import RunningEndpoint, RunningModule
 
@@ -131,7 +133,7 @@ class NodeMaker:
         own = node.name.rpartition("/")[2]
         around = Around(node.namespace, own, instance.remaps, lambda name: self._given(node, name))
         for role, local, kind, place in rows:
-            for resolved in resolve(local, around):
+            for resolved in resolve(read_name(local), around):
                 yield _endpoint(node, role, kind, resolved, place)
 
     def _node(self, instance: Instance, loaded: Loaded, *, first: bool) -> SystemNode:
@@ -156,7 +158,7 @@ class NodeMaker:
                         self.unknown.add(value)
                     if module is not None:
                         name = setting.name.rpartition(".")[0].rpartition("/")[2]
-                        yield Plugged(module, name, self.index.siblings(module))
+                        yield Plugged(module, name)
 
     def _settings(self, node: SystemNode) -> Sequence[Setting]:
         """What the launch sets for a node, later ones win; names are the node's own."""
@@ -204,17 +206,18 @@ class NodeMaker:
 
     def _resolved(self, node: SystemNode, entry: Plugged, declared: RunningEndpoint) -> Iterator[Endpoint]:
         own = node.name.rpartition("/")[2]
-        around = Around(node.namespace, own, node.instance.remaps, lambda name: self._given(node, entry.called(name)))
+        around = Around(node.namespace, own, node.instance.remaps, lambda name: self._given(node, name))
         place = Place(declared.path, declared.line)
         for resolved in (each for local in declared.local_names for each in resolve(entry.called(local), around)):
             yield _endpoint(node, declared.role, declared.type, resolved, place, declared.qos)
 
     def _parameters(self, node: SystemNode, plugged: Sequence[Plugged]) -> Iterator[Parameter]:
         declared = Declared(
-            (entry.called(_own(each, node)), each.default)
+            (name, each.default)
             for entry in plugged
             for each in entry.module.endpoints
             if each.row.value
+            for name in _own(each, entry, node)
         )
         found = {name: Parameter(name, default, None, declared=True) for name, default in declared.plain.items()}
         for setting in self._settings(node):
@@ -255,9 +258,11 @@ def _endpoint(
     )
 
 
-def _own(declared: RunningEndpoint, node: SystemNode) -> str:
-    """Name of a parameter without the node that ROS 1 puts before it."""
-    return declared.name if node.instance.ros == 2 else declared.raw_name.lstrip("~/")
+def _own(declared: RunningEndpoint, entry: Plugged, node: SystemNode) -> set[str]:
+    """Names of a parameter without the node that ROS 1 puts before it."""
+    if any(isinstance(each, LocalName) for each in declared.local):
+        return {shown(entry.called(name).parts).lstrip("~/") for name in declared.local_names}
+    return {declared.name if node.instance.ros == 2 else declared.raw_name.lstrip("~/")}
 
 
 def _key(module: RunningModule) -> tuple[str, str, str, int]:

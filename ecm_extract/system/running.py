@@ -8,7 +8,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Final
 
 from ecm_checker.contract import Interface
-from ecm_checker.hub.running import DeclaredPlugin, Part, Running, RunningEndpoint, RunningModule
+from ecm_checker.hub.local_name import LocalName, Parts, shown
+from ecm_checker.hub.running import DeclaredPlugin, Part, Running, RunningEndpoint, RunningModule, as_written
 from ecm_checker.json_data import json_data
 
 from ecm_extract.link.linker import LinkedModule
@@ -68,14 +69,14 @@ class _Rows:
             node=entry.node,
             lifecycle=entry.lifecycle,
             endpoints=tuple(_endpoint(each, entry) for each in entry.interfaces),
-            claims=None if claims is None else tuple(each.name for each in claims if each.kind == "command"),
+            claims=None if claims is None else tuple(_written(each.name) for each in claims if each.kind == "command"),
             parts=self._parts(self._composition.parts.get(module, ())),
             loads=tuple(sorted(self._composition.loads.get(module, ()))),
         )
 
 
 def _endpoint(interface: Interface, entry: LinkedModule) -> RunningEndpoint:
-    local = tuple(entry.local.get((interface.role, interface.name, interface.type), ()))
+    local = entry.local.get((interface.role, interface.name, interface.type), ())
     first = interface.evidence[0]
     return RunningEndpoint(
         role=interface.role,
@@ -83,12 +84,26 @@ def _endpoint(interface: Interface, entry: LinkedModule) -> RunningEndpoint:
         path=first.path,
         line=first.line,
         raw=None if interface.raw_name == interface.name else interface.raw_name,
-        local=() if local == (interface.name,) else local,
+        local=() if _is_told(interface.name, local) else tuple(as_written(name) for name in local),
         type=interface.type,
         qos=interface.qos,
         default=json_data(interface.default),
         frame=interface.frame,
     )
+
+
+def _is_told(name: str, local: Sequence[LocalName]) -> bool:
+    """Tell whether a name in the namespace `/` says all that one for any namespace does."""
+    return all(shown(each.parts) == name and not each.space and not _is_open(each.parts) for each in local)
+
+
+def _is_open(name: Parts) -> bool:
+    """Tell whether a node, or what sets and loads it, tells a part of a name."""
+    return any(not isinstance(part, str) and part.of not in {"nobody", "caller"} for part in name)
+
+
+def _written(claim: Parts) -> str | LocalName:
+    return as_written(LocalName(claim))
 
 
 def _plugins(facts: PackageFacts) -> Iterator[DeclaredPlugin]:

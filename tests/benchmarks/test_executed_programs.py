@@ -71,7 +71,7 @@ def test_no_hole_is_left_open(language: str) -> None:
 
 def test_python_programs_compile() -> None:
     for seed in SEEDS:
-        compile(Program(seed, grammar("python")).source(), "drawn.py", "exec")
+        assert compile(Program(seed, grammar("python")).source(), "drawn.py", "exec")
 
 
 def test_cpp_programs_parse() -> None:

@@ -69,3 +69,29 @@ def test_programs_of_included_macros_have_their_names(workspace: Any) -> None:
     cmake = "project(pkg)\nforeach(f programs)\ninclude(cmake/${f}.cmake)\nendforeach()\nprogram(arm)\n"
     files = {"CMakeLists.txt": cmake, "cmake/programs.cmake": macros, "src/arm.cpp": MAIN.format("arm")}
     assert endpoints(workspace.package(files)) == {"arm_node": {"/arm_topic"}}
+
+
+UNUSED = """#include <ros/ros.h>
+class Robot {
+ public:
+  Robot() { pub_ = nh_.advertise<std_msgs::String>("used", 1); }
+  void back() { sub_ = nh_.subscribe("unused", 1, &Robot::take, this); }
+  void take(const std_msgs::StringConstPtr & message) {}
+  ros::NodeHandle nh_;
+  ros::Publisher pub_;
+  ros::Subscriber sub_;
+};
+"""
+MAIN_OF_ROBOT = 'int main(int c, char ** v) { ros::init(c, v, "n"); Robot robot; ros::spin(); }\n'
+
+
+def test_what_no_program_runs_is_nobodys_where_only_programs_compile_it(workspace: Any) -> None:
+    """A method that nobody calls makes nothing; where others can link or include it, it is the library's."""
+    both = {"src/main.cpp": '#include "robot.hpp"\n' + MAIN_OF_ROBOT, "src/robot.hpp": UNUSED}
+    only = {
+        "CMakeLists.txt": "project(pkg)\nadd_executable(robot src/main.cpp)\n",
+        "src/main.cpp": UNUSED + MAIN_OF_ROBOT,
+    }
+    assert endpoints(workspace.package(only, ros=1, name="only")) == {"ecm.only.robot": {"/used"}}
+    found = endpoints(workspace.package(both, ros=1))
+    assert {"/unused"} in [names for module, names in found.items() if module != "ecm.only.robot"]

@@ -75,3 +75,52 @@ class Demo { public: Demo() { load(nh_, "rate", 2.5); } ros::NodeHandle nh_; };
 int main(int c, char ** v) { Demo demo; }"""
     found = workspace.package({"src/d.cpp": text}, ros=1).only("parameter")
     assert (found.type, found.default) == ("double", 2.5)
+
+
+ASKING = """#!/usr/bin/env python
+import rospy
+from std_msgs.msg import String
+
+class Robot:
+    def __init__(self):
+        rospy.init_node("robot")
+        self.topic = {call}
+        rospy.Subscriber(self.topic, String, self.take)
+
+    def take(self, message):
+        pass
+{helper}
+
+Robot()
+"""
+METHOD = """
+    def get_param(self, name, default=None):
+        if rospy.has_param(name):
+            value = rospy.get_param(name)
+            return value
+        elif default is not None:
+            return default
+        exit(1)
+"""
+FUNCTION = """
+def get_param(node, name, default=None):
+    if rospy.has_param(name):
+        value = rospy.get_param(name)
+        return value
+    return default
+"""
+
+
+@pytest.mark.parametrize(
+    ("call", "helper"), [('self.get_param("~topic", "/in")', METHOD), ('get_param(self, "~topic", "/in")', FUNCTION)]
+)
+def test_a_helper_that_is_called_like_what_it_wraps(workspace: Any, call: str, helper: str) -> None:
+    """What it returns instead is the default of the parameter, and the value of whoever asks."""
+    workspace.package({"scripts/robot.py": ASKING.format(call=call, helper=helper)}, ros=1)
+    assert (workspace.only("parameter").default, workspace.only("subscriber").name) == ("/in", "/in")
+
+
+def test_a_helper_without_a_default_leaves_the_name_open(workspace: Any) -> None:
+    """`get_param(name)` of the class itself gives what the parameter is set to."""
+    workspace.package({"scripts/robot.py": ASKING.format(call='self.get_param("~topic")', helper=METHOD)}, ros=1)
+    assert workspace.only("subscriber").name == "/{topic}"

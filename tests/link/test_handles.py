@@ -180,6 +180,9 @@ UNKNOWN = [
     ('it_->advertise<std_msgs::Bool>("in", 1)', ["std_msgs/msg/Bool"]),
     ('nh->subscribe("in", 1, &A::seen, this)', []),
     ('image_transport_->advertise("in", 1)', []),
+    ('nh->param("rate", rate_, 10.0)', ["double"]),
+    ('nh->param("rate", 10.0)', []),
+    ("nh->param(key, rate_, 10.0)", []),
 ]
 
 
@@ -187,7 +190,7 @@ UNKNOWN = [
 def test_an_unknown_receiver_is_not_what_it_is_called(workspace: Any, call: str, kinds: list[str]) -> None:
     """Only what the call itself says counts, as the message type in its template; the name of the object does not."""
     text = (
-        "class A : public outside::Nodelet { void seen(const std_msgs::StringConstPtr & m) {}"
+        "class A : public outside::Nodelet { double rate_; void seen(const std_msgs::StringConstPtr & m) {}"
         f" void onInit() {{ auto a = {call}; }} }}; PLUGINLIB_EXPORT_CLASS(A, nodelet::Nodelet)"
     )
     found = workspace.package({"src/a.cpp": text}, ros=1).interfaces()
@@ -220,3 +223,95 @@ int main(int argc, char ** argv) {{
 }}
 """
     assert workspace.package({"src/demo.cpp": source}, ros=1).only("publisher").name == name
+
+
+PART = """
+class Part {
+ public:
+  explicit Part(const ros::NodeHandle & h, double span = 3.0) : inner_(ros::NodeHandle(h, "part")) {
+    pub_ = inner_.advertise<std_msgs::String>("out", 1);
+  }
+  ros::NodeHandle inner_;
+  ros::Publisher pub_;
+};
+struct Held { std::unique_ptr<Part> part_; };
+"""
+DERIVED = """
+#include <ros/ros.h>
+{part}
+class Base {held} {{
+ public:
+  Base(ros::NodeHandle & given) {constructor}
+  virtual bool configure() {{ {configure} return true; }}
+  ros::NodeHandle own_;
+  ros::Publisher pub_;
+}};
+class Derived : public Base {{
+ public:
+  Derived(ros::NodeHandle & given) : Base(given) {{}}
+  bool configure() override {{ return Base::configure(); }}
+}};
+class Other : public Base {{
+ public:
+  Other(ros::NodeHandle & given) : Base(given) {{}}
+}};
+class Host {{
+ public:
+  explicit Host(const ros::NodeHandle & given) : given_(given) {{ reset(); }}
+  void reset() {{
+    if (kind_ == "a") {{ made_ = std::make_shared<Derived>(given_); }} else {{ made_ = std::make_shared<Other>(given_); }}
+    made_->configure();
+  }}
+  ros::NodeHandle given_;
+  std::shared_ptr<Base> made_;
+  std::string kind_;
+}};
+int main(int c, char ** v) {{ ros::init(c, v, "n"); ros::NodeHandle nh("~"); {make} }}
+"""
+OWN_OUT = 'pub_ = own_.advertise<std_msgs::String>("out", 1);'
+BASES = {
+    "in the body of a constructor": ("{ own_ = given; }", OWN_OUT, "Base b(nh); b.configure();", "/n/out"),
+    "of a base that a host makes": (": own_(given) {}", OWN_OUT, "Host h(nh);", "/n/out"),
+    "of both": ("{ own_ = given; }", OWN_OUT, "Host h(nh);", "/n/out"),
+    "below the one of a member": ("{ own_ = given; }", "part_.reset(new Part(own_));", "Host h(nh);", "/n/part/out"),
+    "of a member in a body": ("{ part_.reset(new Part(given)); }", "", "Base b(nh); b.configure();", "/n/part/out"),
+}
+
+
+@pytest.mark.parametrize("case", BASES.values(), ids=BASES)
+def test_a_handle_is_followed_through_bases_and_members_to_who_made_it(workspace: Any, case: tuple[str, ...]) -> None:
+    """What a constructor does in its body counts like its list, and who makes a derived object gives its base."""
+    constructor, configure, make, name = case
+    part, held = (PART, ": public Held") if "part" in name else ("", "")
+    text = DERIVED.format(part=part, held=held, constructor=constructor, configure=configure, make=make)
+    workspace.package({"src/n.cpp": text}, ros=1)
+    program = next(module for module in workspace.modules().values() if module.ecm.kind == "node")
+    assert {found.name for found in program.signature.interfaces if found.role == "publisher"} == {name}
+
+
+def test_a_handle_of_an_object_that_a_method_named_with_its_class_gives(workspace: Any) -> None:
+    """Two classes have a method of one name: the one that is named tells of which type its object is."""
+    text = """
+#include <ros/ros.h>
+class Settings {
+ public:
+  static Settings & instance() { static Settings instance; return instance; }
+  std::shared_ptr<ros::NodeHandle> handle_;
+  int size_;
+ private:
+  Settings() { handle_ = std::make_shared<ros::NodeHandle>("inner"); size_ = 7; }
+};
+class Reader {
+ public:
+  static Reader & instance() { static Reader instance; return instance; }
+  void read(const std_msgs::StringConstPtr & message) {}
+ private:
+  Reader() {
+    sub_ = ros::Subscriber(Settings::instance().handle_->subscribe("in", Settings::instance().size_, &Reader::read, this));
+  }
+  ros::Subscriber sub_;
+};
+int main(int c, char ** v) { ros::init(c, v, "n"); Reader::instance(); ros::spin(); }
+"""
+    found = workspace.package({"src/n.cpp": text}, ros=1).only("subscriber")
+    assert (found.name, found.qos.depth) == ("/inner/in", 7)

@@ -64,3 +64,30 @@ def test_what_functions_give_a_variable_is_told_beside_what_its_module_gives_it(
     }
     found = workspace.package(files, ros=1).interfaces()
     assert {(entry.name, entry.confidence) for entry in found if entry.role == "subscriber"} == told
+
+
+WAITING = """#!/usr/bin/env python
+import rospy
+from pkg import names
+from std_srvs.srv import Empty
+
+def main():
+    rospy.init_node("demo")
+    rospy.wait_for_service(names.service)
+    outside(names.service)
+    rospy.ServiceProxy(names.service, Empty)()
+
+main()
+"""
+
+
+def test_a_text_of_a_module_is_what_it_is_whoever_got_it(workspace: Any) -> None:
+    """`names.x` is given to a function from elsewhere, which can change neither the text nor the module's name."""
+    files = {
+        "setup.py": "from distutils.core import setup\nsetup(packages=['pkg'], package_dir={'': 'src'})\n",
+        "CMakeLists.txt": "project(pkg)\ncatkin_python_setup()\ncatkin_install_python(PROGRAMS scripts/demo)\n",
+        "src/pkg/__init__.py": "",
+        "src/pkg/names.py": 'service = "/data/service"\n',
+        "scripts/demo": WAITING,
+    }
+    assert workspace.package(files, ros=1).only("service_client").name == "/data/service"

@@ -176,3 +176,24 @@ def main():
     yaml = "demo:\n  gains:\n    p:\n      type: double\n      default_value: 2.0\n"
     files = {"setup.py": setup, "pkg/node.py": node, "pkg/__init__.py": "", "pkg/demo.yaml": yaml}
     assert _parameters(workspace, files, 2) == [("gains.p", 2.0)]
+
+
+TWO_SERVERS = """#include <ros/ros.h>
+class Planner {
+ public:
+  Planner() {
+    ros::NodeHandle own("~own"), other("~other");
+    own_.reset(new dynamic_reconfigure::Server<pkg::DemoConfig>(own));
+    other_.reset(new dynamic_reconfigure::Server<elsewhere::OtherConfig>(other));
+  }
+  boost::shared_ptr<dynamic_reconfigure::Server<pkg::DemoConfig>> own_;
+  boost::shared_ptr<dynamic_reconfigure::Server<elsewhere::OtherConfig>> other_;
+};
+int main(int c, char ** v) { ros::init(c, v, "demo"); Planner planner; ros::spin(); }
+"""
+
+
+def test_each_of_two_servers_of_a_class_has_its_own_configuration(workspace: Any) -> None:
+    """Beside the server of another package's configuration stands nothing of this one's."""
+    found = workspace.package(_catkin("src/demo.cpp", TWO_SERVERS), ros=1).interfaces()
+    assert {entry.raw_name for entry in found if entry.role == "parameter"} == {"~own/gain"}

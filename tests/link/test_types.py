@@ -258,3 +258,38 @@ def test_a_type_without_its_package_is_of_the_namespace(workspace: Any, text: st
     """No package is called `msg`: without a namespace around it nothing tells whose type it is."""
     made = 'create_publisher<msg::Goal>("a", 10);'
     assert workspace.package({"src/d.cpp": text.format(made=made)}).only("publisher").type == kind
+
+
+INNER = """#!/usr/bin/env python
+import rospy
+from std_msgs.msg import *
+from geometry_msgs.msg import Pose
+
+class Robot:
+    _core = "/core"
+
+    def __init__(self):
+        topics = [("/left", geometry_msgs.msg.Wrench), (self._core + "/right", geometry_msgs.msg.Wrench)]
+        self.kept = {{}}
+        for name, kind in topics:
+            self.kept[name] = {maker}(name, kind)
+
+    class Kept:
+        def __init__(self, name, kind):
+            self.sub = rospy.Subscriber(name, kind, self.take)
+
+        def take(self, message):
+            pass
+
+if __name__ == "__main__":
+    rospy.init_node("n")
+    Robot()
+"""
+
+
+@pytest.mark.parametrize("maker", ["Robot.Kept", "self.Kept"])
+def test_a_class_within_a_class_is_made_by_its_name(workspace: Any, maker: str) -> None:
+    """Who makes its objects knows names and types; a package that a star may bind is spelled out."""
+    workspace.package({"scripts/n.py": INNER.format(maker=maker)}, ros=1)
+    found = {entry.name: entry.type for entry in workspace.interfaces() if entry.role == "subscriber"}
+    assert found == {"/left": "geometry_msgs/msg/Wrench", "/core/right": "geometry_msgs/msg/Wrench"}

@@ -9,6 +9,12 @@ CHOSEN = "#ifdef OLD\n#include <old.h>\n#else\n#include <new.hpp>\n#endif\n#incl
 INNER = "#ifdef OLD\n#if DEEP\n#include <old.h>\n#endif\n#elif NEW\n#include <new.hpp>\n#endif\n"
 CMAKE = "if(OLD)\n  old(a)\nelse()\n  new(a)\nendif()\nold(b)\n"
 TRIED = "try:\n    from a import (b,\n        c)\nexcept ImportError:\n    b = None\nfrom a import d\n"
+CAUGHT = "try:\n    from a import b\nexcept ImportError:\n    from c import b\n"
+VERSIONS = "import sys\nif sys.version_info[0] < 3:\n    from a import b\nelse:\n    from c import b\n"
+VARIABLE = "import os\nif os.environ['ROS_DISTRO'] == 'humble':\n    from a import b\n"
+SAID = "def f(x):\n    # try:\n    if x == 'a ROS_DISTRO':\n        from a import b\n"
+QUOTED = 'x = R"(\n#if OLD\n)";\n#include <old.h>\ny = R"(\n#else\n#endif\n)";\n'
+NOTED = "# if(\nold(a)\n# else(\n# endif(\n"
 METHOD = "def f():\n    from a import b\n"
 
 
@@ -28,6 +34,13 @@ METHOD = "def f():\n    from a import b\n"
         ("a.py", TRIED, 3, True),
         ("a.py", TRIED, 6, False),
         ("a.py", METHOD, 2, False),
+        ("a.py", CAUGHT, 4, True),
+        ("a.py", VERSIONS, 3, True),
+        ("a.py", VERSIONS, 5, True),
+        ("a.py", VARIABLE, 3, True),
+        ("a.py", SAID, 4, False),
+        ("a.cpp", QUOTED, 4, False),
+        ("CMakeLists.txt", NOTED, 2, False),
         ("a.py", "", 3, False),
     ],
 )

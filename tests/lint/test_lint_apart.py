@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
+from typing import NamedTuple
 
 import msgspec
 import pytest
@@ -48,23 +49,33 @@ def alone(tree: Path, folder: str, documents: list[Package]) -> list[Finding]:
     return findings_of(Workspace(open_tree(tree / folder), Options(jobs=1), stored=documents))
 
 
-def assert_equal(tree: Path) -> Workspace:
-    """Every package of a tree alone, the others as documents, has the findings that it has in the tree."""
+class Sides(NamedTuple):
+    """What is found by folder of a package: alone, with the others as documents, and in the tree, which `whole` is."""
+
+    alone: dict[str, list[str]]
+    together: dict[str, list[str]]
+    whole: Workspace
+
+
+def sides(tree: Path) -> Sides:
     whole = Workspace(open_tree(tree), Options(jobs=1))
     folders = [f"{package.root.path}/" for package in whole.packages if package.root.path]
-    if len(folders) > 1:
-        documents, found = stored(tree), findings_of(whole)
-        for folder in folders:
-            assert [each.replace(folder, "") for each in told(alone(tree, folder, documents), "")] == told(
-                found, folder
-            )
-    return whole
+    if len(folders) < 2:
+        return Sides({}, {}, whole)
+    documents, found = stored(tree), findings_of(whole)
+    single = {folder: told(alone(tree, folder, documents), "") for folder in folders}
+    return Sides(
+        {folder: [each.replace(folder, "") for each in single[folder]] for folder in folders},
+        {folder: told(found, folder) for folder in folders},
+        whole,
+    )
 
 
 @pytest.mark.parametrize("tree", TREES, ids=lambda each: f"{each.parent.name}/{each.name}")
 def test_every_package_of_every_fixture(tree: Path, apart: Path) -> None:
     """All rules."""
-    assert_equal(apart / tree.relative_to(FIXTURES) if tree.is_relative_to(FIXTURES) else tree)
+    found = sides(apart / tree.relative_to(FIXTURES) if tree.is_relative_to(FIXTURES) else tree)
+    assert found.alone == found.together
 
 
 MANIFEST = """<package format="2"><name>{0}</name><version>1.0.0</version>
@@ -237,8 +248,9 @@ def test_what_the_tree_and_other_packages_tell(
     rule: str, files: dict[str, str], package: str | None, tmp_path: Path
 ) -> None:
     """Files outside of packages, and nodes, launch files and descriptions of other packages, concern a package too."""
-    whole = assert_equal(written(tmp_path, files))
-    lines = [each.evidence[0].path for each in findings_of(whole, (rule,))]
+    both = sides(written(tmp_path, files))
+    assert both.alone == both.together
+    lines = [each.evidence[0].path for each in findings_of(both.whole, (rule,))]
     assert {path.partition("/")[0] for path in lines} == set(package.split() if package else ())
 
 
@@ -282,8 +294,9 @@ def test_a_macro_of_a_file_that_no_document_keeps_is_not_missing(tmp_path: Path)
 
 def test_each_package_that_installs_nothing_is_told(tmp_path: Path) -> None:
     """One that is added is no part of what was said of another."""
-    whole = assert_equal(written(tmp_path, OF_DEVEL))
-    found = findings_of(whole, ("LNT043",))
+    both = sides(written(tmp_path, OF_DEVEL))
+    assert both.alone == both.together
+    found = findings_of(both.whole, ("LNT043",))
     assert [(each.subjects, each.severity) for each in found] == [(("first",), "info"), (("second",), "info")]
     assert len({each.fingerprint for each in found}) == len(found)
 

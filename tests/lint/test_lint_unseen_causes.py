@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from lint_fixtures import lint
 from workspaces import Workspace
 
@@ -57,6 +58,14 @@ def test_a_star_gives_any_number_of_values(workspace: Workspace) -> None:
     """LNT051: two values are two, one and a star are as many as there are."""
     workspace.package({"scripts/a.py": SPREAD.format("1, 2"), "scripts/b.py": SPREAD.format("1, *more")})
     assert told(workspace, "LNT051") == 1
+
+
+@pytest.mark.parametrize(("target", "findings"), [("a, b", 1), ("a, *b", 0), ("(a, *b)", 0), ("a[2 * i], b", 1)])
+def test_a_variable_may_take_what_is_left_over(workspace: Workspace, target: str, findings: int) -> None:
+    """LNT051: told by the star of the variable, not by a star in the line."""
+    text = f"#!/usr/bin/env python3\ndef f():\n    return 1, 2, 3\n\n\n{target} = f()\n"
+    workspace.package({"scripts/a.py": text}, ros=1)
+    assert told(workspace, "LNT051") == findings
 
 
 def test_nested_keys_are_joined_with_dots(workspace: Workspace) -> None:

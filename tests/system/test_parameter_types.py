@@ -37,9 +37,9 @@ def given(folder: Path, name: str, text: str, more: dict[str, str] | None = None
     return {entry.name.rpartition("/")[2]: entry.value for entry in settings}
 
 
-def check(found: dict[str, Any], expected: Any) -> None:
-    assert found == {"x": expected}
-    assert type(found["x"]) is type(expected)
+def typed(values: dict[str, Any]) -> dict[str, tuple[type, Any]]:
+    """Each value with its type: 1, 1.0 and true are equal in Python."""
+    return {name: (type(value), value) for name, value in values.items()}
 
 
 PYTHON = {
@@ -77,7 +77,7 @@ PYTHON = {
 def test_map_of_python(written: str, expected: Any, tmp_path: Path) -> None:
     """A `str` of Python stays text; what a substitution gives is YAML, unless the value has a type of its own."""
     text = HEAD.format(f"parameters=[{{'x': {written}}}]")
-    check(given(tmp_path, "a.launch.py", text), expected)
+    assert typed(given(tmp_path, "a.launch.py", text)) == typed({"x": expected})
 
 
 @pytest.mark.parametrize(
@@ -99,7 +99,7 @@ def test_map_of_python(written: str, expected: Any, tmp_path: Path) -> None:
 def test_markup_of_ros2(attributes: str, expected: Any, tmp_path: Path) -> None:
     """A text of XML is read as YAML, unless it has a type."""
     text = f'<launch><node pkg="p" exec="e" name="n"><param name="x" {attributes}/></node></launch>'
-    check(given(tmp_path, "a.launch.xml", text), expected)
+    assert typed(given(tmp_path, "a.launch.xml", text)) == typed({"x": expected})
 
 
 @pytest.mark.parametrize(
@@ -117,7 +117,7 @@ def test_markup_of_ros2(attributes: str, expected: Any, tmp_path: Path) -> None:
 def test_launch_file_in_yaml(written: str, expected: Any, tmp_path: Path) -> None:
     """What YAML has typed keeps its type; a text with a substitution is read anew."""
     text = f"launch:\n- node: {{pkg: p, exec: e, name: n, param: [{{name: x, value: {written}}}]}}\n"
-    check(given(tmp_path, "a.launch.yaml", text), expected)
+    assert typed(given(tmp_path, "a.launch.yaml", text)) == typed({"x": expected})
 
 
 @pytest.mark.parametrize(
@@ -128,7 +128,7 @@ def test_parameter_file_of_ros2(written: str, expected: Any, tmp_path: Path) -> 
     """rcl reads a parameter file; substitutions in it are text, unless they are allowed."""
     text = HEAD.format("parameters=[os.path.join(get_package_share_directory('p'), 'c.yaml')]")
     config = f"n:\n  ros__parameters:\n    x: {written}\n"
-    check(given(tmp_path, "a.launch.py", text, {"c.yaml": config}), expected)
+    assert typed(given(tmp_path, "a.launch.py", text, {"c.yaml": config})) == typed({"x": expected})
 
 
 @pytest.mark.parametrize(
@@ -145,7 +145,7 @@ def test_parameter_file_that_is_changed(call: str, expected: Any, tmp_path: Path
     path = "os.path.join(get_package_share_directory('p'), 'c.yaml')"
     text = HEAD.format(f"parameters=[{call.replace('=f', '=' + path).replace('(f', '(' + path)}]")
     config = "n:\n  ros__parameters:\n    x: $(env ONE)\n"
-    check(given(tmp_path, "a.launch.py", text, {"c.yaml": config}), expected)
+    assert typed(given(tmp_path, "a.launch.py", text, {"c.yaml": config})) == typed({"x": expected})
 
 
 @pytest.mark.parametrize(
@@ -159,7 +159,7 @@ def test_parameter_file_that_is_changed(call: str, expected: Any, tmp_path: Path
 )
 def test_command_line_of_ros2(words: str, expected: Any, tmp_path: Path) -> None:
     """rcl reads what stands on the command line; what the launch sets comes later and wins."""
-    check(given(tmp_path, "a.launch.py", HEAD.format(words)), expected)
+    assert typed(given(tmp_path, "a.launch.py", HEAD.format(words))) == typed({"x": expected})
 
 
 def test_words_that_are_not_for_ros_set_nothing(tmp_path: Path) -> None:
@@ -200,4 +200,4 @@ def test_ros1(element: str, expected: Any, tmp_path: Path) -> None:
         "</package>", "<buildtool_depend>catkin</buildtool_depend></package>"
     )
     files = {"c.yaml": "x: $(env ONE)\n", "package.xml": manifest}
-    check(given(tmp_path, "a.launch", f"<launch>{element}</launch>", files), expected)
+    assert typed(given(tmp_path, "a.launch", f"<launch>{element}</launch>", files)) == typed({"x": expected})

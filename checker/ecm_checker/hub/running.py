@@ -10,6 +10,8 @@ from typing import Any
 import msgspec
 
 from ecm_checker.contract import Qos
+from ecm_checker.hub.local_name import LocalName, shown
+from ecm_checker.hub.name_notation import read_name
 from ecm_checker.hub.roles import Role, RoleKind, roles
 
 
@@ -18,7 +20,8 @@ class RunningEndpoint(msgspec.Struct, frozen=True, omit_defaults=True, gc=False)
 
     Attributes:
         role: as in the contract. name: in the namespace `/`; raw: as written, where that is another.
-        local: names for any namespace and node, where they are not `name`.
+        local: names for any namespace and node, where they are not `name`; one without open parts as a text. Documents
+            of older versions hold all of them as texts (`ecm_checker.hub.name_notation`).
         type: `package/msg|srv|action/Name`, or the type of a parameter; None when not known.
         default: of a parameter, as data. frame: of a transform `parent <- child`.
         path, line: where it is declared.
@@ -29,7 +32,7 @@ class RunningEndpoint(msgspec.Struct, frozen=True, omit_defaults=True, gc=False)
     path: str
     line: int
     raw: str | None = None
-    local: tuple[str, ...] = ()
+    local: tuple[str | LocalName, ...] = ()
     type: str | None = None
     qos: Qos | None = None
     default: Any = None
@@ -46,9 +49,20 @@ class RunningEndpoint(msgspec.Struct, frozen=True, omit_defaults=True, gc=False)
         return self.name if self.raw is None else self.raw
 
     @property
-    def local_names(self) -> tuple[str, ...]:
+    def local_names(self) -> tuple[LocalName, ...]:
         """Its names for any namespace and node."""
-        return self.local or (self.name,)
+        return tuple(as_local(each) for each in self.local) or (LocalName((self.name,)),)
+
+
+def as_local(written: str | LocalName) -> LocalName:
+    """Return a name as it is written in a document."""
+    return read_name(written) if isinstance(written, str) else written
+
+
+def as_written(name: LocalName) -> str | LocalName:
+    """Return how a document holds a name: a text where nothing of it is open, and nothing looks as if it were."""
+    is_open = name.space or any(not isinstance(part, str) or "{" in part for part in name.parts)
+    return name if is_open else shown(name.parts)
 
 
 class Part(msgspec.Struct, frozen=True, omit_defaults=True, gc=False):
@@ -74,7 +88,8 @@ class RunningModule(msgspec.Struct, frozen=True, omit_defaults=True, gc=False):
         path, line: where it is declared.
         cls: qualified name of its class; empty for a program or library. is_program: whether it has a main function.
         node: name of its node, as the module itself says it. lifecycle: whether it works when active only.
-        endpoints: and parameters. claims: command interfaces that it claims; None for no controller.
+        endpoints: and parameters. claims: command interfaces that it claims, as `local` of endpoints; None for no
+            controller.
         parts: modules that it makes inside itself. loads: base classes of which it loads every plugin.
     """
 
@@ -87,7 +102,7 @@ class RunningModule(msgspec.Struct, frozen=True, omit_defaults=True, gc=False):
     node: str | None = None
     lifecycle: bool = False
     endpoints: tuple[RunningEndpoint, ...] = ()
-    claims: tuple[str, ...] | None = None
+    claims: tuple[str | LocalName, ...] | None = None
     parts: tuple[Part, ...] = ()
     loads: tuple[str, ...] = ()
 

@@ -154,8 +154,17 @@ def _python(step: Step, call: Call) -> Invocation:
             path = ".".join([target or head, *rest])
             return Invocation(*step, path, None, call.args, call.keywords, (), call.line)
     if isinstance(callee, Member):
-        return Invocation(*step, callee.name, callee.base, call.args, call.keywords, (), call.line)
+        inner = _inner_class(step.func, callee)
+        receiver = None if inner else callee.base
+        return Invocation(*step, inner or callee.name, receiver, call.args, call.keywords, (), call.line)
     return Invocation(*step, "", None, call.args, call.keywords, (), call.line)
+
+
+def _inner_class(func: Func, callee: Member) -> str:
+    """The class within a class of its file that an attribute of that class, or of its object, is; empty of others."""
+    owner = func.cls.qualified if func.cls is not None and callee.base == Name("this") else dotted_name(callee.base)
+    path = f"{owner}.{callee.name}"
+    return path if path.replace(".", "::") in func.file.inner_classes else ""
 
 
 def dotted_name(expr: Expr) -> str:

@@ -20,7 +20,7 @@ class File:
     """One source file: its path, the package it belongs to, its facts, where its targets look for headers.
 
     `targets` are the names of those that compile it; `is_built` is False of a source that none does, as far as the
-    build is known.
+    build is known. `inner_classes` are those of Python that stand in other classes, as `Outer::Inner`.
     """
 
     path: str
@@ -28,6 +28,7 @@ class File:
     ros: int | None
     facts: SourceFile
     imported: dict[str, str] = field(default_factory=dict)
+    inner_classes: frozenset[str] = frozenset()
     include_folders: tuple[str, ...] = ()
     is_built: bool = True
     targets: tuple[str, ...] = ()

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from ecm_parsers.source.expr import Call, Expr, Member, Name, Op
 from ecm_parsers.source.facts import Statement
 
+from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.texts import is_text_type
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.code.walk import children
@@ -19,6 +20,8 @@ from ecm_extract.link.running.values import Hole, Value
 
 MAX_CHAIN = 5
 """Calls through which a handle or a profile is followed."""
+_INITIALISING = frozenset({"init", "set"})
+"""Statements by which a constructor makes a member: in its initialiser list, or in its body."""
 
 
 class Openness:
@@ -110,9 +113,16 @@ class Openness:
             outer = _below(statement) if statement is not None else None
             if outer is not None:
                 yield outer, made.env
-            elif statement is not None and _initialises(statement, made.env.func):
-                is_call = isinstance(made.expr, Call) and len(made.expr.args) == 1
-                yield (made.expr.args[0] if is_call and isinstance(made.expr, Call) else made.expr), made.env
+            elif statement is not None and statement.kind in _INITIALISING and made.env.func.is_constructor:
+                yield _parent(made.expr, name), made.env
+
+
+def _parent(expr: Expr, member: str) -> Expr:
+    """What a member is made of: `m(x)`, or a handle that it is below, `m(x, "in")` or `m(ros::NodeHandle(x, "in"))`."""
+    given = expr.args[0] if isinstance(expr, Call) and len(expr.args) == 1 else expr
+    while isinstance(given, Call) and given.args and last_name(_variable(given.callee)) in {member, "NodeHandle"}:
+        given = given.args[0]
+    return given
 
 
 def _variable(expr: Expr | None) -> str:
@@ -145,12 +155,6 @@ def _below(statement: Statement) -> Expr | None:
     if statement.kind != "let" or "NodeHandle" not in statement.type or not isinstance(statement.value, Call):
         return None
     return next(iter(statement.value.args), None)
-
-
-def _initialises(statement: Statement, func: Func) -> bool:
-    """Tell whether a constructor makes a member by a statement."""
-    kinds = {"init", "set"} if func.file.language == "python" else {"init"}
-    return statement.kind in kinds and func.is_constructor
 
 
 def _is_qos(name: str, func: Func) -> bool:

@@ -42,9 +42,16 @@ class Parameters:
             name = name_argument(form, call)
             if name is not None and (form.match != "method" or call.receiver is not None or call.simple):
                 return name, next(positions(form.default, call), None)
-        if call.last in READERS and call.args:
+        if call.last in READERS and call.args and not self._is_own(call):
             return call.args[0], None
         return self._wrapped(call)
+
+    def _is_own(self, call: Invocation) -> bool:
+        """Whether a call means a wrapper of its own class or file that is called like what it wraps."""
+        wrappers = [func for func, _, _ in self._wrappers.get(call.last, ())]
+        if call.receiver == Name("this"):
+            return any(func.cls is not None and func.cls is call.func.cls for func in wrappers)
+        return call.receiver is None and any(func.cls is None and func.file is call.func.file for func in wrappers)
 
     def _form(self, call: Invocation) -> Form | None:
         for form in self.forms.get(call.last, ()):

@@ -7,8 +7,9 @@ that they are called with, say what it is; then it is that for its other calls i
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from typing import Final
 
-from ecm_parsers.source.expr import Call, Expr, Member, Name
+from ecm_parsers.source.expr import Call, Expr, Member, Name, Text
 
 from ecm_extract.link.code.calls import Invocation, invocations
 from ecm_extract.link.code.spelling import plain
@@ -18,6 +19,8 @@ from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.running.env import Env
 
 _Place = Cls | Func
+_READING: Final = 3
+"""Arguments of a call that names a parameter, the variable that takes it, and what that is otherwise."""
 
 
 class Signs:
@@ -38,7 +41,7 @@ class Signs:
         return self._shows(form, call, env) or not self._classes(call, env).isdisjoint(form.receiver)
 
     def _shows(self, form: Form, call: Invocation, env: Env) -> bool:
-        if call.types and "template:" in form.type:
+        if (call.types and "template:" in form.type) or _reads(form, call):
             return True
         statement = call.statement
         value = statement.value
@@ -80,6 +83,14 @@ def _variable(expr: Expr | None) -> str:
     if isinstance(expr, Member) and expr.base == Name("this"):
         return expr.name
     return expr.id if isinstance(expr, Name) else ""
+
+
+def _reads(form: Form, call: Invocation) -> bool:
+    """Whether a call reads what a text names into a variable, with a third argument for where nobody set it."""
+    if not (form.row.value and form.out and form.default) or len(call.args) != _READING:
+        return False
+    name, out, _ = call.args
+    return isinstance(name, Text) and isinstance(out, Name | Member)
 
 
 def _is(value: Call, call: Invocation) -> bool:

@@ -40,6 +40,6 @@ class Site:
         yield from zip((*self.chain, self.call), (*self.places, self.env), strict=True)
 
     def lines(self) -> Iterator[tuple[str, int]]:
-        """Yield (path, line), outermost call first."""
-        for call in (*self.chain, self.call):
-            yield call.func.file.path, call.line
+        """Yield (path, line), outermost call first, and where the site itself stands last."""
+        found = [(call.func.file.path, call.line) for call in (*self.chain, self.call)]
+        yield from reversed(dict.fromkeys(reversed(found)))

@@ -17,6 +17,8 @@ from ecm_extract.link.code.option_structs import spread
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.declaring.call_targets import CallTargets
 from ecm_extract.link.declaring.closures import around, captured, given, is_of_parameter
+from ecm_extract.link.declaring.instead import returned_instead
+from ecm_extract.link.declaring.making import Making
 from ecm_extract.link.declaring.match import Matcher, name_argument, positions
 from ecm_extract.link.declaring.openness import MAX_CHAIN, Openness
 from ecm_extract.link.declaring.parameters import Parameters
@@ -69,9 +71,10 @@ class Sites:
         self._remembered: set[Func] = set()
         self._names: dict[Site, tuple[Value, ...]] = {}
         self.openness = Openness(self.folder, types, program.derived)
-        self._aliases = program.aliases.meaning(program.classes, matcher.forms)
+        aliases = program.aliases.meaning(program.classes, matcher.forms)
+        self.making = Making(program, aliases)
         wanted = {*matcher.forms, *program.functions, *program.classes, *_ALSO, *EMPLACING, *also}
-        self.calls = call_index(program, wanted, self._aliases)
+        self.calls = call_index(program, wanted, aliases)
         for name, call in list(emplaced(self.calls, self.folder.objects)):
             self.calls[name].append(call)
         self._calls_of = CallTargets(self.folder, self.calls, self._place)
@@ -84,7 +87,7 @@ class Sites:
         self.folder.forget()
         found: list[Site] = []
         for last in self.matcher.forms:
-            for call in self.calls.get(last, ()):
+            for call in self.folder.dead.without(self.calls.get(last, ())):
                 for site in self._direct(call, parameters):
                     found.extend(self._closed(site))
         return found
@@ -176,7 +179,9 @@ class Sites:
     def _remember_wrapper(self, site: Site) -> None:
         """A function that declares the parameter it is asked for also gives its value."""
         name = self._parameter_of(name_argument(site.form, site.call), site)
-        default = self._parameter_of(next(positions(site.form.default, site.call), None), site)
+        stated = next(positions(site.form.default, site.call), None)
+        out = next(positions(site.form.out, site.call), None)
+        default = self._parameter_of(stated or returned_instead(site.call, out), site)
         if name:
             self.parameters.add_wrapper(site.root, name, default)
 
@@ -191,7 +196,7 @@ class Sites:
             yield from self._makers(site, site.owner) if site.owner is not None else ()
             return
         passed = set(site.chain)
-        for call in self.callers(root):
+        for call in self.folder.dead.without(self.callers(root)):
             if call in passed:
                 continue
             for outer, certain in self._places(self.root_env(call.func, call.at)):
@@ -257,11 +262,9 @@ class Sites:
             return Env(func, at, args, types, outer.this, outer.made, outer=outer)
         if func.cls is None:
             return Env(func, at, args, types)
-        if func.is_constructor or self.makes(link, func.cls):
-            maker = func if func.is_constructor else self.folder.objects.constructor(func.cls, len(link.args))
-            given = bind(maker, link, env) if maker is not None else {}
-            made = Instance(func.cls, given, self._types.of_class(func.cls, link, env), maker)
-            return Env(func, at, given if func.is_constructor else {}, types, func.cls, made)
+        cls = self.making.made(link, func.cls)
+        if func.is_constructor or cls is not None:
+            return self._entered(link, following, env, cls or func.cls)
         same = (
             env.this is not None
             and func.cls in self.program.ancestry(env.this)
@@ -270,6 +273,16 @@ class Sites:
         this = env.this if same else func.cls
         inner = env.made if same else self.folder.objects.held(link.receiver, func.cls, env)
         return Env(func, at, args, types, this, inner)
+
+    def _entered(self, link: Invocation, following: Invocation, env: Env, cls: Cls) -> Env:
+        """The place of a call in a constructor, or in a method, of the object of a class that a call makes."""
+        func = following.func
+        begins = func.is_constructor and func.cls is cls
+        maker = func if begins else self.folder.objects.constructor(cls, len(link.args))
+        given = bind(maker, link, env) if maker is not None else {}
+        made = Instance(cls, given, self._types.of_class(cls, link, env), maker)
+        types = self._types.of_function(func, link, env)
+        return Env(func, following.at, given if begins else {}, types, cls, made)
 
     # --- objects -----------------------------------------------------------------------------------------
 
@@ -322,20 +335,9 @@ class Sites:
 
     def makes(self, call: Invocation, cls: Cls) -> bool:
         """Tell whether a call makes an object of a class."""
-        if call.receiver is not None or (call.last != cls.fact.name and call.last not in self._aliases):
-            return False
-        if not call.args and not call.keywords and not _default_constructible(cls):
-            return False
-        path = call.path.replace(".", "::") if call.func.file.language == "cpp" else call.path
-        return self.program.class_named(path, call.func.file, call.func.scope) is cls
+        return self.making.makes(call, cls)
 
 
 def overrides(func: Func) -> bool:
     """Tell whether whoever calls a function may know its base class only, as the host of a plugin does."""
     return "override" in func.fact.traits
-
-
-def _default_constructible(cls: Cls) -> bool:
-    """Tell whether a class can be made without arguments: no constructor at all, or one that needs none."""
-    makers = [func for func in cls.methods if func.is_constructor]
-    return not makers or any(all(entry.default is not None for entry in maker.fact.params) for maker in makers)

@@ -1,6 +1,6 @@
 """Hardware interfaces that a controller asks for: what its `*_interface_configuration` methods list.
 
-Source: ros2_control `controller_interface::InterfaceConfiguration`. A name may hold `${parameter=default}`; a list
+Source: ros2_control `controller_interface::InterfaceConfiguration`. A parameter may give a part of a name; a list
 parameter gives one claim for each of its items.
 """
 
@@ -10,12 +10,14 @@ from collections.abc import Iterator
 from typing import Literal, NamedTuple
 
 from ecm_checker.contract import Evidence
+from ecm_checker.hub.local_name import Parts
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Name
 
 from ecm_extract.link.code.calls import Invocation, invocations
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.code.walk import calls_in
 from ecm_extract.link.folding.fold import Folder
+from ecm_extract.link.naming.local_names import parts_of
 from ecm_extract.link.running.env import Env, Instance
 from ecm_extract.link.running.values import Value
 
@@ -28,16 +30,16 @@ MAX_CLAIMS = 200
 
 
 class Claim(NamedTuple):
-    """One hardware interface, or all of them (`name` is `*`), that a controller commands or reads."""
+    """One hardware interface, or all of them (`*`), that a controller commands or reads."""
 
     kind: Literal["command", "state"]
-    name: str
+    name: Parts
     evidence: Evidence
 
 
 def claims_of(cls: Cls, folder: Folder) -> tuple[Claim, ...] | None:
     """Return what a class claims, None when it is no controller that says so."""
-    found: dict[tuple[str, str], Claim] = {}
+    found: dict[tuple[str, Parts], Claim] = {}
     methods = [(func, kind) for name, kind in _METHODS if (func := _method(cls, name, folder)) is not None]
     for func, kind in methods:
         for name, line in _listed(func, cls, folder):
@@ -54,7 +56,7 @@ def _method(cls: Cls, name: str, folder: Folder) -> Func | None:
     return None
 
 
-def _listed(func: Func, cls: Cls, folder: Folder) -> Iterator[tuple[str, int]]:
+def _listed(func: Func, cls: Cls, folder: Folder) -> Iterator[tuple[Parts, int]]:
     """Yield (name, line) of the interfaces that a method lists."""
     made = Instance(cls, {}, {})
     for at, statement in enumerate(func.fact.body):
@@ -62,23 +64,23 @@ def _listed(func: Func, cls: Cls, folder: Folder) -> Iterator[tuple[str, int]]:
         if statement.value is None:
             continue
         if any(_last(part) == "ALL" for part in _names(statement.value)):
-            yield "*", statement.line
+            yield ("*",), statement.line
         if statement.kind == "set" and _last(statement.target) == "names":
-            yield from ((value.written, statement.line) for value in folder.lists.elements(statement.value, env))
+            yield from ((parts_of(value), statement.line) for value in folder.lists.elements(statement.value, env))
         elif statement.kind == "return" and _second(statement.value) is not None:
             values = folder.lists.elements(_second(statement.value), env)
-            yield from ((value.written, statement.line) for value in values if _is_informative(value))
+            yield from ((parts_of(value), statement.line) for value in values if _is_informative(value))
         yield from _added(func, at, env, folder)
 
 
-def _added(func: Func, at: int, env: Env, folder: Folder) -> Iterator[tuple[str, int]]:
+def _added(func: Func, at: int, env: Env, folder: Folder) -> Iterator[tuple[Parts, int]]:
     """Names that one statement appends to a list."""
     statement = func.fact.body[at]
     for call in invocations(func, _ADDERS):
         if call.statement is not statement or not call.args:
             continue
         for value in _appended(call, env, folder):
-            yield value.written, call.line
+            yield parts_of(value), call.line
 
 
 def _appended(call: Invocation, env: Env, folder: Folder) -> tuple[Value, ...]:

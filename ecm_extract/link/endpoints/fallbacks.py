@@ -8,6 +8,7 @@ from __future__ import annotations
 from ecm_parsers.source.expr import Call, Constant, Expr, Member, Name, Op
 
 from ecm_extract.link.code.calls import Invocation
+from ecm_extract.link.declaring.instead import returned_instead
 from ecm_extract.link.declaring.match import positions
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.folding.fold import Folder
@@ -17,23 +18,13 @@ from ecm_extract.link.running.env import Env
 def fallback(site: Site, at: int, folder: Folder) -> Expr | None:
     """Return the default of a parameter whose call has none; `at` is the statement of the call."""
     out = next(positions(site.form.out, site.call), None)
-    instead = _returned_instead(site.call, out)
+    instead = returned_instead(site.call, out)
     if instead is not None or site.form.default or not isinstance(out, Name | Member):
         return instead
     if _is_denied(site.call):
         return _assigned_next(site.call, out, at)
     plainly = isinstance(site.call.statement.value, Call) and site.call.statement.kind == "do"
     return _held_before(out, site.env, folder) if plainly else None
-
-
-def _returned_instead(call: Invocation, out: Expr | None) -> Expr | None:
-    """What a helper returns where it does not return what it read: `return fallback`."""
-    returned = [statement.value for statement in call.func.fact.body if statement.kind == "return"]
-    if call.statement.kind != "return" and (out is None or out not in returned):
-        return None
-    given = {parameter.name for parameter in call.func.fact.params}
-    others = {value for value in returned if isinstance(value, Name) and value.id in given}
-    return others.pop() if len(others) == 1 else None
 
 
 def _is_denied(call: Invocation) -> bool:

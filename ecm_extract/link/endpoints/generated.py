@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 from ecm_checker.contract import Evidence, Interface
 from ecm_parsers.dynamic_reconfigure import ReconfigureFile
@@ -19,6 +19,14 @@ from ecm_extract.link.running.values import Value, constant, literal
 from ecm_extract.read.facts import PackageFacts
 
 _TYPES = {"int": "integer", "str": "string", "double": "double", "bool": "bool"}
+
+
+class Generated(NamedTuple):
+    """A unit that holds generated parameters, and the class of their configuration where a server sets them."""
+
+    unit: Unit
+    parameters: tuple[Interface, ...]
+    config: str = ""
 
 
 class GeneratedParameters:
@@ -43,7 +51,7 @@ class GeneratedParameters:
                         if value is not None:
                             parameters.declare(entry.name, package.name, value)
 
-    def interfaces(self) -> Iterator[tuple[Unit, tuple[Interface, ...]]]:
+    def interfaces(self) -> Iterator[Generated]:
         """Yield each unit that holds generated parameters, with them."""
         for package in self.packages:
             files = self._files[package.name]
@@ -51,10 +59,10 @@ class GeneratedParameters:
                 for namespace in namespaces:
                     found = _library(path, namespace)
                     for unit in self._listeners(namespace.name, files):
-                        yield unit, found
+                        yield Generated(unit, found)
             for path, reconfigure in package.reconfigure.items():
                 for unit in self._servers(reconfigure, files):
-                    yield unit, _reconfigured(path, reconfigure)
+                    yield Generated(unit, _reconfigured(path, reconfigure), _config_class(reconfigure))
 
     def _listeners(self, namespace: str, files: Sequence[File]) -> list[Unit]:
         """Units that mention `<namespace>::ParamListener`; for Python the import of the generated module."""
@@ -77,7 +85,11 @@ class GeneratedParameters:
 
     def _servers(self, reconfigure: ReconfigureFile, files: Sequence[File]) -> list[Unit]:
         """Units that hold a `dynamic_reconfigure::Server<pkg::NameConfig>`, or make a server of it in Python."""
-        return self._mentioned.servers(f"{_config_name(reconfigure)}Config", files)
+        return self._mentioned.servers(_config_class(reconfigure), files)
+
+
+def _config_class(reconfigure: ReconfigureFile) -> str:
+    return f"{reconfigure.name or '?'}Config"
 
 
 def _value(default: Any) -> Value | None:
@@ -85,10 +97,6 @@ def _value(default: Any) -> Value | None:
     if isinstance(default, str):
         return literal(default)
     return constant(default) if isinstance(default, bool | int | float) else None
-
-
-def _config_name(reconfigure: ReconfigureFile) -> str:
-    return reconfigure.name or "?"
 
 
 def _library(path: str, namespace: ParameterNamespace) -> tuple[Interface, ...]:

@@ -6,8 +6,10 @@ from collections.abc import Iterator, Sequence
 from typing import Final, NamedTuple
 
 from ecm_checker.contract import Interface
+from ecm_checker.hub.local_name import LocalName, joined
 from msgspec.structs import replace
 
+from ecm_extract.link.code.spelling import last_name, plain
 from ecm_extract.link.running.values import weaker
 
 SERVICE: Final = "dynamic_reconfigure/srv/Reconfigure"
@@ -16,10 +18,17 @@ _LEAF: Final = "set_parameters"
 
 
 class Placed(NamedTuple):
-    """An interface, and its name for any namespace and node."""
+    """An interface, its name for any namespace and node, and of a server the class of its configuration, as written."""
 
     interface: Interface
-    local: str
+    local: LocalName
+    served: str = ""
+
+
+def serving(servers: Sequence[Placed], config: str) -> Sequence[Placed]:
+    """Return the servers of the class of a configuration; where none says so, those that may be."""
+    own = [server for server in servers if last_name(plain(server.served)) == config]
+    return own or [server for server in servers if not server.served] or servers
 
 
 def beside(parameter: Interface, servers: Sequence[Placed]) -> Iterator[Placed]:
@@ -32,6 +41,13 @@ def beside(parameter: Interface, servers: Sequence[Placed]) -> Iterator[Placed]:
         sure = weaker(parameter.confidence, service.confidence)
         sure = weaker(sure, "one_of") if len(servers) > 1 else sure
         placed = replace(parameter, name=f"{head}{leaf}", raw_name=f"{raw}{leaf}", confidence=sure)
-        yield Placed(placed, f"{server.local.removesuffix(_LEAF)}{leaf}")
+        yield Placed(placed, _beside(server.local, leaf))
     if not servers:
-        yield Placed(parameter, parameter.name)
+        yield Placed(parameter, LocalName((parameter.name,)))
+
+
+def _beside(service: LocalName, leaf: str) -> LocalName:
+    """The name with another last part."""
+    *head, last = service.parts
+    kept = last.removesuffix(_LEAF) if isinstance(last, str) else ""
+    return LocalName(joined([*head, kept, leaf]), service.space)

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from ecm_parsers.source.expr import Comprehension, Expr, Items, Name, Number, Op
+from ecm_parsers.source.expr import Comprehension, Expr, Items, Name, Opaque
 
+from ecm_extract.infer.unpacking import taken
 from ecm_extract.link.folding.python_lists import MAX_ITEMS
 from ecm_extract.link.running.env import Bound, Env
 
@@ -39,11 +40,9 @@ class Comprehended:
         if isinstance(target, Name):
             return self.folder.flow.naming(env, {target.id: item})
         given: dict[str, Bound] = {}
-        for index, part in enumerate(target.items if isinstance(target, Items) else ()):
-            pair = item.expr.items if isinstance(item.expr, Items) else ()
-            value = pair[index] if index < len(pair) else Op("[]", (item.expr, Number(index)))
+        for part, value in taken(target.items if isinstance(target, Items) else (), item.expr):
             if isinstance(part, Name):
-                given[part.id] = Bound(value, item.env)
+                given[part.id] = Bound(value if value is not None else Opaque(part.id), item.env)
         return self.folder.flow.naming(env, given)
 
     def _passing(self, expr: Comprehension, places: Iterable[Env]) -> list[Bound] | None:

@@ -10,8 +10,6 @@ from typing import TYPE_CHECKING, Any
 from ecm_parsers.source.expr import (
     Call,
     Expr,
-    Lambda,
-    Member,
     Name,
 )
 
@@ -24,7 +22,7 @@ from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.folding import formats
 from ecm_extract.link.folding.fold_changes import STREAMS
 from ecm_extract.link.folding.placing import CAMERA_INFO, placed
-from ecm_extract.link.running.env import Bound, Env, invocation_of
+from ecm_extract.link.running.env import Env, invocation_of
 from ecm_extract.link.running.values import (
     Hole,
     Value,
@@ -68,6 +66,7 @@ _PYTHON_FUNCTIONS: Mapping[str, Callable[[list[Any]], Any]] = MappingProxyType(
 )
 _PATH_JOINS = shipped_names(_TABLE, "paths")
 _PROPERTIES = shipped_names(_TABLE, "properties")
+_ENVIRONMENT = shipped_names(_TABLE, "environment")
 _PROPERTY_READS = shipped_names(_TABLE, "property_reads")
 
 
@@ -129,7 +128,9 @@ class CallFolder:
         known = self._of_library(call, env)
         if known is not None:
             return known
-        closure = self._closure(expr, call, env)
+        if call.path in _ENVIRONMENT:
+            return self._of_environment(call, env)
+        closure = self.folder.closures.value(expr, call, env)
         if closure is not None:
             return closure
         return self.folder.guarded(_asked(expr, env), f"{call.path}()", lambda: self.folder.returns.values(call, env))
@@ -217,23 +218,11 @@ class CallFolder:
             return None
         return self.folder.tables.entry_or(entries, call.args[0], call.args[1:], env)
 
-    def _closure(self, expr: Call, call: Invocation, env: Env) -> tuple[Value, ...] | None:
-        """A call of a variable that holds a Python lambda."""
-        python = env.func.file.language == "python"
-        ways = self.folder.flow.ways(expr.callee, env) if python and isinstance(expr.callee, Name | Member) else []
-        helds = {held for way in ways for held in way}
-        made = [held for held in helds if isinstance(held.expr, Lambda) and held.how == "value"]
-        if not made:
-            return None
-        held, body = made[0], made[0].expr
-        plain = (
-            isinstance(body, Lambda) and body.body is not None and not any("=" in p or "*" in p for p in body.params)
-        )
-        own = held.env is not None and held.env.func is env.func
-        if len(helds) > 1 or not plain or not own or not isinstance(body, Lambda) or len(body.params) != len(call.args):
-            return (unknown(call.last),)
-        given = {name: Bound(arg, env) for name, arg in zip(body.params, call.args, strict=True)}
-        return demoted(self.folder.fold(body.body, self.folder.flow.naming(env, given)))
+    def _of_environment(self, call: Invocation, env: Env) -> tuple[Value, ...]:
+        """What the environment gives, or what stands for it where that has nothing."""
+        default = call.args[1] if len(call.args) > 1 else dict(call.keywords).get("default")
+        values = self.folder.fold(default, env) if default is not None else ()
+        return alternatives((*demoted(values), unknown(call.last)))
 
     def _absolute(self, name: Expr, env: Env) -> tuple[Value, ...]:
         """`ros::names::resolve(name)`: below the namespace of the node, whatever handle it is given to later."""
@@ -293,7 +282,8 @@ class CallFolder:
             values = lowered(self.folder.fold(known[0], known[1].before(known[1].at)), "default")
         if values and (values[0].text or len(values) > 1):
             return values
-        return (setting(name.rsplit("/", 1)[-1].rsplit(".", 1)[-1].strip("~{}")),)
+        empty = "" if values and values[0].data is None else None
+        return (setting(name.rsplit("/", 1)[-1].rsplit(".", 1)[-1].strip("~{}"), empty),)
 
 
 def _topic_of(made: Call, env: Env) -> Expr | None:

@@ -142,7 +142,8 @@ class HeldFolder:
         if key.startswith(".") and key.count(".") == 1 and owner is not None:
             found = self.folder.members.member_value(name, owner, entry)
             return found or self.folder.names.around(name, entry) or (unknown(name),)
-        return (unknown(name),)
+        is_python = entry.func.file.language == "python" and not key.startswith(".")
+        return (self.folder.names.imported(key, entry) if is_python else ()) or (unknown(name),)
 
     def at_first(self, name: str, env: Env) -> tuple[Value, ...]:
         """Return what a member holds when a constructor starts: what its bases made of it, or its default."""

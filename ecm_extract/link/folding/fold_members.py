@@ -182,8 +182,9 @@ class MemberFolder:
                 if at not in self._reads_of(method, name):
                     place = self._method_env(method, cls, env)
                     values += self.folder.calls.parameter_value(read, default, place.within(None, at))
-        if not any(_makes(held) for held, _ in sources):
-            values += self.initial(name, cls, env)
+        making = [place.func for held, place in sources if _makes(held)]
+        if not any(func.is_constructor for func in making):
+            values += [each for each in self.initial(name, cls, env) if not making or isinstance(each.data, bool)]
         others = [value for value in values if not is_circle(value)]  # `x = x` gives it nothing new
         filled = [value for value in others or values if value.text]
         return alternatives(filled or others or values) if values else ()

@@ -139,6 +139,8 @@ class NameFolder:
         if constant.value is None:
             return (Value((f"{constant.scope}::{constant.name}",), "literal", (), Enumerator(constant)),)
         values = demoted(self.folder.fold(constant.value, Env(self.at_file(file, env).func, depth=env.depth + 1)))
+        if "default" in constant.traits:
+            values = lowered(values, "default")
         return alternatives((*values, unknown(name))) if self.may_change(name, constant, env) else values
 
     def may_change(self, name: str, constant: Constant, env: Env) -> bool:

@@ -58,6 +58,9 @@ class ReturnFolder:
 
     def meant(self, call: Invocation, env: Env) -> Func | None:
         """Return the one function that a call means by what is known of its arguments; None where several fit."""
+        handed = self.folder.closures.function(call, env)
+        if handed is not None:
+            return handed[0]
         fitting = self.folder.objects.callees(call, env)
         if len(fitting) > 1 and env.func.file.language == "cpp":
             kinds = [self._kind(arg, env) for arg in call.args]
@@ -97,7 +100,8 @@ class ReturnFolder:
 
     def entered(self, callee: Func, call: Invocation, args: Mapping[str, Bound], env: Env) -> Env:
         """Return the place of evaluation at the entry of a called function."""
-        outer = env if self.folder.nesting.enclosing(callee) is env.func else None
+        handed = self.folder.closures.function(call, env)
+        outer = env if self.folder.nesting.enclosing(callee) is env.func else handed[1] if handed is not None else None
         led = self.folder.lasting_states.led(callee, call, env)
         if callee.cls is None and "lambda" not in callee.fact.traits:
             return Env(callee, 0, args, depth=env.depth + 1, outer=outer, call=led)

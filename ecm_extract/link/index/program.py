@@ -81,6 +81,7 @@ class Program:
         for constant in file.facts.constants:
             self.constants[constant.name].append((file, constant))
         file.imported = imported_names(file) if file.language == "python" else {}
+        file.inner_classes = _inner_classes(file) if file.language == "python" else frozenset()
 
     def _owner(self, function: Function, file: File) -> Cls | None:
         if not function.scope or "lambda" in function.traits:  # `D::D` is a constructor, and names the class as well
@@ -286,6 +287,12 @@ def imported_names(file: File) -> dict[str, str]:
             head = entry.module.split(".")[0]
             found[head] = head
     return found
+
+
+def _inner_classes(file: File) -> frozenset[str]:
+    """The classes of a file that stand in other classes of it, with those in front."""
+    known = {f"{each.scope}::{each.name}" if each.scope else each.name for each in file.facts.classes}
+    return frozenset(f"{each.scope}::{each.name}" for each in file.facts.classes if each.scope in known)
 
 
 def _dotted(module: str, name: str) -> str:

@@ -56,10 +56,16 @@ class PythonTypes:
         """`self.kind`: what methods give it, else what the class or its nearest base says."""
         cls = env.this or env.func.cls
         if expr.base != Name("this") or cls is None:
-            return UNKNOWN_TYPE
+            return self._spelled_out(dotted_name(expr), env, role)
         given = (held for held, _ in self.folder.members.sources(expr.name, cls, env))
         found = self._only(given, env, role)
         return found if found.name is not None or found.open else self._declared(expr.name, env, role)
+
+    def _spelled_out(self, dotted: str, env: Env, role: Role) -> TypeFound:
+        """`pkg.msg.Name` of a module that the file only takes names of: one of its stars binds the package itself."""
+        module = dotted.rpartition(".")[0]
+        taken = "." in module and any(entry.module == module for entry in env.func.file.facts.imports)
+        return TypeFound(self.types.full(dotted.replace(".", "::"), role)) if taken else UNKNOWN_TYPE
 
     def _declared(self, name: str, env: Env, role: Role) -> TypeFound:
         cls = env.this or env.func.cls

@@ -1,27 +1,31 @@
-"""Names with `${parameter=default}` once the parameters are known."""
+"""Names of which parameters give a part once the parameters are known."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from typing import Any
 
+from ecm_checker.hub.local_name import OpenPart, Parts
+
 MAX_ITEMS = 60
-_PARAMETER = re.compile(r"\$\{([^={}]+)=((?:[^{}]|\{[^{}]*\})*)\}")
 
 
-def filled(local: str, parameter: Callable[[str], Any]) -> list[str]:
-    """Return a name with each `${parameter=default}` replaced by its value, once for each item of a list.
+def filled(name: Parts, parameter: Callable[[str], Any]) -> list[Parts]:
+    """Return a name with what parameters give put in, once for each item of a list.
 
     Args:
-        local: the name.
+        name: its parts.
         parameter: gives the value of a parameter, None when it is not set.
     """
-    match = _PARAMETER.search(local)
-    if match is None:
-        return [local]
-    given = parameter(match[1])
-    values = given[:MAX_ITEMS] if isinstance(given, list) else [match[2] if given is None else given]
-    texts = [str(value) for value in values if not isinstance(value, list | dict)] or [match[2]]
-    names = [local[: match.start()] + text + local[match.end() :] for text in texts]
-    return [entry for name in names[:MAX_ITEMS] for entry in filled(name, parameter)][:MAX_ITEMS]
+    found: list[Parts] = [()]
+    for part in name:
+        ways = [(part,)] if isinstance(part, str) or part.of != "parameter" else _given(part, parameter)
+        found = [(*head, *way) for head in found for way in ways][:MAX_ITEMS]
+    return found
+
+
+def _given(part: OpenPart, parameter: Callable[[str], Any]) -> list[Parts]:
+    given = parameter(part.label)
+    values = given[:MAX_ITEMS] if isinstance(given, list) else [] if given is None else [given]
+    texts: list[Parts] = [(str(value),) for value in values if not isinstance(value, list | dict)]
+    return texts or filled(part.default, parameter)

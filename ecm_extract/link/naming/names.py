@@ -9,7 +9,6 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from ecm_extract.link.naming.handles import Handle, under
-from ecm_extract.link.naming.own_spaces import marked
 from ecm_extract.link.running.values import Hole, Value, settled, with_node
 
 
@@ -24,26 +23,6 @@ def space_of(handle: Handle, node: str | None) -> str:
     """Return the namespace that code gives a node: what stands before its name; empty without one."""
     own = handle.node.text if handle.node is not None else node or ""
     return own.rpartition("/")[0].strip("/")
-
-
-def local_name(value: Value, handle: Handle, space: str = "") -> str:
-    """Return a name for any namespace and node name: `/absolute`, `~/private` or relative, of a node in `space`.
-
-    `${parameter=default}` stands where a ROS parameter gives a part of it.
-    """
-    if _after(value, "space") is not None:
-        return value.written
-    own = _after(value, "node")
-    name = f"~/{own}" if own is not None else value.written
-    prefix = handle.prefix.written
-    if prefix and not name.startswith(("/", "~")) and not value.text.startswith("/"):
-        name = f"{prefix}/{name}"
-    if not name.startswith("~"):
-        return marked(space, name)
-    private = name[1:].lstrip("/")
-    if handle.node is None:
-        return marked(space, f"~/{private}")
-    return marked(space, f"{handle.node.text.removeprefix(space).lstrip('/')}/{private}")
 
 
 def endpoint_name(value: Value, handle: Handle, node: str | None, ros: int | None) -> RosName:
@@ -63,6 +42,16 @@ def endpoint_name(value: Value, handle: Handle, node: str | None, ros: int | Non
     if relative.startswith("~"):
         return RosName(relative, _private(relative[1:].lstrip("/"), handle, node))
     return RosName(relative if ros == 1 else raw, _clean(f"/{space_of(handle, node)}/{relative}"))
+
+
+def below_own_name(value: Value) -> str | None:
+    """Return what is below the node's own name with which a value begins; None for other values."""
+    return _after(value, "node")
+
+
+def is_beside_node(value: Value) -> bool:
+    """Tell whether a value is the namespace of the node and known text below it."""
+    return _after(value, "space") is not None
 
 
 def is_never_made(value: Value, name: RosName) -> bool:

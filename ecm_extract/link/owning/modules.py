@@ -12,11 +12,12 @@ from dataclasses import dataclass, field
 
 from ecm_checker.match.generated import snake
 
-from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.index.module_kinds import class_kind
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.owning.loaded_nodelets import loaded_nodelets
 from ecm_extract.link.owning.references import References, Unit
+from ecm_extract.source_suffixes import is_included
 
 MAX_USERS = 4000
 _REGISTRATION_KINDS = {"RCLCPP_COMPONENTS_REGISTER_NODE": "component", "NODELET": "nodelet"}
@@ -180,6 +181,13 @@ class Modules:
         if key not in self.libraries:
             self.libraries[key] = Module(file.package, name, "library", None, None, file.path, 1)
         return self.libraries[key]
+
+    def is_of_programs_only(self, file: File) -> bool:
+        """Tell whether only programs compile a source, whose main functions are known: nobody else runs what it has."""
+        if not file.targets or is_included(file.path) or file.path in self.registry.libraries:
+            return False
+        mains = (func.file for func in self.registry.programs if func.file.package == file.package)
+        return set(file.targets) <= {target for main in mains for target in main.targets}
 
     def all(self) -> Sequence[Module]:
         """Return every module found so far."""

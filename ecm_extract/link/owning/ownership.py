@@ -24,15 +24,18 @@ class Ownership:
         self.decided = Decided(sites, modules.references)
 
     def owners(self, unit: Unit, site: Site) -> tuple[Module, ...]:
-        """Return the modules that have what a site declares in a unit; the library's is what none of them runs."""
+        """Return the modules that have what a site declares in a unit.
+
+        What none of them runs is the library's, and nobody's where its source is of programs only.
+        """
         if self._is_only_offered(site):
             return self._library(unit)
         owners = [each for each in self.modules.owners(unit) if not _is_told_by_rows(site, each)]
         through = self._through(unit, site)
         running = self._deciding(site, [each for each in owners if self.reach.reaches(each, through)])
-        if owners and (not running or running[0].kind == "library"):
-            return self._library(unit)
-        return running
+        if not owners or (running and running[0].kind != "library"):
+            return running
+        return () if self.modules.is_of_programs_only(site.root.file) else self._library(unit)
 
     def _deciding(self, site: Site, modules: list[Module]) -> tuple[Module, ...]:
         """Those of the modules whose arguments lead to a site, where arguments decide."""

@@ -6,7 +6,8 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Final
 
 from ecm_extract.infer.held import Held, Part, State, Turn, either
-from ecm_extract.infer.routes import OPEN, START, Gate, Route, Verdict
+from ecm_extract.infer.kinds import any_fits
+from ecm_extract.infer.routes import OPEN, START, Fitting, Fork, Gate, Route, Verdict
 from ecm_extract.link.code.units import Func
 
 if TYPE_CHECKING:
@@ -28,15 +29,15 @@ class Decisions:
     def __init__(self, folder: Folder, truths: Truths) -> None:
         self.folder = folder
         self._truths = truths
-        self._deciding: dict[Gate, None] = {}
-        self._meanwhile: dict[Gate, Verdict] = {}
+        self._deciding: dict[Fork, None] = {}
+        self._meanwhile: dict[Fork, Verdict] = {}
 
     @property
     def deciding(self) -> Iterable[Func]:
         """The functions of which a branch is decided right now."""
         return [gate.env.func for gate in self._deciding]
 
-    def of(self, gate: Gate) -> Verdict:
+    def of(self, gate: Fork) -> Verdict:
         """Tell whether what a branch asks holds; that is open for who asks in a circle, or too deep."""
         known = gate.found or self._meanwhile.get(gate)
         if known is not None:
@@ -48,7 +49,7 @@ class Decisions:
         self._deciding[gate] = None
         try:
             with self.folder.steps.apart():
-                found = self._truths.verdict(gate.test, gate.env)
+                found = self._asked(gate)
         finally:
             del self._deciding[gate]
         if cuts == self.folder.cuts or not self.folder.flow.is_busy:
@@ -58,11 +59,22 @@ class Decisions:
         self.folder.flow.answered()
         return found
 
+    def _asked(self, fork: Fork) -> Verdict:
+        if isinstance(fork, Gate):
+            return self._truths.verdict(fork.test, fork.env)
+        if isinstance(fork, Fitting):
+            self.of(fork.raising)
+            kinds = fork.raising.kinds
+            fits = any_fits(kinds, fork.caught) if kinds is not None else None
+            return Verdict(fits, fits)
+        raises, fork.kinds = self.folder.raises.of(fork.env)
+        return Verdict(raises, raises)
+
     def answered(self) -> None:
         """Forget what held only within a question."""
         self._meanwhile.clear()
 
-    def _may_decide(self, gate: Gate) -> bool:
+    def _may_decide(self, gate: Fork) -> bool:
         """Whether a branch is neither asked for by itself, nor deeper than is followed."""
         if gate in self._deciding or len(self._deciding) >= MAX_NESTED:
             return False
@@ -139,7 +151,7 @@ def _joined(helds: Iterable[Held], found: Mapping[Held, tuple[Held, ...]]) -> tu
     return ways
 
 
-def _leads(route: Route, since: Route, passes: Callable[[Gate, bool], bool]) -> bool:
+def _leads(route: Route, since: Route, passes: Callable[[Fork, bool], bool]) -> bool:
     """Whether a run may come along a route from a place on it, by asking for as few branches as tell; none recurses."""
     known = {since: True}
     pending = [route]

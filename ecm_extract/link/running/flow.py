@@ -14,13 +14,14 @@ from ecm_extract.infer.held import Held, State, joined_states
 from ecm_extract.infer.interpreter import Interpreter
 from ecm_extract.infer.outline import Outline
 from ecm_extract.infer.places import as_written
-from ecm_extract.infer.routes import Gate, Verdict
+from ecm_extract.infer.routes import Fork, Verdict
 from ecm_extract.infer.run import Run
 from ecm_extract.link.code.naming_calls import leaves_arguments
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.running.decisions import Decisions
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, invocation_of
+from ecm_extract.link.running.exceptions import Exceptions
 from ecm_extract.link.running.own_calls import OwnCalls
 from ecm_extract.link.running.run_keys import RunKeys
 from ecm_extract.link.running.truths import Truths
@@ -54,6 +55,7 @@ class Flow:
         self._within = 0
         self._outlines: dict[Func, Outline] = {}
         self._own = OwnCalls(folder.program)
+        self.exceptions = Exceptions(folder.program)
         self._truths = Truths(folder, self.outline)
         self.decisions = Decisions(folder, self._truths)
         self._changes: dict[tuple[Func, str], bool] = {}
@@ -200,6 +202,8 @@ class Flow:
         """Whether a function, or a method that it calls on the same object, may give a variable something else."""
         if key in self.outline(env.func).changes:
             return True
+        if "." in key and key.partition(".")[0] in self.outline(env.func).changes:
+            return True  # a field of an object that the function has: methods and other names of it may change that
         return key.startswith(".") and self.folder.methods.calls_own(env.func)
 
     def _entered(self, key: str, env: Env) -> list[tuple[Held, ...]]:
@@ -248,9 +252,9 @@ class Flow:
         """Tell whether a condition holds, and whether it likely does."""
         return self._truths.verdict(test, env)
 
-    def decided(self, gate: Gate) -> Verdict:
-        """Tell whether what a branch asks holds, and whether it likely does."""
-        return self.decisions.of(gate)
+    def decided(self, fork: Fork) -> Verdict:
+        """Tell whether what a branch asks holds, or something raises, and whether it likely does."""
+        return self.decisions.of(fork)
 
     def alike(self, one: Expr, other: Expr, env: Env) -> bool | None:
         """Tell whether two expressions have the same value; None when that is not decided."""
@@ -284,7 +288,7 @@ class Flow:
         cls = self.folder.nesting.object_of(func) if name.rpartition("::")[2] in program.constants else None
         if cls is None or any(name in entry.fields for entry in program.ancestry(cls)):
             return False
-        return self.folder.scope.constant(name, Env(func)) is not None
+        return self.folder.objects.file_scope.meant(name, func) is not None
 
     def own_calls(self, env: Env) -> Sequence[Call]:
         """Return the calls of a statement that may run functions of the tree."""

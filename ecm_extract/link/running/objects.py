@@ -119,7 +119,9 @@ class Objects:
                 return expr.types[0]
             if last in HANDLES_OF_NODELETS:
                 return "ros::NodeHandle"
-            return expr.callee.id if self._is_type(last, env.func.file) else self._returned(last, env.func.file)
+            if self._is_type(last, env.func.file):
+                return expr.callee.id
+            return self._static_type(expr.callee.id, env) or self._returned(last, env.func.file)
         dotted = dotted_name(expr.callee)
         if dotted and env.func.file.language == "python":
             return dotted
@@ -132,12 +134,16 @@ class Objects:
             return self.type_of(callee.base, inner)
         if callee.name in ELEMENT_METHODS:
             return element_type(self.type_of(callee.base, inner))
-        cls = self.class_of(callee.base, inner)
-        for owner in self.program.ancestry(cls) if cls is not None else ():
-            for method in owner.methods:
-                if method.fact.name == callee.name and method.fact.returns:
-                    return method.fact.returns
-        return ""
+        return self._returned_by(self.class_of(callee.base, inner), callee.name)
+
+    def _static_type(self, path: str, env: Env) -> str:
+        """The type that a method returns which is named with its class."""
+        owner, _, name = path.rpartition("::")
+        return self._returned_by(self.program.class_named(owner, env.func.file, env.scope), name) if owner else ""
+
+    def _returned_by(self, cls: Cls | None, name: str) -> str:
+        methods = (method for owner in self.program.ancestry(cls) for method in owner.methods) if cls else ()
+        return next((each.fact.returns for each in methods if each.fact.name == name and each.fact.returns), "")
 
     def _is_type(self, name: str, file: File) -> bool:
         known = self.program.seen_classes(name, file)

@@ -51,15 +51,19 @@ class Origins:
     def makers(self, expr: Expr, env: Env) -> list[Bound] | None:
         """Return the expressions that may have made an object; None where one of them is not known.
 
-        Those of a member are all that its class and its bases assign to it. No further run is needed for either:
-        whoever gets an object may do things with it, and leaves it the one it is.
+        Those of a member are all that its class and its bases assign to it; of a variable of a namespace, which the
+        function at hand finds as others left it, all that functions assign to it. No further run is needed: whoever
+        gets an object may do things with it, and leaves it the one it is.
         """
         key = self.folder.flow.effects(env.func).key(expr)
         is_member = key.startswith(".") and key.count(".") == 1
-        found = self._assigned_to_member(key[1:], env) if is_member else self._made(self.held(expr, env))
+        found = list(self._assigned_to_member(key[1:], env) if is_member else self._made(self.held(expr, env)))
+        known = bool(found) and all(_is_object(held) for held in found)
+        if isinstance(expr, Name) and not is_member and not known:
+            found = [held for held, _ in self._of_namespace(expr.id, env)] or found
         made = [held for held in dict.fromkeys(found) if held.how != "made" and not _is_null(held)]
-        known = [Bound(held.expr, held.env) for held in made if held.how == "value" and held.expr and held.env]
-        return known if len(known) == len(made) else None
+        makers = [Bound(held.expr, held.env) for held in made if held.how == "value" and held.expr and held.env]
+        return makers if len(makers) == len(made) else None
 
     def _made(self, helds: Iterable[Held]) -> Iterator[Held]:
         """Yield what variables were given, whatever was done to it since."""
@@ -137,10 +141,26 @@ class Origins:
         further = self.held(given.expr, given.env.deeper(env.depth + 1))
         return [(held, given.env) for held in further or [Held("value", key, given.expr, given.env)]]
 
+    def _of_namespace(self, name: str, env: Env) -> Iterator[tuple[Held, Env]]:
+        """What a variable of a namespace begins with, and all that functions assign to it."""
+        if name in self.folder.flow.effects(env.func).own:
+            return
+        assigned = list(self._assigned(name, env))
+        stated = self.folder.objects.file_scope.meant(name, env.func) if assigned else None
+        if stated is not None and stated.constant.value is not None:
+            place = Env(self.folder.names.at_file(stated.file, env).func, depth=env.depth + 1)
+            yield Held("value", name, stated.constant.value, place), place
+        yield from assigned
+
     def _assigned(self, name: str, env: Env) -> Iterator[tuple[Held, Env]]:
         for entry in self.folder.objects.file_scope.definitions(name, env):
             place = Env(entry.func, entry.at, this=entry.func.cls, depth=env.depth + 1)
             yield Held("value", name, entry.statement.value, place, entry.at), place
+
+
+def _is_object(held: Held) -> bool:
+    """Tell whether a variable holds the value of an expression that is more than no object."""
+    return held.how in {"value", "each"} and not _is_null(held)
 
 
 def _is_null(held: Held) -> bool:

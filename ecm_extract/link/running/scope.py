@@ -12,6 +12,7 @@ from ecm_parsers.source.facts import Constant, Statement
 
 from ecm_extract.infer.held import Held
 from ecm_extract.infer.places import whole_of
+from ecm_extract.infer.unpacking import unstarred
 from ecm_extract.link.code.spelling import plain
 from ecm_extract.link.code.units import Cls, File, Func
 from ecm_extract.link.index.program import Program
@@ -211,7 +212,7 @@ def _touched(method: Func) -> set[str]:
     own = {parameter.name for parameter in method.fact.params}
     own |= {s.target.id for s in method.fact.body if s.kind == "let" and isinstance(s.target, Name)}
     targets: list[Expr | None] = [s.target for s in method.fact.body if s.kind != "let"]
-    targets += [part for target in targets if isinstance(target, Items) for part in target.items]
+    targets += [unstarred(part) for target in targets if isinstance(target, Items) for part in target.items]
     for call in (call for calls in method.calls for call in calls):
         targets += [call.callee.base if isinstance(call.callee, Member) else None, *call.args]
     return {name for target in targets if (name := _reached(target, own))}

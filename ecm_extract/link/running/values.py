@@ -40,13 +40,10 @@ class Hole(NamedTuple):
 
 
 class OfParameter(NamedTuple):
-    """A part of a value that a ROS parameter gives: its name, and the text that it has as long as no launch sets it."""
+    """A part of a value that a ROS parameter gives: its name, and what it is as long as no launch sets it."""
 
     parameter: str
-    default: str
-
-    def __str__(self) -> str:
-        return f"${{{self.parameter}={self.default}}}"
+    default: tuple[str | Hole, ...]
 
 
 TOO_LONG = Hole("too long a text")
@@ -63,13 +60,13 @@ class Enumerator:
 class Value(NamedTuple):
     """One possible value: its parts in order and how surely it is known.
 
-    `template` has the parts of the text with those apart that a ROS parameter gives, and is empty where none does.
+    `template` has the same parts with those apart that a ROS parameter gives, and is empty where none does.
     `data` is what is no text: a number, a truth value, null; None for texts and for what is not known.
     """
 
     parts: tuple[str | Hole, ...]
     confidence: Confidence = "literal"
-    template: tuple[str | OfParameter, ...] = ()
+    template: tuple[str | Hole | OfParameter, ...] = ()
     data: Any = None
 
     @property
@@ -78,11 +75,6 @@ class Value(NamedTuple):
         if len(self.parts) == 1 and isinstance(self.parts[0], str):
             return self.parts[0]
         return "".join([part if isinstance(part, str) else f"{{{part.part or part.label}}}" for part in self.parts])
-
-    @property
-    def written(self) -> str:
-        """The text with `${parameter=default}` where a ROS parameter gives it."""
-        return "".join([str(part) for part in self.template]) or self.text
 
     @property
     def parameter(self) -> str:
@@ -143,7 +135,18 @@ def alternatives(values: Iterable[Value]) -> tuple[Value, ...]:
     fixed = tuple([value for value in listed if not is_setting(value)])
     if len(fixed) < len(listed) and any(value.text and is_known(value) for value in fixed):
         listed = lowered(fixed, "default")
-    return listed if len(listed) <= 1 else lowered(listed, "one_of")
+    return listed if len(listed) <= 1 else lowered(map(_set, listed), "one_of")
+
+
+def _set(value: Value) -> Value:
+    """The same value where it stands beside others: sources ask first whether a parameter is empty."""
+    if not any(isinstance(part, Hole) and part.kind == "setting" and part.default is not None for part in value.parts):
+        return value
+    parts = [
+        part._replace(default=None) if isinstance(part, Hole) and part.kind == "setting" else part
+        for part in value.parts
+    ]
+    return value._replace(parts=tuple(parts))
 
 
 def unknown(label: str) -> Value:
@@ -151,9 +154,9 @@ def unknown(label: str) -> Value:
     return Value((Hole(_label(label)),), "pattern")
 
 
-def setting(label: str) -> Value:
-    """The value of a parameter, or of a port of a behaviour tree, of which no default is known."""
-    return Value((Hole(_label(label), "setting"),), "pattern")
+def setting(label: str, default: str | None = None) -> Value:
+    """The value of a parameter, or of a port of a behaviour tree, of which no default is known but an empty one."""
+    return Value((Hole(_label(label), "setting", default),), "pattern")
 
 
 def is_setting(value: Value) -> bool:
@@ -182,14 +185,27 @@ def parameter(label: str, made: bool = False, default: str | None = None) -> Val
 
 
 def settled(value: Value) -> Value:
-    """Fill holes that have a default: nobody in the tree says otherwise."""
-    if not any(isinstance(part, Hole) and part.default is not None for part in value.parts):
+    """Fill holes that have a default: nobody in the tree says otherwise. What a parameter has to give stays open."""
+    if is_setting(value) or not any(isinstance(part, Hole) and part.default is not None for part in value.parts):
         return value
-    parts = tuple(
-        [part.default if isinstance(part, Hole) and part.default is not None else part for part in value.parts]
-    )
+    parts = _with_defaults(value.parts)
     rest = any(isinstance(part, Hole) for part in parts)
-    return Value(parts, "pattern" if rest else "default", value.template)
+    return Value(parts, "pattern" if rest else "default", _template_with_defaults(value))
+
+
+def _with_defaults(parts: Iterable[str | Hole]) -> tuple[str | Hole, ...]:
+    return tuple([part.default if isinstance(part, Hole) and part.default is not None else part for part in parts])
+
+
+def _template_with_defaults(value: Value) -> tuple[str | Hole | OfParameter, ...]:
+    return tuple(
+        [
+            part._replace(default=_with_defaults(part.default))
+            if isinstance(part, OfParameter)
+            else _with_defaults((part,))[0]
+            for part in value.template
+        ]
+    )
 
 
 def without_defaults(value: Value) -> Value:
@@ -264,19 +280,31 @@ def _beside(left: Value, right: Value) -> Value:
 
 def _length(value: Value) -> int:
     """Parts and characters of a value and of its template."""
-    parts = sum([len(part) if isinstance(part, str) else len(part.label) for part in value.parts])
-    return max(parts + len(value.parts), len(value.written) if value.template else 0)
+    return max(_size(value.parts), _size(value.template))
 
 
-def _template(left: Value, right: Value) -> tuple[str | OfParameter, ...]:
+def _size(parts: Iterable[str | Hole | OfParameter]) -> int:
+    return sum([1 + (len(part) if isinstance(part, str) else _size_of_open(part)) for part in parts])
+
+
+def _size_of_open(part: Hole | OfParameter) -> int:
+    return len(part.label) if isinstance(part, Hole) else len(part.parameter) + _size(part.default)
+
+
+def _template(left: Value, right: Value) -> tuple[str | Hole | OfParameter, ...]:
     if not left.template and not right.template:
         return ()
-    return tuple([part for side in (left, right) for part in side.template or (side.text,) if part])
+    return tuple([part for side in (left, right) for part in side.template or side.parts if part])
 
 
 def set_by(name: str, values: Iterable[Value]) -> tuple[Value, ...]:
     """The same values as those of a ROS parameter that a launch may set."""
-    return tuple([value._replace(template=(OfParameter(name, value.text),)) for value in values])
+    return tuple([value._replace(template=(OfParameter(name, _unset(value)),)) for value in values])
+
+
+def _unset(value: Value) -> tuple[str | Hole, ...]:
+    """What a value is made of as long as nobody sets it."""
+    return _with_defaults(value.parts) if is_setting(value) else value.parts
 
 
 def unique(values: Iterable[Value]) -> tuple[Value, ...]:

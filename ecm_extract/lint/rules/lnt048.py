@@ -15,6 +15,7 @@ from ecm_checker.hub.running import RunningEndpoint
 from ecm_parsers.source.expr import Call, Expr, Member
 from ecm_parsers.source.facts import Statement
 
+from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.walk import dotted, expressions
 from ecm_extract.lint.rule import LintRule
 from ecm_extract.lint.rules.lnt008 import mismatch
@@ -37,7 +38,8 @@ _LOADERS: Final = frozenset(
 )
 """How Python loads a file of lists; `json.loads` takes a message apart."""
 _SETTERS: Final = _POLICIES | {"reliable", "best_effort", "transient_local", "durability_volatile"}
-CALL_LINES: Final = 3
+_GENERIC: Final = "create_generic_subscription"
+"""rclcpp/create_generic_subscription.hpp: the type is a text."""
 MAX_PLACES: Final = 3
 
 
@@ -90,15 +92,29 @@ def _asks(interface: Interface) -> bool:
 
 def _takes_any(interface: Interface, workspace: Workspace) -> bool:
     """Tell whether the type comes when it runs, not by a template, and no branch chooses the policies."""
-    place = interface.evidence[0]
-    data = workspace.files.read(place.path) or b""
-    if not place.path.endswith(".py") and not any(
-        b"eneric" in line for line in data.splitlines()[max(place.line - CALL_LINES, 0) : place.line + 1]
+    python = interface.evidence[0].path.endswith(".py")
+    if not python and not any(
+        _is_generic(step, at.line) for at in interface.evidence for step in _around(at, workspace)
     ):
         return False
-    functions = [each for each in workspace.linker.program.files if each.path == place.path]
-    around = [fact for file in functions for fact in file.facts.functions if fact.line <= place.line <= fact.end_line]
-    return not any(_chooses(statement) for fact in around for statement in fact.body)
+    return not any(_chooses(statement) for statement in _around(interface.evidence[0], workspace))
+
+
+def _around(place: Evidence, workspace: Workspace) -> Iterator[Statement]:
+    """The statements of the functions around a place."""
+    for file in (each for each in workspace.linker.program.files if each.path == place.path):
+        for fact in file.facts.functions:
+            yield from fact.body if fact.line <= place.line <= fact.end_line else ()
+
+
+def _is_generic(statement: Statement, line: int) -> bool:
+    """Tell whether a statement calls on a line what makes a subscription of any type."""
+    called = (each.callee for each, _ in expressions(statement) if isinstance(each, Call) and each.line == line)
+    return any(_called(each) == _GENERIC for each in called)
+
+
+def _called(callee: Expr) -> str:
+    return callee.name if isinstance(callee, Member) else last_name(dotted(callee) or "")
 
 
 def _chooses(statement: Statement) -> bool:

@@ -10,6 +10,7 @@ from ecm_checker.finding import Certainty, Entity, Finding
 from ecm_parsers.source.expr import Call, Expr, Items, Member, Name
 from ecm_parsers.source.facts import Statement
 
+from ecm_extract.infer.unpacking import unstarred
 from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.tuples import Count, Taken, count_of, held, returned, taken_by
 from ecm_extract.link.code.units import Func
@@ -52,7 +53,7 @@ def _of(func: Func, workspace: Workspace) -> Iterator[Finding]:
         wanted = count_of(found.target)
         made = _made(found.source, func, workspace) if wanted is not None else None
         what = _name(found.source)
-        if made is None or made.values == wanted or what in told or _is_starred(found, func, workspace):
+        if made is None or made.values == wanted or what in told or _is_starred(found.target):
             continue
         told.add(what)
         text = f"{wanted} values are unpacked here, and {what} {made.values}"
@@ -109,10 +110,9 @@ def _made(source: Call | Taken, func: Func, workspace: Workspace) -> Count | Non
     return counts[0] if len(same) == 1 else None
 
 
-def _is_starred(found: _Unpacking, func: Func, workspace: Workspace) -> bool:
-    """Whether a star takes what is left over: facts have no star."""
-    lines = (workspace.files.read(func.file.path) or b"").splitlines()[found.line - 1 : found.line]
-    return any(b"*" in line.partition(b"=")[0] for line in lines)
+def _is_starred(target: Expr) -> bool:
+    """Tell whether a star takes what is left over."""
+    return any(unstarred(item) is not item for item in _variables(target))
 
 
 def _name(source: Call | Taken) -> str:

@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
 from ecm_parsers.source.cpp_assigning import Assigning
 from ecm_parsers.source.cpp_binding import Binding
-from ecm_parsers.source.cpp_captures import initial_captures
+from ecm_parsers.source.cpp_captures import capturing, initial_captures
 from ecm_parsers.source.cpp_effects import matters
 from ecm_parsers.source.cpp_expr import ExprReader, lambda_types
 from ecm_parsers.source.cpp_parameters import declared_name, parameters
+from ecm_parsers.source.cpp_raising import type_thrown, types_caught
 from ecm_parsers.source.cpp_statements import StatementWriter, line_of
 from ecm_parsers.source.cpp_vexing import loop_macro
 from ecm_parsers.source.expr import Constant, Expr, Lambda, Name, Op, Opaque
 from ecm_parsers.source.facts import Function, Parameter
-from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Later, Leave, Loop, Switch
+from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Handler, Later, Leave, Loop, Switch
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -183,20 +184,15 @@ class BodyReader:
         return Case(tests, self._inner(*rest, deeper=0))
 
     def _try(self, node: Node) -> None:
-        handlers = [child for child in node.named_children if child.type == "catch_clause"]
+        clauses = [child for child in node.named_children if child.type == "catch_clause"]
         body = self._inner(node.child_by_field_name("body"))
-        caught = tuple([self._inner(child.child_by_field_name("body"), deeper=2) for child in handlers])
-        self.writer.step(Attempt(body, caught))
-
-    def _break(self, _: Node) -> None:
-        self.writer.step(Leave("break"))
-
-    def _continue(self, _: Node) -> None:
-        self.writer.step(Leave("continue"))
+        blocks = [self._inner(clause.child_by_field_name("body"), deeper=2) for clause in clauses]
+        types = [types_caught(self.expr, clause) for clause in clauses]
+        self.writer.step(Attempt(body, tuple(map(Handler, types, blocks))))
 
     def _throw(self, node: Node) -> None:
         self._expressions(node)
-        self.writer.step(Leave("throw"))
+        self.writer.step(Leave("throw", type_thrown(self.expr, node)))
 
     def _macro_block(self, node: Node) -> None:
         """`BOOST_FOREACH(const T & item, list) { ... }` reads as a function; within a body none can stand."""
@@ -260,27 +256,36 @@ class BodyReader:
 
     def _named_lambda(self, name: str, node: Node) -> None:
         body = node.child_by_field_name("body")
-        self._captured(node)
+        held = self._held_captures(name, node)
         inner = BodyReader(self.expr.data, f"{self.scope}::{name}")
         inner._nesting = self._nesting
         if body is not None:
             inner.read(body)
-        params = _lambda_parameters(self.expr, node)
-        self.functions.append(
-            Function(
-                name,
-                self.scope,
-                params,
-                "",
-                line_of(node),
-                node.end_point[0] + 1,
-                tuple(inner.writer.statements),
-                traits=("lambda", "mutable") if _is_mutable(node) else ("lambda",),
-                flow=inner.writer.flow(),
-            )
+        made = Function(
+            name,
+            self.scope,
+            _lambda_parameters(self.expr, node),
+            "",
+            line_of(node),
+            node.end_point[0] + 1,
+            tuple(inner.writer.statements),
+            traits=("lambda", "mutable") if _is_mutable(node) else ("lambda",),
+            flow=inner.writer.flow(),
         )
-        self.functions.extend(inner.functions)
+        self.functions.extend(capturing((made, *inner.functions), held))
         self.writer.add("let", node, Lambda(lambda_types(self.expr, node)), Name(name), "auto")
+
+    def _held_captures(self, name: str, node: Node) -> Mapping[str, str]:
+        """Declare what a lambda evaluates when it is made; return what its body calls that, by its own names."""
+        found: dict[str, str] = {}
+        for capture in initial_captures(node):
+            value = self.expr.read(capture.value)
+            shared = capture.shares and isinstance(value, Name)
+            held = value if shared and isinstance(value, Name) else Name(f"{name}::{capture.name}")
+            found[capture.name] = held.id
+            if not shared:
+                self.writer.add("let", node, value, held, "auto")
+        return found
 
     def _lambda_body(self, node: Node) -> None:
         given = [parameter.name for parameter in _lambda_parameters(self.expr, node)]
@@ -291,10 +296,9 @@ class BodyReader:
 
     def _captured(self, node: Node) -> list[str]:
         """Read what a lambda evaluates when it is made; return the names by which its body has that."""
-        found = initial_captures(node)
-        for capture in found:
+        for capture in initial_captures(node):
             self._assigning.expression(capture.value)
-        return [capture.name for capture in found]
+        return [capture.name for capture in initial_captures(node)]
 
 
 def _otherwise(node: Node) -> Node | None:
@@ -314,8 +318,9 @@ _STEPS: dict[str, Callable[[BodyReader, Node], None]] = {
     "namespace_alias_definition": BodyReader._local_name,
     "return_statement": BodyReader._return,
     "co_return_statement": BodyReader._return,
-    "break_statement": BodyReader._break,
-    "continue_statement": BodyReader._continue,
+    "break_statement": lambda body, _: body.writer.step(Leave("break")),
+    "goto_statement": lambda body, _: body.writer.step(Leave("goto")),
+    "continue_statement": lambda body, _: body.writer.step(Leave("continue")),
     "throw_statement": BodyReader._throw,
     "if_statement": BodyReader._if,
     "while_statement": BodyReader._while,

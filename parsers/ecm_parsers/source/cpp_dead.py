@@ -5,20 +5,15 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Final
 
-from ecm_parsers.source.cpp_text import blanked
+from ecm_parsers.source.cpp_directives import Directive, directives
+from ecm_parsers.source.cpp_text import blanked_at
 
-_TOKEN: Final = re.compile(
-    rb"""^[ \t]*\#[ \t]*(?P<word>\w+)(?P<rest>(?:[^\n\\]|\\.)*)"""
-    rb"""|//[^\n]*|/\*(?:[^*]|\*(?!/))*(?:\*/)?|"(?:[^"\\\n]|\\.)*"?|'(?:[^'\\\n]|\\.)'""",
-    re.MULTILINE | re.VERBOSE | re.DOTALL,
-)
-_COMMENT: Final = re.compile(rb"//.*|/\*.*?(?:\*/|$)", re.DOTALL)
 _TESTED: Final = re.compile(
     rb"(?P<not>!\s*)?(?:defined\s*\(\s*(?P<asked>\w+)\s*\)|defined\s+(?P<bare>\w+)|(?P<value>\w+))"
 )
 _NUMBERS: Final = {b"0": False, b"false": False, b"1": True, b"true": True}
-_HINTS: Final = (b"undef", b"if 0", b"if 1", b"if false", b"if true")
-"""Texts without which a file has nothing of the kind: searching them costs a thousandth of a parse."""
+_HINT: Final = re.compile(rb"\#[ \t]*(?:undef|(?:el)?if[\s\\(!]*(?:0|1|false|true)\b)")
+"""What a file has that has anything of the kind: searching it costs a thousandth of a parse."""
 
 _Range = tuple[int, int]
 
@@ -45,52 +40,45 @@ class _Group:
 
 def without_dead(data: bytes) -> bytes:
     """Return `data` with all that is not compiled blanked, length unchanged; what the build decides stays."""
-    if not any(hint in data for hint in _HINTS):
+    if _HINT.search(data) is None:
         return data
-    pieces, position = [], 0
-    for start, end in sorted(_dead(data)):
-        if end > position:
-            begin = max(start, position)
-            pieces += [data[position:begin], blanked(data[begin:end])]
-            position = end
-    return b"".join([*pieces, data[position:]]) if pieces else data
+    return blanked_at(data, _dead(data))
 
 
 def _dead(data: bytes) -> Iterator[_Range]:
     groups: list[_Group] = []
     undefined: set[bytes] = set()
-    for match in _TOKEN.finditer(data):
-        word, rest = match["word"], _COMMENT.sub(b" ", match["rest"] or b"").strip()
-        if word in {b"if", b"ifdef", b"ifndef"}:
-            groups.append(_Group(None, match.end()))
-            _turn(groups[-1], _verdict(word, rest, undefined), match)
-        elif word in {b"elif", b"else"} and groups:
-            _close(groups[-1], match)
-            _turn(groups[-1], word == b"else" or _verdict(b"if", rest, undefined), match)
-        elif word == b"endif" and groups:
-            _close(groups[-1], match)
-            yield from _found(groups.pop(), match)
-        elif word is not None:
-            _define(word, rest, undefined, not groups)
+    for found in directives(data):
+        if found.word in {b"if", b"ifdef", b"ifndef"}:
+            groups.append(_Group(None, found.end))
+            _turn(groups[-1], _verdict(found.word, found.rest, undefined), found)
+        elif found.word in {b"elif", b"else"} and groups:
+            _close(groups[-1], found)
+            _turn(groups[-1], found.word == b"else" or _verdict(b"if", found.rest, undefined), found)
+        elif found.word == b"endif" and groups:
+            _close(groups[-1], found)
+            yield from _found(groups.pop(), found)
+        else:
+            _define(found.word, found.rest, undefined, not groups)
 
 
-def _turn(group: _Group, verdict: bool | None, match: re.Match[bytes]) -> None:
+def _turn(group: _Group, verdict: bool | None, found: Directive) -> None:
     """Go on with the next branch: of several that hold the first is compiled, and no other one."""
     group.holds = False if group.settled else verdict if group.certain or verdict is False else None
     group.settled = group.settled or group.holds is True
     group.certain = group.certain and group.holds is not None
-    group.begin = match.end()
-    group.directives.append(match.span())
+    group.begin = found.end
+    group.directives.append((found.start, found.end))
 
 
-def _close(group: _Group, match: re.Match[bytes]) -> None:
+def _close(group: _Group, found: Directive) -> None:
     if group.holds is False:
-        group.dead.append((group.begin, match.start()))
+        group.dead.append((group.begin, found.start))
 
 
-def _found(group: _Group, match: re.Match[bytes]) -> list[_Range]:
+def _found(group: _Group, found: Directive) -> list[_Range]:
     """The dead branches, and the lines around them where nothing is left to decide."""
-    lines = [*group.directives, match.span()] if group.certain else []
+    lines = [*group.directives, (found.start, found.end)] if group.certain else []
     return [*group.dead, *lines]
 
 

@@ -279,7 +279,16 @@ class DeclarationReader:
             return
         read = macro_value(self.data[value.start_byte : value.end_byte].strip())
         if read is not None:
-            self.constants.append(Constant(self.expr.text(name), "", read, lines_of(node)[0], "", ("define",)))
+            traits = ("define", "default") if self._is_unless_given(node, name) else ("define",)
+            self.constants.append(Constant(self.expr.text(name), "", read, lines_of(node)[0], "", traits))
+
+    def _is_unless_given(self, node: Node, name: Node) -> bool:
+        """Whether a build may give a macro another value: it is defined where it is not yet (`#ifndef NAME`)."""
+        around = node.parent
+        asked = around.child_by_field_name("name") if around is not None and around.type == "preproc_ifdef" else None
+        if around is None or asked is None or around.children[0].type != "#ifndef":
+            return False
+        return self.expr.text(asked) == self.expr.text(name)
 
     def enum(self, node: Node, place: Place) -> None:
         """An enum: each value is a constant; those of an `enum class` are known within it only."""

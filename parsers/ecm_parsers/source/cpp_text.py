@@ -7,7 +7,9 @@ expression, `= {}` as default argument, a default of a nameless template paramet
 """
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
+
+from ecm_parsers.source.cpp_directives import directives
 
 _EXPORT_WORD = re.compile(rb"\b[A-Z][A-Z0-9_]*_(?:PUBLIC|EXPORT|LOCAL|API|IMPORT|HIDDEN|DEPRECATED)\b(?!\s*\()")
 _CLASS_WORD = re.compile(rb"((?:class|struct) )([A-Z][A-Z0-9_]{2,})(?= \w+\s*(?:final\s*)?[:{])")
@@ -21,7 +23,7 @@ _LABEL_NOTE = re.compile(rb"(?<=\w)\s*\[\[[^\[\]]*\]\](?=\s*[=,}])")
 _ADJACENT = re.compile(rb"(?<=[(,])(\s*[A-Z][A-Z0-9]*_[A-Z0-9_]*)[ \t]([A-Z][A-Z0-9]*_[A-Z0-9_]*)(?=\s*[,)])")
 """Two macros for texts side by side: the compiler joins them."""
 _EMPTY_BRACES = re.compile(rb"=\s*\{\}(?=\s*[,)])")
-_DIRECTIVE = re.compile(rb"^[ \t]*#[ \t]*(?:if|ifdef|ifndef|elif|else|endif)\b[^\n]*", re.MULTILINE)
+_CONDITIONAL = frozenset({b"if", b"ifdef", b"ifndef", b"elif", b"else", b"endif"})
 _DEFINE_LINE = re.compile(rb"^[ \t]*#[^\\\n]*(?:\\(?:\r?\n|[^\n])[^\\\n]*)*", re.MULTILINE)
 _COMMENT = re.compile(rb"/\*.*?\*/", re.DOTALL)
 _REGISTRATION = re.compile(rb"^[ \t]*([A-Z][A-Z0-9_]*(?:REGISTER|EXPORT|DECLARE)[A-Z0-9_]*)\s*\(", re.MULTILINE)
@@ -30,6 +32,17 @@ _REGISTRATION = re.compile(rb"^[ \t]*([A-Z][A-Z0-9_]*(?:REGISTER|EXPORT|DECLARE)
 def blanked(text: bytes) -> bytes:
     """Return spaces and line ends in the place of a text."""
     return b"\n".join([b" " * len(line) for line in text.split(b"\n")])
+
+
+def blanked_at(data: bytes, ranges: Iterable[tuple[int, int]]) -> bytes:
+    """Return a text with what stands at some places blanked, length unchanged."""
+    pieces, position = [], 0
+    for start, end in sorted(ranges):
+        if end > position:
+            begin = max(start, position)
+            pieces += [data[position:begin], blanked(data[begin:end])]
+            position = end
+    return b"".join([*pieces, data[position:]]) if pieces else data
 
 
 def _blank(match: re.Match[bytes]) -> bytes:
@@ -54,7 +67,7 @@ def hides_class(data: bytes) -> bool:
 
 def without_conditionals(data: bytes) -> bytes:
     """Return `data` with `#if`, `#else` and `#endif` lines blanked, both branches kept, length unchanged."""
-    return _DIRECTIVE.sub(_blank, data)
+    return blanked_at(data, [(each.start, each.end) for each in directives(data) if each.word in _CONDITIONAL])
 
 
 def registrations(data: bytes) -> list[tuple[str, tuple[str, ...], int]]:

@@ -6,7 +6,7 @@ Records are array-like: they travel between processes and into the cache by the 
 
 from __future__ import annotations
 
-from typing import TypeAlias
+from typing import Final, TypeAlias
 
 import msgspec
 
@@ -71,6 +71,10 @@ class Op(_Node, frozen=True):
 
     op: str
     operands: tuple[Expr, ...]
+
+
+REST: Final = "*rest"
+"""Operator of a variable of Python that takes what is left over of a value: `first, *others = value`."""
 
 
 class Items(_Node, frozen=True):

@@ -65,8 +65,8 @@ class Function(_Fact, frozen=True):
         body: its statements, those of its anonymous lambdas included; empty for a declaration.
         template: names of template parameters.
         traits: of `declaration`, `static`, `virtual`, `override`, `pure`, `deleted`, `private`, `protected`,
-            `anonymous` (namespace), `deprecated`, `const`, `generator`, `reference` (it returns one, or a pointer, to
-            what may be changed).
+            `anonymous` (namespace), `deprecated`, `const`, `generator`, `coroutine`, `reference` (it returns one,
+            or a pointer, to what may be changed).
         decorators: Python decorators or C++ attributes, as written.
         flow: how the statements of its body follow each other; empty where they simply do.
         shared: names that a Python function takes from around it to assign them (`global`, `nonlocal`).
@@ -116,7 +116,8 @@ class Class(_Fact, frozen=True):
 class Constant(_Fact, frozen=True):
     """A named value outside functions: namespace constant, static member, `#define`, enum value, module global.
 
-    A value of an enum has the enum as scope and type, and the trait `scoped` when it is known within that only.
+    A value of an enum has the enum as scope and type, and the trait `scoped` when it is known within that only. A
+    `#define` has the trait `default` where it stands for a value that a build does not give.
     """
 
     name: str

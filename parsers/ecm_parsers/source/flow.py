@@ -62,19 +62,32 @@ class Switch(_Step, frozen=True):
     falls: bool
 
 
+class Handler(_Step, frozen=True):
+    """What handles an exception, by the types that it is for as they are written; without types it is for all."""
+
+    types: tuple[str, ...]
+    body: Block
+
+
 class Attempt(_Step, frozen=True):
     """`try`: its body, its handlers, what runs where nothing was raised, what runs in the end."""
 
     body: Block
-    handlers: tuple[Block, ...]
+    handlers: tuple[Handler, ...]
     other: Block = ()
     final: Block = ()
 
 
 class Leave(_Step, frozen=True):
-    """What ends a path: a `return` without a value, `break`, `continue`, `throw` or `raise`."""
+    """What ends a path: a `return` without a value, `break`, `continue`, `throw` or `raise`, `goto`.
 
-    how: Literal["return", "break", "continue", "throw"]
+    Attributes:
+        raised: what is raised as it is written, without its arguments: a type, or a variable; empty for what is
+            raised again.
+    """
+
+    how: Literal["return", "break", "continue", "throw", "goto"]
+    raised: str = ""
 
 
 class Later(_Step, frozen=True):
@@ -121,7 +134,7 @@ def blocks(step: Step) -> Iterator[Block]:
     elif isinstance(step, Switch):
         yield from (case.body for case in step.cases)
     elif isinstance(step, Attempt):
-        yield from (step.body, *step.handlers, step.other, step.final)
+        yield from (step.body, *[handler.body for handler in step.handlers], step.other, step.final)
     elif isinstance(step, Later):
         yield step.body
 

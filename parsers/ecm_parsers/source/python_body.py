@@ -14,9 +14,10 @@ from tree_sitter import Node
 
 from ecm_parsers.source.expr import Expr, Items, Member, Name, Op
 from ecm_parsers.source.facts import Constant, Field
-from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Leave, Loop, Switch
+from ecm_parsers.source.flow import Attempt, Block, Branch, Case, Handler, Leave, Loop, Switch
 from ecm_parsers.source.python_expr import parts, salvage
 from ecm_parsers.source.python_literal import NULL, TRUE
+from ecm_parsers.source.python_raising import asserted, raised, types_caught, types_suppressed
 from ecm_parsers.source.python_scan import Scan, StatementHandler
 
 _THIS = Name("this")
@@ -135,9 +136,8 @@ def _returned(scan: Scan, node: Node) -> None:
         scan.frame.flow.add(Leave("return"))
 
 
-def _left(how: Literal["break", "continue", "throw"]) -> StatementHandler:
+def _left(how: Literal["break", "continue"]) -> StatementHandler:
     def handler(scan: Scan, node: Node) -> None:
-        _calls(scan, node)
         scan.frame.flow.add(Leave(how))
 
     return handler
@@ -251,7 +251,7 @@ def _pattern(scan: Scan, node: Node) -> Expr:
 
 
 def _try(scan: Scan, node: Node) -> None:
-    handlers: list[Block] = []
+    handlers: list[Handler] = []
     body: Block = ()
     other: Block = ()
     final: Block = ()
@@ -261,15 +261,15 @@ def _try(scan: Scan, node: Node) -> None:
             body = scan.inner(child)
             scan.frame.attempts -= 1
         elif child.type.startswith("except"):
-            handlers.append(_handler(scan, child, 1))
+            handlers.append(Handler(types_caught(scan, child), _inner(scan, child, 1)))
         elif child.type == "else_clause":
-            other = _handler(scan, child, 0)
+            other = _inner(scan, child, 0)
         else:
-            final = _handler(scan, child, 0)
+            final = _inner(scan, child, 0)
     scan.frame.flow.add(Attempt(body, tuple(handlers), other, final))
 
 
-def _handler(scan: Scan, node: Node, deeper: int) -> Block:
+def _inner(scan: Scan, node: Node, deeper: int) -> Block:
     block = next((part for part in node.named_children if part.type == "block"), None)
     return scan.inner(block, deeper)
 
@@ -290,8 +290,11 @@ def _for(scan: Scan, node: Node) -> None:
 
 
 def _with(scan: Scan, node: Node) -> None:
+    passed = types_suppressed(scan, node)
     for child in parts(node):
-        if child.type == "block":
+        if child.type == "block" and passed is not None:
+            scan.frame.flow.add(Attempt(scan.inner(child), (Handler(passed, ()),)))
+        elif child.type == "block":
             scan.block(child)
         elif child.type == "with_clause":
             for item in parts(child):
@@ -316,7 +319,7 @@ def _broken(scan: Scan, node: Node) -> None:
 
 STATEMENTS: Mapping[str, StatementHandler] = {
     "ERROR": _broken,
-    "assert_statement": _calls,
+    "assert_statement": asserted,
     "block": lambda scan, node: scan.block(node, 1),
     "break_statement": _left("break"),
     "continue_statement": _left("continue"),
@@ -329,7 +332,7 @@ STATEMENTS: Mapping[str, StatementHandler] = {
     "match_statement": _match,
     "nonlocal_statement": _shared,
     "print_statement": _calls,
-    "raise_statement": _left("throw"),
+    "raise_statement": raised,
     "return_statement": _returned,
     "try_statement": _try,
     "while_statement": _while,

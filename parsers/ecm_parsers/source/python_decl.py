@@ -61,12 +61,20 @@ def _read_function(scan: Scan, node: Node, decorators: tuple[str, ...]) -> None:
             line=node.start_point[0] + 1,
             end_line=node.end_point[0] + 1,
             body=tuple(body),
-            traits=(*_traits(name, decorators), *(["generator"] if frame.yields else [])),
+            traits=(*_traits(name, decorators), *_ways_to_run(node, frame)),
             decorators=decorators,
             flow=frame.flow.flow(),
             shared=tuple(frame.shared),
         )
     )
+
+
+def _ways_to_run(node: Node, frame: Frame) -> Iterator[str]:
+    """How a body runs that does not when it is called."""
+    if frame.yields:
+        yield "generator"
+    if any(child.type == "async" for child in node.children):
+        yield "coroutine"
 
 
 def _bound_in(scan: Scan, frame: Frame) -> Iterator[str]:

@@ -13,7 +13,20 @@ from collections.abc import Mapping
 
 from tree_sitter import Node
 
-from ecm_parsers.source.expr import Call, Comprehension, Expr, Items, Member, Name, Number, Op, Table, Template, Text
+from ecm_parsers.source.expr import (
+    REST,
+    Call,
+    Comprehension,
+    Expr,
+    Items,
+    Member,
+    Name,
+    Number,
+    Op,
+    Table,
+    Template,
+    Text,
+)
 from ecm_parsers.source.python_literal import (
     FALSE,
     NULL,
@@ -243,6 +256,10 @@ def _spread(scan: Scan, node: Node) -> Expr:
     return Op("*", (_inner(scan, node),))
 
 
+def _rest(scan: Scan, node: Node) -> Expr:
+    return Op(REST, (_inner(scan, node),))
+
+
 def _comprehension(scan: Scan, node: Node) -> Expr:
     body, *clauses = parts(node)
     loops: list[int] = []
@@ -300,7 +317,7 @@ EXPRESSIONS: Mapping[str, ExprHandler] = {
     "list_comprehension": _comprehension,
     "list_pattern": _items,
     "list_splat": _spread,
-    "list_splat_pattern": _inner,
+    "list_splat_pattern": _rest,
     "named_expression": _named,
     "none": lambda _scan, _node: NULL,
     "not_operator": _unary,

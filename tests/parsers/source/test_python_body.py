@@ -1,7 +1,7 @@
 """Statements, functions, classes and imports of Python sources."""
 
 import pytest
-from ecm_parsers.source.expr import Call, Constant, Items, Member, Name, Number, Op, Opaque, Text
+from ecm_parsers.source.expr import REST, Call, Constant, Items, Member, Name, Number, Op, Opaque, Text
 from ecm_parsers.source.facts import Class, Field, Function, Import, Parameter, SourceFile, Statement
 from ecm_parsers.source.facts import Constant as ConstantFact
 from ecm_parsers.source.python import parse_python
@@ -30,7 +30,7 @@ def call(name: str, line: int = 1) -> Call:
         ("a, b = 1, 2", [Statement("set", 1, Number(1), A), Statement("set", 1, Number(2), B)]),
         ("(a, b) = [1, 2]", [Statement("set", 1, Number(1), A), Statement("set", 1, Number(2), B)]),
         ("a, b = x()", [Statement("set", 1, call("x"), Items((A, B)))]),
-        ("a, *b = 1, 2", [Statement("set", 1, Items((Number(1), Number(2))), Items((A, B)))]),
+        ("a, *b = 1, 2", [Statement("set", 1, Items((Number(1), Number(2))), Items((A, Op(REST, (B,)))))]),
         ("a: int = 1", [Statement("set", 1, Number(1), A, "int")]),
         ("a: List[int]", [Statement("let", 1, None, A, "List[int]")]),
         ("a += 'x'", [Statement("set", 1, Op("+", (A, Text("x"))), A, "+=")]),

@@ -1,0 +1,73 @@
+"""The preprocessor directives of a C++ file, found as the first phases of its translation find them.
+
+A `#` begins a directive where only white space and comments stand before it on its line. What is within comments,
+texts, raw texts and continued lines begins none, and a directive goes on as long as its lines are continued or a
+comment in it is open. Source: [lex.phases], [cpp.pre], [lex.string] of the C++ standard.
+"""
+
+import re
+from collections.abc import Iterator
+from typing import Final, NamedTuple
+
+_COMMENT: Final = rb"//(?:[^\\\n]|\\\r?\n|\\)*|/\*(?:[^*]|\*(?!/))*(?:\*/)?"
+_QUOTED: Final = rb""""(?:[^"\\\n]|\\\r?\n|\\.)*"?|'(?:[^'\\\n]|\\.)'"""
+_RAW: Final = rb'(?<![A-Za-z0-9_])(?:u8|[uUL])?R"(?P<mark>[^()\\\s"]{0,16})\('
+_TOKEN: Final = re.compile(rb"(?P<comment>" + _COMMENT + rb")|" + _RAW + rb"|" + _QUOTED + rb"|(?P<sign>\#)")
+_LINE: Final = re.compile(rb"(?:[^\n\\/\"']|\\\r?\n|" + _COMMENT + rb"|" + _QUOTED + rb"|[\\/'])*")
+_WORD: Final = re.compile(rb"\#\s*(?P<word>\w+)\s*")
+_INSIDE: Final = re.compile(rb"(?P<kept>" + _QUOTED + rb")|\\\r?\n|" + _COMMENT)
+
+
+class Directive(NamedTuple):
+    """A directive: its word, empty for none, what stands behind that without comments, and the bytes from `#` on."""
+
+    word: bytes
+    rest: bytes
+    start: int
+    end: int
+
+
+def directives(data: bytes) -> Iterator[Directive]:
+    """Yield the directives of a file in order; none behind a raw text that is never closed."""
+    position, fresh = 0, True
+    while position >= 0 and (token := _TOKEN.search(data, position)) is not None:
+        fresh = _is_fresh(data, position, token.start(), fresh)
+        position = token.end()
+        if token["mark"] is not None:
+            position = _raw_end(data, token)
+        elif token["sign"] is not None and fresh:
+            directive = _directive(data, token.start())
+            position = directive.end
+            yield directive
+        fresh = fresh and token["comment"] is not None
+
+
+def _is_fresh(data: bytes, since: int, at: int, before: bool) -> bool:
+    """Tell whether only white space stands on a line up to a place; a continued line is no new one."""
+    end = data.rfind(b"\n", since, at)
+    if end < 0:
+        return before and not data[since:at].strip()
+    return not data[max(end - 2, 0) : end].removesuffix(b"\r").endswith(b"\\") and not data[end:at].strip()
+
+
+def _raw_end(data: bytes, token: re.Match[bytes]) -> int:
+    """Where a raw text ends, -1 where it is never closed."""
+    closing = b")" + token["mark"] + b'"'
+    end = data.find(closing, token.end())
+    return end if end < 0 else end + len(closing)
+
+
+def _directive(data: bytes, start: int) -> Directive:
+    line = _LINE.match(data, start)
+    end = line.end() if line is not None else start + 1
+    plain = _INSIDE.sub(_without_comment, data[start:end])
+    word = _WORD.match(plain)
+    return Directive(word["word"], plain[word.end() :].strip(), start, end) if word else Directive(b"", b"", start, end)
+
+
+def _without_comment(match: re.Match[bytes]) -> bytes:
+    """A text stays, a continued line goes on without a space, a comment is one."""
+    kept: bytes | None = match["kept"]
+    if kept is not None:
+        return kept
+    return b"" if match.group().startswith(b"\\") else b" "

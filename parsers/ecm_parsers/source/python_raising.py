@@ -1,0 +1,52 @@
+"""What is raised and handled in Python, by type."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from tree_sitter import Node
+
+from ecm_parsers.source.expr import Op
+from ecm_parsers.source.flow import Branch, Leave
+from ecm_parsers.source.python_expr import parts
+from ecm_parsers.source.python_scan import Scan
+
+_SUPPRESSING: Final = "suppress"
+"""docs.python.org, contextlib."""
+
+
+def raised(scan: Scan, node: Node) -> None:
+    """Read `raise`, with what is raised."""
+    for child in parts(node):
+        scan.do(child)
+    value = next(iter(parts(node)), None)
+    made = value.child_by_field_name("function") if value is not None and value.type == "call" else value
+    scan.frame.flow.add(Leave("throw", scan.text(made) if made is not None else ""))
+
+
+def asserted(scan: Scan, node: Node) -> None:
+    """`assert test` raises unless the test holds."""
+    read = [scan.done(child) for child in parts(node)]
+    for test in read[:1]:
+        scan.frame.flow.add(Branch(Op("!", (test,)), (Leave("throw", "AssertionError"),)))
+
+
+def types_caught(scan: Scan, node: Node) -> tuple[str, ...]:
+    """Return the types that a handler is for; none where it is for all."""
+    asked = next((part for part in node.named_children if part.type not in {"block", "comment"}), None)
+    if asked is not None and asked.type == "as_pattern":
+        asked = next(iter(parts(asked)), None)
+    if asked is None:
+        return ()
+    return tuple([scan.text(part) for part in (parts(asked) if asked.type == "tuple" else (asked,))])
+
+
+def types_suppressed(scan: Scan, node: Node) -> tuple[str, ...] | None:
+    """Return the types that a context lets pass by: `with suppress(KeyError):`; None where it lets none."""
+    items = [item for clause in parts(node) if clause.type == "with_clause" for item in parts(clause)]
+    calls = [call for item in items if (call := item.child_by_field_name("value")) is not None and call.type == "call"]
+    for call in calls:
+        called, given = call.child_by_field_name("function"), call.child_by_field_name("arguments")
+        if called is not None and scan.text(called).rpartition(".")[2] == _SUPPRESSING and given is not None:
+            return tuple([scan.text(part) for part in parts(given)])
+    return None
