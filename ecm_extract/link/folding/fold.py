@@ -122,8 +122,7 @@ class Folder:
         self.lasting_states = LastingStates(self)
         self.methods = MethodEffects(self)
         scope.ways = self.flow.ways
-        self.cuts = 0
-        self.cycles = 0
+        self.cuts = self.cycles = 0
         self.steps = Steps(sum(len(func.fact.body) for group in program.functions.values() for func in group))
         self._active: set[Hashable] = set()
         self._meanwhile: dict[Hashable, tuple[Value, ...]] = {}

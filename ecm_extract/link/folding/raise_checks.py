@@ -237,8 +237,9 @@ def _unlike(asked: Asked) -> Checked:
     items = asked.items(asked.expr)
     if items is None or not isinstance(target, Items):
         return Checked(None)
-    spread = any(unstarred(item) is not item for item in target.items)
-    return Checked(None if spread else len(items) != len(target.items), _LIST)
+    if any(unstarred(item) is not item for item in target.items):
+        return Checked(len(items) < len(target.items) - 1, _LIST)
+    return Checked(len(items) != len(target.items), _LIST)
 
 
 def _receiver(call: Call) -> Expr | None:

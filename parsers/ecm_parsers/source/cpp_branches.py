@@ -1,15 +1,10 @@
 """Conditional branches that open or close blocks: a grammar without a preprocessor sees all of them at once."""
 
-import re
 from typing import NamedTuple
 
-from ecm_parsers.source.cpp_text import blanked
+from ecm_parsers.source.cpp_directives import Bracket, directives_and_brackets
+from ecm_parsers.source.cpp_text import blanked_at
 
-_TOKEN = re.compile(
-    rb"""(?P<directive>^[ \t]*\#[ \t]*(?P<word>if|elif|else|endif)?(?:[^\n\\]|\\.)*)"""
-    rb"""|//[^\n]*|/\*(?:[^*]|\*(?!/))*(?:\*/)?|"(?:[^"\\\n]|\\.)*"?|'(?:[^'\\\n]|\\.)'|(?P<bracket>[{}()])""",
-    re.MULTILINE | re.VERBOSE | re.DOTALL,
-)
 _STEP = {b"{": (1, 0), b"}": (-1, 0), b"(": (0, 1), b")": (0, -1)}
 
 _Balance = tuple[int, int]
@@ -30,39 +25,30 @@ def with_one_branch(data: bytes) -> bytes:
     `#if A`, `if (x) {`, `#else`, `if (y) {`, `#endif` opens two blocks of which the code below closes one. Which
     branch a build takes is not known, so the first one stands for all.
     """
-    ranges = _dropped(data)
-    if not ranges:
-        return data
-    pieces, position = [], 0
-    for start, end in ranges:
-        if end > position:
-            pieces += [data[position : max(start, position)], blanked(data[max(start, position) : end])]
-            position = end
-    return b"".join([*pieces, data[position:]])
+    return blanked_at(data, _dropped(data))
 
 
 def _dropped(data: bytes) -> list[tuple[int, int]]:
-    """Return the parts to blank, in order."""
+    """Return the parts to blank."""
     groups: list[_Group] = []
     ranges: list[tuple[int, int]] = []
     balance = (0, 0)
-    for match in _TOKEN.finditer(data):
-        step = _STEP.get(match["bracket"] or b"")
-        if step is not None:
+    for each in directives_and_brackets(data):
+        if isinstance(each, Bracket):
+            step = _STEP[each.sign]
             balance = (balance[0] + step[0], balance[1] + step[1])
-        word = match["word"]
-        if word == b"if":
-            groups.append(_Group(balance, [match.span()], []))
-        elif word is not None and groups:
+        elif each.word.startswith(b"if"):
+            groups.append(_Group(balance, [(each.start, each.end)], []))
+        elif each.word.startswith((b"el", b"endif")) and groups:
             group = groups[-1]
-            group.directives.append(match.span())
+            group.directives.append((each.start, each.end))
             group.balances.append((balance[0] - group.before[0], balance[1] - group.before[1]))
             balance = group.before
-            if word == b"endif":
+            if each.word == b"endif":
                 groups.pop()
                 ranges += _parts(group)
                 balance = (group.before[0] + group.balances[0][0], group.before[1] + group.balances[0][1])
-    return sorted(ranges)
+    return ranges
 
 
 def _parts(group: _Group) -> list[tuple[int, int]]:

@@ -13,6 +13,7 @@ _COMMENT: Final = rb"//(?:[^\\\n]|\\\r?\n|\\)*|/\*(?:[^*]|\*(?!/))*(?:\*/)?"
 _QUOTED: Final = rb""""(?:[^"\\\n]|\\\r?\n|\\.)*"?|'(?:[^'\\\n]|\\.)'"""
 _RAW: Final = rb'(?<![A-Za-z0-9_])(?:u8|[uUL])?R"(?P<mark>[^()\\\s"]{0,16})\('
 _TOKEN: Final = re.compile(rb"(?P<comment>" + _COMMENT + rb")|" + _RAW + rb"|" + _QUOTED + rb"|(?P<sign>\#)")
+_WITH_BRACKETS: Final = re.compile(_TOKEN.pattern + rb"|(?P<bracket>[{}()])")
 _LINE: Final = re.compile(rb"(?:[^\n\\/\"']|\\\r?\n|" + _COMMENT + rb"|" + _QUOTED + rb"|[\\/'])*")
 _WORD: Final = re.compile(rb"\#\s*(?P<word>\w+)\s*")
 _INSIDE: Final = re.compile(rb"(?P<kept>" + _QUOTED + rb")|\\\r?\n|" + _COMMENT)
@@ -27,19 +28,38 @@ class Directive(NamedTuple):
     end: int
 
 
+class Bracket(NamedTuple):
+    """A brace or parenthesis of the code."""
+
+    sign: bytes
+
+
 def directives(data: bytes) -> Iterator[Directive]:
     """Yield the directives of a file in order; none behind a raw text that is never closed."""
+    return (each for each in _scanned(data, _TOKEN) if isinstance(each, Directive))
+
+
+def directives_and_brackets(data: bytes) -> Iterator[Directive | Bracket]:
+    """Yield the brackets between the directives too."""
+    return _scanned(data, _WITH_BRACKETS)
+
+
+def _scanned(data: bytes, tokens: re.Pattern[bytes]) -> Iterator[Directive | Bracket]:
     position, fresh = 0, True
-    while position >= 0 and (token := _TOKEN.search(data, position)) is not None:
+    while position >= 0 and (token := tokens.search(data, position)) is not None:
+        if token.lastgroup not in {"comment", "sign"}:
+            fresh, position = False, _end(data, token)
+            if token.lastgroup == "bracket":
+                yield Bracket(token.group())
+            continue
         fresh = _is_fresh(data, position, token.start(), fresh)
         position = token.end()
-        if token["mark"] is not None:
-            position = _raw_end(data, token)
-        elif token["sign"] is not None and fresh:
-            directive = _directive(data, token.start())
-            position = directive.end
-            yield directive
-        fresh = fresh and token["comment"] is not None
+        if token.lastgroup == "sign":
+            if fresh:
+                directive = _directive(data, token.start())
+                position = directive.end
+                yield directive
+            fresh = False
 
 
 def _is_fresh(data: bytes, since: int, at: int, before: bool) -> bool:
@@ -50,8 +70,10 @@ def _is_fresh(data: bytes, since: int, at: int, before: bool) -> bool:
     return not data[max(end - 2, 0) : end].removesuffix(b"\r").endswith(b"\\") and not data[end:at].strip()
 
 
-def _raw_end(data: bytes, token: re.Match[bytes]) -> int:
-    """Where a raw text ends, -1 where it is never closed."""
+def _end(data: bytes, token: re.Match[bytes]) -> int:
+    """Where a token ends; -1 for a raw text that is never closed."""
+    if token.lastgroup != "mark":
+        return token.end()
     closing = b")" + token["mark"] + b'"'
     end = data.find(closing, token.end())
     return end if end < 0 else end + len(closing)

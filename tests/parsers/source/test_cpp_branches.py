@@ -18,6 +18,8 @@ WHOLE = [
     b"void f() {\n#if A\n  if (a) { g(); }\n#else\n  h();\n#endif\n}\n",
     b'void f() {\n#if A\n  g("{");\n#else\n  h();  // }\n#endif\n}\n',
     b"#if A\n#define OPEN {\n#else\n#define OPEN (\n#endif\n",
+    b'#if A\n  g(R"({)");\n#else\n  h(R"m()"{)m");\n#endif\n',
+    b"#if A\n  g();  // { \\\n  {\n#else\n  h();\n#endif\n",
 ]
 
 
