@@ -104,7 +104,16 @@ class Folder:
         self.operators = OperatorFolder(self)
         self.streams = StreamFolder(self)
         self.held = HeldFolder(self)
-        self.nesting = Nesting(program)
+        self.cuts = self.cycles = 0
+        self.steps = Steps(sum(len(func.fact.body) for group in program.functions.values() for func in group))
+        self._active: set[Hashable] = set()
+        self._meanwhile: dict[Hashable, tuple[Value, ...]] = {}
+        self._answers: dict[_Asked, tuple[Env, tuple[Value, ...]]] = {}
+        self._begin_runs()
+
+    def _begin_runs(self) -> None:
+        """Make those who know what runs of functions leave variables with."""
+        self.nesting = Nesting(self.program)
         self.flow = Flow(self)
         self.states = ObjectStates(self)
         self.parts = PartObjects(self)
@@ -115,12 +124,7 @@ class Folder:
         self.lasting = LastingVariables(self)
         self.lasting_states = LastingStates(self)
         self.methods = MethodEffects(self)
-        scope.ways = self.flow.ways
-        self.cuts = self.cycles = 0
-        self.steps = Steps(sum(len(func.fact.body) for group in program.functions.values() for func in group))
-        self._active: set[Hashable] = set()
-        self._meanwhile: dict[Hashable, tuple[Value, ...]] = {}
-        self._answers: dict[_Asked, tuple[Env, tuple[Value, ...]]] = {}
+        self.scope.ways = self.flow.ways
 
     def fold(self, expr: Expr | None, env: Env) -> tuple[Value, ...]:
         """Return the possible values of an expression, at least one."""
