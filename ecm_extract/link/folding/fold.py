@@ -26,7 +26,6 @@ from ecm_parsers.source.expr import (
 from ecm_extract.infer.compute import NULL, UNKNOWN, shown
 from ecm_extract.link.folding.comprehended import Comprehended
 from ecm_extract.link.folding.fold_calls import CallFolder
-from ecm_extract.link.folding.fold_closures import ClosureFolder
 from ecm_extract.link.folding.fold_fields import FieldFolder
 from ecm_extract.link.folding.fold_held import HeldFolder
 from ecm_extract.link.folding.fold_lists import ListFolder
@@ -39,13 +38,11 @@ from ecm_extract.link.folding.fold_tables import TableFolder
 from ecm_extract.link.folding.fold_texts import TextFolder
 from ecm_extract.link.folding.list_changes import ListChanges
 from ecm_extract.link.folding.optionals import OptionalFolder
-from ecm_extract.link.folding.raises import Raises
 from ecm_extract.link.folding.searches import SearchFolder
 from ecm_extract.link.folding.steps import Steps
 from ecm_extract.link.folding.structures import StructureFolder
 from ecm_extract.link.index.nesting import Nesting
 from ecm_extract.link.index.program import Program
-from ecm_extract.link.running.dead_code import DeadCode
 from ecm_extract.link.running.env import MAX_DEPTH, Env
 from ecm_extract.link.running.flow import Flow
 from ecm_extract.link.running.given_fields import GivenFields
@@ -94,7 +91,6 @@ class Folder:
         self.members = MemberFolder(self)
         self.fields = FieldFolder(self)
         self.calls = CallFolder(self)
-        self.closures = ClosureFolder(self)
         self.origins = Origins(self)
         self.lists = ListFolder(self)
         self.comprehended = Comprehended(self)
@@ -104,8 +100,6 @@ class Folder:
         self.structures = StructureFolder(self)
         self.tables = TableFolder(self)
         self.optionals = OptionalFolder(self)
-        self.raises = Raises(self)
-        self.dead = DeadCode(self)
         self.searches = SearchFolder(self)
         self.operators = OperatorFolder(self)
         self.streams = StreamFolder(self)
