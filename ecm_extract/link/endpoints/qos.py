@@ -21,7 +21,7 @@ from ecm_extract.link.endpoints.qos_values import milliseconds, policy_word
 from ecm_extract.link.endpoints.qos_variables import QosVariables
 from ecm_extract.link.folding.data import declared_type, plain_type
 from ecm_extract.link.folding.fold import Folder
-from ecm_extract.link.running.env import Bound, Env, bind, invocation_of
+from ecm_extract.link.running.env import Env, bind, invocation_of
 
 _FLAGS: dict[str, tuple[str, str]] = {
     "reliable": ("reliability", "reliable"),
@@ -234,7 +234,7 @@ class QosReader:
     def _variable(self, expr: Name | Member, env: Env, level: int) -> dict[str, Any]:
         name = expr.id if isinstance(expr, Name) else expr.name
         if isinstance(expr, Name):
-            bound = env.args.get(expr.id) or _of_maker(expr.id, env)
+            bound = self.folder.names.argument(expr.id, env)
             given = self.policies(bound.expr, bound.env, level + 1) if bound is not None else {}
             if given:
                 return given  # `if qos is None: qos = ...` has not happened then
@@ -244,6 +244,10 @@ class QosReader:
         for parameter in env.func.fact.params:
             if parameter.name == name and parameter.default is not None:
                 return self.policies(parameter.default, env, level + 1)
+        around = self.variables.of_function_around(expr, env)
+        return self.policies(expr, around, level + 1) if around is not None else self._constant(expr, name, env, level)
+
+    def _constant(self, expr: Name | Member, name: str, env: Env, level: int) -> dict[str, Any]:
         constant = self.folder.scope.constant(name, env)
         value = constant[0].value if constant is not None else None
         return self.policies(value, env, level + 1) if value is not None else self._unseen(expr, env)
@@ -274,8 +278,3 @@ class QosReader:
 def _returned(call: Call) -> str:
     """The type that a call writes: `declare_parameter<int>("depth")`, `size_t(depth)`."""
     return call.types[0] if call.types else call.callee.id if isinstance(call.callee, Name) else ""
-
-
-def _of_maker(name: str, env: Env) -> Bound | None:
-    """What whoever makes the object hands to a parameter of its constructor."""
-    return env.made.args.get(name) if env.made is not None and env.func.is_constructor else None

@@ -57,6 +57,16 @@ class QosVariables:
             return self._around(expr, key, env, level)
         return agreed([policies for policies in found if policies is not None])
 
+    def of_function_around(self, expr: Name | Member, env: Env) -> Env | None:
+        """Return the place in the function around the one at hand that has a variable; None for none of its own.
+
+        A function that others call has what is left in the end: of a variable that is given its value once.
+        """
+        place = self.folder.names.captured_at(expr.id, env) if isinstance(expr, Name) else None
+        if place is None or place is env.outer or self.folder.flow.is_bound_once(place.func, expr.id):
+            return place
+        return None
+
     def _in_states(self, key: str, parts: Iterable[str], env: Env, level: int) -> Policies | None:
         found: list[Policies] = []
         for state in self.folder.flow.states(env):

@@ -82,13 +82,15 @@ class NameFolder:
         return self.folder.fold(Name(name), place.deeper(env.depth + 1))
 
     def captured_at(self, name: str, env: Env) -> Env | None:
-        """Return the place in the function around the one at hand that has a variable; None where it has none."""
+        """Return the place in the nearest function around the one at hand that has a variable; None where none has."""
         outer = self.folder.nesting.enclosing(env.func)
-        if outer is None or name not in self.folder.flow.effects(outer).own or name in env.func.given:
+        if outer is None or name in env.func.given:
             return None
-        if env.outer is not None and env.outer.func is outer:
-            return env.outer
-        return Env(outer, this=env.this, made=env.made, depth=env.depth)
+        is_called = env.outer is not None and env.outer.func is outer
+        place = env.outer if is_called else Env(outer, this=env.this, made=env.made, depth=env.depth)
+        if place is None or name in self.folder.flow.effects(outer).own:
+            return place
+        return self.captured_at(name, place)
 
     def _given(self, name: str, env: Env) -> tuple[Value, ...]:
         """What a name is before the function assigns it: its parameter, or a member of the object."""
