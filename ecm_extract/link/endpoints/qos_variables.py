@@ -193,7 +193,7 @@ def _is_member(key: str) -> bool:
 
 
 def _makes_lambda(statement: Statement, names: Set[str]) -> bool:
-    """Tell whether a statement has a lambda that is read as a function of one of the names: its variable's, or its own."""
+    """Tell whether a statement has a lambda that is read as a function of one of the names."""
     named = {statement.target.id if isinstance(statement.target, Name) else ""}
     return any(isinstance(expr, Lambda) and names & (named | {expr.name}) for expr, _ in expressions(statement))
 
