@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Set
 from typing import TYPE_CHECKING, Any, Protocol
 
-from ecm_parsers.source.expr import Call, Constant, Expr, Member, Name
+from ecm_parsers.source.expr import Call, Constant, Expr, Lambda, Member, Name
+from ecm_parsers.source.facts import Statement
 
 from ecm_extract.infer.held import Held, State
 from ecm_extract.infer.run import Run
 from ecm_extract.link.code.spelling import last_name, plain
-from ecm_extract.link.code.units import Cls
+from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.code.walk import expressions
 from ecm_extract.link.endpoints.qos_presets import UNSEEN, agreed, presets
 from ecm_extract.link.running.env import Env
 
@@ -60,12 +62,22 @@ class QosVariables:
     def of_function_around(self, expr: Name | Member, env: Env) -> Env | None:
         """Return the place in the function around the one at hand that has a variable; None for none of its own.
 
-        A function that others call has what is left in the end: of a variable that is given its value once.
+        A function that others call has what is left in the end: of a variable that is given its value once. A lambda
+        of C++ may hold a copy of what the variable was where the lambda was made: it counts if nobody changed it since.
         """
         place = self.folder.names.captured_at(expr.id, env) if isinstance(expr, Name) else None
-        if place is None or place is env.outer or self.folder.flow.is_bound_once(place.func, expr.id):
-            return place
-        return None
+        if place is None or not isinstance(expr, Name):
+            return None
+        is_called = place is env.outer or self.folder.flow.is_bound_once(place.func, expr.id)
+        fixed = env.func.file.language == "python" or not self._changes_behind(expr.id, env.func, place.func)
+        return place if is_called and fixed else None
+
+    def _changes_behind(self, name: str, inner: Func, outer: Func) -> bool:
+        """Whether a function may change its variable once it has made the lambda that another one is, or stands in."""
+        names = {each.fact.name for each in (inner, *self.folder.nesting.around(inner))}
+        body, outline = outer.fact.body, self.folder.flow.outline(outer)
+        made = next((at for at, statement in enumerate(body) if _makes_lambda(statement, names)), -1)
+        return any(name in outline.changed_by(at) for at in range(made + 1, len(body)))
 
     def _in_states(self, key: str, parts: Iterable[str], env: Env, level: int) -> Policies | None:
         found: list[Policies] = []
@@ -178,6 +190,12 @@ def _unknown(field: str) -> Policies:
 
 def _is_member(key: str) -> bool:
     return key.startswith(".") and key.count(".") == 1
+
+
+def _makes_lambda(statement: Statement, names: Set[str]) -> bool:
+    """Tell whether a statement has a lambda that is read as a function of one of the names."""
+    named = {statement.target.id if isinstance(statement.target, Name) else ""}
+    return any(isinstance(expr, Lambda) and names & (named | {expr.name}) for expr, _ in expressions(statement))
 
 
 def _is_nothing(held: Held) -> bool:
