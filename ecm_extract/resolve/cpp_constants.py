@@ -21,6 +21,11 @@ class Stated(NamedTuple):
     constant: Constant
 
 
+def is_defined(constant: Constant) -> bool:
+    """Tell whether a variable has its storage where it is written; `static` members have it there only with a value."""
+    return constant.value is not None or not {"extern", "static"} & set(constant.traits)
+
+
 class CppConstants:
     """Looks up constants over what a translation unit sees, and their values in what is linked with it.
 
@@ -52,7 +57,7 @@ class CppConstants:
 
     def _elsewhere(self, level: Sequence[str], found: Sequence[Stated]) -> list[Stated]:
         """The values of what is only declared here: `extern`, or a static member."""
-        if any(entry.constant.value is not None for entry in found):
+        if any(is_defined(entry.constant) for entry in found):
             return []
         packages = {entry.file.package for entry in found}
         others = (entry for each in level for entry in self._by_name.get(each, ()))

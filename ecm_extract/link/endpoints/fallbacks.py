@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from ecm_parsers.source.expr import Call, Constant, Expr, Member, Name, Op
 
+from ecm_extract.infer.held import Held
 from ecm_extract.link.code.calls import Invocation
 from ecm_extract.link.declaring.instead import returned_instead
 from ecm_extract.link.declaring.match import positions
@@ -53,5 +54,14 @@ def _held_before(out: Name | Member, env: Env, folder: Folder) -> Expr | None:
         return None
     if isinstance(out, Name) and folder.scope.locals_of(env.func).get(out.id):
         return out if folder.scope.is_certain(out.id, env) else None
-    given = (held.env.func for held in folder.origins.of(out, env) if held.env is not None)
+    own = (
+        held for held in folder.origins.of(out, env) if held.env is not None and not _is_stated(held, out, env, folder)
+    )
+    given = (held.env.func for held in own if held.env is not None)
     return out if all(func.is_constructor or func is env.func for func in given) else None
+
+
+def _is_stated(held: Held, out: Expr, env: Env, folder: Folder) -> bool:
+    """Tell whether it is what a variable of a namespace is declared with, which no function gives it."""
+    stated = folder.objects.file_scope.meant(out.id, env.func) if isinstance(out, Name) and held.at < 0 else None
+    return stated is not None and held.expr is stated.constant.value

@@ -6,7 +6,7 @@ Until that function changes such a variable it is as it was declared, and nobody
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Set
+from collections.abc import Iterable, Iterator, Mapping, Set
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -15,7 +15,7 @@ from ecm_parsers.source.expr import Expr, Name, Op
 from ecm_extract.infer.places import whole_of
 from ecm_extract.link.code.units import Func
 from ecm_extract.link.code.walk import expressions
-from ecm_extract.resolve.cpp_constants import Stated
+from ecm_extract.resolve.cpp_constants import Stated, is_defined
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
@@ -87,7 +87,7 @@ class OutsideVariables:
         if own or self.folder.scope.member_type(written, func.cls):
             return False
         meant = self._meant(written, func)
-        return meant is None or meant.constant.scope == variable.constant.scope
+        return meant is None or _may_be_one(meant, variable)
 
     @cached_property
     def _referred(self) -> Set[str]:
@@ -98,21 +98,28 @@ class OutsideVariables:
         return frozenset(root.rsplit("::", 1)[-1] for root in roots)
 
     @cached_property
-    def _mentions(self) -> Mapping[str, Set[tuple[Func, str]]]:
-        """Last name of a constant or variable -> the functions that mention it, with how they write it."""
-        found: dict[str, set[tuple[Func, str]]] = defaultdict(set)
+    def _mentions(self) -> Mapping[str, Iterable[tuple[Func, str]]]:
+        """Last name of a constant or variable -> the functions that mention it, and how they write it, in order."""
+        found: dict[str, dict[tuple[Func, str], None]] = defaultdict(dict)
         program = self.folder.program
         for func in (func for group in program.functions.values() for func in group if func.file.language == "cpp"):
             for written in _names(func):
                 last = written.rsplit("::", 1)[-1]
                 if last in program.constants:
-                    found[last].add((func, written))
+                    found[last][func, written] = None
         return found
 
 
 def _names(func: Func) -> Iterator[str]:
     for statement in func.fact.body:
         yield from (expr.id for expr, _ in expressions(statement) if isinstance(expr, Name))
+
+
+def _may_be_one(one: Stated, other: Stated) -> bool:
+    """Whether two variables may be one that is declared twice: those defined twice are of two programs or files."""
+    if is_defined(one.constant) and is_defined(other.constant):
+        return one == other
+    return one.constant.scope == other.constant.scope
 
 
 def _is_given_out(func: Func, name: str, const: bool = False) -> bool:
