@@ -48,6 +48,6 @@ def beside(parameter: Interface, servers: Sequence[Placed]) -> Iterator[Placed]:
 
 def _beside(service: LocalName, leaf: str) -> LocalName:
     """The name with another last part."""
-    *head, last = service.parts
+    *head, last = service.parts or ("",)
     kept = last.removesuffix(_LEAF) if isinstance(last, str) else ""
     return LocalName(joined([*head, kept, leaf]), service.space)

@@ -67,8 +67,9 @@ def own_parts(parameters: Iterable[LocalName]) -> frozenset[OpenPart]:
 def _heads(names: Iterable[LocalName]) -> Iterator[OpenPart]:
     """The open parts that names begin with, where more is below them."""
     for name in names:
-        head, *rest = name.parts[1:] if name.parts and name.parts[0] in _BEFORE else name.parts or ("",)
-        if not isinstance(head, str) and rest and isinstance(rest[0], str) and rest[0].startswith(_BELOW):
+        parts = name.parts[1:] if name.parts[:1] and name.parts[0] in _BEFORE else name.parts
+        head, below = (*parts, "", "")[:2]
+        if not isinstance(head, str) and isinstance(below, str) and below.startswith(_BELOW):
             yield head
 
 
