@@ -61,6 +61,7 @@ from ecm_extract.link.running.part_objects import PartObjects
 from ecm_extract.link.running.runs_once import RunsOnce
 from ecm_extract.link.running.scope import Scope
 from ecm_extract.link.running.shifting import Shifting
+from ecm_extract.link.running.unset_variables import UnsetVariables
 from ecm_extract.link.running.values import (
     MAX_ALTERNATIVES,
     TOO_MANY,
@@ -112,6 +113,7 @@ class Folder:
         self.held = HeldFolder(self)
         self.nesting = Nesting(program)
         self.flow = Flow(self)
+        self.unset = UnsetVariables(self)
         self.states = ObjectStates(self)
         self.parts = PartObjects(self)
         self.given_fields = GivenFields(self)
