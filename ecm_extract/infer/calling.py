@@ -10,7 +10,7 @@ from ecm_parsers.source.expr import Call, Text
 from ecm_parsers.source.flow import Block, statements
 
 from ecm_extract.infer.effects import Effect, is_plain
-from ecm_extract.infer.held import Held, State, all_ways
+from ecm_extract.infer.held import Held, How, State, all_ways
 from ecm_extract.infer.memory import MAX_LENGTH, Memory
 from ecm_extract.infer.run import Frame
 
@@ -136,7 +136,16 @@ class Calling:
             return state
         how = effect.kind
         name = effect.name if how == "out" else effect.key
-        return self.memory.in_place(effect.key, Held(how, name, effect.call, env, at, before=before), state)
+        after = self.memory.in_place(effect.key, Held(how, name, effect.call, env, at, before=before), state)
+        return after if self.frame.python or how == "changed" else self._parts(effect, how, name, at, env, after)
+
+    def _parts(self, effect: Effect, how: How, name: str, at: int, env: Env, state: State) -> State:
+        """The state in which what an object of C++ was handed to has done the same to its fields."""
+        for part in [part for part in state.holds if part.startswith(f"{effect.key}.")]:
+            own = name + part.removeprefix(effect.key)
+            held = Held(how, own, effect.call, env, at, before=state.holds[part])
+            state = self.memory.hold(part, held, state)
+        return state
 
     def _keeps_its_text(self, held: Held) -> bool:
         """Whether nobody who gets a value can change it: texts and numbers of Python, literals of C++."""

@@ -95,3 +95,23 @@ def test_what_no_program_runs_is_nobodys_where_only_programs_compile_it(workspac
     assert endpoints(workspace.package(only, ros=1, name="only")) == {"ecm.only.robot": {"/used"}}
     found = endpoints(workspace.package(both, ros=1))
     assert {"/unused"} in [names for module, names in found.items() if module != "ecm.only.robot"]
+
+
+TABLE = """#include <ros/ros.h>
+ros::NodeHandle * handle;
+struct Limit { void (*set)(Limit &) = nullptr; double most; };
+void set_limit(Limit & limit) { limit.most = handle->param("most", 2.0); }
+std::map<std::string, Limit> limits{{"speed", {&set_limit}}};
+int main(int c, char ** v) {
+  ros::init(c, v, "n");
+  handle = new ros::NodeHandle("/limits");
+  for (auto & limit : limits) { limit.second.set(limit.second); }
+  ros::spin();
+}
+"""
+
+
+def test_what_a_table_of_functions_holds_is_told_though_nobody_calls_it(workspace: Any) -> None:
+    """A function whose address stands outside of functions can run."""
+    files = {"CMakeLists.txt": "project(pkg)\nadd_executable(robot src/main.cpp)\n", "src/main.cpp": TABLE}
+    assert set.union(*endpoints(workspace.package(files, ros=1)).values()) == {"/limits/most"}

@@ -30,6 +30,7 @@ from ecm_extract.link.folding.fold import Folder
 from ecm_extract.link.index.call_index import call_index
 from ecm_extract.link.index.program import Program
 from ecm_extract.link.interfaces.types import Types
+from ecm_extract.link.running.dead_code import DeadCode
 from ecm_extract.link.running.env import Env, Instance, bind
 from ecm_extract.link.running.values import Value
 
@@ -66,6 +67,7 @@ class Sites:
         self.matcher = matcher
         self.types = types
         self.folder: Folder = matcher.folder
+        self._dead = DeadCode(self.folder)
         self.parameters = parameters
         self._types = TemplateTypes(self.folder)
         self._remembered: set[Func] = set()
@@ -87,7 +89,7 @@ class Sites:
         self.folder.forget()
         found: list[Site] = []
         for last in self.matcher.forms:
-            for call in self.folder.dead.without(self.calls.get(last, ())):
+            for call in self._dead.without(self.calls.get(last, ())):
                 for site in self._direct(call, parameters):
                     found.extend(self._closed(site))
         return found
@@ -196,7 +198,7 @@ class Sites:
             yield from self._makers(site, site.owner) if site.owner is not None else ()
             return
         passed = set(site.chain)
-        for call in self.folder.dead.without(self.callers(root)):
+        for call in self._dead.without(self.callers(root)):
             if call in passed:
                 continue
             for outer, certain in self._places(self.root_env(call.func, call.at)):

@@ -26,7 +26,6 @@ from ecm_parsers.source.expr import (
 from ecm_extract.infer.compute import NULL, UNKNOWN, shown
 from ecm_extract.link.folding.comprehended import Comprehended
 from ecm_extract.link.folding.fold_calls import CallFolder
-from ecm_extract.link.folding.fold_closures import ClosureFolder
 from ecm_extract.link.folding.fold_fields import FieldFolder
 from ecm_extract.link.folding.fold_held import HeldFolder
 from ecm_extract.link.folding.fold_lists import ListFolder
@@ -39,13 +38,11 @@ from ecm_extract.link.folding.fold_tables import TableFolder
 from ecm_extract.link.folding.fold_texts import TextFolder
 from ecm_extract.link.folding.list_changes import ListChanges
 from ecm_extract.link.folding.optionals import OptionalFolder
-from ecm_extract.link.folding.raises import Raises
 from ecm_extract.link.folding.searches import SearchFolder
 from ecm_extract.link.folding.steps import Steps
 from ecm_extract.link.folding.structures import StructureFolder
 from ecm_extract.link.index.nesting import Nesting
 from ecm_extract.link.index.program import Program
-from ecm_extract.link.running.dead_code import DeadCode
 from ecm_extract.link.running.env import MAX_DEPTH, Env
 from ecm_extract.link.running.flow import Flow
 from ecm_extract.link.running.given_fields import GivenFields
@@ -95,7 +92,6 @@ class Folder:
         self.members = MemberFolder(self)
         self.fields = FieldFolder(self)
         self.calls = CallFolder(self)
-        self.closures = ClosureFolder(self)
         self.origins = Origins(self)
         self.lists = ListFolder(self)
         self.comprehended = Comprehended(self)
@@ -105,13 +101,20 @@ class Folder:
         self.structures = StructureFolder(self)
         self.tables = TableFolder(self)
         self.optionals = OptionalFolder(self)
-        self.raises = Raises(self)
-        self.dead = DeadCode(self)
         self.searches = SearchFolder(self)
         self.operators = OperatorFolder(self)
         self.streams = StreamFolder(self)
         self.held = HeldFolder(self)
-        self.nesting = Nesting(program)
+        self.cuts = self.cycles = 0
+        self.steps = Steps(sum(len(func.fact.body) for group in program.functions.values() for func in group))
+        self._active: set[Hashable] = set()
+        self._meanwhile: dict[Hashable, tuple[Value, ...]] = {}
+        self._answers: dict[_Asked, tuple[Env, tuple[Value, ...]]] = {}
+        self._begin_runs()
+
+    def _begin_runs(self) -> None:
+        """Make those who know what runs of functions leave variables with."""
+        self.nesting = Nesting(self.program)
         self.flow = Flow(self)
         self.unset = UnsetVariables(self)
         self.states = ObjectStates(self)
@@ -123,13 +126,7 @@ class Folder:
         self.lasting = LastingVariables(self)
         self.lasting_states = LastingStates(self)
         self.methods = MethodEffects(self)
-        scope.ways = self.flow.ways
-        self.cuts = 0
-        self.cycles = 0
-        self.steps = Steps(sum(len(func.fact.body) for group in program.functions.values() for func in group))
-        self._active: set[Hashable] = set()
-        self._meanwhile: dict[Hashable, tuple[Value, ...]] = {}
-        self._answers: dict[_Asked, tuple[Env, tuple[Value, ...]]] = {}
+        self.scope.ways = self.flow.ways
 
     def fold(self, expr: Expr | None, env: Env) -> tuple[Value, ...]:
         """Return the possible values of an expression, at least one."""

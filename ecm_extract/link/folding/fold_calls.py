@@ -130,7 +130,7 @@ class CallFolder:
             return known
         if call.path in _ENVIRONMENT:
             return self._of_environment(call, env)
-        closure = self.folder.closures.value(expr, call, env)
+        closure = self.folder.returns.closures.value(expr, call, env)
         if closure is not None:
             return closure
         return self.folder.guarded(_asked(expr, env), f"{call.path}()", lambda: self.folder.returns.values(call, env))

@@ -34,6 +34,8 @@ class FieldFolder:
     def _value(self, expr: Member, env: Env) -> tuple[Value, ...]:
         found = [*self._of_functions(expr, env), *self._of_class(expr, env)]
         filled = [value for value in found if value.text]
+        if filled:
+            filled += self._left_alone(expr, env)
         return alternatives(filled or found)[:MAX_ALTERNATIVES] if found else ()
 
     def _of_functions(self, expr: Member, env: Env) -> Iterator[Value]:
@@ -46,6 +48,24 @@ class FieldFolder:
             for at in self.folder.scope.fields(func).get(expr.name, ()):
                 if at < limit:
                     yield from self._set(expr, func, at, env)
+
+    def _left_alone(self, expr: Member, env: Env) -> tuple[Value, ...]:
+        """What its class declares a field with, where all that is written to it is written under one condition."""
+        cls = self.folder.objects.class_of(expr.base, env) if env.func.file.language == "cpp" else None
+        field = cls.fields.get(expr.name) if cls is not None else None
+        made = cls is not None and any(method.is_constructor for method in cls.methods)
+        default = field.default if field is not None and not made else None
+        if default is None or self.folder.reads.written(env.func, f".{expr.name}"):
+            return ()
+        writers = [
+            at in self.folder.flow.outline(func).certain
+            for func in (env.func, *self._helpers(expr, env))
+            for at in self.folder.scope.fields(func).get(expr.name, ())
+        ]
+        if writers != [False]:
+            return ()
+        values = demoted(self.folder.fold(default, Env(env.func, depth=env.depth + 1, this=cls)))
+        return tuple([value for value in values if value.text])
 
     def _of_class(self, expr: Member, env: Env) -> Iterator[Value]:
         """What other methods of the class at hand write."""

@@ -15,6 +15,7 @@ from ecm_extract.link.code.named_alike import is_name_of_node
 from ecm_extract.link.code.spelling import plain
 from ecm_extract.link.code.units import Cls
 from ecm_extract.link.folding.declared_numbers import as_declared
+from ecm_extract.link.folding.fields_left import field_left
 from ecm_extract.link.folding.fold_changes import STREAMS, ChangeFolder
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, bind, invocation_of
 from ecm_extract.link.running.values import (
@@ -238,13 +239,17 @@ class HeldFolder:
             return None
         invocation = invocation_of(call, env)
         callee = self.folder.returns.meant(invocation, env)
-        if callee is None or held.name in self.folder.flow.outline(callee).rebound:
+        if callee is None or held.name.partition(".")[0] in self.folder.flow.outline(callee).rebound:
             return None
         inner = self.folder.returns.entered(callee, invocation, bind(callee, invocation, env), env)
         run = self.folder.flow.run(inner)
         if run is None or run.end is None:
             return None
-        return self.folder.flow.left(run, held.name) or (Held("given", held.name),), inner
+        ways = self.folder.flow.left(run, held.name) or (Held("given", held.name),)
+        if "." not in held.name:
+            return ways, inner
+        left = field_left(held, ways, run, env, self.folder.flow)
+        return (left, inner) if left is not None else None
 
     def _written(self, held: Held, env: Env) -> tuple[Value, ...]:
         if env.func.file.language == "python":  # where a function cannot give the variables of its caller other texts

@@ -208,7 +208,7 @@ class MemberFolder:
     def _is_given(self, name: str, cls: Cls) -> bool:
         """Whether others than the methods of a class give a member of some object of it something."""
         if cls.file.language == "python":
-            return self.folder.scope.is_assigned_outside(name, "python")
+            return bool(self.folder.scope.assigned_outside(name, "python"))
         return self.folder.given_fields.is_given(name, cls)
 
     def _defined_outside(self, name: str, cls: Cls) -> Expr | None:

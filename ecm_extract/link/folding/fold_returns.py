@@ -13,6 +13,8 @@ from ecm_extract.link.code.numbers import kind_of_type
 from ecm_extract.link.code.overloads import score
 from ecm_extract.link.code.spelling import last_name
 from ecm_extract.link.code.units import Cls, Func
+from ecm_extract.link.folding.fold_closures import ClosureFolder
+from ecm_extract.link.folding.raises import Raises
 from ecm_extract.link.running.env import Bound, Env, Instance, bind
 from ecm_extract.link.running.object_states import is_own
 from ecm_extract.link.running.values import (
@@ -40,6 +42,8 @@ class ReturnFolder:
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
+        self.closures = ClosureFolder(folder)
+        self.raises = Raises(folder)
 
     def values(self, call: Invocation, env: Env) -> tuple[Value, ...]:
         """Return what a call can give: of each return that is reached, and of what may be called instead."""
@@ -52,13 +56,22 @@ class ReturnFolder:
         values = [value for expr, place in found for value in self.folder.fold(expr, place)]
         if call.receiver is not None and not is_own(call.receiver):
             values = [without_defaults(value) for value in values]  # who made that object may have said otherwise
-        open_ = self.may_be_overridden(callee, call, env)
+        open_ = self.may_be_overridden(callee, call, env) or self._has_given_fields(callee, call, env)
         listed = _beside_joined(values)
         return alternatives(demoted((*listed, *([unknown(call.last)] if open_ else []))))
 
+    def _has_given_fields(self, callee: Func, call: Invocation, env: Env) -> bool:
+        """Whether the function at hand gives fields of an object something, which its method is not followed with."""
+        if env.func.file.language != "python" or self.folder.methods.depends(callee, callee.cls):
+            return False
+        key = self.folder.flow.effects(env.func).key(_receiver(call))
+        return bool(key) and any(
+            changed.startswith(f"{key}.") for changed in self.folder.flow.outline(env.func).changes
+        )
+
     def meant(self, call: Invocation, env: Env) -> Func | None:
         """Return the one function that a call means by what is known of its arguments; None where several fit."""
-        handed = self.folder.closures.function(call, env)
+        handed = self.closures.function(call, env)
         if handed is not None:
             return handed[0]
         fitting = self.folder.objects.callees(call, env)
@@ -100,7 +113,7 @@ class ReturnFolder:
 
     def entered(self, callee: Func, call: Invocation, args: Mapping[str, Bound], env: Env) -> Env:
         """Return the place of evaluation at the entry of a called function."""
-        handed = self.folder.closures.function(call, env)
+        handed = self.closures.function(call, env)
         outer = env if self.folder.nesting.enclosing(callee) is env.func else handed[1] if handed is not None else None
         led = self.folder.lasting_states.led(callee, call, env)
         if callee.cls is None and "lambda" not in callee.fact.traits:
@@ -128,6 +141,11 @@ def _class_of(made: Instance | None, callee: Func, call: Invocation, env: Env) -
     if is_own(call.receiver):
         return env.this or env.func.cls or callee.cls
     return made.cls if made is not None else callee.cls
+
+
+def _receiver(call: Invocation) -> Expr | None:
+    """The object that a method is called on; in Python a path may begin with it."""
+    return call.receiver if call.receiver is not None else Name(call.path.split(".")[0])
 
 
 def _takes(func: Func, kinds: Sequence[str]) -> bool:

@@ -119,7 +119,7 @@ class Leads:
 
     def _named(self, asked: Asked) -> Lead:
         name, file, makes = asked
-        constants = [(other, _of_constant(one)) for other, one in self.program.seen_constants(name, file)]
+        constants = [(other, mentions_of_constant(one)) for other, one in self.program.seen_constants(name, file)]
         mentioned = {each for other, found in constants for each in self._outside(found, other)}
         return Lead(
             frozenset(mentioned.union(self._aliased(asked))),
@@ -175,7 +175,7 @@ def _lead(found: Mentions, asked: Iterable[Asked], funcs: Sequence[Func] = ()) -
     return Lead(frozenset(asked), funcs, any=found.any, any_method=found.any_method)
 
 
-def _of_constant(constant: Constant) -> Mentions:
+def mentions_of_constant(constant: Constant) -> Mentions:
     """What stands outside of functions is run when it is named: macros, tables of callbacks, global objects."""
     found = Mentions()
     found.add_type(constant.type)

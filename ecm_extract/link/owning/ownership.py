@@ -7,6 +7,7 @@ from ecm_extract.link.declaring.client_libraries import is_client_library
 from ecm_extract.link.declaring.site import Site
 from ecm_extract.link.declaring.sites import Sites, overrides
 from ecm_extract.link.owning.decided import Decided
+from ecm_extract.link.owning.leads import mentions_of_constant
 from ecm_extract.link.owning.modules import Module, Modules
 from ecm_extract.link.owning.reach import Reach
 from ecm_extract.link.owning.references import Unit
@@ -35,7 +36,8 @@ class Ownership:
         running = self._deciding(site, [each for each in owners if self.reach.reaches(each, through)])
         if not owners or (running and running[0].kind != "library"):
             return running
-        return () if self.modules.is_of_programs_only(site.root.file) else self._library(unit)
+        dead = self.modules.is_of_programs_only(site.root.file) and not _is_in_a_table(unit)
+        return () if dead else self._library(unit)
 
     def _deciding(self, site: Site, modules: list[Module]) -> tuple[Module, ...]:
         """Those of the modules whose arguments lead to a site, where arguments decide."""
@@ -67,6 +69,12 @@ class Ownership:
             return False
         values = self.sites.names(site)
         return any(_is_passed(value, site.root) for value in values)
+
+
+def _is_in_a_table(unit: Unit) -> bool:
+    """Tell whether what stands outside of functions mentions a unit: a table of callbacks, a global object."""
+    found = [mentions_of_constant(constant) for constant in unit.file.facts.constants]
+    return any(unit.fact.name in (*each.plain, *each.used) for each in found)
 
 
 def _is_told_by_rows(site: Site, module: Module) -> bool:

@@ -12,6 +12,7 @@ from ecm_extract.link.code.calls import dotted_name
 from ecm_extract.link.code.spelling import last_name, plain
 from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.running.env import Env
+from ecm_extract.link.running.scope import Definition
 
 if TYPE_CHECKING:
     from ecm_extract.link.folding.fold import Folder
@@ -38,30 +39,18 @@ class GivenFields:
         return plainly and names.index(name) < self._most.get(cls.fact.name, 0)
 
     def _assigned(self, name: str, cls: Cls) -> bool:
-        if not self.folder.scope.is_assigned_outside(name, "cpp"):
-            return False
-        return any(
-            self._is_of(func, at, cls)
-            for func in self._functions
-            for at in self.folder.scope.fields(func).get(name, ())
-        )
+        return any(self._is_of(entry, cls) for entry in self.folder.scope.assigned_outside(name, "cpp"))
 
     def is_reached_into(self, path: str) -> bool:
         """Tell whether somebody assigns `object.member.field`, of whatever object; `path` is `.member.field`."""
-        field = last_name(path)
-        if not self.folder.scope.is_assigned_outside(field, "cpp"):
-            return False
-        targets = (
-            func.fact.body[at].target
-            for func in self._functions
-            for at in self.folder.scope.fields(func).get(field, ())
-        )
+        targets = (entry.statement.target for entry in self.folder.scope.assigned_outside(last_name(path), "cpp"))
         written = (dotted_name(target) for target in targets if target is not None)
         return any(name.endswith(path) for name in written)
 
-    def _is_of(self, func: Func, at: int, cls: Cls) -> bool:
-        target = func.fact.body[at].target
-        owner = self.folder.objects.class_of(target.base, Env(func, at)) if isinstance(target, Member) else None
+    def _is_of(self, entry: Definition, cls: Cls) -> bool:
+        target = entry.statement.target
+        place = Env(entry.func, entry.at)
+        owner = self.folder.objects.class_of(target.base, place) if isinstance(target, Member) else None
         return owner is not None and cls in self.folder.program.ancestry(owner)
 
     @cached_property

@@ -100,7 +100,7 @@ class KnownCallers:
 
     def may_be_written_outside(self, name: str, func: Func) -> bool:
         """Tell whether some function assigns a field of that name of an object other than its own."""
-        return self.folder.scope.is_assigned_outside(name, func.file.language)
+        return bool(self.folder.scope.assigned_outside(name, func.file.language))
 
     def keeps_to_itself(self, name: str, func: Func) -> bool:
         """Tell whether nobody but a function has an object in a variable: it calls its methods, or hands it outside."""

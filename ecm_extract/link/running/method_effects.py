@@ -50,7 +50,9 @@ class MethodEffects:
         if callee is None or self.folder.flow.hands_on(call, env):
             return None
         members = self._members(callee, self.folder.returns.object_at(callee, found, env))
-        return None if members is None else {prefix + key: key for key in sorted(members)}
+        if members is None or (members and not is_own(found.receiver) and not self._is_made(found, env)):
+            return None
+        return {prefix + key: key for key in sorted(members)}
 
     def _makes_base(self, call: Invocation) -> bool:
         """Whether a call makes a base of the object at hand, whose own members begin after that."""
@@ -70,9 +72,21 @@ class MethodEffects:
         return is_own(call.receiver) and not any(method.fact.name == call.last for method in known)
 
     def holder(self, call: Invocation, env: Env) -> str | None:
-        """Return the variable of an object that the function made and that nobody else has; None for other calls."""
-        made = call.receiver is not None and self.folder.states.instance(call.receiver, env) is not None
-        return self.folder.flow.effects(env.func).key(call.receiver) if made else None
+        """Return the variable of an object that the function has; None for other calls."""
+        effects = self.folder.flow.effects(env.func)
+        key = effects.key(call.receiver)
+        if not key or self._is_made(call, env):
+            return key or None
+        own = env.func.file.language == "cpp" and key in effects.own and key not in self._params(env.func)
+        known = call.receiver is not None and self.folder.objects.class_of(call.receiver, env) is not None
+        return key if own and known else None
+
+    def _is_made(self, call: Invocation, env: Env) -> bool:
+        """Whether it is known how an object was made that a method is called on, and that nobody else has it."""
+        return call.receiver is not None and self.folder.states.instance(call.receiver, env) is not None
+
+    def _params(self, func: Func) -> Set[str]:
+        return frozenset(parameter.name for parameter in func.fact.params)
 
     def calls_own(self, func: Func) -> bool:
         """Tell whether a function may call methods of the object at hand."""

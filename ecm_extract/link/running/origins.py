@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from ecm_parsers.source.expr import Constant, Expr, Member, Name
 
 from ecm_extract.infer.held import Held
-from ecm_extract.link.code.units import Cls
+from ecm_extract.link.code.units import Cls, Func
 from ecm_extract.link.running.env import MAX_DEPTH, Bound, Env, Instance
 
 if TYPE_CHECKING:
@@ -85,7 +85,8 @@ class Origins:
             for func, at in scope.members(name, entry) if scope.declaring(name, entry) is owner else ():
                 statement = func.fact.body[at]
                 if self.folder.objects.runs(func, env.made):
-                    place = Env(func, at, this=cls, made=made, depth=env.depth + 1)
+                    args = _given_to(func, made, env)
+                    place = Env(func, at, args, this=cls, made=made, depth=env.depth + 1)
                     yield Held("each" if statement.kind == "each" else "value", name, statement.value, place, at)
 
     def _first(self, helds: Iterable[Held], env: Env) -> Iterator[Held]:
@@ -156,6 +157,13 @@ class Origins:
         for entry in self.folder.objects.file_scope.definitions(name, env):
             place = Env(entry.func, entry.at, this=entry.func.cls, depth=env.depth + 1)
             yield Held("value", name, entry.statement.value, place, entry.at), place
+
+
+def _given_to(func: Func, made: Instance | None, env: Env) -> Mapping[str, Bound]:
+    """What a method gets: the one at hand what it got, the constructor that made the object what that was made with."""
+    if func is env.func:
+        return env.args
+    return made.args if made is not None and made.maker is func else {}
 
 
 def _is_object(held: Held) -> bool:

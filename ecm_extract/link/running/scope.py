@@ -48,7 +48,7 @@ class Scope:
         self._members: dict[Cls, dict[str, list[Definition]]] = {}
         self._changing: dict[Cls, dict[str, list[Func]]] = {}
         self._fields: dict[Func, dict[str, list[int]]] = {}
-        self._outside: frozenset[tuple[str, str]] | None = None
+        self._outside: dict[tuple[str, str], list[Definition]] | None = None
         self._class_fields: dict[Cls, dict[str, list[Definition]]] = {}
 
     def locals_of(self, func: Func) -> dict[str, list[int]]:
@@ -157,12 +157,14 @@ class Scope:
                     known[target.name].append(at)
         return known
 
-    def is_assigned_outside(self, name: str, language: str) -> bool:
-        """Tell whether a function assigns a field of that name of something else than its own object."""
+    def assigned_outside(self, name: str, language: str) -> Sequence[Definition]:
+        """Return the assignments of a field of that name of something else than the own object of a function."""
         if self._outside is None:
-            written = (func for group in self.program.functions.values() for func in group)
-            self._outside = frozenset((func.file.language, field) for func in written for field in self.fields(func))
-        return (language, name) in self._outside
+            self._outside = defaultdict(list)
+            for func in (func for group in self.program.functions.values() for func in group):
+                for field, indices in self.fields(func).items():
+                    self._outside[func.file.language, field] += [Definition(func, at) for at in indices]
+        return self._outside.get((language, name), ())
 
     def class_fields(self, cls: Cls) -> dict[str, list[Definition]]:
         """Return field -> the assignments of it on other objects in all methods of a class."""
