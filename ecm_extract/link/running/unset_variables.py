@@ -57,9 +57,9 @@ class UnsetVariables:
 
     def _is_bound_otherwise(self, name: str, file: File) -> bool:
         """Whether a file has an import, a function or a class of a name, whatever their scope."""
-        functions, classes = self.folder.program.functions_in(file), self.folder.program.classes_in(file)
-        facts = (*(func.fact for func in functions), *(cls.fact for cls in classes))
-        return name in file.imported or any(fact.name == name for fact in facts)
+        program = self.folder.program
+        functions = {func.fact.name for func in program.functions_in(file)}
+        return name in file.imported or name in functions or name in {cls.fact.name for cls in program.classes_in(file)}
 
     def _handled_in(self, file: File) -> Set[str]:
         if file not in self._handled:
@@ -71,7 +71,7 @@ class UnsetVariables:
         """Whether others than the body of a module may give its variable something, or Python has one of that name."""
         functions = self.folder.program.functions_in(file)
         shared = any(name in func.fact.shared for func in functions)
-        outside = self.folder.scope.is_assigned_outside(name, "python")
+        outside = bool(self.folder.scope.assigned_outside(name, "python"))
         if file not in self._open:
             self._open[file] = any(entry.name == "*" for entry in file.facts.imports) or _asks_by_name(functions)
         return shared or outside or name in BUILT_IN or self._open[file]
