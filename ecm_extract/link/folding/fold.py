@@ -58,6 +58,7 @@ from ecm_extract.link.running.part_objects import PartObjects
 from ecm_extract.link.running.runs_once import RunsOnce
 from ecm_extract.link.running.scope import Scope
 from ecm_extract.link.running.shifting import Shifting
+from ecm_extract.link.running.unset_variables import UnsetVariables
 from ecm_extract.link.running.values import (
     MAX_ALTERNATIVES,
     TOO_MANY,
@@ -115,6 +116,7 @@ class Folder:
         """Make those who know what runs of functions leave variables with."""
         self.nesting = Nesting(self.program)
         self.flow = Flow(self)
+        self.unset = UnsetVariables(self)
         self.states = ObjectStates(self)
         self.parts = PartObjects(self)
         self.given_fields = GivenFields(self)

@@ -57,12 +57,17 @@ class HeldFolder:
 
     def of(self, ways: Iterable[tuple[Held, ...]], env: Env) -> tuple[Value, ...]:
         """Return the values of a variable: `ways` has what it may hold in each state of the place."""
-        states = list(dict.fromkeys(map(self.folder.flow.decisions.ways, ways)))
+        states = self._states(ways, env)
         found: list[Value] = []
         for helds in states:
             values = [value for held in helds for value in self.values(held, env)]
             found += alternatives(values) if len(helds) > 1 else values
         return alternatives(found) if len(states) > 1 else tuple(found)
+
+    def _states(self, ways: Iterable[tuple[Held, ...]], env: Env) -> list[tuple[Held, ...]]:
+        """What a variable holds in states of which it holds something different, where reading it does not raise."""
+        taken = [self.folder.flow.decisions.ways(helds) for helds in ways]
+        return list(dict.fromkeys(self.folder.unset.without(taken, env.func)))
 
     def values(self, held: Held, env: Env) -> tuple[Value, ...]:
         """Return the values of one thing that a variable may hold; `env` is who asks."""
@@ -305,7 +310,7 @@ class HeldFolder:
 
     def items_of(self, ways: Iterable[tuple[Held, ...]], env: Env) -> list[Bound] | None:
         """Return the elements of a list that a variable surely holds; None for one of several lists."""
-        states = list(dict.fromkeys(map(self.folder.flow.decisions.ways, ways)))
+        states = self._states(ways, env)
         if len(states) != 1 or len(states[0]) != 1:
             return None
         return self.items(states[0][0], env)
@@ -314,8 +319,7 @@ class HeldFolder:
         """Return the elements of all lists that a variable may hold, and whether that is all of them."""
         found: list[Bound] = []
         known = True
-        settled = map(self.folder.flow.decisions.ways, ways)
-        for held in dict.fromkeys(held for helds in settled for held in helds):
+        for held in dict.fromkeys(held for helds in self._states(ways, env) for held in helds):
             items = self.items(held, env)
             known = known and items is not None
             found += items or []

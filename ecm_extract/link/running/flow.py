@@ -196,7 +196,8 @@ class Flow:
         if not any(found):
             return [] if any(state.called for state in states) else self._entered(key, env)
         shared = key.startswith(".") and key.count(".") == 1 and any(state.called for state in states)
-        return [ways or (Held("shared" if shared else "given", key),) for ways in found]
+        known = [ways or (Held("shared" if shared else "given", key),) for ways in found]
+        return self.folder.unset.without(known, env.func)
 
     def _may_differ(self, key: str, env: Env) -> bool:
         """Whether a function, or a method that it calls on the same object, may give a variable something else."""

@@ -14,9 +14,11 @@ _OF_PYTHON_2 = (
     "apply basestring buffer cmp coerce execfile file intern long raw_input reduce reload unichr unicode xrange"
 )
 _OF_MODULES = "__file__ __builtins__ __path__ __module__ __qualname__ __class__ __annotations__ _ WindowsError"
-_GIVEN = frozenset({*dir(builtins), *_OF_PYTHON_2.split(), *_OF_MODULES.split()})
+BUILT_IN = frozenset({*dir(builtins), *_OF_PYTHON_2.split(), *_OF_MODULES.split()})
+"""Names that Python 2 or 3 gives every module."""
+
 _OPEN_NODES = frozenset({"wildcard_import", "exec_statement"})
-_OPEN_NAMES = frozenset({"exec", "execfile", "globals", "locals", "vars", "NameError"})
+OPEN_NAMES = frozenset({"exec", "execfile", "globals", "locals", "vars", "NameError"})
 """With these, names may come from where no statement binds them."""
 
 _PATTERNS = frozenset(
@@ -76,9 +78,9 @@ def loose_names(data: bytes) -> list[tuple[str, int]]:
             bound.add(name)
         else:
             used.setdefault(name, node.start_point[0] + 1)
-    if not _OPEN_NAMES.isdisjoint(used):
+    if not OPEN_NAMES.isdisjoint(used):
         return []
-    found = [(name, line) for name, line in used.items() if name not in bound | _GIVEN]
+    found = [(name, line) for name, line in used.items() if name not in bound | BUILT_IN]
     return found + [("self", node.start_point[0] + 1) for node in _without_self(root)][:1]
 
 
