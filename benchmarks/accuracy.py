@@ -72,8 +72,13 @@ def of_node(truth: Truth, extraction: Extraction) -> tuple[list[Interface], str]
 def _of_files(package: Package, files: list[str]) -> Iterator[Interface]:
     for module in package.modules:
         for interface in module.signature.interfaces:
-            if any(place.path.endswith(tuple(files)) for place in interface.evidence):
+            if any(_stands_in(place.path, file) for place in interface.evidence for file in files):
                 yield interface
+
+
+def _stands_in(path: str, file: str) -> bool:
+    """Whether a path is a file, or lies below it where that is a folder, which ends with a slash."""
+    return f"/{file}" in f"/{path}" if file.endswith("/") else path.endswith(file)
 
 
 def _once(interfaces: Iterator[Interface] | list[Interface]) -> list[Interface]:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import msgspec
 import pytest
-from accuracy import ENDPOINTS, Comparison
-from extracted import Evidence, Interface
+from accuracy import ENDPOINTS, Comparison, of_node
+from extracted import Evidence, Extraction, Interface
 from truth_format import Row, Truth, covered, load, same_name, same_type
 
 ROLES = ENDPOINTS | {"parameter"}
@@ -56,6 +57,17 @@ def _truth() -> Truth:
         interfaces=[Row("publisher", "/a", "std_msgs/msg/String"), Row("parameter", "gone", "int")],
         undocumented=[Row("parameter", "extra", where="a.cpp:2")],
     )
+
+
+@pytest.mark.parametrize(("file", "found"), [("src/", 1), ("src/a.cpp", 1), ("src/b/", 0), ("rc/", 0)])
+def test_what_stands_below_a_folder_of_the_node_is_the_nodes(file: str, found: int) -> None:
+    """Where no module is called as the node is, its files tell, and a folder stands for all that lies below it."""
+    interface = {"role": "publisher", "name": "/a", "evidence": [{"path": "p/src/a.cpp", "line": 1}]}
+    module = {"ecm": {"module_id": "ecm.p.other"}, "signature": {"interfaces": [interface]}}
+    package = {"name": "p", "path": "p", "modules": [module]}
+    truth = msgspec.structs.replace(_truth(), module="^n$", files=[file])
+    extraction = msgspec.convert({"schema": "", "packages": [package]}, Extraction)
+    assert len(of_node(truth, extraction)[0]) == found
 
 
 def test_every_difference_is_counted_and_has_a_line() -> None:
